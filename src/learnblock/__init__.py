@@ -1,0 +1,1 @@
+"""LearnBlock: one program in blocks, Block-Text and Python, for any robot."""
