@@ -73,7 +73,7 @@ class FileError(LearnBlockError, ValueError):
         return type(self), (self.filename, self.diagnostics, self.source)
 
 
-class ProgramError(FileError, SyntaxError):
+class ProgramError(FileError):
     """A program in Block-Text or Python cannot be read, or says what cannot be meant."""
 
 
@@ -121,7 +121,7 @@ class StillTurningError(LearnBlockError, TimeoutError):
     """A turn did not reach its angle within its time limit."""
 
 
-class ProgramStopped(BaseException):  # noqa: N818 - like KeyboardInterrupt, it is no error
+class ProgramStopped(BaseException):
     """The program is being stopped from outside: by the user, a time limit or a signal.
 
     It derives from BaseException, as KeyboardInterrupt does, so that a pupil's ``except Exception``

@@ -1,0 +1,62 @@
+"""What a block is: the value that a block configuration (JSON) describes."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+ParameterType = Literal["float", "int", "string", "boolean", "list", "apriltext"]
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """One parameter of a skill.
+
+    Args:
+        name: the parameter's name in the function.
+        type: what a block's field accepts.
+        default: a float, int, str, bool, list or None of that type; see `required`.
+        required: there is no default: a call must give it.
+        translations: name shown on the block, by upper-case language code.
+    """
+
+    name: str
+    type: ParameterType
+    default: object = None
+    required: bool = False
+    translations: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class BlockConfiguration:
+    """One skill as a block.
+
+    Args:
+        type: motor, perceptual, proprioceptive, express, control, operator or others: the colour.
+        category: the tab of the palette.
+        name: the function's name, as programs write it.
+        parameters: in the order of the function.
+        shapes: ``blockVertical`` is a statement, ``blockLeft`` and ``blockBoth`` are values.
+        languages: the block's label, by upper-case language code.
+        tooltip: one sentence of help, by upper-case language code.
+        needs: the devices without which it has no effect: ``Base``, or ``JointMotor:CAMERA`` for
+            the device with that key.
+    """
+
+    type: str
+    category: str
+    name: str
+    parameters: tuple[Parameter, ...] = ()
+    shapes: tuple[str, ...] = ("blockVertical",)
+    languages: Mapping[str, str] = field(default_factory=dict)
+    tooltip: Mapping[str, str] = field(default_factory=dict)
+    needs: tuple[str, ...] = ()
+
+    @property
+    def returns_value(self) -> bool:
+        """True for a question or a measure, False for a statement."""
+        return "blockVertical" not in self.shapes
+
+    def lacks(self, devices: frozenset[str]) -> tuple[str, ...]:
+        """Those of `needs` that a robot with `devices` (``Type:KEY`` strings) does not have."""
+        types = {device.partition(":")[0] for device in devices}
+        return tuple(need for need in self.needs if need not in devices and need not in types)
