@@ -105,6 +105,10 @@ class KeyTakenError(LearnBlockError, ValueError):
     """A robot already has a device of this type under this key."""
 
 
+class DeviceValueError(LearnBlockError, ValueError):
+    """A device was given a value that no device of its type can take."""
+
+
 class RobotConnectionError(LearnBlockError, ConnectionError):
     """The robot cannot be reached, or the link to it broke."""
 

@@ -1,0 +1,106 @@
+"""Robot-agnostic skills: plain functions that take the robot first.
+
+`find` collects them: ours, those of installed plugins (entry points of the group
+``learnblock.skills``, each naming a module), and those in the ``skills`` folder of `home`.
+"""
+
+import importlib
+import importlib.util
+import inspect
+import sys
+from collections.abc import Callable, Collection, Iterator
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from learnblock.errors import LearnBlockError
+from learnblock.home import home
+
+Skill = Callable[..., Any]
+
+_MODULES = (
+    "base",
+    "motor",
+    "camera",
+    "distances",
+    "ground",
+    "light",
+    "infrared",
+    "controller",
+    "emotion",
+    "speaker",
+    "led",
+    "matrix",
+    "mp3",
+    "cozmo",
+    "others",
+)
+
+
+def find(names: Collection[str] | None = None) -> dict[str, Skill]:
+    """The skills of these names, or all there are.
+
+    Ours come first: another skill of the same name is not reached. A name that no skill has is left
+    out, since the program may never call it.
+    """
+    found = _of_modules(_ours(), names)
+    if names is None or not found.keys() >= set(names):
+        found = _of_modules(_plugins(), names) | _of_modules(_users(), names) | found
+    return found
+
+
+def _of_modules(modules: Iterator[ModuleType], names: Collection[str] | None) -> dict[str, Skill]:
+    return {
+        name: function
+        for module in modules
+        for name, function in functions(module)
+        if names is None or name in names
+    }
+
+
+def functions(module: ModuleType) -> Iterator[tuple[str, Skill]]:
+    """The skills of a module: its own public functions."""
+    for name, value in vars(module).items():
+        if (
+            not name.startswith("_")
+            and inspect.isfunction(value)
+            and value.__module__ == module.__name__
+        ):
+            yield name, value
+
+
+def _ours() -> Iterator[ModuleType]:
+    for name in _MODULES:
+        yield importlib.import_module(f"{__name__}.{name}")
+
+
+def _plugins() -> Iterator[ModuleType]:
+    from importlib.metadata import entry_points  # noqa: PLC0415 - it searches all that is installed
+
+    for point in entry_points(group="learnblock.skills"):
+        yield point.load()
+
+
+def _users() -> Iterator[ModuleType]:
+    for path in sorted((home() / "skills").glob("*.py")):
+        yield load(path)
+
+
+def load(path: Path) -> ModuleType:
+    """Import a file of skills.
+
+    Raises:
+        LearnBlockError: the file cannot be imported; its own error is the cause.
+    """
+    name = f"learnblock_home.skills.{path.stem}"
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise LearnBlockError(f"{path}: not a Python file")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    try:
+        spec.loader.exec_module(module)
+    except Exception as error:
+        del sys.modules[name]
+        raise LearnBlockError(f"{path}: the skills in it cannot be loaded: {error}") from error
+    return module

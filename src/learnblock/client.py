@@ -1,0 +1,279 @@
+"""Layer 1 of the robot side: the generic client, base class of every robot."""
+
+import atexit
+import signal
+import threading
+from collections.abc import Callable, Collection, Iterator
+from contextlib import AbstractContextManager
+from enum import Enum, auto
+from types import FrameType, TracebackType
+from typing import Any, ClassVar, NoReturn, Protocol, Self, TypeVar
+
+from learnblock import skills as skill_registry
+from learnblock.clock import Clock, WallClock
+from learnblock.devices import DEFAULT_KEY, Base, Camera, Device, Reading, Sensor
+from learnblock.errors import (
+    KeyTakenError,
+    RobotAttributeError,
+    RobotStoppedError,
+    did_you_mean,
+)
+from learnblock.events import Events
+from learnblock.readings import PolledReadings, Readings
+
+D = TypeVar("D", bound=Device)
+
+
+class State(Enum):
+    """The life of a client."""
+
+    CONNECTING = auto()
+    CONNECTED = auto()
+    STOPPED = auto()
+
+
+class Observer(Protocol):
+    """Someone who is told what a program does with its robot, such as a recorder of traces."""
+
+    def called(self, skill: str, args: tuple[Any, ...], kwargs: dict[str, Any]) -> None:
+        """The program called a skill."""
+
+    def missing(self, skill: str, device: str) -> None:
+        """A skill had no effect, since the robot lacks the device (``Type:KEY``)."""
+
+
+class Client(Events):
+    """A robot as programs see it: skills as methods, whatever the hardware beneath.
+
+    A robot of one's own is a subclass that says how to connect, to disconnect and to reach each
+    device:
+
+        class Robot(Client):
+            def connect(self):
+                self.port = open_port("/dev/ttyUSB0")
+                self.add(Base(move=self.port.drive))
+
+            def disconnect(self):
+                self.port.close()
+
+    It is connected by its constructor and disconnected exactly once, motors stopped first: by
+    `stop`, at the end of a ``with``, or when the program ends, also by an error, Ctrl-C or SIGTERM.
+
+    Args:
+        skills: the names of the skills the program uses; all there are when it is None.
+        clock: the robot's time; the wall clock by default.
+        observer: is told of calls and of skills without effect.
+
+    Raises:
+        RobotConnectionError: the robot cannot be reached.
+    """
+
+    #: Seconds between two readings of a sensor in use; None reads when the program asks.
+    sensing_period: ClassVar[float | None] = 0.02
+
+    def __init__(
+        self,
+        *,
+        skills: Collection[str] | None = None,
+        clock: Clock | None = None,
+        observer: Observer | None = None,
+    ) -> None:
+        super().__init__()
+        self.clock: Clock = clock or WallClock()
+        self.observer = observer
+        self._devices: dict[type[Device], dict[str, Device]] = {}
+        self._skill: str | None = None
+        self._state = State.CONNECTING
+        self._stopping = threading.Lock()
+        self._readings = self._make_readings()
+        self._connect()
+        self._attach(skills)
+
+    # What a specific robot writes.
+
+    def connect(self) -> None:
+        """Reach the robot and `add` its devices."""
+
+    def disconnect(self) -> None:
+        """Let go of the robot; its motors are already stopped."""
+
+    # Devices.
+
+    def add(self, device: Device, key: str = DEFAULT_KEY) -> None:
+        """Give the robot a device.
+
+        Raises:
+            KeyTakenError: there is one of the same type with the same key already.
+        """
+        same = self._devices.setdefault(type(device), {})
+        if key in same:
+            raise KeyTakenError(
+                f"this robot already has a {type(device).__name__} with the key {key!r};"
+                " give the second one a key of its own"
+            )
+        same[key] = device
+
+    def devices(self) -> Iterator[tuple[str, Device]]:
+        """Every device with its key."""
+        for same in self._devices.values():
+            yield from same.items()
+
+    def device(self, kind: type[D], key: str = DEFAULT_KEY) -> D | None:
+        """The device of that type and key, or None, which the observer is told of.
+
+        Raises:
+            RobotStoppedError: the robot is disconnected.
+        """
+        if self._state is State.STOPPED:
+            raise RobotStoppedError(
+                "the robot has been stopped: nothing can be asked of it any more"
+            )
+        if not self._readings.frozen:
+            self.clock.charge()
+        try:
+            return self._devices[kind][key]  # type: ignore[return-value] # filed under its type
+        except KeyError:
+            if self.observer and self._skill:
+                self.observer.missing(self._skill, f"{kind.__name__}:{key}")
+            return None
+
+    def read(self, kind: "type[Sensor[Reading]]", key: str = DEFAULT_KEY) -> Reading | None:
+        """The latest reading of a sensor, or None on a robot without it."""
+        sensor = self.device(kind, key)
+        if sensor is None:
+            return None
+        reading: Reading = self._readings.latest((kind, key), sensor.read)
+        return reading
+
+    def detect(self, name: str, key: str = DEFAULT_KEY) -> Any:
+        """What the detector `name` finds in the camera's latest frame, or None without a camera."""
+        camera = self.device(Camera, key)
+        if camera is None:
+            return None
+        return self._readings.latest((Camera, key, name), lambda: camera.detect(name))
+
+    def forget_readings(self) -> None:
+        """Read sensors anew at the next question, as after a gyroscope was reset."""
+        self._readings.forget()
+
+    # Time.
+
+    def time(self) -> float:
+        """Seconds since the robot was connected, in the robot's time."""
+        self.clock.charge()
+        return self.clock.time()
+
+    # The end.
+
+    @property
+    def stopped(self) -> bool:
+        return self._state is State.STOPPED
+
+    def stop(self) -> None:
+        """Stop the motors and disconnect; the second time it does nothing."""
+        with self._stopping:
+            if self._state is State.STOPPED:
+                return
+            was_connected = self._state is State.CONNECTED
+            self._state = State.STOPPED
+        self._forget_endings()
+        self._readings.close()
+        try:
+            if was_connected:
+                self._stop_motors()
+        finally:
+            self.disconnect()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.stop()
+
+    def __repr__(self) -> str:
+        names = ", ".join(f"{type(device).__name__}:{key}" for key, device in self.devices())
+        return (
+            f"<{type(self).__module__}.{type(self).__name__} {self._state.name.lower()}: {names}>"
+        )
+
+    def __getattr__(self, name: str) -> Any:
+        # Only reached for what is neither a method nor a skill, so it costs a program nothing.
+        if name.startswith("_"):
+            raise AttributeError(name)
+        hint = did_you_mean(name, [known for known in dir(self) if not known.startswith("_")])
+        raise RobotAttributeError(f"a robot has no skill `{name}`" + (f"; {hint}" if hint else ""))
+
+    # Parts of the above.
+
+    def _make_readings(self) -> Readings:
+        if self.sensing_period is None or self.clock.instant is not None:
+            return Readings(self.clock)
+        return PolledReadings(self.clock, self.sensing_period)
+
+    def _connect(self) -> None:
+        self._watch_endings()
+        try:
+            self.connect()
+        except BaseException:
+            self.stop()
+            raise
+        self._state = State.CONNECTED
+
+    def _stop_motors(self) -> None:
+        for _, device in self.devices():
+            if isinstance(device, Base):
+                device.stop()
+
+    def _attach(self, names: Collection[str] | None) -> None:
+        for name, function in skill_registry.find(names).items():
+            if hasattr(Client, name):
+                raise KeyTakenError(
+                    f"a skill cannot be called `{name}`: every robot has that already"
+                )
+            setattr(self, name, self._method(name, function))
+
+    def _method(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+        def skill(*args: Any, **kwargs: Any) -> Any:
+            if self._skill is not None:
+                return function(self, *args, **kwargs)
+            self._skill = name
+            try:
+                if self.observer:
+                    self.observer.called(name, args, kwargs)
+                return function(self, *args, **kwargs)
+            finally:
+                self._skill = None
+
+        skill.__name__ = skill.__qualname__ = name
+        skill.__doc__ = function.__doc__
+        return skill
+
+    def _snapshot(self) -> AbstractContextManager[None]:
+        return self._readings.snapshot()
+
+    # Endings: atexit answers the program's end, errors and Ctrl-C; SIGTERM alone would skip it.
+
+    def _watch_endings(self) -> None:
+        atexit.register(self.stop)
+        if _may_handle_sigterm():
+            signal.signal(signal.SIGTERM, _exit_on_sigterm)
+
+    def _forget_endings(self) -> None:
+        atexit.unregister(self.stop)
+
+
+def _may_handle_sigterm() -> bool:
+    return (
+        threading.current_thread() is threading.main_thread()
+        and signal.getsignal(signal.SIGTERM) is signal.SIG_DFL
+    )
+
+
+def _exit_on_sigterm(number: int, frame: FrameType | None) -> NoReturn:  # noqa: ARG001
+    """End as Python does on an error: `finally` and atexit run, and the robot is stopped."""
+    raise SystemExit(128 + number)

@@ -1,0 +1,391 @@
+"""Layer 2 of the robot side, the device access interfaces.
+
+A device is built from the functions that reach the hardware, so a new robot is a matter of writing
+those functions and nothing else:
+
+    >>> from learnblock.devices import Gyroscope
+    >>> gyroscope = Gyroscope(read=lambda: 90.0, reset=lambda: None)
+    >>> gyroscope.read()
+    90.0
+
+Units and signs are fixed here and nowhere else: millimetres and mm/s (forward positive), degrees
+and degrees/s (clockwise seen from above, that is a turn to the right, positive), seconds, and
+images as uint8 RGB arrays of shape (height, width, 3).
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from enum import StrEnum
+from typing import TYPE_CHECKING, Any, Generic, SupportsFloat, TypeVar
+
+from learnblock.errors import DeviceValueError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Frame = NDArray[np.uint8]
+
+Reading = TypeVar("Reading")
+Function = Callable[..., Any]
+Pose = tuple[float, float, float]
+
+#: The key of a robot's first device of a type.
+DEFAULT_KEY = "ROBOT"
+#: What a distance sensor answers when it sees nothing, in mm.
+NOTHING_SEEN = 2000.0
+
+
+class Emotion(StrEnum):
+    """What a robot's face can show."""
+
+    FEAR = "fear"
+    SURPRISE = "surprise"
+    ANGER = "anger"
+    SADNESS = "sadness"
+    DISGUST = "disgust"
+    JOY = "joy"
+    NEUTRAL = "neutral"
+    NONE = "none"
+
+
+class Device:
+    """A device as the functions it is built from; those a robot cannot offer are left out.
+
+    Args:
+        functions: the functions by name. They are kept in `functions`, which is what lets another
+            process build the same device from calls over a link.
+    """
+
+    def __init__(self, **functions: Function | None) -> None:
+        self.functions: dict[str, Function] = {
+            name: function for name, function in functions.items() if function is not None
+        }
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {', '.join(self.functions)}>"
+
+    def _do(self, name: str, *args: object) -> bool:
+        """Call the function if the robot offers it; say whether it does."""
+        function = self.functions.get(name)
+        if function is None:
+            return False
+        function(*args)
+        return True
+
+
+class Sensor(Device, Generic[Reading]):
+    """A device that is read."""
+
+    def __init__(self, read: Callable[[], Reading], **functions: Function | None) -> None:
+        super().__init__(read=read, **functions)
+        self.read = read
+
+
+class Base(Device):
+    """The wheels, or whatever moves the robot over the floor.
+
+    Args:
+        move: `move(adv, rot)` with adv in mm/s, forward positive, and rot in degrees/s, clockwise
+            positive; both stay until the next command.
+        read: answers the pose (x mm, y mm, heading in degrees) by odometry, where there is one.
+    """
+
+    def __init__(
+        self, move: Callable[[float, float], None], read: Callable[[], Pose] | None = None
+    ) -> None:
+        super().__init__(move=move, read=read)
+        self._move = move
+        #: The last commanded (adv, rot).
+        self.speed: tuple[float, float] = (0.0, 0.0)
+
+    def move(self, adv: float, rot: float) -> None:
+        """Drive at `adv` mm/s while turning at `rot` degrees/s clockwise, until told otherwise."""
+        speed = number("adv", adv), number("rot", rot)
+        self._move(*speed)
+        self.speed = speed
+
+    def stop(self) -> None:
+        self.move(0, 0)
+
+
+class Camera(Sensor["Frame | None"]):
+    """A camera.
+
+    Args:
+        read: answers the newest frame, uint8 RGB (height, width, 3), 320 by 240 by default, or None
+            when there is none yet.
+        detect: `detect(name)` answers what the detector of that name (``lines``, ``tags``,
+            ``faces``) finds in the newest frame, or None without a frame; by default the frame is
+            read and searched here.
+    """
+
+    def __init__(
+        self,
+        read: "Callable[[], Frame | None]",
+        detect: Callable[[str], Any] | None = None,
+    ) -> None:
+        super().__init__(read, detect=detect or self._detect)
+        self.detect: Callable[[str], Any] = self.functions["detect"]
+
+    def _detect(self, name: str) -> Any:
+        # Imported on first use: a robot without a camera pays nothing for OpenCV.
+        from learnblock.perception import detect  # noqa: PLC0415
+
+        frame = self.read()
+        return None if frame is None else detect(name, frame)
+
+
+class DistanceSensors(Sensor[Mapping[str, Sequence[float]]]):
+    """Distance sensors: `read` answers front, left, right and back, each a list of mm.
+
+    A sensor that looks between two directions counts for both; 2000 means nothing seen.
+    """
+
+
+class GroundSensors(Sensor[Mapping[str, float | None]]):
+    """The floor's brightness: left, central and right, 0 (dark) to 100, None where absent."""
+
+
+class Gyroscope(Sensor[float]):
+    """A gyroscope: `read` answers degrees turned since `reset`, clockwise positive, not wrapped.
+
+    The usual key is ``Z_AXIS``, the axis that points up.
+    """
+
+    def __init__(self, read: Callable[[], float], reset: Callable[[], None]) -> None:
+        super().__init__(read, reset=reset)
+        self.reset = reset
+
+
+class Accelerometer(Sensor[tuple[float, float, float]]):
+    """An accelerometer: `read` answers (x forward, y left, z up) in m/s2; z is 9.81 at rest."""
+
+
+class LightSensor(Sensor[float]):
+    """A light sensor: `read` answers 0 (dark) to 1023."""
+
+
+class Bumper(Sensor[bool]):
+    """A bumper: `read` answers True while it touches something."""
+
+
+class Controller(Sensor[Mapping[str, bool]]):
+    """A hand controller: `read` answers which of its eight buttons are pressed.
+
+    They are called lUp, lLeft, lRight, lDown, rUp, rLeft, rRight and rDown.
+    """
+
+
+class Infrared(Sensor[int | None]):
+    """An infrared remote control: `read` answers the last code received, `send` sends one."""
+
+    def __init__(
+        self, read: Callable[[], int | None], send: Callable[[int], None] | None = None
+    ) -> None:
+        super().__init__(read, send=send)
+
+    def send(self, code: int) -> bool:
+        """Send a code; False where the robot can only receive."""
+        return self._do("send", whole("code", code))
+
+
+class JointMotor(Device):
+    """A joint that moves to an angle, under a key such as ``CAMERA`` or ``ARM``.
+
+    Args:
+        move: `move(degrees)`; for a camera up is positive.
+        read: answers the joint's present angle, where it can be read.
+    """
+
+    def __init__(
+        self, move: Callable[[float], None], read: Callable[[], float] | None = None
+    ) -> None:
+        super().__init__(move=move, read=read)
+        self._move = move
+
+    def move(self, degrees: float) -> None:
+        self._move(number("degrees", degrees))
+
+
+class Display(Device):
+    """A face: a screen, or lights that stand for emotions.
+
+    Args:
+        show_emotion: shows one of the emotions, given by its name.
+        show_image: shows a frame, on a screen that can.
+    """
+
+    def __init__(
+        self,
+        show_emotion: Callable[[str], None],
+        show_image: "Callable[[Frame], None] | None" = None,
+    ) -> None:
+        super().__init__(show_emotion=show_emotion, show_image=show_image)
+        self._show_emotion = show_emotion
+        #: The emotion shown last.
+        self.emotion = Emotion.NONE
+
+    def show_emotion(self, emotion: Emotion) -> None:
+        self._show_emotion(emotion.value)
+        self.emotion = emotion
+
+    def show_image(self, frame: "Frame") -> bool:
+        """Show a picture; False on a face that can only show emotions."""
+        return self._do("show_image", frame)
+
+
+class Led(Device):
+    """A lamp that is on or off, under the key of its place."""
+
+    def __init__(self, set: Callable[[bool], None]) -> None:  # noqa: A002 - the field's own word
+        super().__init__(set=set)
+        self._set = set
+
+    def set(self, on: bool) -> None:  # noqa: FBT001 - a lamp is on or it is not
+        self._set(bool(on))
+
+
+class RGBLed(Device):
+    """A lamp with a colour, under the key of its place; red, green and blue from 0 to 255."""
+
+    def __init__(self, set_color: Callable[[int, int, int], None]) -> None:
+        super().__init__(set_color=set_color)
+        self._set_color = set_color
+
+    def set_color(self, red: int, green: int, blue: int) -> None:
+        self._set_color(
+            clamped("red", red, 255), clamped("green", green, 255), clamped("blue", blue, 255)
+        )
+
+
+class Speaker(Device):
+    """A loudspeaker: `say(text)`, `play(name)` and `tone(hertz, milliseconds)`, those it can do."""
+
+    def __init__(
+        self,
+        say: Callable[[str], None] | None = None,
+        play: Callable[[str], None] | None = None,
+        tone: Callable[[float, float], None] | None = None,
+    ) -> None:
+        super().__init__(say=say, play=play, tone=tone)
+
+    def say(self, text: str) -> bool:
+        return self._do("say", str(text))
+
+    def play(self, name: str) -> bool:
+        return self._do("play", str(name))
+
+    def tone(self, hertz: float, milliseconds: float) -> bool:
+        return self._do("tone", number("hertz", hertz), number("milliseconds", milliseconds))
+
+
+class Matrix(Device):
+    """A matrix of 8 by 16 lamps; brightness from 0 to 7, column from 0 to 15."""
+
+    def __init__(
+        self,
+        icon: Callable[[str, int], None],
+        number: Callable[[float, int], None],
+        text: Callable[[str, int, int], None],
+    ) -> None:
+        super().__init__(icon=icon, number=number, text=text)
+        self._icon, self._number, self._text = icon, number, text
+
+    def icon(self, name: str, brightness: int) -> None:
+        self._icon(str(name), clamped("brightness", brightness, 7))
+
+    def number(self, value: float, brightness: int) -> None:
+        self._number(number("value", value), clamped("brightness", brightness, 7))
+
+    def text(self, text: str, brightness: int, column: int) -> None:
+        self._text(str(text), clamped("brightness", brightness, 7), clamped("column", column, 15))
+
+
+class MP3(Device):
+    """A music player: folders of numbered songs; volume from 0 to 100."""
+
+    def __init__(
+        self,
+        select: Callable[[int, int], None],
+        action: Callable[[str], None],
+        volume: Callable[[int], None],
+        equalizer: Callable[[str], None],
+        loop: Callable[[str], None],
+    ) -> None:
+        super().__init__(
+            select=select, action=action, volume=volume, equalizer=equalizer, loop=loop
+        )
+
+    def select(self, folder: int, song: int) -> bool:
+        return self._do("select", whole("folder", folder), whole("song", song))
+
+    def action(self, action: str) -> bool:
+        return self._do("action", str(action))
+
+    def volume(self, volume: int) -> bool:
+        return self._do("volume", clamped("volume", volume, 100))
+
+    def equalizer(self, mode: str) -> bool:
+        return self._do("equalizer", str(mode))
+
+    def loop(self, mode: str) -> bool:
+        return self._do("loop", str(mode))
+
+
+class Animator(Device):
+    """Plays a robot's own behaviours by name, such as Cozmo's ``Dances``."""
+
+    def __init__(self, play: Callable[[str], None]) -> None:
+        super().__init__(play=play)
+        self._play = play
+
+    def play(self, name: str) -> None:
+        self._play(str(name))
+
+
+#: Every type of device, by its name.
+DEVICE_TYPES: Mapping[str, type[Device]] = {
+    kind.__name__: kind
+    for kind in (
+        Accelerometer,
+        Animator,
+        Base,
+        Bumper,
+        Camera,
+        Controller,
+        Display,
+        DistanceSensors,
+        GroundSensors,
+        Gyroscope,
+        Infrared,
+        JointMotor,
+        Led,
+        LightSensor,
+        Matrix,
+        MP3,
+        RGBLed,
+        Speaker,
+    )
+}
+
+
+def number(name: str, value: object) -> float:
+    """`value` as a finite float; a DeviceValueError names the parameter otherwise."""
+    # numpy's numbers are no subclasses of float, but they convert as every number does.
+    if isinstance(value, bool) or not isinstance(value, SupportsFloat):
+        raise DeviceValueError(f"`{name}` must be a number, not {value!r}")
+    converted = float(value)
+    if not math.isfinite(converted):
+        raise DeviceValueError(f"`{name}` must be a finite number, not {value!r}")
+    return converted
+
+
+def whole(name: str, value: object) -> int:
+    """`value` rounded to a whole number."""
+    return round(number(name, value))
+
+
+def clamped(name: str, value: object, most: int) -> int:
+    """`value` as a whole number from 0 to `most`, the nearest one where it lies outside."""
+    return min(max(whole(name, value), 0), most)

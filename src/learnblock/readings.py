@@ -1,0 +1,123 @@
+"""How a client comes by its sensors' readings: at once, once an instant, or by polling."""
+
+import threading
+from collections.abc import Callable, Hashable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from learnblock.clock import Clock
+
+Key = Hashable
+Read = Callable[[], Any]
+
+
+class Readings:
+    """The latest reading of each sensor in use.
+
+    At one instant of a clock that stands still between waits a sensor is read once; with a clock
+    that flows by itself every question reads anew. Inside `snapshot` every reading is made once.
+
+    Args:
+        clock: the robot's.
+    """
+
+    def __init__(self, clock: Clock) -> None:
+        self._clock = clock
+        self._instant: int | None = None
+        self._read: dict[Key, Any] = {}
+        #: Whether a snapshot is being taken.
+        self.frozen = False
+
+    def latest(self, key: Key, read: Read) -> Any:
+        """The reading of the sensor called `key`, which `read` makes when one is due."""
+        if not self.frozen:
+            self._forget_the_past()
+        try:
+            return self._read[key]
+        except KeyError:
+            reading = self._read[key] = self._make(key, read)
+            return reading
+
+    @contextmanager
+    def snapshot(self) -> Iterator[None]:
+        """Within it, all questions are answered from the same readings."""
+        self._read.clear()
+        self.frozen = True
+        try:
+            yield
+        finally:
+            self.frozen = False
+
+    def forget(self) -> None:
+        """Read anew at the next question, as after a command that changes what is read."""
+        if not self.frozen:
+            self._read.clear()
+
+    def close(self) -> None:
+        """Nothing runs beside the program."""
+
+    def _forget_the_past(self) -> None:
+        instant = self._clock.instant
+        if instant is None or instant != self._instant:
+            self._read.clear()
+            self._instant = instant
+
+    def _make(self, key: Key, read: Read) -> Any:  # noqa: ARG002 - polling goes by the key
+        return read()
+
+
+class PolledReadings(Readings):
+    """Readings of a real robot: a thread renews those in use, so that asking never waits.
+
+    The first question about a sensor reads it at once; from then on it is in use. An error of the
+    reading thread is raised at the next question about that sensor.
+
+    Args:
+        clock: the robot's.
+        period: seconds between two readings of a sensor.
+    """
+
+    def __init__(self, clock: Clock, period: float) -> None:
+        super().__init__(clock)
+        self._period = period
+        self._sensors: dict[Key, Read] = {}
+        self._results: dict[Key, tuple[Any, Exception | None]] = {}
+        self._closed = threading.Event()
+        self._thread: threading.Thread | None = None
+
+    def close(self) -> None:
+        self._closed.set()
+        if self._thread and self._thread is not threading.current_thread():
+            # A reading that hangs must not keep the robot from being stopped.
+            self._thread.join(timeout=2 * self._period + 0.1)
+
+    def poll(self) -> None:
+        """Read every sensor in use once."""
+        for key, read in tuple(self._sensors.items()):
+            self._results[key] = _outcome(read)
+
+    def _make(self, key: Key, read: Read) -> Any:
+        if key not in self._sensors:
+            self._results[key] = _outcome(read)
+            self._sensors[key] = read
+            self._start()
+        reading, error = self._results[key]
+        if error:
+            raise error
+        return reading
+
+    def _start(self) -> None:
+        if self._thread is None:
+            self._thread = threading.Thread(target=self._run, name="sensors", daemon=True)
+            self._thread.start()
+
+    def _run(self) -> None:
+        while not self._closed.wait(self._period):
+            self.poll()
+
+
+def _outcome(read: Read) -> tuple[Any, Exception | None]:
+    try:
+        return read(), None
+    except Exception as error:  # noqa: BLE001 - it is raised again where the program asks
+        return None, error
