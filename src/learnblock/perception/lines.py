@@ -1,0 +1,62 @@
+"""Black, red and blue lines, by the colours of pixels in three parts of a frame."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import cv2
+import numpy as np
+
+from learnblock.perception.detections import Lines, LineView
+from learnblock.perception.frames import Frame, checked
+
+Triple = tuple[int, int, int]
+
+# Hue (0 to 180), saturation and value as OpenCV has them. Red lies on both ends of the hues.
+RED = (((0, 50, 100), (10, 255, 255)), ((170, 50, 100), (180, 255, 255)))
+BLUE = (((100, 50, 50), (130, 255, 255)),)
+BLACK_GREY = 50
+# Of a frame of 320 by 240: what is looked at, and by how many pixels colours are dilated.
+ROWS = (15, 225)
+COLUMNS = (0, 120, 200, 320)
+DILATION = 3
+
+
+def detect_lines(frame: Frame) -> Lines:
+    """How much black, red and blue the left, the center and the right of a frame show.
+
+    Args:
+        frame: RGB, uint8, shape (height, width, 3).
+
+    Returns:
+        The pixel counts; a colour without a line has few or none.
+
+    Raises:
+        FrameError: `frame` is no picture.
+    """
+    height = checked(frame).shape[0]
+    rows = slice(*(round(row * height / 240) for row in ROWS))
+    hsv = cv2.cvtColor(frame, cv2.COLOR_RGB2HSV)
+    black = cv2.inRange(cv2.cvtColor(frame[rows], cv2.COLOR_RGB2GRAY), (0,), (BLACK_GREY,))
+    return Lines(
+        black=_view("black", np.asarray(black, np.uint8), frame),
+        red=_view("red", _coloured(hsv, RED)[rows], frame),
+        blue=_view("blue", _coloured(hsv, BLUE)[rows], frame),
+    )
+
+
+def _coloured(hsv: cv2.typing.MatLike, ranges: Sequence[tuple[Triple, Triple]]) -> Frame:
+    """255 where a pixel is within one of the ranges, dilated."""
+    mask = cv2.inRange(hsv, *ranges[0])
+    for low, high in ranges[1:]:
+        mask = cv2.bitwise_or(mask, cv2.inRange(hsv, low, high))
+    times = max(1, round(DILATION * hsv.shape[0] / 240))
+    return np.asarray(cv2.dilate(mask, np.ones((3, 3), np.uint8), iterations=times), np.uint8)
+
+
+def _view(colour: str, mask: Frame, frame: Frame) -> LineView:
+    height, width = frame.shape[:2]
+    borders = [round(column * width / 320) for column in COLUMNS]
+    left, center, right = (
+        int(np.count_nonzero(mask[:, begin:end])) for begin, end in pairwise(borders)
+    )
+    return LineView(colour, left, center, right, width, height)
