@@ -97,6 +97,11 @@ class Client(Events):
     def disconnect(self) -> None:
         """Let go of the robot; its motors are already stopped."""
 
+    @classmethod
+    def device_names(cls) -> frozenset[str] | None:
+        """The devices of every such robot as ``Type:KEY``, where that is known beforehand."""
+        return None
+
     # Devices.
 
     def add(self, device: Device, key: str = DEFAULT_KEY) -> None:
@@ -133,8 +138,7 @@ class Client(Events):
         try:
             return self._devices[kind][key]  # type: ignore[return-value] # filed under its type
         except KeyError:
-            if self.observer and self._skill:
-                self.observer.missing(self._skill, f"{kind.__name__}:{key}")
+            self._note_missing(f"{kind.__name__}:{key}")
             return None
 
     def read(self, kind: "type[Sensor[Reading]]", key: str = DEFAULT_KEY) -> Reading | None:
@@ -146,11 +150,17 @@ class Client(Events):
         return reading
 
     def detect(self, name: str, key: str = DEFAULT_KEY) -> Any:
-        """What the detector `name` finds in the camera's latest frame, or None without a camera."""
+        """What the detector `name` finds in the camera's latest frame.
+
+        None without a camera, without a frame yet, or where there is no such detector.
+        """
         camera = self.device(Camera, key)
         if camera is None:
             return None
-        return self._readings.latest((Camera, key, name), lambda: camera.detect(name))
+        found = self._readings.latest((Camera, key, name), lambda: camera.detect(name))
+        if found is None:
+            self._note_missing(f"Detector:{name}")
+        return found
 
     def forget_readings(self) -> None:
         """Read sensors anew at the next question, as after a gyroscope was reset."""
@@ -252,6 +262,10 @@ class Client(Events):
         skill.__name__ = skill.__qualname__ = name
         skill.__doc__ = function.__doc__
         return skill
+
+    def _note_missing(self, device: str) -> None:
+        if self.observer and self._skill:
+            self.observer.missing(self._skill, device)
 
     def _snapshot(self) -> AbstractContextManager[None]:
         return self._readings.snapshot()

@@ -53,8 +53,9 @@ class Device:
     """A device as the functions it is built from; those a robot cannot offer are left out.
 
     Args:
-        functions: the functions by name. They are kept in `functions`, which is what lets another
-            process build the same device from calls over a link.
+        functions: the functions by name. They are kept in `functions` and called from there, which
+            lets another process build the same device from calls over a link, and a recorder
+            watch what the device is told.
     """
 
     def __init__(self, **functions: Function | None) -> None:
@@ -95,14 +96,13 @@ class Base(Device):
         self, move: Callable[[float, float], None], read: Callable[[], Pose] | None = None
     ) -> None:
         super().__init__(move=move, read=read)
-        self._move = move
         #: The last commanded (adv, rot).
         self.speed: tuple[float, float] = (0.0, 0.0)
 
     def move(self, adv: float, rot: float) -> None:
         """Drive at `adv` mm/s while turning at `rot` degrees/s clockwise, until told otherwise."""
         speed = number("adv", adv), number("rot", rot)
-        self._move(*speed)
+        self.functions["move"](*speed)
         self.speed = speed
 
     def stop(self) -> None:
@@ -116,8 +116,8 @@ class Camera(Sensor["Frame | None"]):
         read: answers the newest frame, uint8 RGB (height, width, 3), 320 by 240 by default, or None
             when there is none yet.
         detect: `detect(name)` answers what the detector of that name (``lines``, ``tags``,
-            ``faces``) finds in the newest frame, or None without a frame; by default the frame is
-            read and searched here.
+            ``faces``) finds in the newest frame, or None without a frame or such a detector; by
+            default the frame is read and searched here.
     """
 
     def __init__(
@@ -130,9 +130,9 @@ class Camera(Sensor["Frame | None"]):
 
     def _detect(self, name: str) -> Any:
         # Imported on first use: a robot without a camera pays nothing for OpenCV.
-        from learnblock.perception import detect  # noqa: PLC0415
+        from learnblock.perception import DETECTORS, detect  # noqa: PLC0415
 
-        frame = self.read()
+        frame = self.read() if name in DETECTORS else None
         return None if frame is None else detect(name, frame)
 
 
@@ -155,7 +155,10 @@ class Gyroscope(Sensor[float]):
 
     def __init__(self, read: Callable[[], float], reset: Callable[[], None]) -> None:
         super().__init__(read, reset=reset)
-        self.reset = reset
+
+    def reset(self) -> None:
+        """Make the present heading 0."""
+        self.functions["reset"]()
 
 
 class Accelerometer(Sensor[tuple[float, float, float]]):
@@ -202,10 +205,9 @@ class JointMotor(Device):
         self, move: Callable[[float], None], read: Callable[[], float] | None = None
     ) -> None:
         super().__init__(move=move, read=read)
-        self._move = move
 
     def move(self, degrees: float) -> None:
-        self._move(number("degrees", degrees))
+        self.functions["move"](number("degrees", degrees))
 
 
 class Display(Device):
@@ -222,12 +224,11 @@ class Display(Device):
         show_image: "Callable[[Frame], None] | None" = None,
     ) -> None:
         super().__init__(show_emotion=show_emotion, show_image=show_image)
-        self._show_emotion = show_emotion
         #: The emotion shown last.
         self.emotion = Emotion.NONE
 
     def show_emotion(self, emotion: Emotion) -> None:
-        self._show_emotion(emotion.value)
+        self.functions["show_emotion"](emotion.value)
         self.emotion = emotion
 
     def show_image(self, frame: "Frame") -> bool:
@@ -240,10 +241,9 @@ class Led(Device):
 
     def __init__(self, set: Callable[[bool], None]) -> None:  # noqa: A002 - the field's own word
         super().__init__(set=set)
-        self._set = set
 
     def set(self, on: bool) -> None:  # noqa: FBT001 - a lamp is on or it is not
-        self._set(bool(on))
+        self.functions["set"](bool(on))
 
 
 class RGBLed(Device):
@@ -251,10 +251,9 @@ class RGBLed(Device):
 
     def __init__(self, set_color: Callable[[int, int, int], None]) -> None:
         super().__init__(set_color=set_color)
-        self._set_color = set_color
 
     def set_color(self, red: int, green: int, blue: int) -> None:
-        self._set_color(
+        self.functions["set_color"](
             clamped("red", red, 255), clamped("green", green, 255), clamped("blue", blue, 255)
         )
 
@@ -290,16 +289,17 @@ class Matrix(Device):
         text: Callable[[str, int, int], None],
     ) -> None:
         super().__init__(icon=icon, number=number, text=text)
-        self._icon, self._number, self._text = icon, number, text
 
     def icon(self, name: str, brightness: int) -> None:
-        self._icon(str(name), clamped("brightness", brightness, 7))
+        self.functions["icon"](str(name), clamped("brightness", brightness, 7))
 
     def number(self, value: float, brightness: int) -> None:
-        self._number(number("value", value), clamped("brightness", brightness, 7))
+        self.functions["number"](number("value", value), clamped("brightness", brightness, 7))
 
     def text(self, text: str, brightness: int, column: int) -> None:
-        self._text(str(text), clamped("brightness", brightness, 7), clamped("column", column, 15))
+        self.functions["text"](
+            str(text), clamped("brightness", brightness, 7), clamped("column", column, 15)
+        )
 
 
 class MP3(Device):
@@ -338,10 +338,9 @@ class Animator(Device):
 
     def __init__(self, play: Callable[[str], None]) -> None:
         super().__init__(play=play)
-        self._play = play
 
     def play(self, name: str) -> None:
-        self._play(str(name))
+        self.functions["play"](str(name))
 
 
 #: Every type of device, by its name.

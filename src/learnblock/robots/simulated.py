@@ -1,0 +1,316 @@
+"""Robots of the embedded simulator: the twins, which run wherever LearnBlock is installed."""
+
+import os
+import random
+from collections.abc import Callable
+from functools import cached_property, partial
+from pathlib import Path
+from typing import ClassVar
+
+from learnblock.client import Client
+from learnblock.clock import Clock
+from learnblock.devices import (
+    MP3,
+    Accelerometer,
+    Animator,
+    Base,
+    Bumper,
+    Camera,
+    Device,
+    Display,
+    DistanceSensors,
+    GroundSensors,
+    Gyroscope,
+    Infrared,
+    JointMotor,
+    Led,
+    LightSensor,
+    Matrix,
+    Pose,
+    RGBLed,
+    Speaker,
+)
+from learnblock.errors import DeviceValueError
+from learnblock.home import home
+from learnblock.runtime.lockstep import LockStepClock
+from learnblock.runtime.pacing import Pacing
+from learnblock.runtime.usertime import use_robot_time
+from learnblock.simulator import (
+    RobotBody,
+    RobotDescription,
+    World,
+    WorldEvent,
+    load_robot,
+    load_world,
+)
+
+#: Steps between two entries of a robot's path: 0.1 s.
+STEPS_PER_POSE = 10
+
+
+class Simulation:
+    """A world with its pace, and those who are told what happens in it.
+
+    Args:
+        world: the world.
+        pacing: how fast it runs; free by default.
+    """
+
+    def __init__(self, world: World, pacing: Pacing | None = None) -> None:
+        self.world = world
+        self.pacing = pacing or Pacing()
+        self.dt = world.dt
+        self.seed = world.seed
+        #: Are told every robot's pose every 0.1 s: `watcher(name, pose)`.
+        self.pose_watchers: list[Callable[[str, Pose], object]] = []
+        #: Are told what happens: `watcher(event)`.
+        self.event_watchers: list[Callable[[WorldEvent], object]] = []
+
+    @property
+    def steps(self) -> int:
+        """The steps made so far."""
+        return self.world.steps
+
+    def time(self) -> float:
+        """Seconds the world has existed."""
+        return self.world.time
+
+    def advance(self, step: int) -> None:
+        """Make steps, no faster than the pace allows, until `steps` is `step`."""
+        while self.world.steps < step:
+            self.pacing.wait(self.world.time)
+            self.world.step()
+            self._report()
+
+    def _report(self) -> None:
+        for event in self.world.take_events():
+            for event_watcher in self.event_watchers:
+                event_watcher(event)
+        if self.world.steps % STEPS_PER_POSE == 0:
+            for name, body in self.world.robots.items():
+                for pose_watcher in self.pose_watchers:
+                    pose_watcher(name, body.pose)
+
+
+class WorldClock:
+    """The time of a robot whose program waits elsewhere: it is only looked at."""
+
+    def __init__(self, simulation: Simulation) -> None:
+        self._simulation = simulation
+
+    @property
+    def instant(self) -> int:
+        return self._simulation.steps
+
+    def time(self) -> float:
+        return self._simulation.time()
+
+    def sleep(self, seconds: float) -> None:
+        raise NotImplementedError(f"a robot that others advance cannot sleep {seconds} s")
+
+    def charge(self) -> None:
+        """Whoever advances the world charges for it."""
+
+
+class SimulatedRobot(Client):
+    """A robot of the embedded simulator.
+
+    A program that is run by itself, as ``python square.py``, gets a world of its own, which
+    advances while the program waits:
+
+        from learnblock.robots.sim_ebo import Robot
+
+        robot = Robot(world="line")
+        robot.move_straight()
+        robot.sleep(2)
+
+    Args:
+        world: a world's name or the path of its file; the environment's ``LEARNBLOCK_WORLD``, or
+            else the robot's own default.
+        seed: of all noise; ``LEARNBLOCK_SEED`` or else 0.
+        pace: ``"free"``, ``"real"`` or a factor of real time; ``LEARNBLOCK_PACE`` or else free.
+        simulation: the world of a host that advances it itself.
+        name: the robot's among those of the world.
+
+    Raises:
+        UnknownNameError: there is no such world.
+        WorldError: the world's file is wrong.
+        DeviceValueError: the seed or pace is no such thing.
+    """
+
+    #: The name of the robot's description.
+    description_name: ClassVar[str]
+
+    def __init__(
+        self,
+        *,
+        world: str | None = None,
+        seed: int | None = None,
+        pace: str | float | None = None,
+        simulation: Simulation | None = None,
+        name: str = "robot",
+    ) -> None:
+        self.name = name
+        self._restore_time: Callable[[], None] | None = None
+        self.simulation = simulation or self.make_simulation(world=world, seed=seed, pace=pace)
+        clock: Clock = WorldClock(self.simulation) if simulation else self._own_clock()
+        super().__init__(clock=clock)
+        if simulation is None:
+            self._hold_the_program()
+
+    @classmethod
+    def description(cls) -> RobotDescription:
+        """What kind of robot it is."""
+        return load_robot(cls.description_name)
+
+    @classmethod
+    def device_names(cls) -> frozenset[str]:
+        return cls.description().devices()
+
+    @classmethod
+    def make_simulation(
+        cls,
+        *,
+        world: str | None = None,
+        seed: int | None = None,
+        pace: str | float | None = None,
+    ) -> Simulation:
+        """The world a robot of this kind gets, from arguments, environment or defaults."""
+        chosen = world or os.environ.get("LEARNBLOCK_WORLD") or cls.description().world
+        description = load_world(chosen, folders=world_folders())
+        return Simulation(World(description, seed=_seed(seed)), Pacing(_factor(pace)))
+
+    @cached_property
+    def body(self) -> RobotBody:
+        """The robot in its world."""
+        return self.simulation.world.add_robot(self.description(), name=self.name)
+
+    def where(self) -> Pose:
+        """The robot's pose: (x mm, y mm, heading in degrees)."""
+        return self.body.pose
+
+    def connect(self) -> None:
+        for name in sorted(self.body.description.devices()):
+            kind, _, key = name.partition(":")
+            self.add(_DEVICES[kind](self.body, key), key)
+
+    def disconnect(self) -> None:
+        if self._restore_time:
+            self._restore_time()
+
+    def _own_clock(self) -> LockStepClock:
+        simulation = self.simulation
+
+        def wait(steps: int) -> int:
+            simulation.advance(simulation.steps + steps)
+            return simulation.steps
+
+        return LockStepClock(wait, simulation.steps, simulation.dt)
+
+    def _hold_the_program(self) -> None:
+        """The program's own randomness and time follow the world, so that it can be repeated."""
+        random.seed(self.simulation.seed)
+        self._restore_time = use_robot_time(self.clock)
+
+
+def world_folders() -> tuple[Path, ...]:
+    """Where worlds are looked for besides our own."""
+    return (home() / "worlds",)
+
+
+def pace_factor(pace: str | float) -> float | None:
+    """``free`` as None, ``real`` as 1, a positive number as itself.
+
+    Raises:
+        DeviceValueError: it is none of these.
+    """
+    if pace == "free":
+        return None
+    if pace == "real":
+        return 1.0
+    try:
+        factor = float(pace)
+    except ValueError:
+        factor = 0.0
+    if not 0 < factor < float("inf"):
+        raise DeviceValueError(
+            f"`pace` must be free, real or a positive factor of real time such as 5, not {pace!r}"
+        )
+    return factor
+
+
+def _factor(pace: str | float | None) -> float | None:
+    return pace_factor(os.environ.get("LEARNBLOCK_PACE") or "free" if pace is None else pace)
+
+
+def _seed(seed: int | None) -> int:
+    chosen = os.environ.get("LEARNBLOCK_SEED") or 0 if seed is None else seed
+    try:
+        return int(chosen)
+    except ValueError:
+        raise DeviceValueError(f"`seed` must be a whole number, not {chosen!r}") from None
+
+
+# One function for each type of device: what it is built from in the simulator.
+
+
+def _base(body: RobotBody, _key: str) -> Base:
+    return Base(move=body.drive, read=lambda: body.pose)
+
+
+def _logged(body: RobotBody, device: str, action: str) -> Callable[..., None]:
+    return partial(body.note, device, action)
+
+
+def _speaker(body: RobotBody, _key: str) -> Speaker:
+    note = partial(_logged, body, "Speaker")
+    return Speaker(say=note("say"), play=note("play"), tone=note("tone"))
+
+
+def _matrix(body: RobotBody, _key: str) -> Matrix:
+    note = partial(_logged, body, "Matrix")
+    return Matrix(icon=note("icon"), number=note("number"), text=note("text"))
+
+
+def _mp3(body: RobotBody, _key: str) -> MP3:
+    note = partial(_logged, body, "MP3")
+    return MP3(
+        select=note("select"),
+        action=note("action"),
+        volume=note("volume"),
+        equalizer=note("equalizer"),
+        loop=note("loop"),
+    )
+
+
+def _led(body: RobotBody, key: str) -> Led:
+    return Led(set=lambda on: body.set_led(key, (255, 255, 255) if on else (0, 0, 0)))
+
+
+def _rgb_led(body: RobotBody, key: str) -> RGBLed:
+    return RGBLed(set_color=lambda red, green, blue: body.set_led(key, (red, green, blue)))
+
+
+def _joint(body: RobotBody, key: str) -> JointMotor:
+    return JointMotor(move=partial(body.set_joint, key), read=partial(body.joint, key))
+
+
+_DEVICES: dict[str, Callable[[RobotBody, str], Device]] = {
+    "Accelerometer": lambda body, _: Accelerometer(body.acceleration),
+    "Animator": lambda body, _: Animator(_logged(body, "Animator", "play")),
+    "Base": _base,
+    "Bumper": lambda body, _: Bumper(body.bumper),
+    "Camera": lambda body, key: Camera(partial(body.frame, key)),
+    "Display": lambda body, _: Display(show_emotion=body.show_emotion),
+    "DistanceSensors": lambda body, _: DistanceSensors(body.distances),
+    "GroundSensors": lambda body, _: GroundSensors(body.ground),
+    "Gyroscope": lambda body, _: Gyroscope(body.gyroscope, body.reset_gyroscope),
+    "Infrared": lambda body, _: Infrared(lambda: None, _logged(body, "Infrared", "send")),
+    "JointMotor": _joint,
+    "Led": _led,
+    "LightSensor": lambda body, _: LightSensor(body.light),
+    "MP3": _mp3,
+    "Matrix": _matrix,
+    "RGBLed": _rgb_led,
+    "Speaker": _speaker,
+}

@@ -1,0 +1,477 @@
+"""The robot host: holds the robots, runs programs as children, and outlives them.
+
+In a simulated world programs take turns: each runs until it waits, then the world advances to the
+first that wakes. One thread does all of this, so a run depends on program, world and seed alone.
+"""
+
+import signal
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import partial
+from time import monotonic
+from typing import Any, Protocol
+
+from learnblock.client import Client
+from learnblock.devices import Device, Sensor
+from learnblock.errors import LearnBlockError, RobotConnectionError
+from learnblock.runtime import messages
+from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.limits import MEGABYTE, Limits
+from learnblock.runtime.messages import Fault
+from learnblock.runtime.pacing import Pacing
+from learnblock.runtime.process import ProcessWorker, Worker
+from learnblock.runtime.program import Program
+from learnblock.runtime.trace import Recorder
+
+#: How long, in seconds of the wall clock, a silent program waits to be looked after.
+TICK = 0.05
+#: So many steps are made between two looks at who watches.
+STRIDE = 10
+#: How long a program that is told to stop may take for its own `finally`.
+GRACE = 0.4
+
+
+class Simulation(Protocol):
+    """A simulated world as the host needs it."""
+
+    dt: float
+    seed: int
+    pacing: Pacing
+
+    @property
+    def steps(self) -> int:
+        """The steps made so far."""
+
+    def advance(self, step: int) -> None:
+        """Make steps until `steps` is `step`."""
+
+
+class How(StrEnum):
+    """How a run ended."""
+
+    FINISHED = "finished"
+    ERROR = "error"
+    TIME_LIMIT = "time limit"
+    STOPPED = "stopped"
+    NO_CALL = "no call"
+    OUTPUT_LIMIT = "output limit"
+    KILLED = "killed"
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """How a run ended, in one sentence, and at which line of the program's Python (0: unknown)."""
+
+    how: How
+    sentence: str
+    line: int = 0
+
+    @property
+    def well(self) -> bool:
+        """Whether nothing went wrong."""
+        return self.how in {How.FINISHED, How.TIME_LIMIT, How.STOPPED}
+
+
+MakeRobot = Callable[[str, dict[str, Any]], Client]
+
+
+class Watcher:
+    """Is told what happens while it happens; the base class ignores it all."""
+
+    def printed(self, text: str) -> None:
+        """The program printed a line."""
+
+    def line(self, number: int) -> None:
+        """A line of the program's Python is about to run."""
+
+    def input(self, prompt: str) -> str | None:  # noqa: ARG002 - for those who have someone to ask
+        """The program asks for a line; None when there is no one to answer."""
+        return None
+
+    def tick(self) -> None:
+        """Some time has passed: a good moment to draw."""
+
+
+class Run:
+    """One program on one robot.
+
+    Args:
+        program: what to run.
+        make_robot: makes the robot of a module with the arguments the program gave.
+        recorder: makes the recorder once there is a robot.
+        watcher: is told what happens.
+        debugger: holds the program at lines; without one it runs undisturbed.
+        limits: what the program may use.
+        worker: makes what runs the program.
+    """
+
+    def __init__(
+        self,
+        program: Program,
+        make_robot: MakeRobot,
+        recorder: Callable[[Client], Recorder],
+        *,
+        watcher: Watcher | None = None,
+        debugger: Debugger | None = None,
+        limits: Limits | None = None,
+        worker: Callable[[], Worker] = ProcessWorker,
+        robots: tuple[str, ...] = (),
+    ) -> None:
+        self.program = program
+        self.ending: Ending | None = None
+        self.client: Client | None = None
+        self.recorder: Recorder | None = None
+        #: The step at which it goes on, while it waits for its world.
+        self.wake: int | None = None
+        #: How it is to end, once that has been asked for.
+        self.stopping: Ending | None = None
+        self._make_robot = make_robot
+        self._make_recorder = recorder
+        self.watcher = watcher or Watcher()
+        self._debugger = debugger
+        self._limits = limits or Limits()
+        self._make_worker = worker
+        self._robots = robots
+        self._functions: list[dict[str, Callable[..., Any]]] = []
+        self._printed = 0
+        self._last_call = 0.0
+
+    @property
+    def simulation(self) -> Simulation | None:
+        """The world of a simulated robot; None on a real one, and before there is a robot."""
+        return getattr(self.client, "simulation", None) if self.client else None
+
+    def start(self) -> None:
+        """Start the program; it goes nowhere until served."""
+        self._worker = self._make_worker()
+        self._link = self._worker.link
+        self._link.send(
+            messages.Setup(
+                source=self.program.python,
+                filename=self.program.name,
+                folder=self.program.folder,
+                skills=self.program.names,
+                robots=self._robots,
+                debug=self._debugger is not None,
+                limits=self._limits,
+            )
+        )
+
+    def serve(self) -> None:
+        """Do what the program asks until it waits for its world's time, or ends."""
+        self._last_call = monotonic()
+        try:
+            while self.wake is None and self.ending is None:
+                message = self._next()
+                if message is not None:
+                    _HANDLERS[type(message)](self, message)
+        except EOFError:
+            self._finish(self.stopping or self._death())
+        except LearnBlockError as error:
+            self._finish(Ending(How.ERROR, str(error)))
+
+    def release(self) -> None:
+        """Wake the program at its world's present step, and serve it."""
+        assert self.simulation is not None  # noqa: S101 - only a simulated program parks
+        self.wake = None
+        self._answer(self.simulation.steps)
+        self.serve()
+
+    def stop(self, ending: Ending) -> None:
+        """Ask for the end; it may be called from any thread, and returns at once."""
+        self.stopping = self.stopping or ending
+        if self._debugger:
+            self._debugger.end()
+        if self.simulation:
+            self.simulation.pacing.end()
+
+    def end(self) -> None:
+        """End it now if it has not ended by itself; nothing of it is left then."""
+        if self.ending is None and hasattr(self, "_worker"):
+            self._dismiss(self.stopping or Ending(How.STOPPED, "the program was stopped"))
+
+    # Receiving.
+
+    def _next(self) -> Any:
+        if self.stopping:
+            self._dismiss(self.stopping)
+            return None
+        message = self._link.receive(TICK)
+        if message is None:
+            self.watcher.tick()
+            self._look_after_silence()
+        return message
+
+    def _look_after_silence(self) -> None:
+        if self._worker.wait(0) is not None:
+            raise EOFError("the program's process is gone")
+        # Only a simulated robot waits for its program; on a real one thinking long is no fault.
+        silent = monotonic() - self._last_call
+        if self.simulation and silent > self._limits.silence:
+            self.stopping = Ending(
+                How.NO_CALL,
+                f"the program made no call to the robot for {self._limits.silence:g} s and was"
+                " stopped: does a loop in it lack a `sleep`?",
+            )
+
+    def _dismiss(self, ending: Ending) -> None:
+        """Have the program end itself, and kill it if it does not."""
+        try:
+            if self.wake is None:
+                self._worker.interrupt()
+            else:
+                self._link.send(messages.Stop(ending.sentence))
+            ending = self._drain(ending)
+        except (EOFError, LearnBlockError):
+            # It died first, or speaks nonsense; either way it is over.
+            pass
+        self._finish(ending)
+
+    def _drain(self, ending: Ending) -> Ending:
+        """Let it say its last words; what it still asks for is refused."""
+        deadline = monotonic() + GRACE
+        while (left := deadline - monotonic()) > 0:
+            match self._link.receive(left):
+                case messages.Ended(lines=lines):
+                    line = lines[-1] if lines else ending.line
+                    return Ending(ending.how, ending.sentence, line)
+                case messages.Ask() | messages.Sleep() | messages.Input() | messages.Line():
+                    self._link.send(messages.Stop(ending.sentence))
+        return ending
+
+    def _death(self) -> Ending:
+        status = self._worker.wait(GRACE)
+        if status is None:
+            return Ending(How.KILLED, "the program cut its link to the robot and was killed")
+        if status < 0:
+            name = signal.Signals(-status).name
+            if name == "SIGXCPU":
+                return Ending(
+                    How.KILLED,
+                    f"the program used more than {self._limits.cpu} s of processor time",
+                )
+            return Ending(How.KILLED, f"the program was killed by the signal {name}")
+        return Ending(How.KILLED, f"the program's process ended by itself with status {status}")
+
+    def _finish(self, ending: Ending) -> None:
+        """The robot first: its motors stop whatever becomes of the program."""
+        self.wake = None
+        if self.client:
+            try:
+                self.client.stop()
+            except LearnBlockError as error:
+                if ending.well:
+                    ending = Ending(How.ERROR, f"the robot could not be stopped: {error}")
+        self._worker.kill()
+        self.ending = ending
+        if self.recorder:
+            self.recorder.end(ending.how)
+
+    def _answer(self, value: Any) -> None:
+        self._link.send(messages.Answer(value))
+
+    # One method for each message of the child.
+
+    def _on_connect(self, message: messages.Connect) -> None:
+        try:
+            self.client = self._make_robot(message.module, message.arguments)
+        except (LearnBlockError, TypeError) as error:
+            # A TypeError: the program gave `Robot(...)` an argument this robot does not have.
+            self._link.send(_failure(error))
+            return
+        self._functions = [
+            _functions(self.client, key, device) for key, device in self.client.devices()
+        ]
+        self.recorder = self._make_recorder(self.client)
+        self.recorder.watch(self.client)
+        self._link.send(self._offer(self.client))
+        self._last_call = monotonic()
+
+    def _offer(self, client: Client) -> messages.Connected:
+        devices = tuple(
+            messages.DeviceOffer(type(device).__name__, key, tuple(device.functions))
+            for key, device in client.devices()
+        )
+        simulation = self.simulation
+        if simulation is None:
+            return messages.Connected(devices, None, 0.0, None)
+        return messages.Connected(devices, simulation.steps, simulation.dt, simulation.seed)
+
+    def _on_ask(self, message: messages.Ask) -> None:
+        self._last_call = monotonic()
+        try:
+            value = self._call(message)
+        except LearnBlockError as error:
+            self._link.send(_failure(error))
+        else:
+            self._answer(value)
+
+    def _on_tell(self, message: messages.Tell) -> None:
+        self._last_call = monotonic()
+        self._call(message)
+
+    def _call(self, message: messages.Ask | messages.Tell) -> Any:
+        try:
+            return self._functions[message.device][message.function](*message.args)
+        except LearnBlockError:
+            raise
+        except Exception as error:
+            # A driver is someone else's code: whatever it raises, the run ends with a sentence.
+            raise RobotConnectionError(
+                f"the robot failed to {message.function}: {type(error).__name__}: {error}"
+            ) from error
+
+    def _on_sleep(self, message: messages.Sleep) -> None:
+        if self.simulation is None:
+            raise LearnBlockError("only the program of a simulated robot waits for its world")
+        self.wake = self.simulation.steps + max(1, message.steps)
+
+    def _on_disconnect(self, message: messages.Disconnect) -> None:  # noqa: ARG002
+        if self.client:
+            self.client.stop()
+
+    def _on_line(self, message: messages.Line) -> None:
+        if self.recorder:
+            self.recorder.line(message.number)
+        self.watcher.line(message.number)
+        if self._debugger:
+            self._debugger.reached(message.number, message.depth, self._variables)
+            self._last_call = monotonic()
+            self._link.send(messages.Continue())
+
+    def _variables(self) -> messages.Variables:
+        self._link.send(messages.ShowVariables())
+        while True:
+            message = self._link.receive()
+            if isinstance(message, messages.Variables):
+                return message
+
+    def _on_called(self, message: messages.Called) -> None:
+        self._last_call = monotonic()
+        if self.recorder:
+            self.recorder.called(message.skill, message.args, message.kwargs)
+
+    def _on_missing(self, message: messages.Missing) -> None:
+        if self.recorder:
+            self.recorder.missing(message.skill, message.device)
+
+    def _on_printed(self, message: messages.Printed) -> None:
+        self._printed += len(message.text)
+        if self._printed > self._limits.output:
+            self.stopping = Ending(
+                How.OUTPUT_LIMIT,
+                f"the program printed more than {self._limits.output / MEGABYTE:g} MB and was"
+                " stopped: does a loop in it print without waiting?",
+            )
+            return
+        if self.recorder:
+            self.recorder.printed(message.text)
+        self.watcher.printed(message.text)
+        if monotonic() - self._last_call > self._limits.silence:
+            self._look_after_silence()
+
+    def _on_input(self, message: messages.Input) -> None:
+        self._answer(self.watcher.input(message.prompt))
+        self._last_call = monotonic()
+
+    def _on_ended(self, message: messages.Ended) -> None:
+        if message.fault:
+            self._finish(_failed(message.fault))
+        elif message.stopped:
+            line = message.lines[-1] if message.lines else 0
+            self._finish(Ending(How.STOPPED, "the program was stopped by a signal", line))
+        else:
+            self._finish(Ending(How.FINISHED, "the program finished"))
+
+
+_HANDLERS: Mapping[type, Callable[[Run, Any], None]] = {
+    messages.Connect: Run._on_connect,  # noqa: SLF001 - the class's own table
+    messages.Ask: Run._on_ask,  # noqa: SLF001
+    messages.Tell: Run._on_tell,  # noqa: SLF001
+    messages.Sleep: Run._on_sleep,  # noqa: SLF001
+    messages.Disconnect: Run._on_disconnect,  # noqa: SLF001
+    messages.Line: Run._on_line,  # noqa: SLF001
+    messages.Called: Run._on_called,  # noqa: SLF001
+    messages.Missing: Run._on_missing,  # noqa: SLF001
+    messages.Printed: Run._on_printed,  # noqa: SLF001
+    messages.Input: Run._on_input,  # noqa: SLF001
+    messages.Ended: Run._on_ended,  # noqa: SLF001
+}
+
+
+class Host:
+    """Runs programs to their ends: one on a real robot, or any number in one simulated world.
+
+    Args:
+        runs: in the order in which their robots take turns.
+        seconds: the run ends when the robot's time reaches this; None for no limit.
+    """
+
+    def __init__(self, *runs: Run, seconds: float | None = None) -> None:
+        self._runs = runs
+        self._seconds = seconds
+
+    def run(self) -> None:
+        """Return when every program has ended; each run then has its `ending`."""
+        try:
+            for run in self._runs:
+                run.start()
+            for run in self._runs:
+                run.serve()
+            self._take_turns()
+        finally:
+            for run in self._runs:
+                run.end()
+
+    def stop(self, sentence: str = "the program was stopped") -> None:
+        """End all programs within a second, whatever they do; may be called from any thread."""
+        self._stop(Ending(How.STOPPED, sentence))
+
+    def _take_turns(self) -> None:
+        while parked := [run for run in self._runs if run.wake is not None]:
+            simulation = parked[0].simulation
+            assert simulation is not None  # noqa: S101 - only a simulated program parks
+            wake = min(run.wake for run in parked if run.wake is not None)
+            limit = self._last_step(simulation)
+            self._advance(simulation, wake if limit is None else min(wake, limit))
+            if limit is not None and simulation.steps >= limit:
+                self._stop(Ending(How.TIME_LIMIT, f"the time limit of {self._seconds:g} s is up"))
+            for run in parked:
+                if run.stopping:
+                    run.end()
+                elif run.wake == wake:
+                    run.release()
+
+    def _advance(self, simulation: Simulation, step: int) -> None:
+        """In short strides, so that someone who watches a long wait sees it pass."""
+        while simulation.steps < step and not self._runs[0].stopping:
+            simulation.advance(min(step, simulation.steps + STRIDE))
+            for run in self._runs:
+                run.watcher.tick()
+
+    def _last_step(self, simulation: Simulation) -> int | None:
+        return None if self._seconds is None else round(self._seconds / simulation.dt)
+
+    def _stop(self, ending: Ending) -> None:
+        for run in self._runs:
+            run.stop(ending)
+
+
+def _failed(fault: Fault) -> Ending:
+    line = fault.lines[-1] if fault.lines else 0
+    return Ending(How.ERROR, f"{fault.type}: {fault.text}" if fault.text else fault.type, line)
+
+
+def _failure(error: Exception) -> messages.Failed:
+    return messages.Failed(type(error).__name__, str(error))
+
+
+def _functions(client: Client, key: str, device: Device) -> dict[str, Callable[..., Any]]:
+    """What a child may call: a sensor is read through the client, which polls those in use."""
+    if not isinstance(device, Sensor):
+        return device.functions
+    reading = {"read": partial(client.read, type(device), key)}
+    if "detect" in device.functions:
+        reading["detect"] = partial(client.detect, key=key)
+    return {**device.functions, **reading}

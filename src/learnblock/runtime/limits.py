@@ -1,0 +1,91 @@
+"""What a pupil's program may use, and the fences round it."""
+
+import sys
+from typing import Any
+
+import msgspec
+
+MEGABYTE = 1024 * 1024
+
+
+class Limits(msgspec.Struct, frozen=True, array_like=True):
+    """What one program may use.
+
+    Args:
+        memory: bytes of address space; none on systems that cannot limit it.
+        cpu: seconds of processor time.
+        output: bytes printed.
+        file_size: bytes in any one file it writes.
+        open_files: files open at once.
+        silence: seconds of the wall clock a simulated robot waits for the program's next call.
+    """
+
+    memory: int = 2048 * MEGABYTE
+    cpu: int = 3600
+    output: int = MEGABYTE
+    file_size: int = 16 * MEGABYTE
+    open_files: int = 64
+    silence: float = 2.0
+
+
+#: Audit events (PEP 578) by which a program would start another process or harm ours.
+_FORBIDDEN = frozenset(
+    {
+        "os.exec",
+        "os.fork",
+        "os.forkpty",
+        "os.kill",
+        "os.killpg",
+        "os.posix_spawn",
+        "os.spawn",
+        "os.startfile",
+        "os.system",
+        "pty.spawn",
+        "subprocess.Popen",
+    }
+)
+
+
+def contain(limits: Limits) -> None:
+    """Put this process under the limits; there is no way back."""
+    _limit_resources(limits)
+    _end_with_parent()
+    sys.addaudithook(_refuse)
+
+
+def _limit_resources(limits: Limits) -> None:
+    try:
+        import resource  # noqa: PLC0415 - POSIX only
+    except ImportError:
+        return
+    wanted = {
+        resource.RLIMIT_AS: limits.memory,
+        resource.RLIMIT_CPU: limits.cpu,
+        resource.RLIMIT_FSIZE: limits.file_size,
+        resource.RLIMIT_NOFILE: limits.open_files,
+        resource.RLIMIT_CORE: 0,
+    }
+    for kind, value in wanted.items():
+        _, hard = resource.getrlimit(kind)
+        value = value if hard == resource.RLIM_INFINITY else min(value, hard)  # noqa: PLW2901
+        try:
+            resource.setrlimit(kind, (value, value))
+        except (ValueError, OSError):
+            # macOS refuses to limit address space: a program there is held by the other limits.
+            continue
+
+
+def _end_with_parent() -> None:
+    """Have Linux kill this process when its host dies, even in a loop that makes no call."""
+    if sys.platform != "linux":
+        return
+    import ctypes  # noqa: PLC0415 - costs time, and only Linux has prctl
+    import signal  # noqa: PLC0415
+
+    set_parent_death_signal = 1  # PR_SET_PDEATHSIG of <linux/prctl.h>
+    ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGKILL)
+
+
+def _refuse(event: str, args: tuple[Any, ...]) -> None:  # noqa: ARG001 - the hook's signature
+    if event in _FORBIDDEN:
+        raise PermissionError(f"a robot's program may not start or stop other programs ({event})")

@@ -1,0 +1,79 @@
+"""Line events: which line of a program is about to run."""
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import CodeType, FrameType
+from typing import Any
+
+OnLine = Callable[[int], object]
+
+
+@contextmanager
+def line_events(code: CodeType, on_line: OnLine) -> Iterator[None]:
+    """Within it, call `on_line(number)` before each line of `code` and of the functions in it."""
+    stop = start_line_events(code, on_line)
+    try:
+        yield
+    finally:
+        stop()
+
+
+def start_line_events(
+    code: CodeType, on_line: OnLine, running: FrameType | None = None
+) -> Callable[[], None]:
+    """Begin line events for `code`; answer the function that ends them.
+
+    Args:
+        code: a module's code.
+        on_line: is called with the line's number.
+        running: the frame that runs `code` already, if it does.
+    """
+    if sys.version_info >= (3, 12):
+        return _monitor(code, on_line)
+    return _trace(code.co_filename, on_line, running)
+
+
+def depth(filename: str) -> int:
+    """How many frames of the file `filename` the caller is called from."""
+    frame, count = sys._getframe(1), 0  # noqa: SLF001 - the documented way to walk the stack
+    walker: FrameType | None = frame
+    while walker is not None:
+        count += walker.f_code.co_filename == filename
+        walker = walker.f_back
+    return count
+
+
+def _monitor(code: CodeType, on_line: OnLine) -> Callable[[], None]:
+    # PEP 669: only the program's own code pays, and only for its lines.
+    monitoring: Any = sys.monitoring  # type: ignore[attr-defined,unused-ignore] # 3.12
+    tool = next(tool for tool in range(6) if monitoring.get_tool(tool) is None)
+    monitoring.use_tool_id(tool, "learnblock")
+    monitoring.register_callback(
+        tool, monitoring.events.LINE, lambda _code, number: on_line(number)
+    )
+    for part in _parts(code):
+        monitoring.set_local_events(tool, part, monitoring.events.LINE)
+    return lambda: monitoring.free_tool_id(tool)
+
+
+def _parts(code: CodeType) -> Iterator[CodeType]:
+    yield code
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _parts(constant)
+
+
+def _trace(filename: str, on_line: OnLine, running: FrameType | None) -> Callable[[], None]:
+    def local(frame: FrameType, event: str, _argument: object) -> Any:
+        if event == "line":
+            on_line(frame.f_lineno)
+        return local
+
+    def enter(frame: FrameType, _event: str, _argument: object) -> Any:
+        return local if frame.f_code.co_filename == filename else None
+
+    if running:
+        running.f_trace = local
+    sys.settrace(enter)
+    return lambda: sys.settrace(None)

@@ -1,0 +1,44 @@
+"""The clock of a simulated robot, which moves only while its program waits."""
+
+import math
+from collections.abc import Callable
+
+#: So many accesses to devices cost a program one step, since on no robot is reading free: without
+#: a price, a loop that polls and never sleeps would hold the world's time for ever.
+ACCESSES_PER_STEP = 10
+
+
+class LockStepClock:
+    """The time of a world that advances only when every program in it waits.
+
+    Args:
+        wait: `wait(steps)` parks the program for that many steps, at least one, and answers the
+            world's step counter when it wakes.
+        steps: the counter now.
+        dt: seconds a step.
+    """
+
+    def __init__(self, wait: Callable[[int], int], steps: int, dt: float) -> None:
+        self._wait = wait
+        self._dt = dt
+        self._started = steps
+        self._accesses = 0
+        self.instant = steps
+
+    def time(self) -> float:
+        # Rounded, so that step 3 is 0.03 and not 0.030000000000000002: programs print their times.
+        return round((self.instant - self._started) * self._dt, 9)
+
+    def sleep(self, seconds: float) -> None:
+        if seconds > 0:
+            # A wait that is no whole number of steps ends with the step that contains its end.
+            self._advance(max(1, math.ceil(seconds / self._dt - 1e-6)))
+
+    def charge(self) -> None:
+        self._accesses += 1
+        if self._accesses >= ACCESSES_PER_STEP:
+            self._advance(1)
+
+    def _advance(self, steps: int) -> None:
+        self._accesses = 0
+        self.instant = self._wait(steps)

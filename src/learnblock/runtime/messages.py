@@ -1,0 +1,211 @@
+"""The whole conversation between the robot host and the child that runs a program.
+
+The child speaks first and the host answers only where an answer is noted, so the two can never wait
+for each other. Everything is sent in order, which is what lets the host put a program's prints,
+lines and calls at their right place in the trace.
+"""
+
+from typing import Any
+
+import msgspec
+
+from learnblock.runtime.limits import Limits
+
+
+class Message(msgspec.Struct, frozen=True, array_like=True, tag=True):
+    """A message of the link."""
+
+
+# The host speaks.
+
+
+class Setup(Message, frozen=True):
+    """What to run; the first message.
+
+    Args:
+        source: the program's Python.
+        filename: the name it goes by in errors.
+        folder: where its own modules are imported from; "" for nowhere.
+        skills: the names of the skills it may use.
+        robots: the modules besides ours that are robots when it imports ``Robot`` from them.
+        debug: every line is asked for and waits for its answer, so that it can be paused.
+        limits: what it may use.
+    """
+
+    source: str
+    filename: str
+    folder: str
+    skills: tuple[str, ...]
+    robots: tuple[str, ...]
+    debug: bool
+    limits: Limits
+
+
+class DeviceOffer(msgspec.Struct, frozen=True, array_like=True):
+    """A device of the robot: its type, its key and the functions it is built from."""
+
+    type: str
+    key: str
+    functions: tuple[str, ...]
+
+
+class Connected(Message, frozen=True):
+    """The robot is there.
+
+    Args:
+        devices: in the order by which `Ask` and `Tell` number them.
+        steps: the world's step counter, or None for a robot whose time flows by itself.
+        dt: seconds a step.
+        seed: seeds the program's own random numbers; None leaves them alone.
+    """
+
+    devices: tuple[DeviceOffer, ...]
+    steps: int | None
+    dt: float
+    seed: int | None
+
+
+class Answer(Message, frozen=True):
+    """The value of an `Ask`, a `Sleep` (the step it woke at), or an `Input`."""
+
+    value: Any = None
+
+
+class Failed(Message, frozen=True):
+    """What was asked for failed; `error` names the class in `learnblock.errors` to raise."""
+
+    error: str
+    text: str
+
+
+class Stop(Message, frozen=True):
+    """The program is over, whatever it was about to do."""
+
+    reason: str
+
+
+class Continue(Message, frozen=True):
+    """Go on with the line that was announced."""
+
+
+class ShowVariables(Message, frozen=True):
+    """Send `Variables`, and wait on."""
+
+
+# The child speaks.
+
+
+class Connect(Message, frozen=True):
+    """The program makes its robot; answered by `Connected` or `Failed`."""
+
+    module: str
+    arguments: dict[str, Any]
+
+
+class Ask(Message, frozen=True):
+    """Call a device's function and `Answer` its value."""
+
+    device: int
+    function: str
+    args: tuple[Any, ...]
+
+
+class Tell(Message, frozen=True):
+    """Call a device's function; nobody waits."""
+
+    device: int
+    function: str
+    args: tuple[Any, ...]
+
+
+class Sleep(Message, frozen=True):
+    """Park until that many steps have passed; answered with the step the program woke at."""
+
+    steps: int
+
+
+class Disconnect(Message, frozen=True):
+    """The program has stopped its robot."""
+
+
+class Line(Message, frozen=True):
+    """A line of the program is about to run; `depth` counts the calls it is in.
+
+    When debugging it is answered by `Continue`, after any number of `ShowVariables`.
+    """
+
+    number: int
+    depth: int
+
+
+class Called(Message, frozen=True):
+    """The program called a skill."""
+
+    skill: str
+    args: tuple[Any, ...]
+    kwargs: dict[str, Any]
+
+
+class Missing(Message, frozen=True):
+    """A skill had no effect for want of a device."""
+
+    skill: str
+    device: str
+
+
+class Printed(Message, frozen=True):
+    """A line the program printed, with its line end unless it has none yet."""
+
+    text: str
+
+
+class Input(Message, frozen=True):
+    """The program waits for a line of input; answered by it."""
+
+    prompt: str
+
+
+class Variables(Message, frozen=True):
+    """The program's variables as text: those of the function, then those of the program."""
+
+    local: dict[str, str]
+    shared: dict[str, str]
+
+
+class Fault(msgspec.Struct, frozen=True, array_like=True):
+    """An error the program ended with.
+
+    Args:
+        type: the exception's class.
+        text: its message.
+        lines: the program's own lines on the way to the error, outermost first.
+    """
+
+    type: str
+    text: str
+    lines: tuple[int, ...]
+
+
+class Ended(Message, frozen=True):
+    """The program has ended by itself, by `fault`, or because it was `stopped`."""
+
+    fault: Fault | None = None
+    stopped: bool = False
+    lines: tuple[int, ...] = ()
+
+
+FromHost = Setup | Connected | Answer | Failed | Stop | Continue | ShowVariables
+FromChild = (
+    Connect
+    | Ask
+    | Tell
+    | Sleep
+    | Disconnect
+    | Line
+    | Called
+    | Missing
+    | Printed
+    | Input
+    | Variables
+    | Ended
+)

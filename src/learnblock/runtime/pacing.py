@@ -1,0 +1,96 @@
+"""How fast a simulated world runs against the wall clock: one object, outside the world."""
+
+import threading
+import time
+from collections.abc import Callable
+
+#: So far behind, in seconds of the wall clock, a world gives up catching up.
+SLIP = 0.1
+#: Waits shorter than this cost more than they order.
+SHORTEST_WAIT = 0.001
+
+
+class Pacing:
+    """Free, real time at a factor, paused, or step by step; it can be changed while the world runs.
+
+    A world that cannot keep up slips: it runs on, slower than asked, and never skips a step.
+
+    Args:
+        factor: times real time; None is free, as fast as it goes.
+        clock: seconds of the wall clock.
+    """
+
+    def __init__(
+        self, factor: float | None = None, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        self.factor = factor
+        self._clock = clock
+        self._changed = threading.Condition()
+        self._paused = False
+        self._allowed_steps = 0
+        self._ended = False
+        self._anchor: tuple[float, float] | None = None
+        self._slipped = False
+
+    def wait(self, world_time: float) -> None:
+        """Return when the world may make the step that begins at `world_time` seconds."""
+        if self._paused:
+            self._wait_for_permission()
+        if self.factor is not None:
+            self._keep_pace(world_time, self.factor)
+
+    def pause(self) -> None:
+        """Hold the world before its next step."""
+        self._change(paused=True)
+
+    def resume(self) -> None:
+        self._change(paused=False)
+
+    def step(self, steps: int = 1) -> None:
+        """Let a paused world make that many steps."""
+        with self._changed:
+            self._allowed_steps += steps
+            self._changed.notify_all()
+
+    def set_factor(self, factor: float | None) -> None:
+        """Change the speed from here on."""
+        with self._changed:
+            self.factor, self._anchor = factor, None
+            self._changed.notify_all()
+
+    def end(self) -> None:
+        """Never wait again: the run is being stopped."""
+        with self._changed:
+            self._ended = True
+            self._changed.notify_all()
+
+    @property
+    def slipped(self) -> bool:
+        """Whether the world has been too slow for its pace at some time."""
+        return self._slipped
+
+    def _change(self, *, paused: bool) -> None:
+        with self._changed:
+            self._paused, self._allowed_steps, self._anchor = paused, 0, None
+            self._changed.notify_all()
+
+    def _wait_for_permission(self) -> None:
+        with self._changed:
+            self._changed.wait_for(
+                lambda: not self._paused or self._allowed_steps > 0 or self._ended
+            )
+            if self._paused and self._allowed_steps:
+                self._allowed_steps -= 1
+            self._anchor = None
+
+    def _keep_pace(self, world_time: float, factor: float) -> None:
+        now = self._clock()
+        if self._anchor is None:
+            self._anchor = (now, world_time)
+        wall, world = self._anchor
+        ahead = wall + (world_time - world) / factor - now
+        if ahead < -SLIP:
+            self._anchor, self._slipped = (now, world_time), True
+        elif ahead > SHORTEST_WAIT:
+            with self._changed:
+                self._changed.wait_for(lambda: self._ended or self._paused, timeout=ahead)

@@ -1,0 +1,109 @@
+"""Where a program runs: a process of its own, or a thread of the host."""
+
+import contextlib
+import ctypes
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+from typing import Protocol
+
+from learnblock.errors import ProgramStopped
+from learnblock.runtime import child
+from learnblock.runtime.link import Link
+from learnblock.runtime.messages import FromChild, FromHost
+
+
+class Worker(Protocol):
+    """What runs a program at the other end of `link`."""
+
+    link: Link[FromChild]
+
+    def interrupt(self) -> None:
+        """Raise ProgramStopped in the program, wherever it is."""
+
+    def kill(self) -> None:
+        """Make sure that nothing of it is left."""
+
+    def wait(self, timeout: float) -> int | None:
+        """Its exit status (negative: the signal that killed it), or None if it still runs."""
+
+
+class ProcessWorker:
+    """A process, in a session of its own so that nothing it starts outlives it."""
+
+    def __init__(self) -> None:
+        ours, theirs = socket.socketpair()
+        theirs.set_inheritable(True)
+        with theirs:
+            self._process = self._start(theirs.fileno())
+        self.link: Link[FromChild] = Link(ours, FromChild)
+
+    def interrupt(self) -> None:
+        self._process.terminate()
+
+    def kill(self) -> None:
+        self._process.kill()
+        self._process.wait()
+        if hasattr(os, "killpg"):
+            # Whatever it managed to start is in its process group.
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(self._process.pid, signal.SIGKILL)
+        self.link.close()
+
+    def wait(self, timeout: float) -> int | None:
+        try:
+            return self._process.wait(timeout)
+        except subprocess.TimeoutExpired:
+            return None
+
+    @staticmethod
+    def _start(handle: int) -> "subprocess.Popen[bytes]":
+        # -P: a program's folder must not shadow our modules. The hash seed: the order of a set of
+        # strings must not differ between two runs.
+        command = [sys.executable, "-P", "-m", child.__name__, str(handle)]
+        environment = {**os.environ, "PYTHONHASHSEED": "0"}
+        if sys.platform == "win32":
+            return subprocess.Popen(  # noqa: S603 - our own interpreter and module
+                command, env=environment, stdin=subprocess.DEVNULL, close_fds=False
+            )
+        return subprocess.Popen(  # noqa: S603 - our own interpreter and module
+            command,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            pass_fds=(handle,),
+            start_new_session=True,
+        )
+
+
+class ThreadWorker:
+    """A thread of the host: for programs one trusts, as it can neither be limited nor killed."""
+
+    def __init__(self) -> None:
+        ours, theirs = socket.socketpair()
+        self.link: Link[FromChild] = Link(ours, FromChild)
+        self._thread = threading.Thread(
+            target=self._run, args=(theirs,), name="program", daemon=True
+        )
+        self._thread.start()
+
+    def interrupt(self) -> None:
+        if self._thread.ident is not None:
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(
+                ctypes.c_ulong(self._thread.ident), ctypes.py_object(ProgramStopped)
+            )
+
+    def kill(self) -> None:
+        self.link.close()
+        self._thread.join(timeout=1)
+
+    def wait(self, timeout: float) -> int | None:
+        self._thread.join(timeout)
+        return None if self._thread.is_alive() else 0
+
+    @staticmethod
+    def _run(connection: socket.socket) -> None:
+        with connection, contextlib.suppress(ProgramStopped):
+            child.run(Link(connection, FromHost))

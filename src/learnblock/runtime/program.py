@@ -1,0 +1,57 @@
+"""A program to run: its Python, and the way back to what its author wrote."""
+
+import ast
+import hashlib
+import re
+from dataclasses import dataclass
+from functools import cached_property
+
+from learnblock.language.source_map import SourceMap
+
+_ROBOT_IMPORT = re.compile(r"^from [\w.]+ import Robot\b", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Program:
+    """A program to run.
+
+    Args:
+        name: the name its author knows it by, such as ``square.bt``.
+        python: what is run.
+        written: the text its author wrote, in whichever notation.
+        source_map: from lines of `python` to lines of `written`; None where both are the same.
+        folder: where its own modules are imported from; "" for nowhere.
+    """
+
+    name: str
+    python: str
+    written: str
+    source_map: SourceMap | None = None
+    folder: str = ""
+
+    @cached_property
+    def identity(self) -> str:
+        """A hash of the program itself: whatever its name, its notation and its robot."""
+        neutral = _ROBOT_IMPORT.sub("from robot import Robot", self.python)
+        return hashlib.sha256(neutral.encode("utf-8", "surrogatepass")).hexdigest()
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Every attribute it mentions, among them the skills it uses; none if it cannot be read."""
+        try:
+            tree = ast.parse(self.python)
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            return ()
+        found = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+        return tuple(sorted(found))
+
+    def written_line(self, python_line: int) -> int:
+        """The line its author wrote that became `python_line`; 0 if there is none."""
+        if self.source_map is None:
+            return python_line
+        return self.source_map.source_line(python_line) or 0
+
+    def quote(self, line: int) -> str:
+        """The text of a line its author wrote; "" if there is none."""
+        lines = self.written.splitlines()
+        return lines[line - 1].strip() if 1 <= line <= len(lines) else ""

@@ -1,0 +1,140 @@
+"""The trace of a run: JSON Lines that depend on program, world and seed, and on nothing else."""
+
+import hashlib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any, BinaryIO
+
+import msgspec
+
+from learnblock.client import Client
+from learnblock.devices import Function, Pose
+
+#: Functions of devices that only answer; all others tell the device to do something.
+QUESTIONS = frozenset({"read", "detect"})
+
+_encode = msgspec.json.Encoder(enc_hook=repr).encode
+
+
+class Trace:
+    """Lines of JSON, written as they happen and hashed as they are written.
+
+    Args:
+        file: where they go besides the hash.
+    """
+
+    def __init__(self, file: BinaryIO | None = None) -> None:
+        self._file = file
+        self._hash = hashlib.sha256()
+
+    def write(self, line: Mapping[str, object]) -> None:
+        text = _encode(line) + b"\n"
+        self._hash.update(text)
+        if self._file:
+            self._file.write(text)
+
+    @property
+    def sha256(self) -> str:
+        """The hash of all lines so far, in hexadecimal."""
+        return self._hash.hexdigest()
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """Something that happened at a place: for the picture and the report."""
+
+    time: float
+    kind: str
+    text: str
+    pose: Pose | None
+
+
+@dataclass
+class Recorder:
+    """Writes down what one robot's program does, and keeps what the report needs.
+
+    It is the `Observer` of the client, and `watch`es its devices.
+
+    Args:
+        trace: where the lines go; several robots of a world share it.
+        time: seconds of the robot's time.
+        label: added to every line where a world has several robots.
+        where: the robot's pose now, where it is known.
+    """
+
+    trace: Trace
+    time: Callable[[], float]
+    label: Mapping[str, str] = field(default_factory=dict)
+    where: Callable[[], Pose] | None = None
+    path: list[tuple[float, Pose]] = field(default_factory=list)
+    marks: list[Mark] = field(default_factory=list)
+    #: Skills without effect: (skill, device) -> how often.
+    missed: dict[tuple[str, str], int] = field(default_factory=dict)
+    _told: dict[tuple[str, str, str], tuple[object, ...]] = field(default_factory=dict)
+
+    def begin(self, run: Mapping[str, object]) -> None:
+        """The first line: what is run where."""
+        self.trace.write({"run": run})
+
+    def watch(self, client: Client) -> None:
+        """Write down what the client's devices are told from now on."""
+        for key, device in client.devices():
+            kind = type(device).__name__
+            for name, function in device.functions.items():
+                if name not in QUESTIONS:
+                    device.functions[name] = partial(self._tell, kind, key, name, function)
+
+    def called(self, skill: str, args: Sequence[object], kwargs: Mapping[str, object]) -> None:
+        self._write("call", skill, args=args, **({"kwargs": kwargs} if kwargs else {}))
+
+    def missing(self, skill: str, device: str) -> None:
+        self.missed[skill, device] = self.missed.get((skill, device), 0) + 1
+
+    def line(self, number: int) -> None:
+        self._write("line", number)
+
+    def printed(self, text: str) -> None:
+        self._write("print", text.removesuffix("\n"))
+
+    def pose(self, pose: Pose) -> None:
+        self.path.append((self.time(), pose))
+        self._write("pose", _rounded(pose))
+
+    def goal(self, name: str, state: str) -> None:
+        self._mark("goal", f"{name}: {state}")
+        self._write("goal", name, state=state)
+
+    def end(self, how: str) -> None:
+        self._mark("end", how)
+        self._write("end", how)
+
+    @property
+    def emotions(self) -> list[str]:
+        """The emotions shown, in order."""
+        return [mark.text for mark in self.marks if mark.kind == "emotion"]
+
+    def _tell(self, kind: str, key: str, name: str, function: Function, *args: object) -> Any:
+        # Only what changes is news: a loop that commands the same speed a hundred times a second
+        # tells the reader of a trace nothing.
+        if self._told.get((kind, key, name)) != args or name not in _LASTING:
+            self._told[kind, key, name] = args
+            self._write("device", kind, key=key, do=name, args=args)
+            if name == "show_emotion":
+                self._mark("emotion", str(args[0]))
+        return function(*args)
+
+    def _mark(self, kind: str, text: str) -> None:
+        self.marks.append(Mark(self.time(), kind, text, self.where() if self.where else None))
+
+    def _write(self, kind: str, what: object, **more: object) -> None:
+        self.trace.write({"t": round(self.time(), 6), kind: what, **more, **self.label})
+
+
+#: Commands that last until the next one, so that giving them twice changes nothing.
+_LASTING = frozenset({"move", "show_emotion", "set", "set_color"})
+
+
+def _rounded(pose: Pose) -> list[float]:
+    # A thousandth of a millimetre is far below what a machine's own arithmetic may differ by.
+    return [round(value, 3) + 0.0 for value in pose]
