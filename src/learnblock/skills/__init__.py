@@ -20,6 +20,7 @@ Skill = Callable[..., Any]
 
 _MODULES = (
     "base",
+    "pose",
     "motor",
     "camera",
     "distances",

@@ -1,1 +1,221 @@
-"""Placeholder."""
+"""Driving and turning, and what the robot is doing just now."""
+
+from typing import TYPE_CHECKING
+
+from learnblock.devices import Base, Gyroscope, number
+from learnblock.skills.turning import (
+    UPRIGHT,
+    Manner,
+    has_gyroscope,
+    heading,
+    shortest,
+    turn_blind,
+    turn_by,
+)
+
+if TYPE_CHECKING:
+    from learnblock.client import Client
+
+_BRISK = Manner(gain=1, slowest=10, fastest=30, settled_within=1)
+_CAREFUL = Manner(gain=0.5, slowest=5, fastest=15, settled_within=2)
+_BLIND_SPEED = 20.0
+_SLOWING_PERIOD = 0.1
+
+
+def move_straight(robot: "Client", advSpeed: float = 40) -> None:
+    """Drive straight on until told otherwise.
+
+    Args:
+        advSpeed: mm/s; below zero the robot drives backwards.
+    """
+    _move(robot, advSpeed, 0)
+
+
+def move_left(robot: "Client", advSpeed: float = 20, rotSpeed: float = -15) -> None:
+    """Drive in a curve to the left until told otherwise.
+
+    Args:
+        advSpeed: mm/s; below zero the robot drives backwards.
+        rotSpeed: degrees/s; below zero it turns to the left.
+    """
+    _move(robot, advSpeed, rotSpeed)
+
+
+def move_right(robot: "Client", advSpeed: float = 20, rotSpeed: float = 15) -> None:
+    """Drive in a curve to the right until told otherwise.
+
+    Args:
+        advSpeed: mm/s; below zero the robot drives backwards.
+        rotSpeed: degrees/s; above zero it turns to the right.
+    """
+    _move(robot, advSpeed, rotSpeed)
+
+
+def turn_left(robot: "Client", rotSpeed: float = -23) -> None:
+    """Turn to the left on the spot until told otherwise.
+
+    Args:
+        rotSpeed: degrees/s; below zero it turns to the left.
+    """
+    _move(robot, 0, rotSpeed)
+
+
+def turn_right(robot: "Client", rotSpeed: float = 23) -> None:
+    """Turn to the right on the spot until told otherwise.
+
+    Args:
+        rotSpeed: degrees/s; above zero it turns to the right.
+    """
+    _move(robot, 0, rotSpeed)
+
+
+def set_move(robot: "Client", adv: float, rot: float) -> None:
+    """Drive and turn at the same time until told otherwise.
+
+    Args:
+        adv: mm/s; below zero the robot drives backwards.
+        rot: degrees/s; above zero it turns to the right.
+    """
+    _move(robot, adv, rot)
+
+
+def stop_bot(robot: "Client") -> None:
+    """Stop the wheels."""
+    _move(robot, 0, 0)
+
+
+def turn(robot: "Client", angle: float) -> None:
+    """Turn on the spot by an angle, and go on when that is done.
+
+    With a gyroscope it turns at 10 to 30 degrees/s and stops within 1 degree; without one it turns
+    at 20 degrees/s for the time that this takes.
+
+    Args:
+        angle: degrees; above zero to the right, below zero to the left; 720 is twice around.
+
+    Raises:
+        StillTurningError: it takes far too long: the robot may be stuck.
+    """
+    angle = number("angle", angle)
+    base = robot.device(Base)
+    if base is None:
+        return
+    if has_gyroscope(robot):
+        turn_by(robot, base, angle, _BRISK)
+    else:
+        turn_blind(robot, base, angle, _BLIND_SPEED)
+
+
+def turn_90_left(robot: "Client") -> None:
+    """Turn on the spot by a quarter to the left."""
+    turn(robot, -90)
+
+
+def turn_90_right(robot: "Client") -> None:
+    """Turn on the spot by a quarter to the right."""
+    turn(robot, 90)
+
+
+def turn_back(robot: "Client") -> None:
+    """Turn on the spot until the robot looks where it came from."""
+    turn(robot, 180)
+
+
+def reset_orientation(robot: "Client", keygyro: str = "Z_AXIS") -> None:
+    """Call the direction in which the robot looks now 0 degrees.
+
+    Args:
+        keygyro: which gyroscope; the one whose axis points up measures turns over the floor.
+    """
+    gyroscope = robot.device(Gyroscope, keygyro)
+    if gyroscope is not None:
+        gyroscope.reset()
+        robot.forget_readings()
+
+
+def set_orientation(robot: "Client", angle: float) -> None:
+    """Turn on the spot, the shorter way, until the robot looks in a direction.
+
+    It turns at 5 to 15 degrees/s, stops within 1 degree and turns again if it is off by more than
+    2 degrees once it has come to rest.
+
+    Args:
+        angle: degrees to the right of the direction of the last `reset_orientation`.
+
+    Raises:
+        StillTurningError: it takes far too long: the robot may be stuck.
+    """
+    angle = number("angle", angle)
+    base, gyroscope = robot.device(Base), robot.device(Gyroscope, UPRIGHT)
+    if base is not None and gyroscope is not None:
+        turn_by(robot, base, shortest(angle - heading(robot)), _CAREFUL)
+
+
+def slow_down(robot: "Client", decAdv: float = 4, decRot: float = 2) -> None:
+    """Drive one step slower, down to standstill; each step takes a tenth of a second.
+
+    Args:
+        decAdv: mm/s that a step takes from the speed; its sign does not matter.
+        decRot: degrees/s that a step takes from the turning; its sign does not matter.
+    """
+    base = robot.device(Base)
+    if base is None or base.speed == (0, 0):
+        return
+    adv, rot = base.speed
+    base.move(
+        _nearer_zero(adv, number("decAdv", decAdv)), _nearer_zero(rot, number("decRot", decRot))
+    )
+    robot.clock.sleep(_SLOWING_PERIOD)
+
+
+def is_moving_straight(robot: "Client") -> bool:
+    """Is the robot driving straight on, or straight back?"""
+    adv, rot = _speed(robot)
+    return adv != 0 and rot == 0
+
+
+def is_moving_left(robot: "Client") -> bool:
+    """Is the robot driving in a curve to the left?"""
+    adv, rot = _speed(robot)
+    return adv != 0 and rot < 0
+
+
+def is_moving_right(robot: "Client") -> bool:
+    """Is the robot driving in a curve to the right?"""
+    adv, rot = _speed(robot)
+    return adv != 0 and rot > 0
+
+
+def is_turning(robot: "Client") -> bool:
+    """Is the robot turning on the spot?"""
+    adv, rot = _speed(robot)
+    return adv == 0 and rot != 0
+
+
+def is_turning_left(robot: "Client") -> bool:
+    """Is the robot turning to the left on the spot?"""
+    adv, rot = _speed(robot)
+    return adv == 0 and rot < 0
+
+
+def is_turning_right(robot: "Client") -> bool:
+    """Is the robot turning to the right on the spot?"""
+    adv, rot = _speed(robot)
+    return adv == 0 and rot > 0
+
+
+def _move(robot: "Client", adv: float, rot: float) -> None:
+    base = robot.device(Base)
+    if base is not None:
+        base.move(adv, rot)
+
+
+def _speed(robot: "Client") -> tuple[float, float]:
+    """The last commanded (mm/s, degrees/s)."""
+    base = robot.device(Base)
+    return (0.0, 0.0) if base is None else base.speed
+
+
+def _nearer_zero(speed: float, step: float) -> float:
+    step = abs(step)
+    return max(0.0, speed - step) if speed > 0 else min(0.0, speed + step)

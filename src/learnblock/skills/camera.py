@@ -1,1 +1,250 @@
-"""Placeholder."""
+"""What the camera sees: lines, tags, faces and what they feel."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Protocol
+
+from learnblock.devices import Camera, Emotion
+from learnblock.tag_names import tag_id
+
+if TYPE_CHECKING:
+    from learnblock.client import Client
+    from learnblock.devices import Frame
+    from learnblock.perception import Face, Lines, Tag
+
+
+class FaceEmotion(Protocol):
+    """What the detector ``emotions`` finds: a face with what it expresses."""
+
+    @property
+    def emotion(self) -> Emotion: ...
+
+
+def get_image(robot: "Client") -> "Frame | None":
+    """The camera's picture: uint8 RGB, shape (height, width, 3)."""
+    return robot.read(Camera)
+
+
+def is_center_black_line(robot: "Client") -> bool:
+    """Does the camera see a black line mostly in the middle of the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.black.is_center
+
+
+def is_left_black_line(robot: "Client") -> bool:
+    """Does the camera see a black line mostly on the left of the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.black.is_left
+
+
+def is_right_black_line(robot: "Client") -> bool:
+    """Does the camera see a black line mostly on the right of the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.black.is_right
+
+
+def is_there_black_line(robot: "Client") -> bool:
+    """Does the camera see a black line, wherever in the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.black.is_there
+
+
+def is_center_red_line(robot: "Client") -> bool:
+    """Does the camera see a red line mostly in the middle of the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.red.is_center
+
+
+def is_left_red_line(robot: "Client") -> bool:
+    """Does the camera see a red line mostly on the left of the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.red.is_left
+
+
+def is_right_red_line(robot: "Client") -> bool:
+    """Does the camera see a red line mostly on the right of the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.red.is_right
+
+
+def is_there_red_line(robot: "Client") -> bool:
+    """Does the camera see a red line, wherever in the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.red.is_there
+
+
+def is_center_blue_line(robot: "Client") -> bool:
+    """Does the camera see a blue line mostly in the middle of the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.blue.is_center
+
+
+def is_left_blue_line(robot: "Client") -> bool:
+    """Does the camera see a blue line mostly on the left of the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.blue.is_left
+
+
+def is_right_blue_line(robot: "Client") -> bool:
+    """Does the camera see a blue line mostly on the right of the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.blue.is_right
+
+
+def is_there_blue_line(robot: "Client") -> bool:
+    """Does the camera see a blue line, wherever in the picture?"""
+    lines = _lines(robot)
+    return lines is not None and lines.blue.is_there
+
+
+def is_line_crossing(robot: "Client") -> bool:
+    """Does the camera see a red and a black line cross ahead?"""
+    lines = _lines(robot)
+    return lines is not None and lines.is_crossing
+
+
+def is_any_tag(robot: "Client") -> bool:
+    """Does the camera see a tag?"""
+    return bool(_tags(robot))
+
+
+def is_tag(robot: "Client", idTag: int | str = 8) -> bool:
+    """Does the camera see this tag?
+
+    Args:
+        idTag: the tag's number, or its name in the dictionary of tags.
+
+    Raises:
+        UnknownNameError: no tag has this name.
+    """
+    return _find(robot, idTag) is not None
+
+
+def is_image(robot: "Client", id: int | str = 0) -> bool:  # noqa: A002 - the paper's name
+    """Does the camera see the picture that stands for this tag?
+
+    Args:
+        id: the tag's number, or its name in the dictionary of tags.
+
+    Raises:
+        UnknownNameError: no tag has this name.
+    """
+    return is_tag(robot, id)
+
+
+def tag_on_the_left(robot: "Client", idTag: int | str | None = None) -> bool:
+    """Does the camera see the tag on the left of the picture?
+
+    Args:
+        idTag: the tag's number, or its name in the dictionary of tags; None is the first tag seen.
+
+    Raises:
+        UnknownNameError: no tag has this name.
+    """
+    tag = _find(robot, idTag)
+    return tag is not None and tag.is_left
+
+
+def tag_on_the_right(robot: "Client", idTag: int | str | None = None) -> bool:
+    """Does the camera see the tag on the right of the picture?
+
+    Args:
+        idTag: the tag's number, or its name in the dictionary of tags; None is the first tag seen.
+
+    Raises:
+        UnknownNameError: no tag has this name.
+    """
+    tag = _find(robot, idTag)
+    return tag is not None and tag.is_right
+
+
+def tag_on_the_center(robot: "Client", idTag: int | str | None = None) -> bool:
+    """Does the camera see the tag in the middle of the picture?
+
+    Args:
+        idTag: the tag's number, or its name in the dictionary of tags; None is the first tag seen.
+
+    Raises:
+        UnknownNameError: no tag has this name.
+    """
+    tag = _find(robot, idTag)
+    return tag is not None and tag.is_center
+
+
+def is_there_face(robot: "Client") -> bool:
+    """Does the camera see a face?"""
+    return bool(_faces(robot))
+
+
+def is_left_face(robot: "Client") -> bool:
+    """Does the camera see a face on the left of the picture?"""
+    return any(face.is_left for face in _faces(robot))
+
+
+def is_right_face(robot: "Client") -> bool:
+    """Does the camera see a face on the right of the picture?"""
+    return any(face.is_right for face in _faces(robot))
+
+
+def is_up_face(robot: "Client") -> bool:
+    """Does the camera see a face high in the picture?"""
+    return any(face.is_up for face in _faces(robot))
+
+
+def is_down_face(robot: "Client") -> bool:
+    """Does the camera see a face low in the picture?"""
+    return any(face.is_down for face in _faces(robot))
+
+
+def is_center_face(robot: "Client") -> bool:
+    """Does the camera see a face in the middle of the picture?"""
+    return any(face.is_center for face in _faces(robot))
+
+
+def is_any_face_happy(robot: "Client") -> bool:
+    """Does the camera see a happy face?"""
+    return _is_any_face(robot, Emotion.JOY)
+
+
+def is_any_face_sad(robot: "Client") -> bool:
+    """Does the camera see a sad face?"""
+    return _is_any_face(robot, Emotion.SADNESS)
+
+
+def is_any_face_neutral(robot: "Client") -> bool:
+    """Does the camera see a neutral face?"""
+    return _is_any_face(robot, Emotion.NEUTRAL)
+
+
+def is_any_face_angry(robot: "Client") -> bool:
+    """Does the camera see an angry face?"""
+    return _is_any_face(robot, Emotion.ANGER)
+
+
+def is_any_face_surprised(robot: "Client") -> bool:
+    """Does the camera see a surprised face?"""
+    return _is_any_face(robot, Emotion.SURPRISE)
+
+
+def _lines(robot: "Client") -> "Lines | None":
+    lines: Lines | None = robot.detect("lines")
+    return lines
+
+
+def _tags(robot: "Client") -> "Sequence[Tag]":
+    return robot.detect("tags") or ()
+
+
+def _faces(robot: "Client") -> "Sequence[Face]":
+    return robot.detect("faces") or ()
+
+
+def _find(robot: "Client", wanted: int | str | None) -> "Tag | None":
+    """The first tag seen of those `wanted`: a number, a name, or None for any."""
+    number = None if wanted is None else tag_id(wanted)
+    return next((tag for tag in _tags(robot) if number is None or tag.id == number), None)
+
+
+def _is_any_face(robot: "Client", emotion: Emotion) -> bool:
+    # A robot on which this detector is not installed, or not allowed, answers None.
+    faces: Sequence[FaceEmotion] = robot.detect("emotions") or ()
+    return any(face.emotion == emotion for face in faces)

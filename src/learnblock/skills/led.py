@@ -1,1 +1,35 @@
-"""Placeholder."""
+"""Lamps."""
+
+from typing import TYPE_CHECKING
+
+from learnblock.devices import Led, RGBLed, number
+
+if TYPE_CHECKING:
+    from learnblock.client import Client
+
+
+def led(robot: "Client", intensity: float, slot: str = "Up") -> None:
+    """Switch a lamp on or off.
+
+    Args:
+        intensity: 0 switches it off, anything above switches it on.
+        slot: which lamp, by its place.
+    """
+    on = number("intensity", intensity) > 0
+    lamp = robot.device(Led, slot)
+    if lamp is not None:
+        lamp.set(on)
+
+
+def RGBled(robot: "Client", red: int, green: int, blue: int, slot: str = "Up") -> None:
+    """Give a lamp a colour.
+
+    Args:
+        red: 0 to 255.
+        green: 0 to 255.
+        blue: 0 to 255.
+        slot: which lamp, by its place.
+    """
+    lamp = robot.device(RGBLed, slot)
+    if lamp is not None:
+        lamp.set_color(red, green, blue)

@@ -1,1 +1,23 @@
-"""Placeholder."""
+"""How bright it is."""
+
+from typing import TYPE_CHECKING
+
+from learnblock.devices import LightSensor, number
+
+if TYPE_CHECKING:
+    from learnblock.client import Client
+
+
+def get_light(robot: "Client") -> float | None:
+    """How bright is it? From 0 (dark) to 1023."""
+    return robot.read(LightSensor)
+
+
+def is_illuminated(robot: "Client", threshold: float = 500) -> bool:
+    """Is it bright?
+
+    Args:
+        threshold: brightness, 0 to 1023, above which it counts as bright.
+    """
+    light = get_light(robot)
+    return light is not None and light > number("threshold", threshold)

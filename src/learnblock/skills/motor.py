@@ -1,1 +1,46 @@
-"""Placeholder."""
+"""Joints: where the camera looks, and arms."""
+
+from typing import TYPE_CHECKING
+
+from learnblock.devices import JointMotor
+
+if TYPE_CHECKING:
+    from learnblock.client import Client
+
+_CAMERA = "CAMERA"
+
+
+def look_floor(robot: "Client") -> None:
+    """Look at the floor: tilt the camera 30 degrees down."""
+    setAngleMotor(robot, _CAMERA, -30)
+
+
+def look_front(robot: "Client") -> None:
+    """Look straight ahead."""
+    setAngleMotor(robot, _CAMERA, 0)
+
+
+def look_up(robot: "Client") -> None:
+    """Look up: tilt the camera 30 degrees up."""
+    setAngleMotor(robot, _CAMERA, 30)
+
+
+def setAngleCamera(robot: "Client", angle: float) -> None:
+    """Tilt the camera.
+
+    Args:
+        angle: degrees; 0 is straight ahead, above zero up.
+    """
+    setAngleMotor(robot, _CAMERA, angle)
+
+
+def setAngleMotor(robot: "Client", key: str, angle: float) -> None:
+    """Move a joint to an angle.
+
+    Args:
+        key: which joint, such as ``CAMERA`` or ``ARM``.
+        angle: degrees.
+    """
+    joint = robot.device(JointMotor, key)
+    if joint is not None:
+        joint.move(angle)

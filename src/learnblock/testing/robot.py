@@ -1,0 +1,161 @@
+"""A robot without hardware."""
+
+from collections.abc import Callable, Collection
+from typing import Any
+
+from learnblock.client import Client, Observer
+from learnblock.devices import (
+    DEFAULT_KEY,
+    DEVICE_TYPES,
+    MP3,
+    NOTHING_SEEN,
+    Accelerometer,
+    Animator,
+    Base,
+    Bumper,
+    Camera,
+    Controller,
+    Device,
+    Display,
+    DistanceSensors,
+    GroundSensors,
+    Gyroscope,
+    Infrared,
+    JointMotor,
+    Led,
+    LightSensor,
+    Matrix,
+    RGBLed,
+    Sensor,
+    Speaker,
+)
+from learnblock.testing.clock import VirtualClock
+from learnblock.testing.wheels import Wheels
+
+_BUTTONS = ("lUp", "lLeft", "lRight", "lDown", "rUp", "rLeft", "rRight", "rDown")
+
+
+class FakeRobot(Client):
+    """A robot with a device of every type, which notes its commands and reads what a test sets.
+
+    Its wheels obey at once, and its gyroscope and pose follow them, all in virtual time:
+
+        >>> from learnblock.devices import DistanceSensors
+        >>> robot = FakeRobot()
+        >>> robot.set_reading(DistanceSensors, {"front": [120.0]})
+        >>> robot.is_front_obstacle()
+        True
+        >>> robot.turn(90)
+        >>> round(robot.wheels.pose[2])
+        89
+        >>> robot.commands[-1]
+        ('Base.move', 0.0, 0.0)
+        >>> robot.stop()
+
+    Args:
+        only: the types of the devices it has; every type by default.
+        skills: as for `Client`.
+        observer: as for `Client`.
+
+    Attributes:
+        commands: what its devices were told, as ("Type.function", argument, ...), where the type
+            carries its key unless that is the default one: "JointMotor:CAMERA.move".
+        wheels: what its base moves; set their pose, or let them be stuck.
+    """
+
+    clock: VirtualClock
+
+    def __init__(
+        self,
+        *,
+        only: Collection[type[Device]] = tuple(DEVICE_TYPES.values()),
+        skills: Collection[str] | None = None,
+        observer: Observer | None = None,
+    ) -> None:
+        clock = VirtualClock()
+        self.commands: list[tuple[Any, ...]] = []
+        self.wheels = Wheels(clock)
+        self._only = frozenset(only)
+        self._zero = 0.0
+        self._values: dict[tuple[type[Device], str], Any] = _quiet_surroundings()
+        self._detections: dict[str, Any] = {}
+        super().__init__(skills=skills, clock=clock, observer=observer)
+
+    def set_reading(self, kind: type[Sensor[Any]], value: Any, key: str = DEFAULT_KEY) -> None:
+        """Let a sensor read `value` from now on; the gyroscope's reading is the wheels' heading."""
+        self._values[kind, key] = value
+        self.forget_readings()
+
+    def set_detections(self, name: str, found: Any) -> None:
+        """Let the detector of that name (``tags``, ``lines``, ...) find this from now on."""
+        self._detections[name] = found
+        self.forget_readings()
+
+    def connect(self) -> None:
+        devices: list[Device] = [
+            Base(self._move, lambda: self.wheels.pose),
+            Camera(self._reader(Camera), lambda name: self._detections.get(name)),
+            Infrared(self._reader(Infrared), self._note("Infrared.send")),
+            Animator(self._note("Animator.play")),
+            Display(self._note("Display.show_emotion"), self._note("Display.show_image")),
+            Speaker(**self._notes("Speaker", "say", "play", "tone")),
+            Matrix(**self._notes("Matrix", "icon", "number", "text")),
+            MP3(**self._notes("MP3", "select", "action", "volume", "equalizer", "loop")),
+        ]
+        devices += [kind(self._reader(kind)) for kind in _PLAIN_SENSORS]
+        for device in devices:
+            self._give(device)
+        self._give(Gyroscope(self._heading, self._reset_gyroscope), "Z_AXIS")
+        self._give(Led(self._note("Led:Up.set")), "Up")
+        self._give(RGBLed(self._note("RGBLed:Up.set_color")), "Up")
+        for key in ("CAMERA", "ARM"):
+            self._give(JointMotor(self._note(f"JointMotor:{key}.move")), key)
+
+    def _give(self, device: Device, key: str = DEFAULT_KEY) -> None:
+        if type(device) in self._only:
+            self.add(device, key)
+
+    def _note(self, name: str) -> Callable[..., None]:
+        return lambda *args: self.commands.append((name, *args))
+
+    def _notes(self, device: str, *functions: str) -> dict[str, Callable[..., None]]:
+        return {function: self._note(f"{device}.{function}") for function in functions}
+
+    def _reader(self, kind: type[Device]) -> Callable[[], Any]:
+        return lambda: self._values[kind, DEFAULT_KEY]
+
+    def _move(self, adv: float, rot: float) -> None:
+        self.commands.append(("Base.move", adv, rot))
+        self.wheels.move(adv, rot)
+
+    def _heading(self) -> float:
+        return self.wheels.pose[2] - self._zero
+
+    def _reset_gyroscope(self) -> None:
+        self.commands.append(("Gyroscope:Z_AXIS.reset",))
+        self._zero = self.wheels.pose[2]
+
+
+_PLAIN_SENSORS: tuple[type[Sensor[Any]], ...] = (
+    Accelerometer,
+    Bumper,
+    Controller,
+    DistanceSensors,
+    GroundSensors,
+    LightSensor,
+)
+
+
+def _quiet_surroundings() -> dict[tuple[type[Device], str], Any]:
+    """Nothing near, a bright floor, a dim room, nobody at the controls."""
+    readings: dict[type[Device], Any] = {
+        Accelerometer: (0.0, 0.0, 9.81),
+        Bumper: False,
+        Camera: None,
+        Controller: dict.fromkeys(_BUTTONS, False),
+        DistanceSensors: {side: [NOTHING_SEEN] for side in ("front", "left", "right", "back")},
+        GroundSensors: {"left": 100.0, "central": 100.0, "right": 100.0},
+        Infrared: None,
+        LightSensor: 0.0,
+    }
+    return {(kind, DEFAULT_KEY): value for kind, value in readings.items()}
