@@ -3,15 +3,16 @@
 import atexit
 import signal
 import threading
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import AbstractContextManager
+from dataclasses import dataclass
 from enum import Enum, auto
 from types import FrameType, TracebackType
 from typing import Any, ClassVar, NoReturn, Protocol, Self, TypeVar
 
 from learnblock import skills as skill_registry
 from learnblock.clock import Clock, WallClock
-from learnblock.devices import DEFAULT_KEY, Base, Camera, Device, Reading, Sensor
+from learnblock.devices import DEFAULT_KEY, Base, Camera, Device, Pose, Reading, Sensor
 from learnblock.errors import (
     KeyTakenError,
     RobotAttributeError,
@@ -40,6 +41,42 @@ class Observer(Protocol):
 
     def missing(self, skill: str, device: str) -> None:
         """A skill had no effect, since the robot lacks the device (``Type:KEY``)."""
+
+
+class Witness(Protocol):
+    """Someone who is told what befalls a robot."""
+
+    def pose(self, pose: Pose) -> None:
+        """Where the robot is now; told every 0.1 s."""
+
+    def goal(self, name: str, state: str) -> None:
+        """A goal of the world was ``reached`` or ``failed``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """One of a world's goals.
+
+    Args:
+        name: as the world calls it.
+        kind: region, line, tag.
+        state: ``open``, ``reached`` or ``failed``.
+        time: seconds at which it was decided; None while open.
+    """
+
+    name: str
+    kind: str
+    state: str
+    time: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What a run has come to: pose and mm driven where they are known, and the world's goals."""
+
+    pose: Pose | None = None
+    distance: float | None = None
+    goals: tuple[Goal, ...] = ()
 
 
 class Client(Events):
@@ -101,6 +138,33 @@ class Client(Events):
     def device_names(cls) -> frozenset[str] | None:
         """The devices of every such robot as ``Type:KEY``, where that is known beforehand."""
         return None
+
+    @classmethod
+    def hosted(cls, arguments: Mapping[str, Any], wishes: Mapping[str, Any]) -> Self:
+        """Make the robot for a host that runs its program elsewhere.
+
+        Args:
+            arguments: what the program gave to ``Robot(...)``.
+            wishes: world, seed and pace as chosen outside the program, which only a simulated robot
+                has a use for.
+        """
+        del wishes
+        return cls(**arguments)
+
+    def conditions(self) -> dict[str, object]:
+        """What a run depends on besides its program: the first line of a trace names it."""
+        return {"robot": type(self).__module__.rpartition(".")[2].replace("_", "-")}
+
+    def where(self) -> Pose | None:
+        """The robot's true pose (x mm, y mm, heading in degrees), which only a simulator knows."""
+        return None
+
+    def observe(self, witness: Witness) -> None:
+        """Have the witness told what befalls the robot, as far as anybody can see it."""
+
+    def outcome(self) -> Outcome:
+        """What a run has come to so far."""
+        return Outcome()
 
     # Devices.
 

@@ -2,12 +2,12 @@
 
 import os
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cached_property, partial
 from pathlib import Path
-from typing import ClassVar
+from typing import Any, ClassVar, Self
 
-from learnblock.client import Client
+from learnblock.client import Client, Outcome, Witness
 from learnblock.clock import Clock
 from learnblock.devices import (
     MP3,
@@ -34,8 +34,10 @@ from learnblock.errors import DeviceValueError
 from learnblock.home import home
 from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.pacing import Pacing
+from learnblock.runtime.standalone import trace_main_program
 from learnblock.runtime.usertime import use_robot_time
 from learnblock.simulator import (
+    GoalState,
     RobotBody,
     RobotDescription,
     World,
@@ -61,10 +63,8 @@ class Simulation:
         self.pacing = pacing or Pacing()
         self.dt = world.dt
         self.seed = world.seed
-        #: Are told every robot's pose every 0.1 s: `watcher(name, pose)`.
-        self.pose_watchers: list[Callable[[str, Pose], object]] = []
-        #: Are told what happens: `watcher(event)`.
-        self.event_watchers: list[Callable[[WorldEvent], object]] = []
+        #: Are told where a robot is, by its name, and of the world's goals.
+        self.witnesses: dict[str, Witness] = {}
 
     @property
     def steps(self) -> int:
@@ -84,12 +84,15 @@ class Simulation:
 
     def _report(self) -> None:
         for event in self.world.take_events():
-            for event_watcher in self.event_watchers:
-                event_watcher(event)
+            self._report_goal(event)
         if self.world.steps % STEPS_PER_POSE == 0:
-            for name, body in self.world.robots.items():
-                for pose_watcher in self.pose_watchers:
-                    pose_watcher(name, body.pose)
+            for name, witness in self.witnesses.items():
+                witness.pose(self.world.robots[name].pose)
+
+    def _report_goal(self, event: WorldEvent) -> None:
+        witness = self.witnesses.get(event.robot)
+        if witness and event.kind in {"goal reached", "goal failed"}:
+            witness.goal(event.name, event.kind.removeprefix("goal "))
 
 
 class WorldClock:
@@ -116,7 +119,7 @@ class SimulatedRobot(Client):
     """A robot of the embedded simulator.
 
     A program that is run by itself, as ``python square.py``, gets a world of its own, which
-    advances while the program waits:
+    advances while the program waits (``LEARNBLOCK_TRACE`` names a file for its trace):
 
         from learnblock.robots.sim_ebo import Robot
 
@@ -152,6 +155,7 @@ class SimulatedRobot(Client):
     ) -> None:
         self.name = name
         self._restore_time: Callable[[], None] | None = None
+        self._end_trace: Callable[[], None] | None = None
         self.simulation = simulation or self.make_simulation(world=world, seed=seed, pace=pace)
         clock: Clock = WorldClock(self.simulation) if simulation else self._own_clock()
         super().__init__(clock=clock)
@@ -185,9 +189,28 @@ class SimulatedRobot(Client):
         """The robot in its world."""
         return self.simulation.world.add_robot(self.description(), name=self.name)
 
+    @classmethod
+    def hosted(cls, arguments: Mapping[str, Any], wishes: Mapping[str, Any]) -> Self:
+        return cls(simulation=cls.make_simulation(**{**arguments, **wishes}))
+
+    def conditions(self) -> dict[str, object]:
+        world = self.simulation.world
+        return {**super().conditions(), "world": world.description.name, "seed": world.seed}
+
     def where(self) -> Pose:
-        """The robot's pose: (x mm, y mm, heading in degrees)."""
         return self.body.pose
+
+    def observe(self, witness: Witness) -> None:
+        self.simulation.witnesses[self.name] = witness
+        witness.pose(self.where())
+
+    def outcome(self) -> Outcome:
+        x, y, heading = self.where()
+        return Outcome(
+            pose=(round(x, 3), round(y, 3), round(heading, 3)),
+            distance=round(self.body.distance_driven, 3),
+            goals=tuple(map(_goal, self.simulation.world.goals)),
+        )
 
     def connect(self) -> None:
         for name in sorted(self.body.description.devices()):
@@ -197,6 +220,8 @@ class SimulatedRobot(Client):
     def disconnect(self) -> None:
         if self._restore_time:
             self._restore_time()
+        if self._end_trace:
+            self._end_trace()
 
     def _own_clock(self) -> LockStepClock:
         simulation = self.simulation
@@ -211,6 +236,8 @@ class SimulatedRobot(Client):
         """The program's own randomness and time follow the world, so that it can be repeated."""
         random.seed(self.simulation.seed)
         self._restore_time = use_robot_time(self.clock)
+        if os.environ.get("LEARNBLOCK_TRACE"):
+            self._end_trace = trace_main_program(self, Path(os.environ["LEARNBLOCK_TRACE"]))
 
 
 def world_folders() -> tuple[Path, ...]:
@@ -237,6 +264,14 @@ def pace_factor(pace: str | float) -> float | None:
             f"`pace` must be free, real or a positive factor of real time such as 5, not {pace!r}"
         )
     return factor
+
+
+def _goal(goal: GoalState) -> Goal:
+    if goal.reached_at is not None:
+        return Goal(goal.name, goal.kind, "reached", goal.reached_at)
+    return Goal(
+        goal.name, goal.kind, "open" if goal.failed_at is None else "failed", goal.failed_at
+    )
 
 
 def _factor(pace: str | float | None) -> float | None:

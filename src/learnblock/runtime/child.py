@@ -16,7 +16,7 @@ from learnblock.client import Client
 from learnblock.errors import LearnBlockError, ProgramStopped
 from learnblock.runtime import remote
 from learnblock.runtime.limits import Limits, contain
-from learnblock.runtime.lines import depth, line_events
+from learnblock.runtime.lines import LineBudget, depth, line_events
 from learnblock.runtime.link import Link
 from learnblock.runtime.messages import (
     Continue,
@@ -35,8 +35,6 @@ from learnblock.runtime.usertime import use_robot_time
 
 #: Our own robots' modules.
 _ROBOTS = "learnblock.robots."
-#: Between two calls no more lines than this are announced: a long calculation is not a story.
-MOST_LINES_BETWEEN_CALLS = 1000
 #: A variable's text is cut there.
 LONGEST_VALUE = 200
 
@@ -84,8 +82,8 @@ class _Program:
         self._robot: remote.RemoteRobot | None = None
         self._cleanup = ExitStack()
         self._output = LineWriter(self._printed)
-        self._calls_seen = 0
-        self._lines_left = MOST_LINES_BETWEEN_CALLS
+        # Until there is a robot there is no time to say that a line ran at.
+        self._note_line: LineBudget | None = None
 
     def run(self) -> Ended:
         try:
@@ -110,7 +108,7 @@ class _Program:
             self._cleanup.enter_context(self._own_process(namespace))
         self._cleanup.callback(self._output.finish)
         self._cleanup.callback(self._stop_robot)
-        self._cleanup.enter_context(line_events(code, self._on_line()))
+        self._cleanup.enter_context(line_events(code, self._on_line))
         exec(code, namespace)  # noqa: S102 - running the user's program is what we are for
 
     def _stop_robot(self) -> None:
@@ -154,6 +152,7 @@ class _Program:
             random.seed(robot.seed)
             self._cleanup.callback(use_robot_time(robot.clock))
         self._robot = robot
+        self._note_line = LineBudget(robot.clock, lambda number: self._wire.note(Line(number, 0)))
         return robot
 
     def _input(self, prompt: object = "") -> str:
@@ -168,16 +167,11 @@ class _Program:
     def _printed(self, text: str) -> None:
         self._wire.note_soon(Printed(text))
 
-    def _on_line(self) -> Callable[[int], None]:
-        return self._hold_at_line if self._setup.debug else self._note_line
-
-    def _note_line(self, number: int) -> None:
-        if self._wire.calls != self._calls_seen:
-            self._calls_seen = self._wire.calls
-            self._lines_left = MOST_LINES_BETWEEN_CALLS
-        if self._lines_left > 0:
-            self._lines_left -= 1
-            self._wire.note(Line(number, 0))
+    def _on_line(self, number: int) -> None:
+        if self._setup.debug:
+            self._hold_at_line(number)
+        elif self._note_line:
+            self._note_line(number)
 
     def _hold_at_line(self, number: int) -> None:
         frame = _frame_of(self._setup.filename)

@@ -99,7 +99,7 @@ class Run:
     Args:
         program: what to run.
         make_robot: makes the robot of a module with the arguments the program gave.
-        recorder: makes the recorder once there is a robot.
+        recorder: makes the recorder, which watches the robot, once there is one.
         watcher: is told what happens.
         debugger: holds the program at lines; without one it runs undisturbed.
         limits: what the program may use.
@@ -284,7 +284,6 @@ class Run:
             _functions(self.client, key, device) for key, device in self.client.devices()
         ]
         self.recorder = self._make_recorder(self.client)
-        self.recorder.watch(self.client)
         self._link.send(self._offer(self.client))
         self._last_call = monotonic()
 

@@ -6,7 +6,11 @@ from contextlib import contextmanager
 from types import CodeType, FrameType
 from typing import Any
 
+from learnblock.clock import Clock
+
 OnLine = Callable[[int], object]
+#: So many lines at one time of the robot are handed on.
+MOST_LINES_AT_ONE_TIME = 1000
 
 
 @contextmanager
@@ -32,6 +36,33 @@ def start_line_events(
     if sys.version_info >= (3, 12):
         return _monitor(code, on_line)
     return _trace(code.co_filename, on_line, running)
+
+
+class LineBudget:
+    """Hands on line events, but no more than so many at one time of the robot.
+
+    A long calculation is not a story, and it must not fill the trace.
+
+    Args:
+        clock: the robot's.
+        on_line: is called with a line's number.
+    """
+
+    def __init__(self, clock: Clock, on_line: OnLine) -> None:
+        self._clock = clock
+        self._on_line = on_line
+        self._moment = -1
+        self._left = 0
+
+    def __call__(self, number: int) -> None:
+        moment = self._clock.instant
+        if moment is None:
+            moment = int(self._clock.time() * 10)
+        if moment != self._moment:
+            self._moment, self._left = moment, MOST_LINES_AT_ONE_TIME
+        if self._left > 0:
+            self._left -= 1
+            self._on_line(number)
 
 
 def depth(filename: str) -> int:

@@ -47,8 +47,6 @@ class Wire:
         self._flushed = monotonic()
         #: Whether commands may wait for the next question, since until then no time passes.
         self.lockstep = False
-        #: How many questions and commands there have been.
-        self.calls = 0
 
     def ask(self, message: Message) -> Any:
         """Send a question and wait for its answer.
@@ -58,14 +56,12 @@ class Wire:
             LearnBlockError: what was asked for failed.
         """
         with self._lock:
-            self.calls += 1
             self.send(message)
             return self._answer()
 
     def tell(self, message: Message) -> None:
         """Send a command: at once, or in lock-step with the next question."""
         with self._lock:
-            self.calls += 1
             self.note(message)
             if not self.lockstep:
                 self._flush()

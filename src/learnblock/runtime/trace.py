@@ -4,6 +4,7 @@ import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from importlib.metadata import version
 from typing import Any, BinaryIO
 
 import msgspec
@@ -11,6 +12,8 @@ import msgspec
 from learnblock.client import Client
 from learnblock.devices import Function, Pose
 
+#: Of the trace's own format.
+VERSION = 1
 #: Functions of devices that only answer; all others tell the device to do something.
 QUESTIONS = frozenset({"read", "detect"})
 
@@ -59,14 +62,14 @@ class Recorder:
     Args:
         trace: where the lines go; several robots of a world share it.
         time: seconds of the robot's time.
-        label: added to every line where a world has several robots.
         where: the robot's pose now, where it is known.
+        label: added to every line where a world has several robots.
     """
 
     trace: Trace
     time: Callable[[], float]
+    where: Callable[[], Pose | None]
     label: Mapping[str, str] = field(default_factory=dict)
-    where: Callable[[], Pose] | None = None
     path: list[tuple[float, Pose]] = field(default_factory=list)
     marks: list[Mark] = field(default_factory=list)
     #: Skills without effect: (skill, device) -> how often.
@@ -125,10 +128,29 @@ class Recorder:
         return function(*args)
 
     def _mark(self, kind: str, text: str) -> None:
-        self.marks.append(Mark(self.time(), kind, text, self.where() if self.where else None))
+        self.marks.append(Mark(self.time(), kind, text, self.where()))
 
     def _write(self, kind: str, what: object, **more: object) -> None:
         self.trace.write({"t": round(self.time(), 6), kind: what, **more, **self.label})
+
+
+def record(
+    client: Client, program: str, trace: Trace, label: Mapping[str, str] | None = None
+) -> Recorder:
+    """Begin the trace of a client's program.
+
+    Args:
+        client: the robot.
+        program: the program's identity.
+        trace: where to write.
+        label: added to every line where a world has several robots.
+    """
+    recorder = Recorder(trace, client.clock.time, client.where, label or {})
+    versions = {"learnblock": version("learnblock-studio"), "trace": VERSION}
+    recorder.begin({"program": program, **client.conditions(), "versions": versions})
+    recorder.watch(client)
+    client.observe(recorder)
+    return recorder
 
 
 #: Commands that last until the next one, so that giving them twice changes nothing.

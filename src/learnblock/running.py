@@ -1,0 +1,262 @@
+"""From a file to a finished run: what the command line and the page do alike."""
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from learnblock import language, robots
+from learnblock.blocks import all_configurations
+from learnblock.client import Client, Goal, Outcome
+from learnblock.devices import Pose
+from learnblock.errors import Diagnostic, ProgramError
+from learnblock.language.nodes import Program as Tree
+from learnblock.robots import RobotEntry
+from learnblock.runtime.host import Ending, Host, How, Run, Watcher
+from learnblock.runtime.limits import Limits
+from learnblock.runtime.process import ProcessWorker, Worker
+from learnblock.runtime.program import Program
+from learnblock.runtime.trace import Recorder, Trace, record
+
+DEFAULT_ROBOT = "sim-ebo"
+#: A program larger than this is none that a person wrote.
+LARGEST_PROGRAM = 4 * 1024 * 1024
+
+_ROBOT_IMPORT = re.compile(r"^from ([\w.]+) import Robot\b", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Source:
+    """A program's file, read.
+
+    Args:
+        path: the file as the user named it.
+        text: what stands in it.
+        tree: the same as a tree.
+    """
+
+    path: Path
+    text: str
+    tree: Tree
+
+    @property
+    def is_python(self) -> bool:
+        return self.path.suffix == ".py"
+
+    @property
+    def robot(self) -> str | None:
+        """The module of the robot that a Python file imports; None for Block-Text."""
+        found = _ROBOT_IMPORT.search(self.text) if self.is_python else None
+        return found[1] if found else None
+
+
+def read(path: Path) -> Source:
+    """Read a program in Block-Text (.bt) or Python (.py).
+
+    Raises:
+        ProgramError: it is wrong, with every mistake found.
+        OSError: it cannot be read.
+    """
+    name = str(path)
+    if path.suffix not in {".bt", ".py"}:
+        raise ProgramError(
+            name,
+            [Diagnostic("unknown-notation", "a program is a .bt file (Block-Text) or a .py file")],
+        )
+    text = read_text(path)
+    notation = language.from_python if path.suffix == ".py" else language.parse
+    return Source(path, text, notation(text, name))
+
+
+def read_text(path: Path) -> str:
+    """The text of a program's file.
+
+    Raises:
+        ProgramError: it is too large or is no text in UTF-8.
+        OSError: it cannot be read.
+    """
+    with path.open("rb") as file:
+        data = file.read(LARGEST_PROGRAM + 1)
+    if len(data) > LARGEST_PROGRAM:
+        problem = f"the file is larger than {LARGEST_PROGRAM} bytes"
+        raise ProgramError(str(path), [Diagnostic("too-large", problem)])
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        problem = f"the byte {data[error.start]:#x} is not UTF-8; save the file as UTF-8"
+        raise ProgramError(str(path), [Diagnostic("not-utf-8", problem, line)]) from error
+
+
+def choose_robot(source: Source, name: str | None = None) -> RobotEntry:
+    """The robot called `name`, or else the one the program names, or else our default.
+
+    Raises:
+        LearnBlockError: there is no such robot.
+    """
+    return robots.find(name or source.robot or DEFAULT_ROBOT)
+
+
+def check(source: Source, robot: RobotEntry | None = None) -> list[Diagnostic]:
+    """What is wrong or doubtful in a program, on a robot when one is given."""
+    devices = robot.load().device_names() if robot else None
+    return language.check(source.tree, all_configurations(), devices)
+
+
+def program(source: Source, robot: RobotEntry) -> Program:
+    """What is run: the file itself if it is Python, else its translation."""
+    folder = str(source.path.resolve().parent)
+    if source.is_python:
+        return Program(source.path.name, source.text, source.text, folder=folder)
+    python = language.to_python(source.tree, robot.module)
+    return Program(source.path.name, python.text, source.text, python.source_map, folder)
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """How to run; what is None is left to the program, the environment and the robot.
+
+    Args:
+        world: name or path.
+        seed: of all noise.
+        pace: ``free``, ``real`` or a factor.
+        seconds: the robot's time after which the run ends.
+    """
+
+    world: str | None = None
+    seed: int | None = None
+    pace: str | None = None
+    seconds: float | None = None
+
+    @property
+    def wishes(self) -> dict[str, Any]:
+        """What only a simulated robot understands."""
+        given = {"world": self.world, "seed": self.seed, "pace": self.pace}
+        return {name: value for name, value in given.items() if value is not None}
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What happened in a run.
+
+    Args:
+        time: seconds of the robot's time.
+        distance: mm driven; None where it is not known.
+        pose: (x mm, y mm, heading in degrees) at the end, or None.
+        goals: the world's goals.
+        emotions: those shown, in order.
+        no_effect: skills that had none: skill, missing device, how often.
+        trace_sha256: the hash of the trace.
+        ended: how, one word or two.
+        error: what went wrong: message, line, and the text of that line; None when nothing did.
+    """
+
+    time: float
+    distance: float | None
+    pose: Pose | None
+    goals: tuple[Goal, ...]
+    emotions: tuple[str, ...]
+    no_effect: tuple[Mapping[str, object], ...]
+    trace_sha256: str
+    ended: str
+    error: Mapping[str, object] | None
+
+
+class Session:
+    """One run of one program, prepared.
+
+    Args:
+        program: what to run.
+        robot: on which robot.
+        options: how.
+        trace: the file the trace goes to; None for nowhere.
+        watcher: is told what happens while it happens.
+        limits: what the program may use.
+        worker: makes what runs the program: a process unless said otherwise.
+    """
+
+    def __init__(
+        self,
+        program: Program,
+        robot: RobotEntry,
+        options: Options | None = None,
+        *,
+        trace: BinaryIO | None = None,
+        watcher: Watcher | None = None,
+        limits: Limits | None = None,
+        worker: Callable[[], Worker] = ProcessWorker,
+    ) -> None:
+        self.program = program
+        self.robot = robot
+        self.options = options or Options()
+        self.trace = Trace(trace)
+        self._run = Run(
+            program,
+            self._make_robot,
+            self._make_recorder,
+            watcher=watcher,
+            limits=limits,
+            worker=worker,
+            robots=tuple(entry.module for entry in robots.entries().values()),
+        )
+        self._host = Host(self._run, seconds=self.options.seconds)
+
+    @property
+    def client(self) -> Client | None:
+        """The robot in the host, once the program has made it."""
+        return self._run.client
+
+    @property
+    def recorder(self) -> Recorder | None:
+        """What has been recorded so far."""
+        return self._run.recorder
+
+    def run(self) -> Report:
+        """Run the program to its end."""
+        self._host.run()
+        return self._report()
+
+    def stop(self) -> None:
+        """End the run within a second; may be called from any thread."""
+        self._host.stop()
+
+    def _make_robot(self, module: str, arguments: dict[str, Any]) -> Client:
+        # The robot is the one chosen for this run, whichever the program's own line names.
+        del module
+        return self.robot.load().hosted(arguments, self.options.wishes)
+
+    def _make_recorder(self, client: Client) -> Recorder:
+        return record(client, self.program.identity, self.trace)
+
+    def _report(self) -> Report:
+        recorder, client = self._run.recorder, self._run.client
+        ending = self._run.ending or Ending(How.STOPPED, "the program was stopped")
+        outcome = client.outcome() if client else Outcome()
+        return Report(
+            time=recorder.time() if recorder else 0.0,
+            distance=outcome.distance,
+            pose=outcome.pose,
+            goals=outcome.goals,
+            emotions=tuple(recorder.emotions) if recorder else (),
+            no_effect=_no_effect(recorder) if recorder else (),
+            trace_sha256=self.trace.sha256,
+            ended=ending.how,
+            error=None if ending.well else self._error(ending),
+        )
+
+    def _error(self, ending: Ending) -> Mapping[str, object]:
+        line = self.program.written_line(ending.line) if ending.line else 0
+        return {
+            "message": ending.sentence,
+            "file": self.program.name,
+            "line": line,
+            "text": self.program.quote(line),
+        }
+
+
+def _no_effect(recorder: Recorder) -> tuple[Mapping[str, object], ...]:
+    return tuple(
+        {"skill": skill, "device": device, "times": times}
+        for (skill, device), times in recorder.missed.items()
+    )

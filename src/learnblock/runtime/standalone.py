@@ -1,0 +1,69 @@
+"""A program run by itself, as ``python square.py``: the same trace without a host."""
+
+import sys
+from collections.abc import Callable
+from contextlib import redirect_stdout
+from pathlib import Path
+from types import FrameType
+
+from learnblock.client import Client
+from learnblock.errors import LearnBlockError
+from learnblock.runtime.host import How
+from learnblock.runtime.lines import LineBudget, start_line_events
+from learnblock.runtime.output import LineWriter
+from learnblock.runtime.program import Program
+from learnblock.runtime.trace import Recorder, Trace, record
+
+
+def trace_main_program(client: Client, path: Path) -> Callable[[], None]:
+    """Write the trace of the program that has just made its robot; answer what ends it.
+
+    Raises:
+        LearnBlockError: no program's file is being run.
+    """
+    frame = _main_frame()
+    source = Path(frame.f_code.co_filename).read_text(encoding="utf-8")
+    program = Program(path.name, source, source)
+    file = path.open("wb")
+    recorder = record(client, program.identity, Trace(file))
+    client.observer = recorder
+    stop_lines = start_line_events(
+        frame.f_code, LineBudget(client.clock, recorder.line), running=frame
+    )
+    stop_prints = _record_prints(recorder)
+
+    def end() -> None:
+        stop_lines()
+        stop_prints()
+        # The interpreter keeps the error that a program died of; by now it is ending.
+        recorder.end(How.ERROR if hasattr(sys, "last_value") else How.FINISHED)
+        file.close()
+
+    return end
+
+
+def _main_frame() -> FrameType:
+    frame: FrameType | None = sys._getframe(1)  # noqa: SLF001 - the documented way to walk the stack
+    while frame is not None:
+        if frame.f_code.co_name == "<module>" and frame.f_globals.get("__name__") == "__main__":
+            return frame
+        frame = frame.f_back
+    raise LearnBlockError("LEARNBLOCK_TRACE traces a program's file, and none is being run")
+
+
+def _record_prints(recorder: Recorder) -> Callable[[], None]:
+    terminal = sys.stdout
+
+    def on_line(line: str) -> None:
+        recorder.printed(line)
+        terminal.write(line)
+
+    lines = LineWriter(on_line)
+    redirection = redirect_stdout(lines)
+    redirection.__enter__()
+
+    def stop() -> None:
+        lines.finish()
+        redirection.__exit__(None, None, None)
+
+    return stop
