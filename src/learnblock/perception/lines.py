@@ -14,7 +14,8 @@ Triple = tuple[int, int, int]
 # Hue (0 to 180), saturation and value as OpenCV has them. Red lies on both ends of the hues.
 RED = (((0, 50, 100), (10, 255, 255)), ((170, 50, 100), (180, 255, 255)))
 BLUE = (((100, 50, 50), (130, 255, 255)),)
-BLACK_GREY = 50
+# Black goes by the value, a pixel's brightest channel: by luminance, pure blue is as dark.
+BLACK = ((0, 0, 0), (180, 255, 50))
 # Of a frame of 320 by 240: what is looked at, and by how many pixels colours are dilated.
 ROWS = (15, 225)
 COLUMNS = (0, 120, 200, 320)
@@ -36,9 +37,8 @@ def detect_lines(frame: Frame) -> Lines:
     height = checked(frame).shape[0]
     rows = slice(*(round(row * height / 240) for row in ROWS))
     hsv = cv2.cvtColor(frame, cv2.COLOR_RGB2HSV)
-    black = cv2.inRange(cv2.cvtColor(frame[rows], cv2.COLOR_RGB2GRAY), (0,), (BLACK_GREY,))
     return Lines(
-        black=_view("black", np.asarray(black, np.uint8), frame),
+        black=_view("black", np.asarray(cv2.inRange(hsv[rows], *BLACK), np.uint8), frame),
         red=_view("red", _coloured(hsv, RED)[rows], frame),
         blue=_view("blue", _coloured(hsv, BLUE)[rows], frame),
     )

@@ -32,6 +32,8 @@ NEAR = 1.0
 EDGE_SLACK = 1e-3
 # How much finer than a pixel, in powers of two, the texels are chosen: sharp tags before smooth.
 SHARPNESS = 0.25
+# One minus the cosine by which the normals at a quad's corners may differ.
+FLATNESS = 1e-6
 # Towards a light in the south-west above; scaled so that a floor keeps its colours as they are.
 LIGHT = (-0.35, -0.2, 1.0)
 AMBIENT = 0.82
@@ -175,21 +177,24 @@ def _check_corners(surface: Surface) -> None:
             "expected four points of finite x, y, z in mm"
         )
     object.__setattr__(surface, "corners", corners)
-    normals = _corner_normals(corners)
-    sizes = [math.hypot(*normal) for normal in normals]
-    if min(_dot(normals[0], normal) / (sizes[0] * size or 1) for size, normal in
-           zip(sizes, normals, strict=True)) < 1 - 1e-6:  # fmt: skip
+    if not _is_flat_and_convex(corners.tolist()):
         raise CameraError(
             f"surface `{surface.name}` has corners {corners.tolist()}; expected a flat convex "
             "quad: top left, top right, bottom right, bottom left"
         )
 
 
-def _corner_normals(corners: NDArray[np.float64]) -> list[Vector]:
-    """The cross product of the two sides at each corner: alike in direction if flat and convex."""
-    points = corners.tolist()
+def _is_flat_and_convex(points: Sequence[Vector]) -> bool:
+    """Whether the sides turn at every corner, and about the same direction."""
     sides = [_minus(points[(i + 1) % 4], points[i]) for i in range(4)]
-    return [_cross(sides[i - 1], sides[i]) for i in range(4)]
+    turns = [_cross(sides[i - 1], sides[i]) for i in range(4)]
+    sizes = [math.hypot(*turn) for turn in turns]
+    if min(sizes) == 0:
+        return False
+    return all(
+        _dot(turns[0], turn) > (1 - FLATNESS) * sizes[0] * size
+        for turn, size in zip(turns, sizes, strict=True)
+    )
 
 
 def _check_texture(surface: Surface) -> None:

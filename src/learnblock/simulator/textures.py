@@ -20,6 +20,8 @@ TAG_CELLS = 10
 TAG_COUNT = 587
 # OpenCV draws at fractions of a pixel when coordinates are given in 1/2**SHIFT.
 SHIFT = 6
+# Lines on a floor are drawn in pieces of so many pixels.
+PIECE = 64
 # Faces are drawn on a canvas of this side and scaled from there.
 FACE_CANVAS = 400
 
@@ -126,11 +128,40 @@ def _ground(width: int, height: int, colour: Colour, picture: Image | None) -> I
 
 def _draw_line(image: Image, line: FloorLine, pixels_per_mm: float) -> None:
     points = _to_pixels(np.asarray(line.points, np.float64), image, pixels_per_mm)
-    radius = 0.5 * line.width * pixels_per_mm
-    for point in points:
-        _draw_disc(image, point, radius, line.colour)
+    coverage = np.zeros(image.shape[:2], np.float32)
+    for begin, end in pairwise(_pieces(points)):
+        _cover(coverage, begin, end, 0.5 * line.width * pixels_per_mm)
+    touched = coverage > 0
+    beneath = image[touched].astype(np.float32)
+    colour = np.array(line.colour, np.float32)
+    image[touched] = np.rint(beneath + coverage[touched, None] * (colour - beneath))
+
+
+def _pieces(points: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """The same way in short steps: the rectangle round a long slanting one is nearly all empty."""
+    steps = [points[:1]]
     for begin, end in pairwise(points):
-        _draw_stroke(image, begin, end, radius, line.colour)
+        count = max(1, int(np.ceil(np.hypot(*(end - begin)) / PIECE)))
+        steps.append(np.linspace(begin, end, count + 1)[1:])
+    return list(np.vstack(steps))
+
+
+def _cover(
+    coverage: NDArray[np.float32],
+    begin: NDArray[np.float64],
+    end: NDArray[np.float64],
+    radius: float,
+) -> None:
+    """How much of each pixel lies within `radius` of a piece, by its centre's distance from it."""
+    low = np.floor(np.minimum(begin, end) - radius - 1).astype(int).clip(0)
+    high = np.ceil(np.maximum(begin, end) + radius + 2).astype(int).clip(0)
+    window = coverage[low[1] : high[1], low[0] : high[0]]
+    x = low[0] + np.arange(window.shape[1]) - begin[0]
+    y = low[1] + np.arange(window.shape[0])[:, None] - begin[1]
+    dx, dy = end - begin
+    along = ((x * dx + y * dy) / max(dx * dx + dy * dy, 1e-12)).clip(0, 1)
+    distance = np.hypot(x - along * dx, y - along * dy)
+    np.maximum(window, (radius + 0.5 - distance).clip(0, 1), out=window, casting="same_kind")
 
 
 def _to_pixels(
@@ -143,29 +174,6 @@ def _to_pixels(
 
 def _fixed(pixels: NDArray[np.float64]) -> NDArray[np.int32]:
     return np.asarray(np.rint(pixels * 2**SHIFT), np.int32)
-
-
-def _draw_disc(image: Image, point: NDArray[np.float64], radius: float, colour: Colour) -> None:
-    column, row = _fixed(point).tolist()
-    fixed = round(radius * 2**SHIFT)
-    cv2.circle(image, (column, row), fixed, colour, cv2.FILLED, cv2.LINE_AA, SHIFT)
-
-
-def _draw_stroke(
-    image: Image,
-    begin: NDArray[np.float64],
-    end: NDArray[np.float64],
-    radius: float,
-    colour: Colour,
-) -> None:
-    along = end - begin
-    length = float(np.hypot(*along))
-    if length == 0:
-        return
-    # A filled polygon covers the half pixel of its outline as well.
-    across = np.array([-along[1], along[0]]) * (max(radius - 0.5, 0) / length)
-    outline = np.stack([begin + across, end + across, end - across, begin - across])
-    cv2.fillConvexPoly(image, _fixed(outline), colour, cv2.LINE_AA, SHIFT)
 
 
 @dataclass(frozen=True, slots=True)
