@@ -83,7 +83,7 @@ def main(ctx: click.Context) -> None:
 @click.option("--anyway", is_flag=True, help="Run it although the robot lacks a device it asks.")
 @_JSON
 def run(file: Path, as_json: bool, **choices: Any) -> None:  # noqa: FBT001 - a flag of click
-    """Run a program (.bt or .py) on a robot.
+    r"""Run a program (.bt or .py) on a robot.
 
     \b
     learnblock run examples/square.bt --robot sim-ev3 --picture square.png
@@ -170,7 +170,7 @@ def format_command(
 @_ROBOT
 @_JSON
 def convert(file: Path, notation: str, robot: str | None, as_json: bool) -> None:  # noqa: FBT001
-    """Translate a program between Block-Text and Python, to standard output.
+    r"""Translate a program between Block-Text and Python, to standard output.
 
     \b
     learnblock convert square.bt --to python --robot ev3 > square.py
