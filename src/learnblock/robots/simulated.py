@@ -7,7 +7,7 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, ClassVar, Self
 
-from learnblock.client import Client, Outcome, Witness
+from learnblock.client import Client, Goal, Outcome, Witness
 from learnblock.clock import Clock
 from learnblock.devices import (
     MP3,
