@@ -1,0 +1,50 @@
+"""The embedded simulator: worlds, robots in them, what they feel and see.
+
+Nothing here knows a clock, a network or a robot class: a world advances by `World.step` alone.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from learnblock.simulator.camera import CameraModel, CameraPose, Surface, render
+    from learnblock.simulator.goals import GoalState
+    from learnblock.simulator.robot_body import LogEntry, RobotBody
+    from learnblock.simulator.robot_description import RobotDescription, load_robot, robot_names
+    from learnblock.simulator.world import World, WorldEvent
+    from learnblock.simulator.world_description import WorldDescription, load_world, world_names
+
+__all__ = [
+    "CameraModel",
+    "CameraPose",
+    "GoalState",
+    "LogEntry",
+    "RobotBody",
+    "RobotDescription",
+    "Surface",
+    "World",
+    "WorldDescription",
+    "WorldEvent",
+    "load_robot",
+    "load_world",
+    "render",
+    "robot_names",
+    "world_names",
+]
+
+_MODULES = {
+    "camera": ("CameraModel", "CameraPose", "Surface", "render"),
+    "goals": ("GoalState",),
+    "robot_body": ("LogEntry", "RobotBody"),
+    "robot_description": ("RobotDescription", "load_robot", "robot_names"),
+    "world": ("World", "WorldEvent"),
+    "world_description": ("WorldDescription", "load_world", "world_names"),
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Import a name when it is first used: who reads a robot's description waits for no OpenCV."""
+    for module, names in _MODULES.items():
+        if name in names:
+            return getattr(import_module(f"{__name__}.{module}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,132 @@
+"""A robot's body on its wheels: how it moves, and what it pushes or is stopped by."""
+
+import math
+
+import pymunk
+
+from learnblock.simulator import robot_description
+from learnblock.simulator.geometry import Pose, wrapped
+from learnblock.simulator.physics import DT, GRAVITY, ROBOT, Physics
+from learnblock.simulator.wheels import Wheels, accelerated, limited, wheel_speeds
+
+TYRE_FRICTION = 0.9
+"""Of rubber on a dry floor: it bounds how hard a robot can push."""
+
+
+class Chassis:
+    """Two driven wheels under a hull.
+
+    The wheels ask for a velocity, and the tyres pull the body there with no more than their grip;
+    so a wall stops it and a box is pushed if it is not too heavy.
+
+    Args:
+        physics: where it moves.
+        description: of the robot.
+        name: for events.
+        group: no other robot's; rays of the robot's own sensors pass its hull by it.
+        errors: by how much the left and the right wheel are larger than they should be, as parts.
+    """
+
+    def __init__(
+        self,
+        physics: Physics,
+        description: robot_description.RobotDescription,
+        name: str,
+        group: int,
+        errors: Wheels,
+    ) -> None:
+        hull, self._wheels = description.body, description.wheels
+        self._factors = 1 + errors[0], 1 + errors[1]
+        shape_of = _disc if hull.radius is not None and hull.shape == "disc" else _box
+        self._body, shape = shape_of(hull)
+        self._control = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
+        shape.filter = pymunk.ShapeFilter(group=group)
+        shape.collision_type = ROBOT
+        physics.space.add(self._body)
+        physics.add(shape, name)
+        force = TYRE_FRICTION * hull.mass * GRAVITY
+        physics.brake(self._body, self._control, force, force * self._wheels.track / 2)
+        self._space = physics.space
+        self._target: Wheels = (0.0, 0.0)
+        self._speeds: Wheels = (0.0, 0.0)
+        self._adv = 0.0
+        self._omega = 0.0
+        self._x = self._y = 0.0
+        self._moved = self._moved_before = (0.0, 0.0)
+        self.distance_driven = 0.0
+
+    @property
+    def pose(self) -> Pose:
+        """Where it is; the heading is from -180 to 180."""
+        return Pose(self._x, self._y, wrapped(self.turned))
+
+    @property
+    def turned(self) -> float:
+        """The heading in degrees with all full turns in it."""
+        return -math.degrees(self._body.angle)
+
+    @property
+    def acceleration(self) -> tuple[float, float]:
+        """Forward and to the left, m/s², over the last two steps."""
+        x, y = self._moved[0] - self._moved_before[0], self._moved[1] - self._moved_before[1]
+        angle = self._body.angle
+        scale = 1e-3 / DT**2
+        along, across = math.cos(angle), math.sin(angle)
+        return (x * along + y * across) * scale, (y * along - x * across) * scale
+
+    def place(self, pose: Pose) -> None:
+        """Lift it to `pose` and set it down at rest; the distance driven stays as it is."""
+        self._body.position = self._x, self._y = pose.x, pose.y
+        # The nearest angle in that direction, so that `turned` does not jump by full turns.
+        self._body.angle -= math.radians(wrapped(pose.heading - self.turned))
+        self._body.velocity = self._control.velocity = 0.0, 0.0
+        self._body.angular_velocity = self._control.angular_velocity = 0.0
+        self._speeds = (0.0, 0.0)
+        self._adv = self._omega = 0.0
+        self._moved = self._moved_before = (0.0, 0.0)
+        self._space.reindex_shapes_for_body(self._body)
+
+    def drive(self, adv: float, rot: float) -> None:
+        """Aim at these speeds, mm/s and degrees/s clockwise, or as near as the wheels can."""
+        wheels = wheel_speeds(adv, rot, self._wheels.track)
+        self._target = limited(wheels, self._wheels.maximum_speed)
+
+    def before_step(self) -> None:
+        """Tell the tyres where to pull."""
+        if self._speeds != self._target:
+            self._accelerate()
+        if self._adv != 0.0:
+            # The direction half way through the next step, in which this velocity takes effect:
+            # with it a driven circle neither grows nor shrinks.
+            angle = self._body.angle + 1.5 * DT * self._omega
+            adv = self._adv
+            self._control.velocity = adv * math.cos(angle), adv * math.sin(angle)
+
+    def after_step(self) -> None:
+        """Note what has become of it."""
+        x, y = self._body.position
+        moved = x - self._x, y - self._y
+        self._moved_before, self._moved = self._moved, moved
+        self.distance_driven += math.hypot(*moved)
+        self._x, self._y = x, y
+
+    def _accelerate(self) -> None:
+        change = self._wheels.acceleration * DT
+        self._speeds = accelerated(self._speeds, self._target, change)
+        left, right = self._speeds[0] * self._factors[0], self._speeds[1] * self._factors[1]
+        self._adv = (left + right) / 2
+        self._omega = (right - left) / self._wheels.track
+        self._control.angular_velocity = self._omega
+        if self._adv == 0.0:
+            self._control.velocity = 0.0, 0.0
+
+
+def _disc(hull: robot_description.Body) -> tuple[pymunk.Body, pymunk.Shape]:
+    radius = hull.radius or 0.0
+    body = pymunk.Body(hull.mass, pymunk.moment_for_circle(hull.mass, 0, radius))
+    return body, pymunk.Circle(body, radius)
+
+
+def _box(hull: robot_description.Body) -> tuple[pymunk.Body, pymunk.Shape]:
+    body = pymunk.Body(hull.mass, pymunk.moment_for_poly(hull.mass, hull.outline))
+    return body, pymunk.Poly(body, hull.outline)

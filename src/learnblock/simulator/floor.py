@@ -1,0 +1,120 @@
+"""The floor: how bright it is where a ground sensor looks, and its picture for cameras."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from learnblock.errors import Diagnostic, WorldError
+from learnblock.simulator import world_description
+from learnblock.simulator.colours import RGB, reflectance, rgb
+from learnblock.simulator.geometry import Polyline
+from learnblock.simulator.world_description import WorldDescription
+
+if TYPE_CHECKING:
+    from learnblock.simulator import textures
+
+MAXIMUM_PIXELS = 4_000_000
+"""Of the floor's picture: 12 MB, and 1 mm a pixel on a floor of 2 by 2 m."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PaintedLine:
+    """A line on the floor, with round ends.
+
+    Args:
+        middle: along which it runs.
+        width: mm.
+        colour: of the paint.
+    """
+
+    middle: Polyline
+    width: float
+    colour: RGB
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+
+    @classmethod
+    def from_description(cls, line: world_description.Line) -> "PaintedLine":
+        middle = line.polyline()
+        margin = line.width
+        low, high = middle.points.min(axis=0) - margin, middle.points.max(axis=0) + margin
+        return cls(middle, line.width, rgb(line.colour), low, high)
+
+    def coverage(self, x: float, y: float, spot: float) -> float:
+        """How much of a spot (diameter in mm) at (x, y) is on the line, 0 to 1."""
+        if not (self.low[0] < x < self.high[0] and self.low[1] < y < self.high[1]):
+            return 0.0
+        distance, _ = self.middle.nearest(x, y)
+        return min(1.0, max(0.0, (self.width / 2 - distance) / spot + 0.5))
+
+
+class Floor:
+    """A world's floor, its middle at (0, 0)."""
+
+    def __init__(self, world: WorldDescription) -> None:
+        self.size = world.floor.size
+        self._colour = rgb(world.floor.colour)
+        self._lines = [PaintedLine.from_description(line) for line in world.line]
+        self._picture = Path(world.folder, world.floor.picture) if world.floor.picture else None
+
+    def reaches(self, x: float, y: float) -> bool:
+        """Whether there is floor at (x, y)."""
+        return abs(x) <= self.size[0] / 2 and abs(y) <= self.size[1] / 2
+
+    def reflectance(self, x: float, y: float, spot: float = 1.0) -> float:
+        """How bright a spot (diameter in mm) at (x, y) is, 0 to 100; beyond the edge it is 0."""
+        if not self.reaches(x, y):
+            return 0.0
+        if self._picture is not None:
+            return self._pictured(x, y, spot)
+        level = reflectance(self._colour)
+        for line in self._lines:
+            level += line.coverage(x, y, spot) * (reflectance(line.colour) - level)
+        return level
+
+    @cached_property
+    def image(self) -> NDArray[np.uint8]:
+        """RGB of shape (height, width, 3), row 0 in the north; drawn when first asked for."""
+        # Here and not above: a world without a camera does without OpenCV.
+        from learnblock.simulator import textures  # noqa: PLC0415 - see the line above
+
+        picture = None if self._picture is None else _read(self._picture)
+        painted = list(_floor_lines(textures.FloorLine, self._lines))
+        return textures.floor(self.size, self._colour, painted, self._pixels_per_mm, picture)
+
+    @property
+    def _pixels_per_mm(self) -> float:
+        return float(min(1.0, (MAXIMUM_PIXELS / (self.size[0] * self.size[1])) ** 0.5))
+
+    def _pictured(self, x: float, y: float, spot: float) -> float:
+        scale, (rows, columns) = self._pixels_per_mm, self.image.shape[:2]
+        column, row = columns / 2 + x * scale, rows / 2 - y * scale
+        radius = spot * scale / 2
+        left, top = max(0, int(column - radius)), max(0, int(row - radius))
+        window = self.image[top : int(row + radius) + 1, left : int(column + radius) + 1]
+        red, green, blue = window.reshape(-1, 3).mean(axis=0).tolist()
+        return reflectance((red, green, blue))
+
+
+def _floor_lines(
+    kind: "type[textures.FloorLine]", lines: Iterable[PaintedLine]
+) -> "Iterable[textures.FloorLine]":
+    for line in lines:
+        points = [(float(x), float(y)) for x, y in line.middle.points]
+        yield kind(points, line.width, line.colour)
+
+
+def _read(file: Path) -> NDArray[np.uint8]:
+    import cv2  # noqa: PLC0415 - as above
+
+    # By way of the bytes: cv2.imread cannot open every path on Windows.
+    picture = cv2.imdecode(np.frombuffer(file.read_bytes(), np.uint8), cv2.IMREAD_COLOR)
+    if picture is None:
+        message = f'`floor.picture` is "{file.name}": the file is damaged'
+        raise WorldError(file.name, [Diagnostic("wrong-picture", message)])
+    return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB), np.uint8)

@@ -1,0 +1,172 @@
+"""Bodies, contacts and rays in the plane: what of a world can be bumped into.
+
+Lengths are mm, masses kg, times s, and so forces kg mm/s². In pymunk angles are radians and grow
+anticlockwise; headings are degrees and grow clockwise.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import pymunk
+
+from learnblock.simulator.geometry import Point, Pose, forward
+from learnblock.simulator.world_description import Box, Cylinder, Face, Tag, WorldDescription
+
+DT = 0.01
+"""Seconds a step."""
+GRAVITY = 9810.0
+"""mm/s²."""
+FLOOR_FRICTION = 0.4
+"""Of a pushed box on the floor, as wood on linoleum."""
+CONTACT_FRICTION = 0.3
+BOARD_THICKNESS = 4.0
+"""mm; of the boards that tags and faces are glued to."""
+BORDER_THICKNESS = 40.0
+"""mm; it lies outside the floor."""
+ROBOT = 1
+"""pymunk's collision type of robots; everything else has 0."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pushed:
+    """A box or a cylinder that can be pushed."""
+
+    body: pymunk.Body
+    thing: Box | Cylinder
+
+    @property
+    def pose(self) -> Pose:
+        """Where it is now."""
+        x, y = self.body.position
+        return Pose(x, y, -math.degrees(self.body.angle))
+
+
+class Physics:
+    """The plane with everything in it.
+
+    Args:
+        world: what stands in it at first.
+    """
+
+    def __init__(self, world: WorldDescription) -> None:
+        self.space = pymunk.Space()
+        self.pushed: list[Pushed] = []
+        self.names: dict[pymunk.Shape, str] = {}
+        self._add_border(world)
+        self._add_walls(world)
+        self._add_boards(world)
+        for thing in things(world):
+            self._add_thing(thing)
+
+    def ray(self, start: Point, end: Point, ignored_group: int) -> float | None:
+        """The part of the way from `start` to `end`, 0 to 1, to the first thing in the way.
+
+        Args:
+            start: mm.
+            end: mm.
+            ignored_group: the shapes that the ray passes through: those of the robot that looks.
+        """
+        seen = self.space.segment_query_first(
+            start, end, 0.0, pymunk.ShapeFilter(group=ignored_group)
+        )
+        return None if seen is None else seen.alpha
+
+    def touches(self, start: Point, end: Point, radius: float, ignored_group: int) -> bool:
+        """Whether anything is within `radius` mm of the way from `start` to `end`."""
+        ignored = pymunk.ShapeFilter(group=ignored_group)
+        return self.space.segment_query_first(start, end, radius, ignored) is not None
+
+    def is_free(self, x: float, y: float, radius: float) -> bool:
+        """Whether a disc finds room at (x, y)."""
+        nearest = self.space.point_query_nearest((x, y), radius, pymunk.ShapeFilter())
+        return nearest is None
+
+    def add(self, shape: pymunk.Shape, name: str) -> None:
+        """Let `shape` be bumped into under `name`."""
+        shape.friction = CONTACT_FRICTION
+        self.names[shape] = name
+        self.space.add(shape)
+
+    def brake(self, body: pymunk.Body, control: pymunk.Body, force: float, torque: float) -> None:
+        """Pull `body` to the velocity of `control` with at most this force and torque.
+
+        This is how a tyre or a sliding foot grips a floor seen from above: a joint without
+        position correction, limited in force (the "tank" among Chipmunk's demonstrations).
+        """
+        grip = pymunk.PivotJoint(control, body, (0, 0), (0, 0))
+        grip.max_bias, grip.max_force = 0.0, force
+        twist = pymunk.GearJoint(control, body, 0.0, 1.0)
+        twist.max_bias, twist.max_force = 0.0, torque
+        self.space.add(grip, twist)
+
+    def _add_border(self, world: WorldDescription) -> None:
+        if not world.floor.border:
+            return
+        half = BORDER_THICKNESS / 2
+        east, north = world.floor.size[0] / 2 + half, world.floor.size[1] / 2 + half
+        corners = [(east, north), (-east, north), (-east, -north), (east, -north)]
+        self._add_segments([*corners, corners[0]], BORDER_THICKNESS, "border")
+
+    def _add_walls(self, world: WorldDescription) -> None:
+        for wall in world.wall:
+            self._add_segments(wall.points, wall.thickness, "wall")
+
+    def _add_boards(self, world: WorldDescription) -> None:
+        for name, board in _boards(world):
+            x, y = forward(board.heading + 90)
+            half = board.size / 2
+            ends = [
+                (board.x - half * x, board.y - half * y),
+                (board.x + half * x, board.y + half * y),
+            ]
+            self._add_segments(ends, BOARD_THICKNESS, name)
+
+    def _add_segments(self, points: Sequence[Point], thickness: float, name: str) -> None:
+        for start, end in pairwise(points):
+            self.add(pymunk.Segment(self.space.static_body, start, end, thickness / 2), name)
+
+    def _add_thing(self, thing: Box | Cylinder) -> None:
+        if thing.mass is None:
+            body = pymunk.Body(body_type=pymunk.Body.STATIC)
+        else:
+            body = pymunk.Body(thing.mass, _moment(thing, thing.mass))
+            self.pushed.append(Pushed(body, thing))
+        body.position = (thing.x, thing.y)
+        body.angle = -math.radians(thing.heading) if isinstance(thing, Box) else 0.0
+        self.space.add(body)
+        self.add(_shape(body, thing), thing.name)
+        if thing.mass is not None:
+            force = FLOOR_FRICTION * thing.mass * GRAVITY
+            # 2/3 of the radius is the arm of the friction beneath an evenly loaded disc.
+            self.brake(body, self.space.static_body, force, force * _mean_radius(thing) * 2 / 3)
+
+
+def things(world: WorldDescription) -> Iterator[Box | Cylinder]:
+    """Its boxes and cylinders, in order."""
+    yield from world.box
+    yield from world.cylinder
+
+
+def _boards(world: WorldDescription) -> Iterator[tuple[str, Tag | Face]]:
+    for tag in world.tag:
+        yield f"tag {tag.id}", tag
+    for face in world.face:
+        yield f"face {face.emotion}", face
+
+
+def _moment(thing: Box | Cylinder, mass: float) -> float:
+    if isinstance(thing, Box):
+        return pymunk.moment_for_box(mass, (thing.length, thing.width))
+    return pymunk.moment_for_circle(mass, 0, thing.radius)
+
+
+def _shape(body: pymunk.Body, thing: Box | Cylinder) -> pymunk.Shape:
+    if isinstance(thing, Box):
+        return pymunk.Poly.create_box(body, (thing.length, thing.width))
+    return pymunk.Circle(body, thing.radius)
+
+
+def _mean_radius(thing: Box | Cylinder) -> float:
+    return (thing.length + thing.width) / 4 if isinstance(thing, Box) else thing.radius

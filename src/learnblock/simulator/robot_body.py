@@ -1,0 +1,404 @@
+"""A simulated robot: its motion, its sensors, its lights and its camera."""
+
+import math
+from collections import deque
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from learnblock.errors import UnknownNameError
+from learnblock.simulator import robot_description
+from learnblock.simulator.chassis import Chassis
+from learnblock.simulator.colours import RGB
+from learnblock.simulator.floor import Floor
+from learnblock.simulator.geometry import Point, Pose, forward
+from learnblock.simulator.noise import Noise
+from learnblock.simulator.physics import DT, Physics
+from learnblock.simulator.robot_description import NOTHING_SEEN, RobotDescription
+
+if TYPE_CHECKING:
+    from learnblock.simulator.camera import Surface
+
+PartT = TypeVar("PartT")
+
+STANDARD_GRAVITY = 9.80665
+"""m/s²; what an accelerometer at rest reads upwards (ISO 80000-3)."""
+BEAM_RAYS = 5
+"""Rays into which a sensor's beam is divided."""
+LOG_LENGTH = 10_000
+
+EMOTION_COLOURS: Mapping[str, RGB] = {
+    "fear": (124, 0, 255),
+    "surprise": (255, 166, 0),
+    "anger": (255, 0, 0),
+    "sadness": (0, 0, 255),
+    "disgust": (0, 162, 0),
+    "joy": (0, 255, 0),
+    "neutral": (0, 0, 0),
+    "none": (0, 0, 0),
+}
+"""How a robot without a screen shows them; also the list of the emotions there are."""
+
+
+class LogEntry(NamedTuple):
+    """A command to a device that leaves no other trace in the world.
+
+    Args:
+        time: of the world, s.
+        device: such as ``Speaker``.
+        action: such as ``say``.
+        values: as they were given.
+    """
+
+    time: float
+    device: str
+    action: str
+    values: tuple[object, ...]
+
+
+class Surroundings(Protocol):
+    """What a robot needs of its world."""
+
+    physics: Physics
+    floor: Floor
+    seed: int
+    steps: int
+
+    @property
+    def time(self) -> float: ...
+
+    def light_at(self, x: float, y: float) -> float: ...
+
+    def surfaces(self, without: str | None = None) -> "list[Surface]": ...
+
+
+class _JointState(NamedTuple):
+    """A joint on its way: where it was when it was last commanded, and where it goes."""
+
+    start: float
+    target: float
+    since: int
+
+
+class RobotBody:
+    """A robot in a world; made by `World.add_robot`.
+
+    Speeds are mm/s forward and degrees/s clockwise; headings degrees clockwise, 0 looks east.
+    Sensors are computed when they are read, and give the same value all through a step.
+
+    Args:
+        description: what robot it is.
+        name: unique in the world.
+        world: where it is.
+        group: its number in the physics.
+        pose: where it starts.
+    """
+
+    def __init__(
+        self, description: RobotDescription, name: str, world: Surroundings, group: int, pose: Pose
+    ) -> None:
+        self.description = description
+        self.name = name
+        self.emotion = "none"
+        self.leds: dict[str, RGB] = {led.slot: (0, 0, 0) for led in description.led}
+        self._world = world
+        self._group = group
+        self._noise = Noise(world.seed, name)
+        error = description.wheels.error
+        errors = self._wheel_error("left", error), self._wheel_error("right", error)
+        self.chassis = Chassis(world.physics, description, name, group, errors)
+        self.chassis.place(pose)
+        self._log: deque[LogEntry] = deque(maxlen=LOG_LENGTH)
+        self._gyroscope_zero = (self.chassis.turned, world.steps)
+        self._joints = {
+            joint.key: _JointState(rest, rest, world.steps)
+            for joint in description.joint
+            for rest in [min(max(0.0, joint.minimum), joint.maximum)]
+        }
+        self._frames: dict[str, tuple[int, NDArray[np.uint8]]] = {}
+
+    def __repr__(self) -> str:
+        x, y, heading = self.pose
+        kind = self.description.name
+        return f"<RobotBody {self.name!r} ({kind}) at {x:.0f}, {y:.0f} mm, {heading:.0f}°>"
+
+    @property
+    def pose(self) -> tuple[float, float, float]:
+        """(x, y, heading): mm east and north, and degrees clockwise from -180 to 180."""
+        pose = self.chassis.pose
+        return pose.x, pose.y, pose.heading
+
+    @property
+    def distance_driven(self) -> float:
+        """The length of its way since it was made, in mm; being placed by hand does not count."""
+        return self.chassis.distance_driven
+
+    @property
+    def log(self) -> list[LogEntry]:
+        """The last commands to devices that leave no other trace, oldest first."""
+        return list(self._log)
+
+    def drive(self, adv: float, rot: float) -> None:
+        """Aim at a speed forward (mm/s) and a rotation (degrees/s, clockwise positive).
+
+        Both are reduced alike where a wheel would have to run faster than it can.
+
+        Raises:
+            ValueError: one of them is no finite number.
+        """
+        _require_finite("speed", adv, rot)
+        self.chassis.drive(adv, rot)
+
+    def place(self, x: float, y: float, heading: float) -> None:
+        """Lift the robot and set it down at rest elsewhere (mm, mm, degrees).
+
+        Raises:
+            ValueError: one of them is no finite number.
+        """
+        _require_finite("place", x, y, heading)
+        self.chassis.place(Pose(x, y, heading))
+
+    def distances(self) -> dict[str, list[float]]:
+        """What the distance sensors read, in mm, from left to right on each side.
+
+        Returns:
+            ``front``, ``left``, ``right`` and ``back``; 2000 means nothing is seen.
+        """
+        readings = [self._distance(i, s) for i, s in enumerate(self.description.distance)]
+        pairs = list(zip(self.description.distance, readings, strict=True))
+        return {
+            side: [reading for sensor, reading in pairs if side in sensor.sides]
+            for side in ("front", "left", "right", "back")
+        }
+
+    def ground(self) -> dict[str, float | None]:
+        """What the ground sensors read: 0 (dark, or a cliff) to 100 under ``left``, ``central``
+        and ``right``; None where there is no sensor.
+        """
+        readings: dict[str, float | None] = {"left": None, "central": None, "right": None}
+        for sensor in self.description.ground:
+            readings[sensor.side] = self._ground(sensor)
+        return readings
+
+    def gyroscope(self) -> float:
+        """Degrees turned since the last reset, clockwise, with all full turns in it.
+
+        Raises:
+            UnknownNameError: the robot has no gyroscope.
+        """
+        sensor = self._require(self.description.gyroscope, "Gyroscope")
+        turned, since = self._gyroscope_zero
+        seconds = (self._world.steps - since) * DT
+        drift = sensor.drift * self._noise.normal("gyroscope drift") * seconds
+        noise = sensor.noise * self._noise.normal("gyroscope", self._world.steps)
+        return self.chassis.turned - turned + drift + noise
+
+    def reset_gyroscope(self) -> None:
+        """Let the present heading be 0.
+
+        Raises:
+            UnknownNameError: the robot has no gyroscope.
+        """
+        self._require(self.description.gyroscope, "Gyroscope")
+        self._gyroscope_zero = (self.chassis.turned, self._world.steps)
+
+    def acceleration(self) -> tuple[float, float, float]:
+        """Forward, left and up in m/s²; at rest (0, 0, 9.8).
+
+        Raises:
+            UnknownNameError: the robot has no accelerometer.
+        """
+        sensor = self._require(self.description.accelerometer, "Accelerometer")
+        along, across = self.chassis.acceleration
+        x, y, z = (
+            sensor.noise * self._noise.normal(f"accelerometer {axis}", self._world.steps)
+            for axis in "xyz"
+        )
+        return along + x, across + y, STANDARD_GRAVITY + z
+
+    def bumper(self) -> bool:
+        """Whether something presses the bumper.
+
+        Raises:
+            UnknownNameError: the robot has no bumper.
+        """
+        bar = self._require(self.description.bumper, "Bumper")
+        ends = self._at(bar.x, bar.width / 2), self._at(bar.x, -bar.width / 2)
+        return self._world.physics.touches(*ends, bar.travel, self._group)
+
+    def light(self) -> float:
+        """The light that falls on it, 0 to 1023.
+
+        Raises:
+            UnknownNameError: the robot has no light sensor.
+        """
+        sensor = self._require(self.description.light, "LightSensor")
+        level = self._world.light_at(*self._at(sensor.x, sensor.y))
+        noise = sensor.noise * self._noise.normal("light", self._world.steps)
+        return min(1023.0, max(0.0, level + noise))
+
+    def set_joint(self, key: str, degrees: float) -> None:
+        """Turn a joint to an angle, as far and as fast as it can.
+
+        Raises:
+            UnknownNameError: the robot has no such joint.
+            ValueError: the angle is no finite number.
+        """
+        _require_finite("angle", degrees)
+        joint = self._joint(key)
+        target = min(max(degrees, joint.minimum), joint.maximum)
+        self._joints[key] = _JointState(self.joint(key), target, self._world.steps)
+
+    def joint(self, key: str) -> float:
+        """The angle of a joint now, in degrees.
+
+        Raises:
+            UnknownNameError: the robot has no such joint.
+        """
+        speed = self._joint(key).speed
+        start, target, since = self._joints[key]
+        reach = speed * DT * (self._world.steps - since)
+        return start + min(max(target - start, -reach), reach)
+
+    def frame(self, key: str = "ROBOT") -> NDArray[np.uint8]:
+        """What a camera sees now: RGB, uint8, shape (height, width, 3), not to be written to.
+
+        Raises:
+            UnknownNameError: the robot has no such camera.
+        """
+        step, picture = self._frames.get(key, (-1, None))
+        if picture is None or step != self._world.steps:
+            picture = self._rendered(self._camera(key))
+            picture.flags.writeable = False
+            self._frames[key] = (self._world.steps, picture)
+        return picture
+
+    def show_emotion(self, name: str) -> None:
+        """Show an emotion on the screen, or as the colour of the LEDs.
+
+        Raises:
+            UnknownNameError: there is no such emotion, or the robot has no display.
+        """
+        display = self._require(self.description.display, "Display")
+        if name not in EMOTION_COLOURS:
+            raise UnknownNameError("emotion", name, EMOTION_COLOURS)
+        self.emotion = name
+        if display.kind == "leds":
+            coloured = [led.slot for led in self.description.led if led.kind == "rgb"]
+            self.leds.update(dict.fromkeys(coloured, EMOTION_COLOURS[name]))
+
+    def set_led(self, slot: str, colour: RGB) -> None:
+        """Light an LED: red, green and blue, 0 to 255.
+
+        Raises:
+            UnknownNameError: the robot has no such LED.
+        """
+        if slot not in self.leds:
+            raise UnknownNameError("LED", slot, self.leds)
+        red, green, blue = (min(max(round(level), 0), 255) for level in colour)
+        self.leds[slot] = (red, green, blue)
+
+    def note(self, device: str, action: str, *values: object) -> None:
+        """Write a command to a device that leaves no other trace into the log.
+
+        Args:
+            device: such as ``Speaker``.
+            action: such as ``say``.
+            values: what it was told.
+        """
+        self._log.append(LogEntry(self._world.time, device, action, values))
+
+    def _wheel_error(self, wheel: str, deviation: float) -> float:
+        error = deviation * self._noise.normal(f"{wheel} wheel")
+        return min(max(error, -3 * deviation), 3 * deviation)
+
+    def _require(self, part: PartT | None, device: str) -> PartT:
+        if part is None:
+            devices = sorted({key.partition(":")[0] for key in self.description.devices()})
+            raise UnknownNameError("device", device, devices)
+        return part
+
+    def _at(self, x: float, y: float) -> Point:
+        """Where a place on the robot (mm forward and left) is in the world."""
+        pose = self.chassis.pose
+        along, across = forward(pose.heading)
+        return pose.x + x * along - y * across, pose.y + x * across + y * along
+
+    def _distance(self, index: int, sensor: robot_description.DistanceSensor) -> float:
+        nearest = min(self._rays(sensor))
+        if nearest >= sensor.maximum:
+            return NOTHING_SEEN
+        noise = 1 + sensor.noise * self._noise.normal(f"distance {index}", self._world.steps)
+        return round(min(max(nearest * noise, sensor.minimum), NOTHING_SEEN), 1)
+
+    def _rays(self, sensor: robot_description.DistanceSensor) -> list[float]:
+        """How far it is to what each ray of the sensor's beam meets, or to the sensor's range."""
+        start = self._at(sensor.x, sensor.y)
+        heading = self.chassis.pose.heading + sensor.direction
+        return [
+            self._ray(start, heading + offset, sensor.maximum)
+            for offset in _beam_offsets(sensor.beam)
+        ]
+
+    def _ray(self, start: Point, heading: float, reach: float) -> float:
+        x, y = forward(heading)
+        end = start[0] + reach * x, start[1] + reach * y
+        part = self._world.physics.ray(start, end, self._group)
+        return reach if part is None else part * reach
+
+    def _ground(self, sensor: robot_description.GroundSensor) -> float:
+        x, y = self._at(sensor.x, sensor.y)
+        if sensor.kind == "cliff":
+            return 100.0 if self._world.floor.reaches(x, y) else 0.0
+        level = self._world.floor.reflectance(x, y, sensor.spot)
+        noise = sensor.noise * self._noise.normal(f"ground {sensor.side}", self._world.steps)
+        return round(min(max(level + noise, 0.0), 100.0), 2)
+
+    def _joint(self, key: str) -> robot_description.Joint:
+        joints = {joint.key: joint for joint in self.description.joint}
+        if key not in joints:
+            raise UnknownNameError("joint", key, joints)
+        return joints[key]
+
+    def _camera(self, key: str) -> robot_description.Camera:
+        cameras = {camera.key: camera for camera in self.description.camera}
+        if key not in cameras:
+            raise UnknownNameError("camera", key, cameras)
+        return cameras[key]
+
+    def _rendered(self, camera: robot_description.Camera) -> NDArray[np.uint8]:
+        # Here and not above: a world without a camera does without OpenCV.
+        from learnblock.simulator.camera import (  # noqa: PLC0415 - see the line above
+            CameraModel,
+            CameraPose,
+            render,
+        )
+
+        tilt = self.joint(camera.joint) if camera.joint is not None else 0.0
+        heading = self.chassis.pose.heading
+        pose = CameraPose(*self._at(camera.x, 0.0), camera.z, heading, camera.pitch + tilt)
+        model = CameraModel(camera.width, camera.height, camera.focal)
+        surfaces = self._world.surfaces(without=self.name)
+        return render(surfaces, model, pose, noise=self._camera_noise(camera))
+
+    def _camera_noise(
+        self, camera: robot_description.Camera
+    ) -> tuple[np.random.Generator, float] | None:
+        if not camera.noise:
+            return None
+        bits = self._noise.bits(f"camera {camera.key}", self._world.steps)
+        return np.random.Generator(np.random.PCG64(bits)), camera.noise
+
+
+def _beam_offsets(beam: float) -> Sequence[float]:
+    if not beam:
+        return (0.0,)
+    return [beam * (i / (BEAM_RAYS - 1) - 0.5) for i in range(BEAM_RAYS)]
+
+
+def _require_finite(what: str, *values: float) -> None:
+    for value in values:
+        if not math.isfinite(value):
+            raise ValueError(f"a {what} is {value}; expected a finite number")

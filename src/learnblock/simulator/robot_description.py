@@ -1,0 +1,306 @@
+"""What a simulated robot's file may say, and the robots that come with LearnBlock.
+
+Places on a robot are mm from the middle between its wheels, x forward and y to the left;
+directions are degrees clockwise, 0 looks ahead.
+"""
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Annotated, Literal
+
+from msgspec import Meta, Struct
+
+from learnblock.errors import RobotDescriptionError
+from learnblock.simulator import description_file
+from learnblock.simulator.colours import Colour
+from learnblock.simulator.description_file import Finding, unknown
+
+SHIPPED_ROBOTS = Path(__file__).parent / "robots"
+NOTHING_SEEN = 2000.0
+"""What a distance sensor reads, in mm, when nothing is within its range."""
+
+Side = Literal["front", "left", "right", "back"]
+GroundSide = Literal["left", "central", "right"]
+Key = Annotated[str, Meta(min_length=1, max_length=40)]
+Offset = Annotated[float, Meta(ge=-1000, le=1000)]
+Length = Annotated[float, Meta(ge=1, le=1000)]
+
+_FORWARD = Meta(description="place forward of the middle between the wheels, mm")
+_LEFTWARD = Meta(description="place to the left of it, mm")
+
+
+class Body(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """The hull: a disc round the middle between the wheels, or a box."""
+
+    shape: Annotated[Literal["disc", "box"], Meta(description="as seen from above")]
+    height: Annotated[Length, Meta(description="mm")]
+    mass: Annotated[float, Meta(ge=0.01, le=50, description="kg")]
+    radius: Annotated[Length, Meta(description="of a disc, mm")] | None = None
+    length: Annotated[Length, Meta(description="of a box, from back to front, mm")] | None = None
+    width: Annotated[Length, Meta(description="of a box, mm")] | None = None
+    offset: Annotated[
+        Offset, Meta(description="how far a box's middle lies before the wheels, mm")
+    ] = 0.0
+    colour: Annotated[Colour, Meta(description="as other robots see it")] = "grey"
+
+    def __post_init__(self) -> None:
+        if self.shape == "disc" and self.radius is None:
+            raise ValueError("a disc needs a `radius`")
+        if self.shape == "box" and (self.length is None or self.width is None):
+            raise ValueError("a box needs `length` and `width`")
+
+    @property
+    def outline(self) -> tuple[tuple[float, float], ...]:
+        """Corners (forward, left) in mm, anticlockwise: of the box, or of eight on the disc."""
+        if self.length is not None and self.width is not None:
+            front, back = self.offset + self.length / 2, self.offset - self.length / 2
+            side = self.width / 2
+            return ((front, -side), (front, side), (back, side), (back, -side))
+        angles = [math.radians(22.5 + 45 * i) for i in range(8)]
+        radius = self.radius or 0.0
+        return tuple((radius * math.cos(a), radius * math.sin(a)) for a in angles)
+
+    @property
+    def reach(self) -> float:
+        """From the middle between the wheels to the farthest point of the hull, mm."""
+        return max(math.hypot(x, y) for x, y in self.outline)
+
+
+class Wheels(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """The drive: two wheels on one axle."""
+
+    radius: Annotated[Length, Meta(description="of a wheel, mm")]
+    track: Annotated[Length, Meta(description="between the wheels, mm")]
+    maximum_speed: Annotated[float, Meta(ge=1, le=5000, description="of a wheel's rim, mm/s")]
+    acceleration: Annotated[
+        float, Meta(ge=1, le=50000, description="of a wheel's rim at most, mm/s²")
+    ] = 1000.0
+    error: Annotated[
+        float, Meta(ge=0, le=0.02, description="how unlike its wheels are, standard deviation")
+    ] = 0.001
+
+
+class DistanceSensor(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """One distance sensor; list them from left to right."""
+
+    direction: Annotated[float, Meta(ge=-180, le=180, description="degrees, right positive")]
+    sides: Annotated[
+        tuple[Side, ...], Meta(min_length=1, max_length=4, description="where its reading appears")
+    ]
+    x: Annotated[Offset, _FORWARD] = 0.0
+    y: Annotated[Offset, _LEFTWARD] = 0.0
+    minimum: Annotated[
+        float, Meta(ge=0, le=1000, description="what is nearer reads as this, mm")
+    ] = 0.0
+    maximum: Annotated[
+        float, Meta(ge=10, le=10000, description="what is farther is not seen, mm")
+    ] = 1000.0
+    beam: Annotated[
+        float, Meta(ge=0, le=90, description="full angle within which it sees the nearest, degrees")
+    ] = 0.0
+    noise: Annotated[
+        float, Meta(ge=0, le=0.5, description="standard deviation, of the distance")
+    ] = 0.0
+
+
+class GroundSensor(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """One sensor that looks down."""
+
+    side: Annotated[GroundSide, Meta(description="under which it is read")]
+    x: Annotated[Offset, _FORWARD] = 0.0
+    y: Annotated[Offset, _LEFTWARD] = 0.0
+    kind: Annotated[
+        Literal["reflected", "cliff"],
+        Meta(description="light reflected, 0 to 100, or 0 over an edge of the floor and else 100"),
+    ] = "reflected"
+    spot: Annotated[float, Meta(ge=0.5, le=100, description="diameter of what it sees, mm")] = 6.0
+    noise: Annotated[float, Meta(ge=0, le=50, description="standard deviation, of 100")] = 0.0
+
+
+class Gyroscope(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """Measures how far the robot has turned."""
+
+    key: Annotated[Key, Meta(description="of the device")] = "Z_AXIS"
+    drift: Annotated[float, Meta(ge=0, le=10, description="standard deviation, degrees/s")] = 0.0
+    noise: Annotated[float, Meta(ge=0, le=10, description="standard deviation, degrees")] = 0.0
+
+
+class Accelerometer(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """Measures acceleration and gravity: x forward, y left, z up."""
+
+    noise: Annotated[float, Meta(ge=0, le=10, description="standard deviation, m/s²")] = 0.0
+
+
+class Bumper(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """A bar across the front that feels what it touches."""
+
+    x: Annotated[Offset, Meta(description="of the bar, forward of the wheels, mm")]
+    width: Annotated[Length, Meta(description="of the bar, mm")]
+    travel: Annotated[float, Meta(ge=0.5, le=50, description="within which it is pressed, mm")] = (
+        3.0
+    )
+
+
+class LightSensor(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """Measures the light that falls on it."""
+
+    x: Annotated[Offset, _FORWARD] = 0.0
+    y: Annotated[Offset, _LEFTWARD] = 0.0
+    noise: Annotated[float, Meta(ge=0, le=500, description="standard deviation, of 1023")] = 0.0
+
+
+class Joint(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """A motor that turns a part of the robot to an angle."""
+
+    key: Annotated[Key, Meta(description="of the device, such as CAMERA or ARM")]
+    minimum: Annotated[float, Meta(ge=-180, le=180, description="degrees")]
+    maximum: Annotated[float, Meta(ge=-180, le=180, description="degrees, up positive")]
+    speed: Annotated[float, Meta(ge=1, le=10000, description="degrees/s")] = 120.0
+
+    def __post_init__(self) -> None:
+        if self.minimum >= self.maximum:
+            raise ValueError(
+                f"`minimum` is {self.minimum:g}, not below the `maximum` {self.maximum:g}"
+            )
+
+
+class Camera(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """A camera that looks ahead."""
+
+    z: Annotated[Length, Meta(description="height of the lens above the floor, mm")]
+    focal: Annotated[float, Meta(ge=20, le=5000, description="focal length, pixels")]
+    key: Annotated[Key, Meta(description="of the device")] = "ROBOT"
+    x: Annotated[Offset, _FORWARD] = 0.0
+    pitch: Annotated[float, Meta(ge=-90, le=90, description="degrees, up positive")] = 0.0
+    joint: Annotated[Key, Meta(description="key of the joint that tilts it")] | None = None
+    width: Annotated[int, Meta(ge=16, le=1920, description="of its frames, pixels")] = 320
+    height: Annotated[int, Meta(ge=16, le=1080, description="of its frames, pixels")] = 240
+    noise: Annotated[
+        float, Meta(ge=0, le=50, description="standard deviation, grey levels of 255")
+    ] = 0.0
+
+
+class Display(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """How the robot shows emotions."""
+
+    kind: Annotated[
+        Literal["screen", "leds"], Meta(description="as a face, or as the colour of its RGB LEDs")
+    ] = "screen"
+
+
+class Led(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """A light on the robot."""
+
+    slot: Annotated[Key, Meta(description="key of the device")]
+    kind: Annotated[
+        Literal["rgb", "single"], Meta(description="of any colour, or only on and off")
+    ] = "rgb"
+
+
+Output = Literal["Speaker", "Matrix", "MP3", "Infrared", "Animator"]
+
+
+class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """Everything a simulated robot's file may hold."""
+
+    body: Annotated[Body, Meta(description="the hull")]
+    wheels: Annotated[Wheels, Meta(description="the drive")]
+    title: Annotated[str, Meta(max_length=200, description="what the page shows")] = ""
+    world: Annotated[
+        str, Meta(min_length=1, max_length=200, description="where it is when none is named")
+    ] = "empty"
+    distance: Annotated[tuple[DistanceSensor, ...], Meta(max_length=50)] = ()
+    ground: Annotated[tuple[GroundSensor, ...], Meta(max_length=3)] = ()
+    gyroscope: Annotated[Gyroscope, Meta(description="measures turns")] | None = None
+    accelerometer: Annotated[Accelerometer, Meta(description="measures acceleration")] | None = None
+    bumper: Annotated[Bumper, Meta(description="feels what it touches")] | None = None
+    light: Annotated[LightSensor, Meta(description="measures light")] | None = None
+    camera: Annotated[tuple[Camera, ...], Meta(max_length=4)] = ()
+    joint: Annotated[tuple[Joint, ...], Meta(max_length=20)] = ()
+    display: Annotated[Display, Meta(description="shows emotions")] | None = None
+    led: Annotated[tuple[Led, ...], Meta(max_length=50)] = ()
+    outputs: Annotated[
+        tuple[Output, ...], Meta(max_length=5, description="devices whose commands are only noted")
+    ] = ()
+
+
+class RobotDescription(RobotFile, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """A robot's file together with its name.
+
+    Args:
+        name: the file's name without its ending.
+    """
+
+    name: str = "robot"
+
+    def devices(self) -> frozenset[str]:
+        """What it is equipped with, as ``Type:KEY`` strings such as ``JointMotor:CAMERA``."""
+        found = {"Base:ROBOT", *(f"{output}:ROBOT" for output in self.outputs)}
+        found |= {f"Camera:{camera.key}" for camera in self.camera}
+        found |= {f"JointMotor:{joint.key}" for joint in self.joint}
+        found |= {f"{'RGBLed' if led.kind == 'rgb' else 'Led'}:{led.slot}" for led in self.led}
+        if self.gyroscope:
+            found.add(f"Gyroscope:{self.gyroscope.key}")
+        single = {
+            "DistanceSensors": self.distance,
+            "GroundSensors": self.ground,
+            "Accelerometer": self.accelerometer,
+            "Bumper": self.bumper,
+            "LightSensor": self.light,
+            "Display": self.display,
+        }
+        return frozenset(found | {f"{device}:ROBOT" for device, part in single.items() if part})
+
+
+def load_robot(name_or_path: str | Path, folders: Sequence[Path] = ()) -> RobotDescription:
+    """The description of a simulated robot.
+
+    Args:
+        name_or_path: the name of a robot of `folders` or of ours, or a path that ends in .toml.
+        folders: looked into before ours, in this order.
+
+    Raises:
+        UnknownNameError: there is no such robot.
+        RobotDescriptionError: the file is wrong.
+    """
+    file = description_file.locate("simulated robot", name_or_path, [*folders, SHIPPED_ROBOTS])
+    robot = description_file.read(file, RobotFile, RobotDescriptionError, _check)
+    values = {field: getattr(robot, field) for field in RobotFile.__struct_fields__}
+    return RobotDescription(name=file.stem, **values)
+
+
+def robot_names(folders: Sequence[Path] = ()) -> tuple[str, ...]:
+    """The simulated robots of `folders` and ours, in alphabetical order."""
+    return tuple(description_file.names([*folders, SHIPPED_ROBOTS]))
+
+
+def _check(robot: RobotFile) -> Iterator[Finding]:
+    yield from _check_keys(robot)
+    joints = [joint.key for joint in robot.joint]
+    for index, camera in enumerate(robot.camera):
+        if camera.joint is not None and camera.joint not in joints:
+            message = unknown(f"there is no joint `{camera.joint}`", camera.joint, joints)
+            yield Finding(("camera", index, "joint"), "unknown-joint", message)
+    for index, sensor in enumerate(robot.distance):
+        if sensor.minimum >= sensor.maximum:
+            message = f"`minimum` is {sensor.minimum:g}, not below the `maximum` {sensor.maximum:g}"
+            yield Finding(("distance", index), "wrong-range", message)
+
+
+def _check_keys(robot: RobotFile) -> Iterator[Finding]:
+    """Two devices of one type cannot share a key."""
+    groups = (
+        ("camera", "key", [camera.key for camera in robot.camera]),
+        ("joint", "key", [joint.key for joint in robot.joint]),
+        ("led", "slot", [led.slot for led in robot.led]),
+        ("ground", "side", [sensor.side for sensor in robot.ground]),
+    )
+    for group, field, keys in groups:
+        seen: Counter[str] = Counter()
+        for index, key in enumerate(keys):
+            seen[key] += 1
+            if seen[key] == 2:
+                message = f"of `{group}`, two have the {field} `{key}`; each needs its own"
+                yield Finding((group, index, field), "key-taken", message)

@@ -1,0 +1,40 @@
+"""The kinematics of two driven wheels.
+
+Speeds are mm/s forward and degrees/s clockwise seen from above. With the wheels `track` mm apart
+and the rotation r in rad/s, the left wheel runs at adv + r * track / 2 and the right one at
+adv - r * track / 2.
+"""
+
+import math
+
+Wheels = tuple[float, float]
+"""Speeds over the ground of the left and the right wheel, mm/s."""
+
+
+def wheel_speeds(adv: float, rot: float, track: float) -> Wheels:
+    """Those that move a robot at (adv, rot)."""
+    difference = math.radians(rot) * track / 2
+    return adv + difference, adv - difference
+
+
+def body_speeds(wheels: Wheels, track: float) -> tuple[float, float]:
+    """(adv, rot) of a robot whose wheels turn so."""
+    left, right = wheels
+    return (left + right) / 2, math.degrees((left - right) / track)
+
+
+def limited(wheels: Wheels, maximum: float) -> Wheels:
+    """Both slowed down alike so that neither exceeds `maximum`: the same curve, driven slower."""
+    fastest = max(abs(wheels[0]), abs(wheels[1]))
+    if fastest <= maximum:
+        return wheels
+    return wheels[0] * maximum / fastest, wheels[1] * maximum / fastest
+
+
+def accelerated(now: Wheels, target: Wheels, change: float) -> Wheels:
+    """One step from `now` towards `target`, with neither wheel changing by more than `change`."""
+    left, right = target[0] - now[0], target[1] - now[1]
+    largest = max(abs(left), abs(right))
+    if largest <= change:
+        return target
+    return now[0] + left * change / largest, now[1] + right * change / largest

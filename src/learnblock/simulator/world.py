@@ -1,0 +1,234 @@
+"""The world: a step counter, the bodies in it, and what they do to one another."""
+
+import math
+from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal
+
+import pymunk
+
+from learnblock.errors import Diagnostic, KeyTakenError, UnknownNameError, WorldError
+from learnblock.simulator.floor import Floor
+from learnblock.simulator.geometry import Pose
+from learnblock.simulator.goals import GoalState, goals
+from learnblock.simulator.physics import DT, ROBOT, Physics
+from learnblock.simulator.robot_body import RobotBody
+from learnblock.simulator.robot_description import RobotDescription
+from learnblock.simulator.world_description import WorldDescription
+
+if TYPE_CHECKING:
+    from learnblock.simulator.camera import Surface
+    from learnblock.simulator.scenery import Solid
+
+STEPS_PER_SECOND = 100
+GOAL_PERIOD = 5
+"""Steps between two looks at the goals."""
+EVENTS_KEPT = 10_000
+RINGS = 30
+"""How far round a taken start pose a free one is looked for, in robots."""
+MAXIMUM_LIGHT = 1023.0
+
+EventKind = Literal["goal-reached", "goal-failed", "collision"]
+
+
+@dataclass(frozen=True, slots=True)
+class WorldEvent:
+    """Something that happened.
+
+    Args:
+        time: of the world, s.
+        kind: a collision is told when it begins.
+        subject: the goal's name, or the robot that bumps.
+        other: the robot that reached the goal, or what was bumped into.
+    """
+
+    time: float
+    kind: EventKind
+    subject: str
+    other: str = ""
+
+
+class World:
+    """A world with its robots; each `step` is 10 ms.
+
+    The same description, seed and commands give the same motion and the same readings.
+
+    Args:
+        description: from `load_world`.
+        seed: another one gives other noise and slightly other wheels.
+    """
+
+    def __init__(self, description: WorldDescription, seed: int = 0) -> None:
+        self.description = description
+        self.seed = seed
+        self.dt = DT
+        self.steps = 0
+        self.floor = Floor(description)
+        self.physics = Physics(description)
+        self.physics.space.on_collision(ROBOT, None, begin=self._touch)
+        self.robots: dict[str, RobotBody] = {}
+        self._goals = goals(description)
+        self._events: deque[WorldEvent] = deque(maxlen=EVENTS_KEPT)
+        self._touched: set[tuple[str, str]] = set()
+        self._solids: dict[str, Solid] = {}
+
+    def __repr__(self) -> str:
+        return f"<World {self.description.name!r} at {self.time} s with {len(self.robots)} robots>"
+
+    @property
+    def time(self) -> float:
+        """Seconds since the world was made: steps * dt, rounded once."""
+        return self.steps / STEPS_PER_SECOND
+
+    @property
+    def goals(self) -> tuple[GoalState, ...]:
+        """How the goals stand, in the order reach, follow, visit."""
+        return tuple(goal.state for goal in self._goals)
+
+    def add_robot(
+        self,
+        description: RobotDescription,
+        name: str = "robot",
+        start: str | tuple[float, float, float] | None = None,
+    ) -> RobotBody:
+        """Put a robot into the world.
+
+        Args:
+            description: from `load_robot`.
+            name: under which `robots` has it.
+            start: the name of a start pose, or (x, y, heading). Without it, the first start pose
+                that no robot has taken. Beside a start pose that is blocked, free floor is taken.
+
+        Raises:
+            KeyTakenError: there is a robot with this name.
+            UnknownNameError: there is no start pose of this name.
+            WorldError: there is no free floor left.
+        """
+        if name in self.robots:
+            raise KeyTakenError(
+                f"there is a robot `{name}` in the world already; give another name"
+            )
+        radius = description.body.reach
+        pose = Pose(*start) if isinstance(start, tuple) else self._free_pose(start, radius)
+        group = len(self.robots) + 1
+        self.robots[name] = RobotBody(description, name, self, group, pose)
+        return self.robots[name]
+
+    def step(self) -> None:
+        """Let 10 ms pass."""
+        chassis = [robot.chassis for robot in self.robots.values()]
+        for body in chassis:
+            body.before_step()
+        self.physics.space.step(DT)
+        self.steps += 1
+        for body in chassis:
+            body.after_step()
+        if self._touched:
+            self._tell_collisions()
+        if self._goals and self.steps % GOAL_PERIOD == 0:
+            self._look_at_goals()
+
+    def take_events(self) -> list[WorldEvent]:
+        """What has happened since they were last taken, oldest first."""
+        events = list(self._events)
+        self._events.clear()
+        return events
+
+    def floor_at(self, x: float, y: float) -> float:
+        """How bright the floor is at (x, y), 0 to 100; beyond its edge 0."""
+        return self.floor.reflectance(x, y)
+
+    def light_at(self, x: float, y: float) -> float:
+        """How much light falls on (x, y), 0 to 1023."""
+        level = self.description.ambient_light
+        for lamp in self.description.light:
+            away = math.hypot(x - lamp.x, y - lamp.y)
+            level += lamp.brightness * lamp.z**2 / (lamp.z**2 + away**2)
+        return min(level, MAXIMUM_LIGHT)
+
+    def surfaces(self, without: str | None = None) -> "list[Surface]":
+        """What cameras see now.
+
+        Args:
+            without: the robot that looks, if any; it does not see itself.
+        """
+        return [*self._scenery, *self._moving(without)]
+
+    def _free_pose(self, start: str | None, radius: float) -> Pose:
+        wanted = self._start(start)
+        for pose in _places_around(wanted, 2 * radius + 20):
+            x, y = abs(pose.x) + radius, abs(pose.y) + radius
+            if self.floor.reaches(x, y) and self.physics.is_free(pose.x, pose.y, radius):
+                return pose
+        message = f"no floor is left for another robot in the world `{self.description.name}`"
+        raise WorldError(self.description.name, [Diagnostic("no-room", message)])
+
+    def _start(self, name: str | None) -> Pose:
+        starts = {start.name: start for start in self.description.start}
+        if name is None:
+            chosen = list(starts.values())[len(self.robots) : len(self.robots) + 1]
+            chosen = chosen or list(starts.values())[:1]
+            return Pose(chosen[0].x, chosen[0].y, chosen[0].heading) if chosen else Pose(0, 0, 0)
+        if name not in starts:
+            raise UnknownNameError("start pose", name, starts)
+        return Pose(starts[name].x, starts[name].y, starts[name].heading)
+
+    def _touch(self, arbiter: pymunk.Arbiter, space: pymunk.Space, data: Any) -> None:  # noqa: ARG002 - pymunk's signature
+        first, second = arbiter.shapes
+        if first.collision_type != ROBOT:
+            first, second = second, first
+        names = self.physics.names[first], self.physics.names[second]
+        both = second.collision_type == ROBOT
+        self._touched.add((min(names), max(names)) if both else names)
+
+    def _tell_collisions(self) -> None:
+        for robot, other in sorted(self._touched):
+            self._events.append(WorldEvent(self.time, "collision", robot, other))
+        self._touched.clear()
+
+    def _look_at_goals(self) -> None:
+        poses = {name: robot.chassis.pose for name, robot in self.robots.items()}
+        for goal in filter(lambda goal: goal.state.is_open, self._goals):
+            goal.look(self.time, poses)
+            self._tell_end(goal.state)
+
+    def _tell_end(self, state: GoalState) -> None:
+        if state.reached_at is not None:
+            self._events.append(WorldEvent(self.time, "goal-reached", state.name, state.robot))
+        elif state.failed_at is not None:
+            self._events.append(WorldEvent(self.time, "goal-failed", state.name))
+
+    @cached_property
+    def _scenery(self) -> "list[Surface]":
+        # Here and not above: a world without a camera does without OpenCV.
+        from learnblock.simulator.scenery import scenery  # noqa: PLC0415 - see the line above
+
+        return scenery(self.description, self.floor)
+
+    def _moving(self, without: str | None) -> "Iterator[Surface]":
+        from learnblock.simulator.scenery import hull, solid  # noqa: PLC0415 - as above
+
+        for index, pushed in enumerate(self.physics.pushed):
+            key = f"pushed {index}"
+            if key not in self._solids:
+                self._solids[key] = solid(pushed.thing)
+            yield from self._solids[key].at(pushed.pose)
+        for name, robot in self.robots.items():
+            key = f"robot {name}"
+            if key not in self._solids:
+                self._solids[key] = hull(robot.description.body, name)
+            if name != without:
+                yield from self._solids[key].at(robot.chassis.pose)
+
+
+def _places_around(wanted: Pose, spacing: float) -> Iterator[Pose]:
+    """The pose wanted, and then ever larger squares round it, with the same heading."""
+    yield wanted
+    for ring in range(1, RINGS + 1):
+        for column in range(-ring, ring + 1):
+            for row in range(-ring, ring + 1):
+                if max(abs(column), abs(row)) == ring:
+                    x, y = wanted.x + column * spacing, wanted.y + row * spacing
+                    yield Pose(x, y, wanted.heading)
