@@ -11,6 +11,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 from learnblock.client import Client
 from learnblock.errors import LearnBlockError, UnknownNameError
@@ -70,6 +71,16 @@ def find(name: str) -> RobotEntry:
     if announced in _ANNOUNCED:
         raise LearnBlockError(_not_yet(announced))
     raise UnknownNameError("robot", name, known)
+
+
+def connect(name: str, **arguments: Any) -> Client:
+    """The robot of that name, connected; the arguments are those of its class.
+
+    Raises:
+        UnknownNameError: there is no such robot.
+        RobotConnectionError: it cannot be reached.
+    """
+    return find(name).load()(**arguments)
 
 
 def module_of(name: str) -> str:
