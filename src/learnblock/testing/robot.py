@@ -94,7 +94,7 @@ class FakeRobot(Client):
     def connect(self) -> None:
         devices: list[Device] = [
             Base(self._move, lambda: self.wheels.pose),
-            Camera(self._reader(Camera), lambda name: self._detections.get(name)),
+            Camera(self._reader(Camera), self._detections.get),
             Infrared(self._reader(Infrared), self._note("Infrared.send")),
             Animator(self._note("Animator.play")),
             Display(self._note("Display.show_emotion"), self._note("Display.show_image")),

@@ -1,0 +1,253 @@
+"""JSON that a person wrote: its value, and the place of each part of it for messages."""
+
+import json
+import re
+from bisect import bisect_right
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import accumulate, pairwise
+from typing import NoReturn
+
+from learnblock.errors import BlockConfigurationError, Diagnostic
+
+#: Which part of a value: the keys and indices that lead to it.
+Path = tuple[str | int, ...]
+
+#: Characters; all of our own blocks take a twentieth of it.
+LARGEST = 1_000_000
+#: Brackets in brackets: a configuration needs five, and a default that is a list some more.
+DEEPEST = 16
+
+# A string that is not closed runs to the end, so that reading takes linear time whatever the text.
+_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"?|[][{}:,]|[^\s"\][{}:,]+', re.DOTALL)
+_OPENING, _CLOSING = frozenset("[{"), frozenset("]}")
+
+_ADVICE = {
+    "Expecting ',' delimiter": "a comma or a closing bracket is missing before this",
+    "Expecting ':' delimiter": "a `:` is missing here, between a key and its value",
+    "Expecting property name enclosed in double quotes": "a key in double quotes must stand here",
+    "Expecting value": "a value must stand here: text in double quotes, a number, true, false,"
+    " null, a list [...] or an object {...}",
+    "Unterminated string starting at": 'this text has no closing `"`',
+    "Extra data": "the configuration ends before this; write several blocks as a list: [{...},"
+    " {...}]",
+    "Invalid \\escape": "a `\\` cannot stand here; a backslash itself is written `\\\\`",
+    "Invalid \\uXXXX escape": "`\\u` needs four hexadecimal digits behind it",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where something stands in the text; line and columns count from 1."""
+
+    line: int = 0
+    column: int = 0
+    end_column: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """The value of a JSON text, and where its parts stand.
+
+    Args:
+        value: as `json.loads` answers it.
+        values: the place of each value.
+        keys: the place of each object's key, by the path of its value.
+        repeated: the keys that stand in one object twice, with the place of the later one.
+    """
+
+    value: object
+    values: Mapping[Path, Place] = field(default_factory=dict)
+    keys: Mapping[Path, Place] = field(default_factory=dict)
+    repeated: tuple[tuple[str, Place], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Token:
+    text: str
+    start: int
+
+    @property
+    def is_string(self) -> bool:
+        return self.text.startswith('"')
+
+
+def parse(text: str, filename: str) -> Document:
+    """Read JSON; a text that starts with a key is an object whose braces were left out.
+
+    Line breaks inside texts are allowed, as in the paper's example.
+
+    Raises:
+        BlockConfigurationError: it is no JSON, or larger or deeper than any configuration.
+    """
+    return _Source(text, filename).document()
+
+
+class _Source:
+    def __init__(self, text: str, filename: str) -> None:
+        self._text = text
+        self._filename = filename
+        lines = text.splitlines(keepends=True)
+        self._line_starts = list(accumulate(map(len, lines), initial=0))
+
+    def document(self) -> Document:
+        if len(self._text) > LARGEST:
+            self._refuse(
+                "too-large",
+                f"the file has {len(self._text)} characters; {LARGEST} are more than enough:"
+                " split it into several files",
+            )
+        tokens = [_Token(match[0], match.start()) for match in _TOKEN.finditer(self._text)]
+        if not tokens:
+            self._refuse(
+                "empty", "the file is empty; it must hold a block, {...}, or a list of them"
+            )
+        self._check_depth(tokens)
+        self._check_commas(tokens)
+        braceless = _is_braceless(tokens)
+        value = self._value(braceless=braceless)
+        self._check_characters(value)
+        return self._located(value, tokens, braceless=braceless)
+
+    def _check_depth(self, tokens: Sequence[_Token]) -> None:
+        depth = 0
+        for token in tokens:
+            depth += (token.text in _OPENING) - (token.text in _CLOSING)
+            if depth > DEEPEST:
+                self._refuse(
+                    "too-deep",
+                    f"more than {DEEPEST} brackets inside each other: no block needs that",
+                    token,
+                )
+
+    def _check_commas(self, tokens: Sequence[_Token]) -> None:
+        for comma, behind in pairwise(tokens):
+            if comma.text == "," and behind.text in _CLOSING:
+                self._refuse("not-json", f"take away this comma before the `{behind.text}`", comma)
+
+    def _check_characters(self, value: object) -> None:
+        for text in _strings(value):
+            if _is_half_a_character(text):
+                self._refuse(
+                    "not-json", f"{text!r} holds half a character: `\\ud8..` needs its pair"
+                )
+
+    def _value(self, *, braceless: bool) -> object:
+        text = f"{{{self._text}}}" if braceless else self._text
+        try:
+            return json.loads(text, strict=False, parse_constant=_refuse_constant)
+        except json.JSONDecodeError as error:
+            message = _ADVICE.get(error.msg, error.msg)
+            self._refuse("not-json", message, at=min(error.pos - braceless, len(self._text)))
+        except ValueError as error:
+            # A number too long for Python, or one that is none, such as NaN.
+            self._refuse("not-json", str(error))
+
+    def _located(self, value: object, tokens: Sequence[_Token], *, braceless: bool) -> Document:
+        walk = _Walk(braceless=braceless)
+        for token in tokens:
+            walk.step(token)
+        return Document(
+            value,
+            {path: self._place(token) for path, token in walk.values.items()},
+            {path: self._place(token) for path, token in walk.keys.items()},
+            tuple((name, self._place(token)) for name, token in walk.repeated),
+        )
+
+    def _place(self, token: _Token) -> Place:
+        place = self._place_at(token.start)
+        return Place(place.line, place.column, place.column + len(token.text))
+
+    def _place_at(self, offset: int) -> Place:
+        last = max(len(self._line_starts) - 2, 0)
+        line = min(bisect_right(self._line_starts, offset) - 1, last)
+        column = offset - self._line_starts[line] + 1
+        return Place(line + 1, column, column + 1)
+
+    def _refuse(
+        self, code: str, message: str, token: _Token | None = None, at: int | None = None
+    ) -> NoReturn:
+        place = Place()
+        if token is not None:
+            place = self._place(token)
+        elif at is not None:
+            place = self._place_at(at)
+        diagnostic = Diagnostic(code, message, place.line, place.column, place.end_column)
+        # Nobody looks for a caret in a file that is too large to show.
+        shown = self._text if len(self._text) <= LARGEST else ""
+        raise BlockConfigurationError(self._filename, [diagnostic], shown)
+
+
+class _Walk:
+    """Goes through the tokens of correct JSON and notes which path each of them is."""
+
+    def __init__(self, *, braceless: bool) -> None:
+        self.values: dict[Path, _Token] = {}
+        self.keys: dict[Path, _Token] = {}
+        self.repeated: list[tuple[str, _Token]] = []
+        self._brackets: list[str] = []
+        self._path: list[str | int] = []
+        self._previous = ""
+        if braceless:
+            self._open("{")
+            self._previous = "{"
+
+    def step(self, token: _Token) -> None:
+        text = token.text
+        if text in _CLOSING:
+            self._brackets.pop()
+            self._path.pop()
+        elif text == ",":
+            self._next()
+        elif token.is_string and self._expects_key():
+            self._key(token)
+        elif text != ":":
+            self.values[tuple(self._path)] = token
+            if text in _OPENING:
+                self._open(text)
+        self._previous = text
+
+    def _open(self, bracket: str) -> None:
+        self._brackets.append(bracket)
+        self._path.append(0 if bracket == "[" else "")
+
+    def _next(self) -> None:
+        last = self._path[-1]
+        if isinstance(last, int):
+            self._path[-1] = last + 1
+
+    def _expects_key(self) -> bool:
+        return bool(self._brackets) and self._brackets[-1] == "{" and self._previous in {"{", ","}
+
+    def _key(self, token: _Token) -> None:
+        name = str(json.loads(token.text, strict=False))
+        self._path[-1] = name
+        path = tuple(self._path)
+        if path in self.keys:
+            self.repeated.append((name, token))
+        self.keys[path] = token
+
+
+def _is_braceless(tokens: Sequence[_Token]) -> bool:
+    return len(tokens) > 1 and tokens[0].is_string and tokens[1].text == ":"
+
+
+def _refuse_constant(name: str) -> NoReturn:
+    raise ValueError(f"`{name}` is no number that a block can use")
+
+
+def _strings(value: object) -> Iterator[str]:
+    """Every text in a JSON value, keys included."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, list):
+        for item in value:
+            yield from _strings(item)
+    elif isinstance(value, dict):
+        for key, item in value.items():
+            yield key
+            yield from _strings(item)
+
+
+def _is_half_a_character(text: str) -> bool:
+    return any("\ud800" <= character <= "\udfff" for character in text)

@@ -1,0 +1,85 @@
+"""The reference page of all skills, ``docs/skills.md``, written from their source.
+
+``python -m learnblock.blocks.reference docs/skills.md`` writes it anew.
+"""
+
+import ast
+import re
+import sys
+from collections.abc import Iterator, Mapping
+from itertools import groupby
+from pathlib import Path
+
+from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.derivation import skills_in
+from learnblock.blocks.load import builtin
+
+_HEAD = """\
+# Skills
+
+What a robot can be told and asked, whatever robot it is: in Block-Text `function.NAME(...)`, in
+Python `robot.NAME(...)`. Speeds are in mm/s and degrees/s, distances in mm, angles in degrees
+(clockwise, that is to the right, positive) and times in seconds.
+
+A skill whose device the robot does not have does nothing; a question then answers False, and a
+measure None.
+
+This page is generated: `python -m learnblock.blocks.reference docs/skills.md`.
+"""
+_SECTION = re.compile(r"(Args|Returns|Raises):")
+_ENTRY = re.compile(r"    (\w+): (.*)")
+
+
+def reference() -> str:
+    """The page, in Markdown."""
+    documentation = dict(_documentation())
+    parts = [_HEAD]
+    for category, blocks in groupby(builtin().values(), key=lambda block: block.category):
+        parts.append(f"## {category}\n")
+        parts += [_entry(block, documentation[block.name]) for block in blocks]
+    return "\n".join(parts)
+
+
+def _documentation() -> Iterator[tuple[str, str]]:
+    """The name and docstring of each of our skills."""
+    for path in (Path(__file__).parents[1] / "skills").glob("*.py"):
+        for function in skills_in(path.read_text("utf-8"), str(path)):
+            yield function.name, ast.get_docstring(function) or ""
+
+
+def _entry(block: BlockConfiguration, documentation: str) -> str:
+    parameters = ", ".join(map(_parameter, block.parameters))
+    needs = ", ".join(f"`{need}`" for need in block.needs) or "no device"
+    kind = "A value" if block.returns_value else "A statement"
+    return (
+        f"### `{block.name}({parameters})`\n\n"
+        f"{_markdown(documentation)}\n\n"
+        f"{kind}; needs {needs}. {_labels(block.languages)}\n"
+    )
+
+
+def _parameter(parameter: Parameter) -> str:
+    return parameter.name if parameter.required else f"{parameter.name}={parameter.default!r}"
+
+
+def _labels(languages: Mapping[str, str]) -> str:
+    labels = [f"{language} *{label}*" for language, label in languages.items()]
+    return f"On the block: {', '.join(labels)}."
+
+
+def _markdown(docstring: str) -> str:
+    """A docstring in Google style as Markdown: its sections' entries become a list."""
+    lines: list[str] = []
+    for line in docstring.splitlines():
+        entry = _ENTRY.fullmatch(line)
+        if _SECTION.fullmatch(line):
+            continue
+        if entry:
+            lines.append(f"- `{entry[1]}`: {entry[2]}")
+        else:
+            lines.append(line.removeprefix("      "))
+    return re.sub(r"``(.+?)``", r"`\1`", "\n".join(lines)).strip()
+
+
+if __name__ == "__main__":
+    Path(sys.argv[1]).write_text(reference(), "utf-8")

@@ -1,0 +1,346 @@
+"""What a block configuration may say: JSON values in, block configurations out."""
+
+import json
+import keyword
+import math
+import re
+from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import Any, TypeVar, get_args
+
+from learnblock.blocks.configuration import BlockConfiguration, Parameter, ParameterType
+from learnblock.blocks.json_source import Document, Path, Place
+from learnblock.errors import Diagnostic, did_you_mean
+
+T = TypeVar("T", bound=str)
+
+TYPES = ("motor", "perceptual", "proprioceptive", "express", "control", "operator", "others")
+SHAPES = ("blockVertical", "blockLeft", "blockBoth")
+PARAMETER_TYPES: tuple[ParameterType, ...] = get_args(ParameterType)
+
+# Each key with whether it must be there.
+_BLOCK_KEYS = {
+    "type": True,
+    "category": True,
+    "name": True,
+    "variables": False,
+    "shape": True,
+    "languages": False,
+    "tooltip": False,
+    "needs": False,
+}
+_PARAMETER_KEYS = {"type": True, "name": True, "default": False, "translate": False}
+_KEY_ADVICE = {
+    "type": "it says what kind of block this is, such as `motor`",
+    "category": "it names the tab of the palette, such as `Base`",
+    "name": "it names the Python function, or the function's parameter",
+    "shape": 'write ["blockVertical"] for a statement, ["blockLeft"] for a value',
+}
+_LANGUAGE = re.compile(r"[A-Z]{2,3}(-[A-Z0-9]{2,8})*")
+_DEVICE = re.compile(r"[A-Za-z]\w*(:\w+)?")
+
+
+def read(document: Document) -> tuple[tuple[BlockConfiguration, ...], tuple[Diagnostic, ...]]:
+    """The configurations in a document that holds one or a list of them, and what is wrong."""
+    reader = _Reader(document)
+    return tuple(reader.blocks()), tuple(
+        sorted(reader.problems, key=lambda problem: (problem.line, problem.column))
+    )
+
+
+class _Reader:
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self.problems: list[Diagnostic] = []
+
+    def blocks(self) -> list[BlockConfiguration]:
+        for name, place in self._document.repeated:
+            self._note("duplicate-key", f"the key `{name}` stands here twice; keep one", place)
+        value = self._document.value
+        items = value if isinstance(value, list) else [value]
+        paths: list[Path] = [(i,) for i in range(len(items))] if isinstance(value, list) else [()]
+        blocks = [self._block(item, path) for item, path in zip(items, paths, strict=True)]
+        self._refuse_repeated([block.name for block in blocks], paths, "a block")
+        return blocks
+
+    # Blocks and parameters. What is wrong is noted and replaced, so that all of it is found.
+
+    def _block(self, value: object, path: Path) -> BlockConfiguration:
+        who = _called(value, "the block")
+        fields = self._fields(value, path, who, _BLOCK_KEYS)
+        return BlockConfiguration(
+            type=self._choice(fields, "type", path, who, TYPES),
+            category=self._text(fields, "category", path, who),
+            name=self._name(fields, path, who),
+            parameters=self._parameters(fields, path, who),
+            shapes=self._shapes(fields, path, who),
+            languages=self._languages(fields, "languages", path, who),
+            tooltip=self._languages(fields, "tooltip", path, who),
+            needs=self._needs(fields, path, who),
+        )
+
+    def _parameters(self, fields: Mapping[str, Any], path: Path, who: str) -> tuple[Parameter, ...]:
+        items = self._list(fields, "variables", path, who, '[{"type": "float", ...}]')
+        paths: list[Path] = [(*path, "variables", i) for i in range(len(items))]
+        parameters = [self._parameter(item, at, who) for item, at in zip(items, paths, strict=True)]
+        self._refuse_repeated([one.name for one in parameters], paths, f"{who}: a parameter")
+        self._refuse_late_requirements(parameters, paths, who)
+        return tuple(parameters)
+
+    def _parameter(self, value: object, path: Path, block: str) -> Parameter:
+        who = f"{block}, {_called(value, 'the parameter')}"
+        fields = self._fields(value, path, who, _PARAMETER_KEYS)
+        kind = self._choice(fields, "type", path, who, PARAMETER_TYPES)
+        return Parameter(
+            name=self._name(fields, path, who),
+            type=kind,
+            default=self._default(fields, kind, path, who),
+            required="default" not in fields,
+            translations=self._languages(fields, "translate", path, who),
+        )
+
+    # Their parts.
+
+    def _fields(
+        self, value: object, path: Path, who: str, known: Mapping[str, bool]
+    ) -> dict[str, Any]:
+        if not isinstance(value, dict):
+            self._wrong(
+                "wrong-type", path, f"{who} is {_shown(value)}; it must be an object {{...}}"
+            )
+            return {}
+        for key in value.keys() - known:
+            advice = did_you_mean(key, known) or f"known are: {', '.join(known)}"
+            place = self._document.keys.get((*path, key), Place())
+            self._note("unknown-key", f"{who}: there is no key `{key}`; {advice}", place)
+        for key in (key for key, required in known.items() if required and key not in value):
+            self._wrong("missing-key", path, f"{who}: `{key}` is missing; {_KEY_ADVICE[key]}")
+        return {key: value[key] for key in known if key in value}
+
+    def _choice(
+        self, fields: Mapping[str, Any], key: str, path: Path, who: str, known: Sequence[T]
+    ) -> T:
+        if key not in fields:
+            return known[0]
+        return self._one_of(known, fields[key], (*path, key), f"{who}: `{key}`")
+
+    def _one_of(self, known: Sequence[T], value: object, path: Path, what: str) -> T:
+        for choice in known:
+            if value == choice:
+                return choice
+        advice = did_you_mean(str(value), known) or f"it must be one of {', '.join(known)}"
+        self._wrong("unknown-value", path, f"{what} is {_shown(value)}; {advice}")
+        return known[0]
+
+    def _text(self, fields: Mapping[str, Any], key: str, path: Path, who: str) -> str:
+        if key not in fields:
+            return ""
+        return self._words(fields[key], (*path, key), f"{who}: `{key}`")
+
+    def _words(self, value: object, path: Path, what: str) -> str:
+        """A text of one line, whatever line breaks it was written with."""
+        if isinstance(value, str) and value.strip():
+            return " ".join(value.split())
+        self._wrong(
+            "wrong-type", path, f"{what} is {_shown(value)}; it must be a text in double quotes"
+        )
+        return ""
+
+    def _name(self, fields: Mapping[str, Any], path: Path, who: str) -> str:
+        name = fields.get("name", "")
+        if "name" in fields and not _is_python_name(name):
+            self._wrong(
+                "bad-name",
+                (*path, "name"),
+                f"{who}: `name` is {_shown(name)}, which no function or parameter of Python can be"
+                " called; write letters, digits and _, such as `turn_left`",
+            )
+        return name if isinstance(name, str) else ""
+
+    def _shapes(self, fields: Mapping[str, Any], path: Path, who: str) -> tuple[str, ...]:
+        items = self._list(fields, "shape", path, who, '["blockVertical"]')
+        at: Path = (*path, "shape")
+        what = f"{who}: `shape`"
+        shapes = tuple(self._one_of(SHAPES, item, (*at, i), what) for i, item in enumerate(items))
+        if "shape" in fields and not items:
+            self._wrong("bad-shape", at, f"{what} is empty; {_KEY_ADVICE['shape']}")
+        elif "blockVertical" in shapes and len(set(shapes)) > 1:
+            self._wrong(
+                "bad-shape", at, f"{what} makes it a statement and a value; {_KEY_ADVICE['shape']}"
+            )
+        return shapes
+
+    def _languages(
+        self, fields: Mapping[str, Any], key: str, path: Path, who: str
+    ) -> dict[str, str]:
+        value, at, what = fields.get(key, {}), (*path, key), f"{who}: `{key}`"
+        if not isinstance(value, dict):
+            self._wrong(
+                "wrong-type", at, f'{what} is {_shown(value)}; write {{"EN": "...", "ES": "..."}}'
+            )
+            return {}
+        texts: dict[str, str] = {}
+        for code, text in value.items():
+            self._check_language(code, texts, (*at, code), what)
+            texts[code.upper()] = self._words(text, (*at, code), f"{what} in {code}")
+        return texts
+
+    def _check_language(self, code: str, known: Collection[str], path: Path, what: str) -> None:
+        place = self._document.keys.get(path, Place())
+        if not _LANGUAGE.fullmatch(code.upper()):
+            self._note(
+                "bad-language",
+                f"{what}: {_shown(code)} is no language; write its code, such as EN, ES or PT-BR",
+                place,
+            )
+        elif code.upper() in known:
+            self._note(
+                "duplicate-key",
+                f"{what}: the language {code.upper()} stands here twice; keep one",
+                place,
+            )
+
+    def _needs(self, fields: Mapping[str, Any], path: Path, who: str) -> tuple[str, ...]:
+        items = self._list(fields, "needs", path, who, '["Base"]')
+        for i, item in enumerate(items):
+            if not (isinstance(item, str) and _DEVICE.fullmatch(item)):
+                self._wrong(
+                    "unknown-value",
+                    (*path, "needs", i),
+                    f"{who}: `needs` holds {_shown(item)}; name a device, such as `Base`, or one"
+                    " with its key, such as `JointMotor:CAMERA`",
+                )
+        return tuple(item for item in items if isinstance(item, str))
+
+    def _list(
+        self, fields: Mapping[str, Any], key: str, path: Path, who: str, example: str
+    ) -> list[Any]:
+        value = fields.get(key, [])
+        if isinstance(value, list):
+            return value
+        self._wrong(
+            "wrong-type",
+            (*path, key),
+            f"{who}: `{key}` is {_shown(value)}; it must be a list, such as {example}",
+        )
+        return []
+
+    def _default(
+        self, fields: Mapping[str, Any], kind: ParameterType, path: Path, who: str
+    ) -> object:
+        value = fields.get("default")
+        if value is None or value == "None":
+            return None
+        convert, expected = _DEFAULTS[kind]
+        try:
+            return convert(value)
+        except (ValueError, TypeError, LookupError):
+            self._wrong(
+                "bad-default",
+                (*path, "default"),
+                f"{who}: the default {_shown(value)} is no {kind}; write {expected}",
+            )
+            return None
+
+    # Names that must differ, and parameters without a default behind those that have one.
+
+    def _refuse_repeated(self, names: Sequence[str], paths: Sequence[Path], what: str) -> None:
+        for i, (name, path) in enumerate(zip(names, paths, strict=True)):
+            if name and name in names[:i]:
+                self._wrong(
+                    "duplicate-name",
+                    (*path, "name"),
+                    f"{what} called `{name}` stands above already; each needs a name of its own",
+                )
+
+    def _refuse_late_requirements(
+        self, parameters: Sequence[Parameter], paths: Sequence[Path], who: str
+    ) -> None:
+        optional = ""
+        for parameter, path in zip(parameters, paths, strict=True):
+            if not parameter.required:
+                optional = optional or parameter.name
+            elif optional:
+                self._wrong(
+                    "missing-default",
+                    path,
+                    f"{who}: the parameter `{parameter.name}` needs a `default`, since `{optional}`"
+                    " before it has one",
+                )
+
+    def _wrong(self, code: str, path: Path, message: str) -> None:
+        self._note(code, message, self._document.values.get(path, Place()))
+
+    def _note(self, code: str, message: str, place: Place) -> None:
+        self.problems.append(Diagnostic(code, message, place.line, place.column, place.end_column))
+
+
+def _called(value: object, what: str) -> str:
+    """The block or parameter by its name, where it has one to be called by."""
+    name = value.get("name") if isinstance(value, dict) else None
+    return f"{what} `{name}`" if isinstance(name, str) and name else what
+
+
+def _shown(value: object) -> str:
+    """A value as JSON writes it, cut short where it is long."""
+    return _shorten(json.dumps(value, ensure_ascii=False))
+
+
+def _shorten(text: str) -> str:
+    return text if len(text) <= 40 else f"{text[:37]}..."
+
+
+def _is_python_name(name: object) -> bool:
+    return isinstance(name, str) and name.isidentifier() and not keyword.iskeyword(name)
+
+
+# Defaults may be written as texts, since those of the paper's example are.
+
+
+def _to_float(value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        raise TypeError(value)
+    converted = float(value)
+    if not math.isfinite(converted):
+        raise ValueError(value)
+    # A block shows 40, not 40.0.
+    return int(converted) if converted.is_integer() else converted
+
+
+def _to_int(value: object) -> int:
+    converted = _to_float(value)
+    if not isinstance(converted, int):
+        raise TypeError(value)
+    return converted
+
+
+def _to_string(value: object) -> str:
+    if not isinstance(value, str):
+        raise TypeError(value)
+    return value
+
+
+def _to_boolean(value: object) -> bool:
+    return {"true": True, "1": True, "false": False, "0": False}[str(value).lower()]
+
+
+def _to_list(value: object) -> list[Any]:
+    converted = json.loads(value) if isinstance(value, str) else value
+    if not isinstance(converted, list):
+        raise TypeError(value)
+    return converted
+
+
+def _to_tag(value: object) -> int | str:
+    if isinstance(value, str) and not value.isdecimal():
+        return value
+    return _to_int(value)
+
+
+_DEFAULTS: Mapping[ParameterType, tuple[Callable[[object], object], str]] = {
+    "float": (_to_float, "a number, such as 0.5"),
+    "int": (_to_int, "a whole number, such as 3"),
+    "string": (_to_string, 'a text in double quotes, such as "Up"'),
+    "boolean": (_to_boolean, "true or false"),
+    "list": (_to_list, "a list, such as [1, 2]"),
+    "apriltext": (_to_tag, 'a tag\'s number, such as 8, or its name, such as "ball"'),
+}
