@@ -1,5 +1,7 @@
 """The command line's lists: robots, worlds and skills."""
 
+from typing import Any
+
 import click
 import msgspec
 
@@ -19,7 +21,7 @@ def robot_list(*, as_json: bool) -> None:
         click.echo(f"{robot['name']:<12} {', '.join(robot['devices']) or robot['problem']}")
 
 
-def _robot(entry: robots.RobotEntry) -> dict[str, object]:
+def _robot(entry: robots.RobotEntry) -> dict[str, Any]:
     devices: frozenset[str] | None = None
     problem = ""
     try:
@@ -41,8 +43,8 @@ def world_list(*, as_json: bool) -> None:
     listed = [
         {
             "name": world.name,
-            "description": world.text,
-            "goals": [goal.name for goal in world.goals],
+            "title": world.title,
+            "goals": [goal.name for goals in msgspec.structs.astuple(world.goal) for goal in goals],
         }
         for world in worlds()
     ]
@@ -50,7 +52,7 @@ def world_list(*, as_json: bool) -> None:
         _print_json(listed)
         return
     for world in listed:
-        click.echo(f"{world['name']:<14} {world['description']}")
+        click.echo(f"{world['name']:<14} {world['title']}")
 
 
 def skill_list(name: str | None, *, as_json: bool) -> None:

@@ -2,7 +2,7 @@
 
 import os
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, ClassVar, Self
@@ -41,9 +41,11 @@ from learnblock.simulator import (
     RobotBody,
     RobotDescription,
     World,
+    WorldDescription,
     WorldEvent,
     load_robot,
     load_world,
+    world_names,
 )
 
 #: Steps between two entries of a robot's path: 0.1 s.
@@ -90,9 +92,13 @@ class Simulation:
                 witness.pose(self.world.robots[name].pose)
 
     def _report_goal(self, event: WorldEvent) -> None:
-        witness = self.witnesses.get(event.robot)
-        if witness and event.kind in {"goal reached", "goal failed"}:
-            witness.goal(event.name, event.kind.removeprefix("goal "))
+        kind, _, state = event.kind.partition("-")
+        if kind != "goal":
+            return
+        for name, witness in self.witnesses.items():
+            # A goal that was missed was missed by all.
+            if event.other in ("", name):
+                witness.goal(event.subject, state)
 
 
 class WorldClock:
@@ -243,6 +249,12 @@ class SimulatedRobot(Client):
 def world_folders() -> tuple[Path, ...]:
     """Where worlds are looked for besides our own."""
     return (home() / "worlds",)
+
+
+def worlds() -> Iterator[WorldDescription]:
+    """Every world there is: ours and the user's own."""
+    for name in world_names(folders=world_folders()):
+        yield load_world(name, folders=world_folders())
 
 
 def pace_factor(pace: str | float) -> float | None:

@@ -280,10 +280,11 @@ class Run:
             # A TypeError: the program gave `Robot(...)` an argument this robot does not have.
             self._link.send(_failure(error))
             return
+        self.recorder = self._make_recorder(self.client)
+        # Only now: the recorder has put itself between the devices and their functions.
         self._functions = [
             _functions(self.client, key, device) for key, device in self.client.devices()
         ]
-        self.recorder = self._make_recorder(self.client)
         self._link.send(self._offer(self.client))
         self._last_call = monotonic()
 
