@@ -3,7 +3,8 @@
 import math
 import statistics
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -75,6 +76,10 @@ def pose_at(frame: int) -> CameraPose:
     return CameraPose(300 * math.cos(angle) - 400, 300 * math.sin(angle), 100, 20 * angle, -10)
 
 
+def look(find: Callable[[Image], object], frames: Sequence[Image], number: int) -> object:
+    return find(frames[number])
+
+
 def report(model: CameraModel) -> None:
     world, generator = typical_world(), np.random.default_rng(1)
     frames = [render(world, model, pose_at(frame)) for frame in range(FRAMES)]
@@ -85,7 +90,7 @@ def report(model: CameraModel) -> None:
     print(f"  render with noise {noisy:6.2f} ms")
     print(f"  {CAMERA_HERTZ} Hz camera      {1000 / CAMERA_HERTZ / noisy:6.1f} times real time")
     for name, find in DETECTORS.items():
-        print(f"  detect {name:<10} {milliseconds(lambda i, find=find: find(frames[i])):6.2f} ms")
+        print(f"  detect {name:<10} {milliseconds(partial(look, find, frames)):6.2f} ms")
 
 
 if __name__ == "__main__":

@@ -78,7 +78,12 @@ class LineView:
 
     @property
     def is_there(self) -> bool:
-        return self._exceeds(max(self.left, self.center, self.right), LINE_PIXELS)
+        """Some side has more than 20 pixels."""
+        return self.has_more(LINE_PIXELS, max(self.left, self.center, self.right))
+
+    def has_more(self, threshold: int, count: int) -> bool:
+        """Whether `count` pixels are more than `threshold` in a frame of 320 by 240."""
+        return count * (320 * 240) > threshold * self.frame_width * self.frame_height
 
     @property
     def is_center(self) -> bool:
@@ -92,18 +97,10 @@ class LineView:
     def is_right(self) -> bool:
         return self.is_there and self._side() == "right"
 
-    @property
-    def is_crossing(self) -> bool:
-        """The centre shows enough of this colour for one of the two lines of a crossing."""
-        return self._exceeds(self.center, CROSSING_PIXELS)
-
     def _side(self) -> str:
         """Where most is; of sides with equally much the center, then the left."""
         counts = {"center": self.center, "left": self.left, "right": self.right}
         return max(counts, key=counts.__getitem__)
-
-    def _exceeds(self, count: int, pixels: int) -> bool:
-        return count * (320 * 240) > pixels * self.frame_width * self.frame_height
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,8 +113,8 @@ class Lines:
 
     @property
     def is_crossing(self) -> bool:
-        """A red and a black line meet in the center."""
-        return self.red.is_crossing and self.black.is_crossing
+        """A red and a black line meet: the center has more than 40 pixels of each."""
+        return all(view.has_more(CROSSING_PIXELS, view.center) for view in (self.red, self.black))
 
 
 @dataclass(frozen=True, slots=True)

@@ -32,6 +32,9 @@ NEAR = 1.0
 EDGE_SLACK = 1e-3
 # How much finer than a pixel, in powers of two, the texels are chosen: sharp tags before smooth.
 SHARPNESS = 0.25
+# A pixel takes up to so many samples a side (a power of two), so many texels apart.
+MOST_SAMPLES = 4
+SPACING = 2.5
 # One minus the cosine by which the normals at a quad's corners may differ.
 FLATNESS = 1e-6
 # Towards a light in the south-west above; scaled so that a floor keeps its colours as they are.
@@ -212,10 +215,15 @@ def _shrunk(texture: Image, width: int, height: int) -> Image:
 
 @dataclass(frozen=True, slots=True)
 class _Patch:
-    """A part of a facet that takes its texels from one level: a convex outline in pixels."""
+    """A part of a facet whose pixels cover about equally many texels.
+
+    Args:
+        outline: convex, in pixels, clockwise as the picture is looked at.
+        depths: its least and its greatest z.
+    """
 
     outline: Sequence[Point]
-    level: int
+    depths: tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -235,23 +243,24 @@ class _Facet:
     is_front: bool
 
     def patches(self, model: CameraModel) -> Iterator[_Patch]:
-        """Cut by depth where the level of the mip chain changes; what is too near is cut off."""
+        """Cut by depth wherever a pixel covers four times as many texels as before."""
         depths = [z for _, _, z in self.corners]
         nearest, farthest = max(NEAR, min(depths)), max(depths)
-        first, last = self._level(nearest), self._level(farthest)
-        for level in range(first, last + 1):
-            begin = nearest if level == first else self._depth(level - 0.5)
-            end = farthest if level == last else self._depth(level + 0.5)
+        first, last = self._octave(nearest), self._octave(farthest)
+        for octave in range(first, last + 1):
+            begin = nearest if octave == first else self._depth(octave)
+            end = farthest if octave == last else self._depth(octave + 1)
             corners = _cut(self.corners, begin, end)
             if len(corners) >= 3:
-                yield _Patch(_projected(corners, model, clockwise=self.is_front), level)
+                outline = _projected(corners, model, clockwise=self.is_front)
+                yield _Patch(outline, (begin, end))
 
-    def _level(self, depth: float) -> int:
-        fineness = 0.5 * math.log2(self.texels_per_pixel * depth**3) - SHARPNESS
-        return min(max(0, math.floor(fineness + 0.5)), self.surface.last_level)
+    def _octave(self, depth: float) -> int:
+        fineness = math.floor(0.5 * math.log2(self.texels_per_pixel * depth**3))
+        return min(max(0, fineness), self.surface.last_level)
 
-    def _depth(self, level: float) -> float:
-        return float((4.0 ** (level + SHARPNESS) / self.texels_per_pixel) ** (1 / 3))
+    def _depth(self, octave: int) -> float:
+        return float((4.0**octave / self.texels_per_pixel) ** (1 / 3))
 
 
 def _facets(surfaces: Sequence[Surface], model: CameraModel, pose: CameraPose) -> Iterator[_Facet]:
@@ -430,7 +439,7 @@ class _Canvas:
             visible &= self._affine(window, edge) >= 0
         mask = visible.view(np.uint8)
         if cv2.hasNonZero(mask):
-            cv2.copyTo(_texels(facet, patch.level, window), mask, self.image[window.slices])
+            cv2.copyTo(_texels(facet, patch, window), mask, self.image[window.slices])
             cv2.copyTo(nearness, mask, self.nearness[window.slices])
 
     def _affine(self, window: _Window, plane: Vector) -> NDArray[np.float32]:
@@ -462,25 +471,105 @@ def _is_nowhere_negative(plane: Vector, window: _Window) -> bool:
     return a * column + b * row + c >= 0
 
 
-def _texels(facet: _Facet, level: int, window: _Window) -> Image:
+def _texels(facet: _Facet, patch: _Patch, window: _Window) -> Image:
     """The shaded texture over all of the window."""
-    texture = facet.surface.level(level)
-    height, width = texture.shape[:2]
     size = (window.right - window.left, window.bottom - window.top)
-    if width == height == 1:
-        return _plain(size, texture[0, 0] * facet.shade)
-    across, along, nearness = (np.array(window.shift(row)) for row in facet.pixel_to_texture)
-    # A texel's centre is half a texel from its edge, as everywhere in OpenCV.
-    homography = np.stack(
-        [width * across - 0.5 * nearness, height * along - 0.5 * nearness, nearness]
-    )
-    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
-    seen = cv2.warpPerspective(
-        texture, homography, size, flags=flags, borderMode=cv2.BORDER_REPLICATE
-    )
+    if facet.surface.last_level == 0:
+        return _plain(size, facet.surface.texture[0, 0] * facet.shade)
+    seen = _warped(facet, _sampling(facet, patch, window), window, size)
     if facet.shade < 1:
         cv2.convertScaleAbs(seen, seen, facet.shade)
     return np.asarray(seen, np.uint8)
+
+
+@dataclass(frozen=True, slots=True)
+class _Sampling:
+    """From which level of the mip chain, and how many samples of it for the columns and the rows
+    of a pixel: a floor seen flat along covers many texels one way and few the other.
+    """
+
+    level: int
+    columns: int
+    rows: int
+
+    def over_samples(self, plane: Vector) -> Vector:
+        """An affine function of pixels as one of samples, which lie evenly about pixel centres."""
+        a, b, c = plane[0] / self.columns, plane[1] / self.rows, plane[2]
+        return a, b, c + 0.5 * (a - plane[0]) + 0.5 * (b - plane[1])
+
+
+def _sampling(facet: _Facet, patch: _Patch, window: _Window) -> _Sampling:
+    right, down = _footprint(facet, patch, window)
+    narrow, wide = min(right, down), max(right, down)
+    fineness = math.log2(max(narrow, wide / (MOST_SAMPLES * SPACING), 1e-9)) - SHARPNESS
+    level = min(max(0, math.floor(fineness + 0.5)), facet.surface.last_level)
+
+    def samples(footprint: float) -> int:
+        texels = footprint / 2**level / SPACING
+        return 1 if texels <= 1 else 2 if texels <= 2 else MOST_SAMPLES
+
+    return _Sampling(level, samples(right), samples(down))
+
+
+def _footprint(facet: _Facet, patch: _Patch, window: _Window) -> tuple[float, float]:
+    """How many texels of the full texture one pixel to the right, and one down, leads on."""
+    column, row = 0.5 * (window.left + window.right - 1), 0.5 * (window.top + window.bottom - 1)
+    across, along, nearness = facet.pixel_to_texture
+    # The window's middle may lie beside the patch, but the patch knows what it can be at most.
+    inverse = _clamped(_at(nearness, column, row), 1 / patch.depths[1], 1 / patch.depths[0])
+    s, t = (_clamped(_at(plane, column, row) / inverse, 0, 1) for plane in (across, along))
+    height, width = facet.surface.texture.shape[:2]
+    right, down = (
+        math.hypot(
+            width * (across[i] - s * nearness[i]) / inverse,
+            height * (along[i] - t * nearness[i]) / inverse,
+        )
+        for i in (0, 1)
+    )
+    return right, down
+
+
+def _at(plane: Vector, column: float, row: float) -> float:
+    return plane[0] * column + plane[1] * row + plane[2]
+
+
+def _clamped(value: float, low: float, high: float) -> float:
+    return min(max(value, low), high)
+
+
+def _warped(
+    facet: _Facet, sampling: _Sampling, window: _Window, size: tuple[int, int]
+) -> cv2.typing.MatLike:
+    texture = facet.surface.level(sampling.level)
+    height, width = texture.shape[:2]
+    across, along, nearness = (
+        sampling.over_samples(window.shift(plane)) for plane in facet.pixel_to_texture
+    )
+    # A texel's centre is half a texel from its edge, as everywhere in OpenCV.
+    homography = np.array(
+        [
+            [width * s - 0.5 * w for s, w in zip(across, nearness, strict=True)],
+            [height * t - 0.5 * w for t, w in zip(along, nearness, strict=True)],
+            nearness,
+        ]
+    )
+    finer = (size[0] * sampling.columns, size[1] * sampling.rows)
+    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+    samples = cv2.warpPerspective(
+        texture, homography, finer, flags=flags, borderMode=cv2.BORDER_REPLICATE
+    )
+    return _averaged(samples, sampling.columns, sampling.rows)
+
+
+def _averaged(samples: cv2.typing.MatLike, columns: int, rows: int) -> cv2.typing.MatLike:
+    """One pixel for each block of samples: 1, 2 or 4 columns by 1, 2 or 4 rows."""
+    while columns > 1 or rows > 1:
+        across, along = min(columns, 2), min(rows, 2)
+        size = (samples.shape[1] // across, samples.shape[0] // along)
+        # At half the size linear interpolation is the mean, and quicker than asking for the mean.
+        samples = cv2.resize(samples, size, interpolation=cv2.INTER_LINEAR)
+        columns, rows = columns // across, rows // along
+    return samples
 
 
 def _plain(size: tuple[int, int], colour: NDArray[np.float64]) -> Image:
