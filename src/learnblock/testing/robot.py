@@ -29,6 +29,7 @@ from learnblock.devices import (
     Sensor,
     Speaker,
 )
+from learnblock.perception import Lines, LineView
 from learnblock.testing.clock import VirtualClock
 from learnblock.testing.wheels import Wheels
 
@@ -78,7 +79,7 @@ class FakeRobot(Client):
         self._only = frozenset(only)
         self._zero = 0.0
         self._values: dict[tuple[type[Device], str], Any] = _quiet_surroundings()
-        self._detections: dict[str, Any] = {}
+        self._detections: dict[str, Any] = _nothing_seen()
         super().__init__(skills=skills, clock=clock, observer=observer)
 
     def set_reading(self, kind: type[Sensor[Any]], value: Any, key: str = DEFAULT_KEY) -> None:
@@ -87,7 +88,10 @@ class FakeRobot(Client):
         self.forget_readings()
 
     def set_detections(self, name: str, found: Any) -> None:
-        """Let the detector of that name (``tags``, ``lines``, ...) find this from now on."""
+        """Let the detector of that name (``tags``, ``lines``, ...) find this from now on.
+
+        None stands for a detector that is not installed.
+        """
         self._detections[name] = found
         self.forget_readings()
 
@@ -159,3 +163,9 @@ def _quiet_surroundings() -> dict[tuple[type[Device], str], Any]:
         LightSensor: 0.0,
     }
     return {(kind, DEFAULT_KEY): value for kind, value in readings.items()}
+
+
+def _nothing_seen() -> dict[str, Any]:
+    """What each detector finds in a picture of nothing."""
+    black, red, blue = (LineView(colour, 0, 0, 0) for colour in ("black", "red", "blue"))
+    return {"lines": Lines(black, red, blue), "tags": (), "faces": (), "emotions": ()}

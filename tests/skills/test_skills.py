@@ -1,0 +1,121 @@
+"""What holds for every skill, told by its block configuration."""
+
+import inspect
+
+import pytest
+
+from learnblock import skills
+from learnblock.blocks import builtin
+from learnblock.blocks.configuration import BlockConfiguration
+from learnblock.devices import DEVICE_TYPES
+from learnblock.testing import FakeRobot
+
+BLOCKS = list(builtin().values())
+SAMPLES = {
+    "float": 1.0,
+    "int": 1,
+    "string": "CAMERA",
+    "boolean": True,
+    "list": [],
+    "apriltext": 1,
+}
+
+
+class Listener:
+    def __init__(self) -> None:
+        self.lacking: list[str] = []
+
+    def called(self, skill, args, kwargs) -> None:
+        pass
+
+    def missing(self, skill, device) -> None:
+        self.lacking.append(device)
+
+
+def by_name(block: BlockConfiguration) -> str:
+    return block.name
+
+
+def call(robot: FakeRobot, block: BlockConfiguration):
+    required = [SAMPLES[one.type] for one in block.parameters if one.required]
+    return getattr(robot, block.name)(*required)
+
+
+def test_every_skill_of_ours_is_a_block_and_every_block_a_skill(monkeypatch, tmp_path):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+
+    ours = {name for module in skills._ours() for name, _ in skills.functions(module)}
+    assert sorted(ours) == sorted(builtin())
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
+def test_without_a_device_a_skill_has_no_effect_and_says_what_is_lacking(block):
+    listener = Listener()
+    with FakeRobot(only=[], skills=[block.name], observer=listener) as robot:
+        answer = call(robot, block)
+
+        assert answer is None or answer is False
+        assert answer is None or block.returns_value
+        # A need without a key is met by any device of that type.
+        keys = [need if ":" in need else need + ":*" for need in block.needs]
+        lacking = [
+            device if device in block.needs else device.partition(":")[0] + ":*"
+            for device in listener.lacking
+        ]
+        assert sorted(keys) == sorted(lacking)
+        assert [] == robot.commands
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
+def test_with_every_device_a_skill_lacks_nothing(block):
+    listener = Listener()
+    with FakeRobot(skills=[block.name], observer=listener) as robot:
+        # RGBled and led are asked for the lamp at the place "Up", which this robot has.
+        answer = call(robot, block)
+
+        assert [] == listener.lacking
+        assert block.returns_value or answer is None
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
+def test_with_only_the_devices_it_needs_a_skill_lacks_nothing(block):
+    needed = [DEVICE_TYPES[need.partition(":")[0]] for need in block.needs]
+    listener = Listener()
+    with FakeRobot(only=needed, skills=[block.name], observer=listener) as robot:
+        call(robot, block)
+
+        assert [] == listener.lacking
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
+def test_a_block_has_its_function_s_parameters_and_defaults(block):
+    function = skills.find([block.name])[block.name]
+    robot, *parameters = inspect.signature(function).parameters.values()
+
+    assert "robot" == robot.name
+    assert [
+        (one.name, None if one.required else one.default, one.required) for one in block.parameters
+    ] == [
+        (one.name, None if one.default is one.empty else one.default, one.default is one.empty)
+        for one in parameters
+    ]
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
+def test_a_skill_starts_its_documentation_with_a_sentence(block):
+    function = skills.find([block.name])[block.name]
+    first = (inspect.getdoc(function) or "").splitlines()[0]
+
+    assert first[:1].isupper()
+
+
+def test_a_skill_of_a_plugin_or_of_the_user_never_hides_one_of_ours(monkeypatch, tmp_path):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    (tmp_path / "skills").mkdir()
+    (tmp_path / "skills" / "mine.py").write_text(
+        "def turn(robot): ...\n\n\ndef waltz(robot): return 3\n"
+    )
+    found = skills.find()
+
+    assert "learnblock.skills.base" == found["turn"].__module__
+    assert 3 == found["waltz"](None)

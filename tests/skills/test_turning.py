@@ -1,0 +1,57 @@
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from learnblock.errors import StillTurningError
+from learnblock.skills.turning import shortest
+from learnblock.testing import FakeRobot
+
+angles = st.floats(-400, 400)
+
+
+@settings(max_examples=40, deadline=None)
+@given(heading=angles, speed=st.tuples(st.floats(-100, 100), st.floats(-60, 60)), angle=angles)
+def test_from_any_state_a_turn_ends_within_a_degree(heading, speed, angle):
+    with FakeRobot(skills=["turn", "set_move"]) as robot:
+        robot.wheels.pose = (0, 0, heading)
+        robot.set_move(*speed)
+        robot.turn(angle)
+
+        assert robot.wheels.pose[2] == pytest.approx(heading + angle, abs=1)
+
+
+@settings(max_examples=10, deadline=None)
+@given(angle=angles.filter(lambda angle: abs(angle) > 1))
+def test_a_stuck_robot_gives_up_in_time(angle):
+    with FakeRobot(skills=["turn"]) as robot:
+        robot.wheels.stuck = True
+
+        with pytest.raises(StillTurningError):
+            robot.turn(angle)
+        assert robot.clock.time() < 6 + abs(angle) / 10
+
+
+@settings(max_examples=40, deadline=None)
+@given(heading=angles, angle=angles)
+def test_any_orientation_is_reached_within_two_degrees_by_at_most_half_a_turn(heading, angle):
+    with FakeRobot(skills=["set_orientation"]) as robot:
+        robot.wheels.pose = (0, 0, heading)
+        robot.set_orientation(angle)
+
+        turned = robot.wheels.pose[2] - heading
+        assert abs(turned) <= 181
+        assert shortest(robot.wheels.pose[2] - angle) == pytest.approx(0, abs=2)
+
+
+@given(angles)
+def test_the_shortest_way_is_the_same_direction_by_at_most_half_a_turn(angle):
+    way = shortest(angle)
+
+    assert -180 < way <= 180
+    assert math.isclose(math.remainder(way - angle, 360), 0, abs_tol=1e-9)
+
+
+def test_half_a_turn_goes_to_the_right():
+    assert [180, 180, 180] == [shortest(angle) for angle in (180, -180, 540)]
