@@ -46,10 +46,10 @@ class Observer(Protocol):
 class Witness(Protocol):
     """Someone who is told what befalls a robot."""
 
-    def pose(self, pose: Pose) -> None:
-        """Where the robot is now; told every 0.1 s."""
+    def pose(self, time: float, pose: Pose) -> None:
+        """Where the robot is at that time; told every 0.1 s."""
 
-    def goal(self, name: str, state: str) -> None:
+    def goal(self, time: float, name: str, state: str) -> None:
         """A goal of the world was ``reached`` or ``failed``."""
 
 

@@ -89,7 +89,7 @@ class Simulation:
             self._report_goal(event)
         if self.world.steps % STEPS_PER_POSE == 0:
             for name, witness in self.witnesses.items():
-                witness.pose(self.world.robots[name].pose)
+                witness.pose(self.world.time, self.world.robots[name].pose)
 
     def _report_goal(self, event: WorldEvent) -> None:
         kind, _, state = event.kind.partition("-")
@@ -98,7 +98,7 @@ class Simulation:
         for name, witness in self.witnesses.items():
             # A goal that was missed was missed by all.
             if event.other in ("", name):
-                witness.goal(event.subject, state)
+                witness.goal(event.time, event.subject, state)
 
 
 class WorldClock:
@@ -208,7 +208,7 @@ class SimulatedRobot(Client):
 
     def observe(self, witness: Witness) -> None:
         self.simulation.witnesses[self.name] = witness
-        witness.pose(self.where())
+        witness.pose(self.simulation.time(), self.where())
 
     def outcome(self) -> Outcome:
         x, y, heading = self.where()

@@ -100,16 +100,16 @@ class Recorder:
     def printed(self, text: str) -> None:
         self._write("print", text.removesuffix("\n"))
 
-    def pose(self, pose: Pose) -> None:
-        self.path.append((self.time(), pose))
-        self._write("pose", _rounded(pose))
+    def pose(self, time: float, pose: Pose) -> None:
+        self.path.append((time, pose))
+        self._write_at(time, "pose", _rounded(pose))
 
-    def goal(self, name: str, state: str) -> None:
-        self._mark("goal", f"{name}: {state}")
-        self._write("goal", name, state=state)
+    def goal(self, time: float, name: str, state: str) -> None:
+        self._mark(time, "goal", f"{name}: {state}")
+        self._write_at(time, "goal", name, state=state)
 
     def end(self, how: str) -> None:
-        self._mark("end", how)
+        self._mark(self.time(), "end", how)
         self._write("end", how)
 
     @property
@@ -124,14 +124,17 @@ class Recorder:
             self._told[kind, key, name] = args
             self._write("device", kind, key=key, do=name, args=args)
             if name == "show_emotion":
-                self._mark("emotion", str(args[0]))
+                self._mark(self.time(), "emotion", str(args[0]))
         return function(*args)
 
-    def _mark(self, kind: str, text: str) -> None:
-        self.marks.append(Mark(self.time(), kind, text, self.where()))
+    def _mark(self, time: float, kind: str, text: str) -> None:
+        self.marks.append(Mark(time, kind, text, self.where()))
 
     def _write(self, kind: str, what: object, **more: object) -> None:
-        self.trace.write({"t": round(self.time(), 6), kind: what, **more, **self.label})
+        self._write_at(self.time(), kind, what, **more)
+
+    def _write_at(self, time: float, kind: str, what: object, **more: object) -> None:
+        self.trace.write({"t": round(time, 6), kind: what, **more, **self.label})
 
 
 def record(
