@@ -1,0 +1,128 @@
+"""Expressions as text: what Block-Text and Python have in common.
+
+A bracket stands only where the tree needs it. Levels of binding are Python's, loosest first.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+from learnblock.language.nodes import (
+    Binary,
+    Call,
+    Compare,
+    Constant,
+    Expression,
+    Index,
+    Keyword,
+    List,
+    Name,
+    Number,
+    RawExpression,
+    SkillCall,
+    String,
+    Unary,
+)
+from learnblock.language.strings import quote
+
+LOOSEST, NOT, COMPARE, SIGN, POWER, TIGHTEST = 1, 3, 4, 7, 8, 9
+_LEVELS = {"or": 1, "and": 2, "+": 5, "-": 5, "*": 6, "/": 6, "//": 6, "%": 6, "**": POWER}
+
+
+class ExpressionWriter:
+    """Writes expressions; a notation says how it spells names, calls and raw Python."""
+
+    def __init__(self) -> None:
+        self.writers: dict[type[Expression], Callable[[Any, int], str]] = {
+            Number: self.number,
+            String: self.string,
+            Constant: self.constant,
+            Name: self.name,
+            Call: self.call,
+            SkillCall: self.skill_call,
+            List: self.list,
+            Index: self.index,
+            Unary: self.unary,
+            Binary: self.binary,
+            Compare: self.compare,
+            RawExpression: self.raw,
+        }
+
+    def expression(self, node: Expression, level: int = LOOSEST) -> str:
+        """`node` as text, in brackets if it binds more loosely than `level`."""
+        return self.writers[type(node)](node, level)
+
+    def number(self, node: Number, _: int) -> str:
+        return node.text
+
+    def string(self, node: String, _: int) -> str:
+        return quote(node.value)
+
+    def constant(self, node: Constant, _: int) -> str:
+        return str(node.value)
+
+    def name(self, node: Name, _: int) -> str:
+        return node.name
+
+    def call(self, node: Call, _: int) -> str:
+        raise NotImplementedError
+
+    def skill_call(self, node: SkillCall, _: int) -> str:
+        raise NotImplementedError
+
+    def raw(self, node: RawExpression, level: int) -> str:
+        raise NotImplementedError
+
+    def keyword_name(self, name: str) -> str:
+        return name
+
+    def list(self, node: List, _: int) -> str:
+        return f"[{', '.join([self.expression(item) for item in node.items])}]"
+
+    def index(self, node: Index, _: int) -> str:
+        return f"{self.receiver(node.value)}[{self.expression(node.index)}]"
+
+    def unary(self, node: Unary, level: int) -> str:
+        if node.operator == "not":
+            own = NOT
+            text = f"not {self.expression(node.operand, NOT)}"
+        else:
+            own = SIGN
+            text = f"{node.operator}{self.expression(node.operand, SIGN)}"
+        return f"({text})" if own < level else text
+
+    def binary(self, node: Binary, level: int) -> str:
+        own = _LEVELS[node.operator]
+        if own == POWER:
+            text = self.power(node)
+        else:
+            left = self.expression(node.left, own)
+            text = f"{left} {node.operator} {self.expression(node.right, own + 1)}"
+        return f"({text})" if own < level else text
+
+    def power(self, node: Binary) -> str:
+        left = self.expression(node.left, TIGHTEST)
+        return f"{left} ** {self.expression(node.right, SIGN)}"
+
+    def compare(self, node: Compare, level: int) -> str:
+        parts = [self.expression(node.operands[0], COMPARE + 1)]
+        for operator, operand in zip(node.operators, node.operands[1:], strict=True):
+            parts.append(operator)
+            parts.append(self.expression(operand, COMPARE + 1))
+        text = " ".join(parts)
+        return f"({text})" if level > COMPARE else text
+
+    def receiver(self, node: Expression) -> str:
+        """What stands before a dot or a bracket."""
+        text = self.expression(node, TIGHTEST)
+        return f"({text})" if isinstance(node, Number) else text
+
+    def arguments(
+        self, arguments: tuple[Expression, ...], keywords: tuple[Keyword, ...] = ()
+    ) -> str:
+        """What stands between the brackets of a call."""
+        parts = [self.expression(argument) for argument in arguments]
+        parts += [
+            f"{self.keyword_name(keyword.name)}={self.expression(keyword.value)}"
+            for keyword in keywords
+        ]
+        return ", ".join(parts)

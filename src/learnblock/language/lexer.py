@@ -1,0 +1,266 @@
+"""Block-Text into tokens: one compiled pattern, one pass."""
+
+import re
+import unicodedata
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from learnblock.errors import Diagnostic
+
+KEYWORDS = frozenset(
+    [
+        "True",
+        "False",
+        "None",
+        "and",
+        "or",
+        "not",
+        "in",
+        "if",
+        "elif",
+        "else",
+        "while",
+        "for",
+        "break",
+        "continue",
+        "return",
+        "pass",
+        "def",
+        "import",
+        "main",
+        "when",
+        "end",
+        "activate",
+        "deactivate",
+        "function",
+    ]
+)
+
+# A line that begins with one of these begins a statement, whatever bracket stands open before it.
+_OPENS_LINE = KEYWORDS - {"True", "False", "None", "and", "or", "not", "in", "function"}
+
+_TOKEN = re.compile(
+    r"""[ \t\f\xa0]*(?:
+    ([^\W\d]\w*)
+    |(\*\*=|//=|\*\*|//|[-+*/%=!<>]=|[-+*/%<>=()\[\],:.])
+    |((?:\r?\n|\r)(?:[ \t\f\xa0]*(?:\r?\n|\r))*)
+    |(0[xXbBoO]\w*|(?:[0-9][0-9_]*\.?[0-9_]*|\.[0-9][0-9_]*)(?:[eE][-+]?[0-9][0-9_]*)?)
+    |("(?:[^"\\\n\r]|\\[^\n\r])*"|'(?:[^'\\\n\r]|\\[^\n\r])*')
+    |(\#[^\n\r]*)
+    |(`(?:[^`\n\r]|``)+`)
+    |(["'`][^\n\r]*|[^ \t\f\xa0])
+    )""",
+    re.VERBOSE,
+)
+_NAME, _OPERATOR, _NEWLINE, _NUMBER, _STRING, _COMMENT, _RAW, _BAD = range(1, 9)
+_KINDS = {_NUMBER: "number", _STRING: "string", _COMMENT: "comment", _RAW: "raw", _BAD: "bad"}
+
+_RAW_START = re.compile(r"^([ \t]*)python[ \t]*:[ \t]*(#[^\n]*?)?\r?$", re.MULTILINE)
+_RAW_END = re.compile(r"^[ \t]*end\b[ \t]*(?:#[^\n]*)?\r?$", re.MULTILINE)
+_ARGUMENT = re.compile(r"[ \t]*=(?!=)")
+_LINE_END = re.compile(r"\r?\n|\r")
+_FORBIDDEN = re.compile("[\x00\ud800-\udfff]")
+
+MAX_CHARACTERS = 2_000_000
+
+
+class Token(NamedTuple):
+    """One token.
+
+    Args:
+        kind: a keyword or operator is its own kind; else name, number, string, raw, comment,
+            newline, blank (lines), python (a raw block), bad or eof.
+        text: as written; a name in its NFKC form.
+        line: from 1.
+        column: from 1.
+    """
+
+    kind: str
+    text: str
+    line: int
+    column: int
+
+
+@dataclass(slots=True)
+class Tokens:
+    """The tokens of a file, ready to be read one after the other.
+
+    Args:
+        tokens: ends with a ``newline`` and an ``eof``.
+        kinds: the kind of each token.
+        hoisted: comments inside brackets, by the index of the first token of their statement.
+        diagnostics: what is wrong with the characters themselves.
+    """
+
+    tokens: list[Token] = field(default_factory=list)
+    kinds: list[str] = field(default_factory=list)
+    hoisted: dict[int, list[Token]] = field(default_factory=dict)
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+
+
+def tokenize(text: str) -> Tokens:
+    """The tokens of a program in Block-Text. Never raises."""
+    if problem := _unreadable(text):
+        return _nothing(problem)
+    return _Lexer(_plain_line_ends(text).removeprefix("\ufeff")).run()
+
+
+def _unreadable(text: str) -> Diagnostic | None:
+    if len(text) > MAX_CHARACTERS:
+        message = f"a program of {len(text):,} characters is too long: at most {MAX_CHARACTERS:,}"
+        return Diagnostic("too-long", message)
+    found = _FORBIDDEN.search(text)
+    if found is None:
+        return None
+    line = text.count("\n", 0, found.start()) + 1
+    column = found.start() - text.rfind("\n", 0, found.start())
+    message = f"the character U+{ord(found[0]):04X} cannot stand in a program: remove it"
+    return Diagnostic("bad-character", message, line, column, column + 1)
+
+
+def _nothing(problem: Diagnostic) -> Tokens:
+    end = [Token("newline", "", 1, 1), Token("eof", "", 1, 1)]
+    return Tokens(end, ["newline", "eof"], diagnostics=[problem])
+
+
+def _plain_line_ends(text: str) -> str:
+    """A file whose every line ends as on Windows is read as if it had been saved elsewhere.
+
+    One with mixed line ends is left alone: they may belong to raw Python, which is kept as it is.
+    """
+    if "\r" not in text:
+        return text
+    if text.count("\r\n") == text.count("\n") == text.count("\r"):
+        return text.replace("\r\n", "\n")
+    return text if "\n" in text else text.replace("\r", "\n")
+
+
+class _Lexer:
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.result = Tokens()
+        self.line, self.line_start = 1, 0
+        self.depth = 0  # of open brackets
+        self.soft: list[tuple[int, Token]] = []  # line ends inside brackets, and where they stood
+        self.statement = 0  # index of the first token of the logical line
+
+    def run(self) -> Tokens:
+        position = 0
+        if "python" in self.text:
+            while start := _RAW_START.search(self.text, position):
+                self.scan(position, start.start())
+                position = self.raw_block(start)
+        self.scan(position, len(self.text))
+        self.finish()
+        return self.result
+
+    def scan(self, position: int, end: int) -> None:  # noqa: C901, PLR0912 - the hot loop
+        tokens, kinds = self.result.tokens, self.result.kinds
+        line, line_start, depth = self.line, self.line_start, self.depth
+        for match in _TOKEN.finditer(self.text, position, end):
+            group = match.lastindex
+            assert group is not None  # noqa: S101 - every alternative of the pattern is a group
+            text = match[group]
+            after = match.end()
+            column = after - len(text) - line_start + 1
+            if group == _NAME:
+                if not text.isascii():
+                    text = unicodedata.normalize("NFKC", text)
+                kind = text if text in KEYWORDS else "name"
+                if depth and self.soft and kind in _OPENS_LINE and self.begins_statement(after):
+                    # The bracket before was never closed; a statement begins here.
+                    self.restore_line_ends()
+                    depth = 0
+                elif kind == "name" and not text.isidentifier():
+                    kind = "bad"
+            elif group == _OPERATOR:
+                kind = text
+                if kind in "([":
+                    depth += 1
+                elif kind in ")]" and depth:
+                    depth -= 1
+                    if not depth:
+                        self.soft.clear()
+            elif group == _NEWLINE:
+                token = Token("newline", "\n", line, column)
+                lines = 1 if text == "\n" else len(_LINE_END.findall(text))
+                line += lines
+                line_start = after
+                if depth:
+                    self.soft.append((len(tokens), token))
+                    continue
+                tokens.append(token)
+                kinds.append("newline")
+                if lines > 1:
+                    tokens.append(Token("blank", "", line - 1, 1))
+                    kinds.append("blank")
+                self.statement = len(tokens)
+                continue
+            else:
+                kind = _KINDS[group]
+                if depth and group == _COMMENT:
+                    comment = Token(kind, text, line, column)
+                    self.result.hoisted.setdefault(self.statement, []).append(comment)
+                    continue
+            tokens.append(Token(kind, text, line, column))
+            kinds.append(kind)
+        self.line, self.line_start, self.depth = line, line_start, depth
+
+    def begins_statement(self, after: int) -> bool:
+        """Whether a keyword that ends at `after` is the first of its line, and no argument's name.
+
+        ``end`` may begin a line as such a name: ``print("a",`` and ``end="")`` below.
+        """
+        first_of_line = self.soft[-1][0] == len(self.result.tokens)
+        return first_of_line and not _ARGUMENT.match(self.text, after)
+
+    def restore_line_ends(self) -> None:
+        """A bracket was not closed: every line since then is a line of its own after all."""
+        tokens = self.result.tokens
+        first = self.soft[0][0]
+        tail, tokens[first:] = tokens[first:], []
+        for (start, line_end), end in zip(
+            self.soft, [*(index for index, _ in self.soft[1:]), first + len(tail)], strict=True
+        ):
+            tokens.append(line_end)
+            tokens.extend(tail[start - first : end - first])
+        self.result.kinds[first:] = [token.kind for token in tokens[first:]]
+        self.soft.clear()
+        self.statement = len(tokens)
+
+    def raw_block(self, start: re.Match[str]) -> int:
+        """Keep everything up to the block's ``end`` as one token; return where to go on."""
+        if self.depth:
+            if self.soft:
+                self.restore_line_ends()
+            self.depth = 0
+        column = len(start[1]) + 1
+        if start[2]:
+            self.add("comment", start[2], start.start(2) - start.start() + 1)
+            self.add("newline", "\n", start.end() - start.start() + 1)
+        end = _RAW_END.search(self.text, start.end())
+        close = len(self.text) if end is None else end.start()
+        body = self.text[min(start.end() + 1, close) : close]
+        self.add("python", body, column)
+        self.line += body.count("\n") + 1
+        if end is None:
+            message = "`python` has no `end`: write `end` on a line of its own below the Python"
+            self.result.diagnostics.append(
+                Diagnostic("missing-end", message, self.result.tokens[-1].line, column, column + 6)
+            )
+            return close
+        self.line_start = close
+        after = self.text.index("end", close) + 3
+        self.add("end", "end", after - 2 - close)
+        return after
+
+    def add(self, kind: str, text: str, column: int) -> None:
+        self.result.tokens.append(Token(kind, text, self.line, column))
+        self.result.kinds.append(kind)
+
+    def finish(self) -> None:
+        if self.depth and self.soft:
+            self.restore_line_ends()
+        column = len(self.text) - self.line_start + 1
+        self.add("newline", "", column)
+        self.add("eof", "", column)

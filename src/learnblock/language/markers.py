@@ -1,0 +1,143 @@
+"""Comments by which generated Python remembers what Python itself has no words for.
+
+``# main`` stands above the statements of `main`, ``# end`` above what comes after them, and a block
+of raw Python stands between ``# python`` and ``# end``. A user's own comment that reads like one
+of them gets another ``#`` before it.
+"""
+
+import ast
+import io
+import re
+import tokenize
+from typing import NamedTuple
+
+MAIN, END, PYTHON = "main", "end", "python"
+_MARKERS = frozenset((MAIN, END, PYTHON))
+_PLAIN_END = re.compile(r"(\s*)(#[# ]*end\s*)")
+_ESCAPED_END = re.compile(r"(\s*)# (#[# ]*end\s*)")
+
+
+class NotedComment(NamedTuple):
+    """A comment of a Python file.
+
+    Args:
+        column: from 0.
+        text: without the ``#`` and the white space around it.
+        own_line: nothing else stands on its line.
+        inside: it stands inside brackets.
+    """
+
+    column: int
+    text: str
+    own_line: bool
+    inside: bool
+
+
+class Notes(NamedTuple):
+    """What Python's syntax tree leaves out of a file, by line from 1.
+
+    Args:
+        comments: the comment of each line that has one.
+        in_string: the lines that begin inside a string.
+    """
+
+    comments: dict[int, NotedComment]
+    in_string: set[int]
+
+
+def notes(text: str) -> Notes | None:
+    """The comments of Python text and its lines inside strings; None if it has no tokens."""
+    found = Notes({}, set())
+    depth = 0
+    opened: list[int] = []
+    try:
+        for token in tokenize.generate_tokens(io.StringIO(text, newline="").readline):
+            if token.type == tokenize.COMMENT:
+                own_line = not token.line[: token.start[1]].strip()
+                comment = token.string[1:].strip()
+                noted = NotedComment(token.start[1], comment, own_line, depth > 0)
+                found.comments[token.start[0]] = noted
+            elif token.type == tokenize.STRING:
+                found.in_string.update(range(token.start[0] + 1, token.end[0] + 1))
+            elif token.type in _STRING_STARTS:
+                opened.append(token.start[0])
+            elif token.type in _STRING_ENDS:
+                found.in_string.update(range(opened.pop() + 1, token.end[0] + 1))
+            elif token.string in {"(", "[", "{"}:
+                depth += 1
+            elif token.string in {")", "]", "}"}:
+                depth -= 1
+    except (tokenize.TokenError, SyntaxError, IndexError, ValueError):
+        return None
+    return found
+
+
+# Since 3.12 an f-string is several tokens, since 3.14 a template string too.
+_STRING_STARTS = {getattr(tokenize, name, -1) for name in ("FSTRING_START", "TSTRING_START")}
+_STRING_ENDS = {getattr(tokenize, name, -1) for name in ("FSTRING_END", "TSTRING_END")}
+
+
+def escaped(comment: str) -> str:
+    """A user's comment as Python has it."""
+    return "# " + comment if comment.lstrip("# ") in _MARKERS else comment
+
+
+def unescaped(comment: str) -> str:
+    """The user's comment that Python has as `comment`."""
+    if comment.startswith("# ") and comment.lstrip("# ") in _MARKERS:
+        return comment[2:].lstrip(" ")
+    return comment
+
+
+def raw_lines(text: str, indent: str) -> list[str]:
+    """The lines of a block of raw Python between its markers, behind `indent`."""
+    found = notes(text) or Notes({}, set())
+    result = []
+    for number, line in enumerate(text.removesuffix("\n").split("\n") if text else [], 1):
+        kept = line
+        if number not in found.in_string:
+            comment = found.comments.get(number)
+            if comment is not None and comment.own_line:
+                kept = _PLAIN_END.sub(r"\1# \2", line) if _PLAIN_END.fullmatch(line) else line
+            kept = indent + kept if kept else ""
+        result.append(kept)
+    return result
+
+
+def raw_text(lines: list[str], first: int, indent: str, in_string: set[int]) -> str:
+    """The raw Python whose lines in the file, from line number `first`, are `lines`."""
+    result = []
+    for number, line in enumerate(lines, first):
+        kept = line
+        if number not in in_string:
+            kept = line.removeprefix(indent) if line.startswith(indent) else line.lstrip(" \t")
+            if _ESCAPED_END.fullmatch(kept):
+                kept = _ESCAPED_END.sub(r"\1\2", kept)
+        result.append(kept + "\n")
+    return "".join(result)
+
+
+def raw_names(text: str) -> set[str]:
+    """The variables that Python text reads or sets; empty if it is no Python."""
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return set()
+    return variable_names(tree)
+
+
+def variable_names(tree: ast.AST) -> set[str]:
+    """The variables of a Python tree, without those of which only a state is asked or set."""
+    names: set[str] = set()
+    states: set[int] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Attribute) and node.attr in STATE_ATTRIBUTES:
+            states.add(id(node.value))
+        elif isinstance(node, ast.Name) and id(node) not in states:
+            names.add(node.id)
+        elif isinstance(node, ast.arg):
+            names.add(node.arg)
+    return names
+
+
+STATE_ATTRIBUTES = frozenset(("active", "time", "activate", "deactivate"))
