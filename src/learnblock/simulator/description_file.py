@@ -129,7 +129,13 @@ def _explain(refusal: str, document: Mapping[str, Any], root: inspect.Type) -> F
         return Finding(path, "wrong-value", f"{_spell(path)}: {_PLACE.sub('', refusal)}")
     value = _value_at(document, path)
     message = f"{_spell(path)} is {_show(value)}: expected {describe(allowed)}"
-    return Finding(path, "wrong-value", message + _near(value, allowed))
+    return Finding(path, "wrong-value", message + (_near(value, allowed) or _brackets(value, path)))
+
+
+def _brackets(value: object, path: KeyPath) -> str:
+    """The hint for ``[wall]`` where there may be many walls."""
+    is_table_of_many = isinstance(value, dict) and len(path) == 1
+    return f"; write its header as [[{path[0]}]]" if is_table_of_many else ""
 
 
 def _unknown_key(path: KeyPath, owner: inspect.Type) -> Finding:
@@ -196,7 +202,9 @@ def _describe_text(allowed: inspect.StrType) -> str:
 
 def _describe_list(allowed: inspect.TupleType | inspect.VarTupleType) -> str:
     if isinstance(allowed, inspect.TupleType):
-        return f"[{', '.join(describe(item) for item in allowed.item_types)}]"
+        items = [describe(item) for item in allowed.item_types]
+        alike = f"a list of {len(items)} entries, each {items[0]}"
+        return alike if len(set(items)) == 1 else f"[{', '.join(items)}]"
     item = describe(allowed.item_type)
     return f"a list of {allowed.min_length or 0} to {allowed.max_length} entries, each {item}"
 

@@ -73,15 +73,14 @@ class Physics:
         )
         return None if seen is None else seen.alpha
 
-    def touches(self, start: Point, end: Point, radius: float, ignored_group: int) -> bool:
-        """Whether anything is within `radius` mm of the way from `start` to `end`."""
+    def touches(self, place: Point, radius: float, ignored_group: int) -> bool:
+        """Whether anything but `ignored_group` is within `radius` mm of `place`."""
         ignored = pymunk.ShapeFilter(group=ignored_group)
-        return self.space.segment_query_first(start, end, radius, ignored) is not None
+        return self.space.point_query_nearest(place, radius, ignored) is not None
 
     def is_free(self, x: float, y: float, radius: float) -> bool:
         """Whether a disc finds room at (x, y)."""
-        nearest = self.space.point_query_nearest((x, y), radius, pymunk.ShapeFilter())
-        return nearest is None
+        return not self.touches((x, y), radius, ignored_group=0)
 
     def add(self, shape: pymunk.Shape, name: str) -> None:
         """Let `shape` be bumped into under `name`."""

@@ -27,6 +27,8 @@ STANDARD_GRAVITY = 9.80665
 """m/s²; what an accelerometer at rest reads upwards (ISO 80000-3)."""
 BEAM_RAYS = 5
 """Rays into which a sensor's beam is divided."""
+BUMPER_PARTS = 5
+"""Places along a bumper's bar that feel."""
 LOG_LENGTH = 10_000
 
 EMOTION_COLOURS: Mapping[str, RGB] = {
@@ -225,8 +227,10 @@ class RobotBody:
             UnknownNameError: the robot has no bumper.
         """
         bar = self._require(self.description.bumper, "Bumper")
-        ends = self._at(bar.x, bar.width / 2), self._at(bar.x, -bar.width / 2)
-        return self._world.physics.touches(*ends, bar.travel, self._group)
+        parts = [bar.width * (i / (BUMPER_PARTS - 1) - 0.5) for i in range(BUMPER_PARTS)]
+        places = [self._at(bar.x, part) for part in parts]
+        touches = self._world.physics.touches
+        return any(touches(place, bar.travel, self._group) for place in places)
 
     def light(self) -> float:
         """The light that falls on it, 0 to 1023.

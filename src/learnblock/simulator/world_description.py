@@ -9,7 +9,7 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_args
 
 from msgspec import Meta, Struct
 
@@ -37,6 +37,7 @@ Name = Annotated[str, Meta(min_length=1, max_length=40)]
 Seconds = Annotated[float, Meta(ge=0.1, le=3600)]
 TagNumber = Annotated[int, Meta(ge=0, le=586)]
 Emotion = Literal["fear", "surprise", "anger", "sadness", "disgust", "joy", "neutral"]
+EMOTIONS: tuple[str, ...] = get_args(Emotion)
 
 _X = Meta(description="place to the east, mm")
 _Y = Meta(description="place to the north, mm")
@@ -108,6 +109,8 @@ class Line(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
         if bool(self.path) == (len(self.points) >= 2):
             raise ValueError("a line needs either `points` (two or more) or `start` and `path`")
         line = self.polyline()
+        if len(line.points) < 2:
+            raise ValueError("a line needs a length; this one ends where it begins")
         if self.path and self.closed and not _is_closed(line):
             (x, y), (start_x, start_y) = line.points[-1], line.points[0]
             raise ValueError(

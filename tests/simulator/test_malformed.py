@@ -1,0 +1,94 @@
+from pathlib import Path
+
+import pytest
+
+from learnblock.errors import FileError, RobotDescriptionError, UnknownNameError, WorldError
+from learnblock.simulator import load_robot, load_world
+from learnblock.simulator.description_file import MAXIMUM_FILE_SIZE
+
+MALFORMED = Path(__file__).parent / "malformed"
+WORLDS = sorted((MALFORMED / "worlds").glob("*.toml"))
+ROBOTS = sorted((MALFORMED / "robots").glob("*.toml"))
+
+
+def told(error: FileError) -> str:
+    """What a person reads: each finding, and then the lines with carets."""
+    pointed = [diagnostic.pointed(error.source) for diagnostic in error.diagnostics]
+    return "\n".join([*str(error).splitlines(), *pointed]) + "\n"
+
+
+def test_there_are_enough_examples_of_what_can_go_wrong() -> None:
+    assert len(WORLDS) >= 15
+    assert len(ROBOTS) >= 10
+
+
+@pytest.mark.parametrize("file", WORLDS, ids=lambda file: file.stem)
+def test_a_wrong_world_is_told_by_key_value_and_line(file: Path) -> None:
+    with pytest.raises(WorldError) as caught:
+        load_world(file)
+
+    assert file.with_suffix(".txt").read_text(encoding="utf-8") == told(caught.value)
+
+
+@pytest.mark.parametrize("file", ROBOTS, ids=lambda file: file.stem)
+def test_a_wrong_robot_is_told_by_key_value_and_line(file: Path) -> None:
+    with pytest.raises(RobotDescriptionError) as caught:
+        load_robot(file)
+
+    assert file.with_suffix(".txt").read_text(encoding="utf-8") == told(caught.value)
+
+
+def test_a_file_that_is_not_utf_8_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "w.toml").write_bytes(b'title = "\xff"')
+
+    with pytest.raises(WorldError, match="byte 9 is not UTF-8; save the file with the encoding"):
+        load_world(tmp_path / "w.toml")
+
+
+def test_a_byte_order_mark_does_no_harm(tmp_path: Path) -> None:
+    (tmp_path / "w.toml").write_bytes(b'\xef\xbb\xbftitle = "mine"')
+
+    assert load_world(tmp_path / "w.toml").title == "mine"
+
+
+def test_a_huge_file_is_refused_unread(tmp_path: Path) -> None:
+    (tmp_path / "w.toml").write_text("#" * (MAXIMUM_FILE_SIZE + 1))
+
+    with pytest.raises(WorldError, match="at most 262144 are read"):
+        load_world(tmp_path / "w.toml")
+
+
+def test_brackets_nested_without_end_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "w.toml").write_text("x = " + "[" * 100_000)
+
+    with pytest.raises(WorldError, match="invalid-toml"):
+        load_world(tmp_path / "w.toml")
+
+
+def test_a_picture_may_not_be_reached_through_a_link_out_of_the_folder(tmp_path: Path) -> None:
+    folder = tmp_path / "mine"
+    folder.mkdir()
+    (tmp_path / "secret.png").write_bytes((MALFORMED / "worlds" / "wide.png").read_bytes())
+    try:
+        (folder / "map.png").symlink_to(tmp_path / "secret.png")
+    except OSError:
+        pytest.skip("this system makes no symbolic links")
+    (folder / "w.toml").write_text('[floor]\npicture = "map.png"')
+
+    with pytest.raises(WorldError, match="must lie in the folder of the world's file"):
+        load_world(folder / "w.toml")
+
+
+def test_an_unknown_world_is_answered_with_a_near_name() -> None:
+    with pytest.raises(UnknownNameError, match="did you mean `labyrinth`"):
+        load_world("labyrint")
+
+
+def test_an_unknown_robot_is_answered_with_a_near_name() -> None:
+    with pytest.raises(UnknownNameError, match="did you mean `thymio`"):
+        load_robot("tymio")
+
+
+def test_a_path_without_a_file_is_an_unknown_world(tmp_path: Path) -> None:
+    with pytest.raises(UnknownNameError, match="there is no world"):
+        load_world(tmp_path / "nowhere.toml")
