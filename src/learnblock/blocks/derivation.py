@@ -4,7 +4,7 @@ import ast
 import importlib.util
 import re
 from collections.abc import Iterator
-from importlib.machinery import ModuleSpec, PathFinder
+from importlib.machinery import ModuleSpec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -107,22 +107,25 @@ def _source_of(point: "EntryPoint") -> Path:
     """The file of a plugin's module, found without importing the packages it lies in."""
     package, *rest = point.module.split(".")
     spec = importlib.util.find_spec(package)
-    name = package
-    for part in rest:
-        name = f"{name}.{part}"
-        spec = _inside(spec, name)
-    if spec is None or spec.origin is None or not spec.origin.endswith(".py"):
-        raise LearnBlockError(
-            f"the plugin `{point.name}` names the module {point.module}, which is not installed as"
-            " Python source; reinstall the plugin"
-        )
-    return Path(spec.origin)
+    candidates = [] if spec is None else list(_candidates(spec, rest))
+    for path in candidates:
+        if path.suffix == ".py" and path.is_file():
+            return path
+    raise LearnBlockError(
+        f"the plugin `{point.name}` names the module {point.module}, which is not installed as"
+        " Python source; reinstall the plugin"
+    )
 
 
-def _inside(package: ModuleSpec | None, name: str) -> ModuleSpec | None:
-    if package is None or package.submodule_search_locations is None:
-        return None
-    return PathFinder.find_spec(name, list(package.submodule_search_locations))
+def _candidates(package: ModuleSpec, inside: list[str]) -> Iterator[Path]:
+    """Where the module of that name inside a package may lie; the package itself for no name."""
+    if not inside:
+        yield Path(package.origin or "")
+        return
+    for location in package.submodule_search_locations or ():
+        path = Path(location, *inside)
+        yield path.with_suffix(".py")
+        yield path / "__init__.py"
 
 
 def _block(function: ast.FunctionDef, category: str) -> BlockConfiguration:

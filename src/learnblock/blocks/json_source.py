@@ -20,6 +20,7 @@ DEEPEST = 16
 
 # A string that is not closed runs to the end, so that reading takes linear time whatever the text.
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"?|[][{}:,]|[^\s"\][{}:,]+', re.DOTALL)
+_NO_NUMBERS = frozenset({"NaN", "Infinity", "-Infinity"})
 _OPENING, _CLOSING = frozenset("[{"), frozenset("]}")
 
 _ADVICE = {
@@ -103,9 +104,9 @@ class _Source:
                 "empty", "the file is empty; it must hold a block, {...}, or a list of them"
             )
         self._check_depth(tokens)
-        self._check_commas(tokens)
+        self._check_tokens(tokens)
         braceless = _is_braceless(tokens)
-        value = self._value(braceless=braceless)
+        value = self._value(tokens, braceless=braceless)
         self._check_characters(value)
         return self._located(value, tokens, braceless=braceless)
 
@@ -120,10 +121,14 @@ class _Source:
                     token,
                 )
 
-    def _check_commas(self, tokens: Sequence[_Token]) -> None:
-        for comma, behind in pairwise(tokens):
-            if comma.text == "," and behind.text in _CLOSING:
-                self._refuse("not-json", f"take away this comma before the `{behind.text}`", comma)
+    def _check_tokens(self, tokens: Sequence[_Token]) -> None:
+        """Find the slips that `json` lets pass, or places differently in different Pythons."""
+        for token, behind in pairwise(tokens):
+            if token.text == "," and behind.text in _CLOSING:
+                self._refuse("not-json", f"take away this comma before the `{behind.text}`", token)
+        for token in tokens:
+            if token.text in _NO_NUMBERS:
+                self._refuse("not-json", f"`{token.text}` is no number a block can use", token)
 
     def _check_characters(self, value: object) -> None:
         for text in _strings(value):
@@ -132,16 +137,25 @@ class _Source:
                     "not-json", f"{text!r} holds half a character: `\\ud8..` needs its pair"
                 )
 
-    def _value(self, *, braceless: bool) -> object:
+    def _value(self, tokens: Sequence[_Token], *, braceless: bool) -> object:
         text = f"{{{self._text}}}" if braceless else self._text
         try:
-            return json.loads(text, strict=False, parse_constant=_refuse_constant)
+            return json.loads(text, strict=False)
         except json.JSONDecodeError as error:
-            message = _ADVICE.get(error.msg, error.msg)
-            self._refuse("not-json", message, at=min(error.pos - braceless, len(self._text)))
-        except ValueError as error:
-            # A number too long for Python, or one that is none, such as NaN.
-            self._refuse("not-json", str(error))
+            self._refuse_syntax(error.msg, min(error.pos - braceless, len(self._text)), tokens)
+        except ValueError:
+            # Python refuses to convert thousands of digits.
+            self._refuse("not-json", "a number has more digits than any block can use")
+
+    def _refuse_syntax(self, slip: str, at: int, tokens: Sequence[_Token]) -> NoReturn:
+        before = [token for token in tokens if token.start < at]
+        if before and before[-1].is_string and "\n" in before[-1].text:
+            self._refuse(
+                "not-json",
+                'this text goes on in the next line; is its closing `"` missing?',
+                at=before[-1].start,
+            )
+        self._refuse("not-json", _ADVICE.get(slip, slip), at=at)
 
     def _located(self, value: object, tokens: Sequence[_Token], *, braceless: bool) -> Document:
         walk = _Walk(braceless=braceless)
@@ -230,10 +244,6 @@ class _Walk:
 
 def _is_braceless(tokens: Sequence[_Token]) -> bool:
     return len(tokens) > 1 and tokens[0].is_string and tokens[1].text == ":"
-
-
-def _refuse_constant(name: str) -> NoReturn:
-    raise ValueError(f"`{name}` is no number that a block can use")
 
 
 def _strings(value: object) -> Iterator[str]:

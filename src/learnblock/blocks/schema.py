@@ -141,7 +141,9 @@ class _Reader:
         if isinstance(value, str) and value.strip():
             return " ".join(value.split())
         self._wrong(
-            "wrong-type", path, f"{what} is {_shown(value)}; it must be a text in double quotes"
+            "wrong-type",
+            path,
+            f"{what} is {_shown(value)}; it must be a text in double quotes, not empty",
         )
         return ""
 
@@ -161,7 +163,7 @@ class _Reader:
         at: Path = (*path, "shape")
         what = f"{who}: `shape`"
         shapes = tuple(self._one_of(SHAPES, item, (*at, i), what) for i, item in enumerate(items))
-        if "shape" in fields and not items:
+        if fields.get("shape") == []:
             self._wrong("bad-shape", at, f"{what} is empty; {_KEY_ADVICE['shape']}")
         elif "blockVertical" in shapes and len(set(shapes)) > 1:
             self._wrong(
@@ -233,7 +235,7 @@ class _Reader:
         convert, expected = _DEFAULTS[kind]
         try:
             return convert(value)
-        except (ValueError, TypeError, LookupError):
+        except (ValueError, TypeError, LookupError, OverflowError, RecursionError):
             self._wrong(
                 "bad-default",
                 (*path, "default"),
@@ -299,6 +301,8 @@ def _is_python_name(name: object) -> bool:
 def _to_float(value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float, str)):
         raise TypeError(value)
+    if isinstance(value, int):
+        return value
     converted = float(value)
     if not math.isfinite(converted):
         raise ValueError(value)

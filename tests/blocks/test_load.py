@@ -1,0 +1,258 @@
+from pathlib import Path
+
+import pytest
+
+from learnblock.blocks import all_configurations, builtin, load_configurations
+from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.load import TABS
+from learnblock.devices import DEVICE_TYPES
+from learnblock.errors import BlockConfigurationError
+
+HERE = Path(__file__).parent
+CONFIGURATIONS = Path(builtin.__wrapped__.__code__.co_filename).parent / "configurations"
+WALTZ = """{
+  "type": "motor", "category": "Dance", "name": "waltz", "shape": ["blockVertical"],
+  "variables": [{"type": "int", "name": "times", "default": 3}]
+}"""
+
+
+def spoken(block: BlockConfiguration) -> list[tuple[str, dict[str, str]]]:
+    """Every set of translations of a block."""
+    labels = [(f"{block.name}.{one.name}", one.translations) for one in block.parameters]
+    return [(block.name, block.languages), (f"{block.name} tooltip", block.tooltip), *labels]
+
+
+@pytest.fixture
+def home(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    for folder in ("skills", "blocks"):
+        (tmp_path / folder).mkdir()
+    return tmp_path
+
+
+def test_the_paper_s_listing_1_loads_as_it_is_printed():
+    angle = Parameter("angle", "float", default=0, translations={"ES": "angulo", "EN": "angle"})
+
+    assert (
+        BlockConfiguration(
+            type="motor",
+            category="Base",
+            name="turn",
+            parameters=(angle,),
+            shapes=("blockVertical",),
+            languages={"ES": "girar", "EN": "turn"},
+            tooltip={
+                "ES": "Gira la base del robot un angulo determinado",
+                "EN": "Make the robot base turn a certain angle",
+            },
+        ),
+    ) == load_configurations(HERE / "listing1.json")
+
+
+def test_a_text_loads_as_a_file_does(tmp_path):
+    (tmp_path / "waltz.json").write_text(WALTZ)
+
+    assert load_configurations(tmp_path / "waltz.json") == load_configurations(WALTZ)
+
+
+def test_a_byte_order_mark_does_no_harm(tmp_path):
+    (tmp_path / "waltz.json").write_text(WALTZ, "utf-8-sig")
+
+    assert load_configurations(WALTZ) == load_configurations(tmp_path / "waltz.json")
+
+
+def test_a_list_holds_several_blocks():
+    blocks = load_configurations(f"[{WALTZ}, {WALTZ.replace('waltz', 'tango')}]")
+
+    assert ["waltz", "tango"] == [block.name for block in blocks]
+
+
+def test_an_empty_list_holds_none():
+    assert () == load_configurations("[]")
+
+
+def test_any_language_may_be_given_in_capitals_or_not():
+    (block,) = load_configurations(WALTZ[:-1] + ', "languages": {"en": "waltz", "pt-br": "valsa"}}')
+
+    assert {"EN": "waltz", "PT-BR": "valsa"} == block.languages
+
+
+@pytest.mark.parametrize(
+    ("kind", "written", "default"),
+    [
+        ("float", "40", 40),
+        ("float", '"0"', 0),
+        ("float", '"0.5"', 0.5),
+        ("float", "null", None),
+        ("float", '"None"', None),
+        ("int", '"0.0"', 0),
+        ("int", "12345678901234567890", 12345678901234567890),
+        ("boolean", "0", False),
+        ("boolean", '"True"', True),
+        ("boolean", "false", False),
+        ("string", '"Hola  Mundo"', "Hola  Mundo"),
+        ("string", '""', ""),
+        ("list", "[1, [2]]", [1, [2]]),
+        ("list", '"[]"', []),
+        ("apriltext", '"8"', 8),
+        ("apriltext", '"ball"', "ball"),
+    ],
+)
+def test_a_default_may_be_written_as_a_text(kind, written, default):
+    (block,) = load_configurations(
+        WALTZ.replace('"int"', f'"{kind}"').replace('"default": 3', f'"default": {written}')
+    )
+    (parameter,) = block.parameters
+
+    assert (default, type(default)) == (parameter.default, type(parameter.default))
+    assert not parameter.required
+
+
+def test_a_parameter_without_a_default_must_be_given():
+    (block,) = load_configurations(WALTZ.replace(', "default": 3', ""))
+
+    assert block.parameters[0].required
+
+
+@pytest.mark.parametrize("path", sorted((HERE / "malformed").glob("*.json")), ids=lambda p: p.stem)
+def test_a_malformed_configuration_is_refused_with_place_and_advice(path):
+    with pytest.raises(BlockConfigurationError) as caught:
+        load_configurations(path)
+
+    messages = [
+        text
+        for one in caught.value.diagnostics
+        for text in (one.located(path.name), one.pointed(caught.value.source))
+        if text
+    ]
+    assert path.with_suffix(".txt").read_text("utf-8") == "\n".join(messages) + "\n"
+
+
+def test_a_file_as_large_as_no_configuration_is_refused():
+    with pytest.raises(BlockConfigurationError, match="too-large the file has 1000001 characters"):
+        load_configurations(" " * 1_000_001)
+
+
+@pytest.mark.parametrize("text", ["[" * 900_000, '{"a":' * 180_000, '"\\"' * 300_000])
+def test_hostile_nesting_is_refused_and_not_followed(text):
+    with pytest.raises(BlockConfigurationError):
+        load_configurations(text)
+
+
+def test_thousands_of_digits_are_refused():
+    with pytest.raises(BlockConfigurationError, match="more digits than any block"):
+        load_configurations(WALTZ.replace("3", "3" * 5000))
+
+
+def test_a_default_that_is_a_deeply_nested_text_is_refused():
+    nested = '"' + "[" * 100_000 + '"'
+    with pytest.raises(BlockConfigurationError, match="is no list"):
+        load_configurations(WALTZ.replace("3", nested).replace('"int"', '"list"'))
+
+
+def test_a_file_that_is_not_there_is_an_error_of_the_system(tmp_path):
+    with pytest.raises(FileNotFoundError):
+        load_configurations(tmp_path / "no.json")
+
+
+# Our own.
+
+
+def test_every_file_of_ours_is_a_tab():
+    assert sorted(TABS) == sorted(path.stem for path in CONFIGURATIONS.glob("*.json"))
+
+
+@pytest.mark.parametrize("tab", TABS)
+def test_our_own_configurations_pass_every_check(tab):
+    blocks = load_configurations(CONFIGURATIONS / f"{tab}.json")
+
+    assert blocks == tuple(builtin()[block.name] for block in blocks)
+
+
+def test_our_own_names_are_all_different():
+    count = sum(len(load_configurations(path)) for path in CONFIGURATIONS.glob("*.json"))
+
+    assert count == len(builtin())
+
+
+@pytest.mark.parametrize("block", builtin().values(), ids=lambda block: block.name)
+def test_every_text_of_ours_is_english_and_spanish(block):
+    for _what, translations in spoken(block):
+        assert {"EN", "ES"} == set(translations)
+    assert all(text.endswith((".", "?")) for text in block.tooltip.values())
+    # A Spanish question opens with a mark of its own.
+    for text in (block.languages["ES"], block.tooltip["ES"]):
+        assert text.count("¿") == text.count("?")
+
+
+def test_no_two_blocks_of_ours_have_the_same_label():
+    for language in ("EN", "ES"):
+        labels = [block.languages[language] for block in builtin().values()]
+        assert len(labels) == len(set(labels))
+
+
+@pytest.mark.parametrize("block", builtin().values(), ids=lambda block: block.name)
+def test_our_own_blocks_need_devices_that_exist(block):
+    for need in block.needs:
+        assert need.partition(":")[0] in DEVICE_TYPES
+
+
+# The user's.
+
+
+def test_without_a_folder_of_one_s_own_there_are_only_ours(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "nowhere"))
+
+    assert builtin() == all_configurations()
+
+
+def test_a_skill_of_the_user_s_is_a_block_without_being_run(home):
+    (home / "skills" / "ball_room.py").write_text(
+        'def waltz(robot, times: int = 3) -> None:\n    "Dance."\n\n\nraise SystemExit\n'
+    )
+    block = all_configurations()["waltz"]
+
+    assert ("Ball room", "waltz", {"EN": "Dance."}) == (block.category, block.name, block.tooltip)
+
+
+def test_a_skill_of_the_user_s_does_not_hide_one_of_ours(home):
+    (home / "skills" / "mine.py").write_text("def turn(robot): ...\n")
+
+    assert builtin()["turn"] == all_configurations()["turn"]
+
+
+def test_a_configuration_completes_the_block_of_a_skill(home):
+    (home / "skills" / "mine.py").write_text("def waltz(robot, times: int = 3): 'Dance.'\n")
+    (home / "blocks" / "waltz.json").write_text(
+        WALTZ[:-1] + ', "languages": {"FR": "valse"}}', "utf-8"
+    )
+    block = all_configurations()["waltz"]
+
+    assert {"EN": "waltz", "FR": "valse"} == block.languages
+    assert {"EN": "Dance."} == block.tooltip
+    assert {"EN": "times"} == block.parameters[0].translations
+    assert ("motor", "Dance") == (block.type, block.category)
+
+
+def test_a_configuration_adds_a_translation_to_a_block_of_ours(home):
+    (home / "blocks" / "fr.json").write_text(
+        '{"type": "motor", "category": "Base", "name": "turn", "shape": ["blockVertical"],'
+        ' "languages": {"FR": "tourner"}}',
+        "utf-8",
+    )
+    ours, block = builtin()["turn"], all_configurations()["turn"]
+
+    assert "tourner" == block.languages["FR"]
+    assert ours.languages["ES"] == block.languages["ES"]
+    assert (ours.parameters, ours.needs, ours.tooltip) == (
+        block.parameters,
+        block.needs,
+        block.tooltip,
+    )
+
+
+def test_a_wrong_file_of_the_user_s_is_named(home):
+    (home / "blocks" / "bad.json").write_text("{")
+
+    with pytest.raises(BlockConfigurationError, match=r"bad\.json:1:2: not-json"):
+        all_configurations()
