@@ -1,0 +1,176 @@
+"""Small drawings: a robot from above, faces, a check, a flag, a sun, the way north."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from learnblock.simulator.colours import RGB, rgb
+from learnblock.simulator.picture.svg import Circle, Paint, Point, Polygon, Polyline, Shape, Text
+from learnblock.simulator.picture.view import View
+from learnblock.simulator.robot_description import Body
+
+INK: RGB = (45, 48, 56)
+WHITE: RGB = (255, 255, 255)
+GREEN: RGB = (30, 142, 84)
+RED: RGB = (200, 48, 48)
+PALE: RGB = (110, 114, 124)
+
+
+@dataclass(frozen=True, slots=True)
+class _Expression:
+    """How a small face shows an emotion, in parts of its radius.
+
+    Args:
+        colour: of the face.
+        smile: how far the mouth's middle hangs below its corners.
+        mouth: half the mouth's width.
+        open: radius of a round open mouth; 0 for a line.
+        brow: how far the brows' inner ends lie beneath the outer ones; None for no brows.
+    """
+
+    colour: RGB
+    smile: float = 0.0
+    mouth: float = 0.42
+    open: float = 0.0
+    brow: float | None = None
+
+
+_EXPRESSIONS = MappingProxyType(
+    {
+        "joy": _Expression((255, 205, 60), smile=0.38, mouth=0.5),
+        "sadness": _Expression((120, 170, 235), smile=-0.3, brow=-0.16),
+        "anger": _Expression((240, 105, 90), smile=-0.22, brow=0.22),
+        "surprise": _Expression((255, 170, 90), open=0.24, brow=0.0),
+        "fear": _Expression((190, 150, 225), smile=-0.1, open=0.17, brow=-0.2),
+        "disgust": _Expression((150, 200, 100), smile=-0.24, mouth=0.34, brow=0.1),
+        "neutral": _Expression((205, 208, 214), mouth=0.36),
+    }
+)
+_NO_EMOTION = _Expression((235, 236, 240), mouth=0.0)
+
+
+def emotion_colour(emotion: str) -> RGB:
+    """The colour of an emotion's face; pale for what is none."""
+    return _EXPRESSIONS.get(emotion, _NO_EMOTION).colour
+
+
+def face(center: Point, radius: float, emotion: str) -> Iterator[Shape]:
+    """A little face that shows an emotion."""
+    look = _EXPRESSIONS.get(emotion, _NO_EMOTION)
+    (x, y), r = center, radius
+    yield Circle(center, r, Paint(look.colour, INK, 1.6))
+    for side in (-1, 1):
+        yield Circle((x + side * 0.34 * r, y - 0.18 * r), 0.115 * r, Paint(INK))
+        if look.brow is not None:
+            inner = (x + side * 0.16 * r, y + (look.brow / 2 - 0.47) * r)
+            outer = (x + side * 0.54 * r, y + (-look.brow / 2 - 0.47) * r)
+            yield Polyline([inner, outer], INK, 0.12 * r)
+    if look.open:
+        yield Circle((x, y + 0.42 * r), look.open * r, Paint(INK))
+    elif look.mouth:
+        yield Polyline(_mouth(center, r, look), INK, 0.13 * r)
+
+
+def _mouth(center: Point, radius: float, look: _Expression) -> list[Point]:
+    x, y = center
+    parts = [k / 6 - 1 for k in range(13)]
+    level = 0.38 - look.smile * 0.4
+    return [
+        (x + part * look.mouth * radius, y + (level + look.smile * (1 - part**2)) * radius)
+        for part in parts
+    ]
+
+
+def check(center: Point, radius: float) -> Iterator[Shape]:
+    """A goal that was reached."""
+    yield Circle(center, radius, Paint(GREEN, WHITE, 1.6))
+    marks = [(-0.42, 0.02), (-0.1, 0.36), (0.45, -0.32)]
+    yield Polyline(_scaled(marks, center, radius), WHITE, 0.22 * radius)
+
+
+def cross(center: Point, radius: float) -> Iterator[Shape]:
+    """A goal that was missed."""
+    yield Circle(center, radius, Paint(RED, WHITE, 1.6))
+    for side in (-1, 1):
+        marks = [(-0.36 * side, -0.36), (0.36 * side, 0.36)]
+        yield Polyline(_scaled(marks, center, radius), WHITE, 0.22 * radius)
+
+
+def finish(center: Point, radius: float) -> Iterator[Shape]:
+    """A chequered flag for the end of a run."""
+    yield Circle(center, radius, Paint(WHITE, INK, 1.6))
+    yield Polyline(_scaled([(-0.42, -0.6), (-0.42, 0.64)], center, radius), INK, 0.13 * radius)
+    for row in range(3):
+        for column in range(3):
+            if (row + column) % 2 == 0:
+                left, top = -0.42 + 0.3 * column, -0.58 + 0.26 * row
+                corners = [
+                    (left, top),
+                    (left + 0.3, top),
+                    (left + 0.3, top + 0.26),
+                    (left, top + 0.26),
+                ]
+                yield Polygon(_scaled(corners, center, radius), Paint(INK))
+
+
+def flag(center: Point, radius: float) -> Iterator[Shape]:
+    """A goal to be reached."""
+    pole = [(-0.4, -0.8), (-0.4, 0.8)]
+    yield Polyline(_scaled(pole, center, radius), WHITE, 0.5 * radius)
+    yield Polyline(_scaled(pole, center, radius), GREEN, 0.2 * radius)
+    cloth = [(-0.4, -0.8), (0.7, -0.4), (-0.4, 0.05)]
+    yield Polygon(_scaled(cloth, center, radius), Paint(GREEN, WHITE, 1.0))
+
+
+def dot(center: Point, colour: RGB, radius: float = 5.0) -> Shape:
+    """The very place on a path where something happened."""
+    return Circle(center, radius, Paint(colour, WHITE, 2.0))
+
+
+def sun(center: Point, radius: float) -> Iterator[Shape]:
+    """A lamp over the floor."""
+    for k in range(4):
+        yield Circle(center, radius * (2.6 - 0.5 * k), Paint((255, 205, 70), opacity=0.13))
+    for k in range(8):
+        x, y = math.cos(k * math.pi / 4), math.sin(k * math.pi / 4)
+        ray = _scaled([(0.78 * x, 0.78 * y), (1.05 * x, 1.05 * y)], center, radius)
+        yield Polyline(ray, (226, 150, 20), 0.16 * radius)
+    yield Circle(center, 0.55 * radius, Paint((255, 205, 70), (226, 150, 20), 1.6))
+
+
+def compass(center: Point, radius: float) -> Iterator[Shape]:
+    """The way north."""
+    left = [(0.0, -1.0), (-0.5, 0.75), (0.0, 0.4)]
+    right = [(0.0, -1.0), (0.5, 0.75), (0.0, 0.4)]
+    yield Polygon(_scaled(left, center, radius), Paint(INK, INK, 1.2))
+    yield Polygon(_scaled(right, center, radius), Paint(WHITE, INK, 1.2))
+    yield Text((center[0], center[1] - radius - 6), "N", 15, INK, bold=True, anchor="middle")
+
+
+def robot(
+    body: Body, view: View, pose: tuple[float, float, float], *, faint: bool = False
+) -> Iterator[Shape]:
+    """A robot from above at a pose (x, y, heading), with an arrow ahead."""
+    opacity = 0.38 if faint else 0.92
+    paint = Paint(rgb(body.colour), INK, 2.2, opacity, (5.0, 4.0) if faint else ())
+    x, y, heading = pose
+    if body.radius is not None and body.shape == "disc":
+        yield Circle(view.at(x, y), body.radius * view.scale, paint)
+    else:
+        yield Polygon(view.placed(body.outline, x, y, heading), paint)
+    front = max(forward for forward, _ in body.outline)
+    reach = min(front, max(left for _, left in body.outline)) * 0.55
+    middle = body.offset if body.shape == "box" else 0.0
+    arrow = [(reach, 0.0), (-reach * 0.6, reach * 0.75), (-reach * 0.25, 0.0)]
+    arrow.append((-reach * 0.6, -reach * 0.75))
+    ahead = view.placed([(middle + f, left) for f, left in arrow], x, y, heading)
+    yield Polygon(ahead, Paint(_readable(rgb(body.colour)), opacity=opacity))
+
+
+def _readable(ground: RGB) -> RGB:
+    return INK if sum(ground) > 330 else WHITE
+
+
+def _scaled(points: list[Point], center: Point, radius: float) -> list[Point]:
+    return [(center[0] + radius * x, center[1] + radius * y) for x, y in points]

@@ -1,0 +1,120 @@
+"""Where labels go: near what they name, clear of each other, and off the path where they can be."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from learnblock.simulator.picture.svg import Point
+
+DISTANCES = (0.0, 14.0, 32.0, 56.0, 86.0)
+"""Tried one after another beyond what must stay clear, pixels."""
+DIRECTIONS = 16
+GAP = 4.0
+"""Pixels between two labels."""
+DISTANCE_COST = 0.06
+"""Points of the path covered that a label may spare by standing one pixel farther off."""
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A rectangle on the page."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    def overlaps(self, other: "Box") -> bool:
+        """Whether they come nearer to each other than `GAP`."""
+        return (
+            self.left < other.right + GAP
+            and other.left < self.right + GAP
+            and self.top < other.bottom + GAP
+            and other.top < self.bottom + GAP
+        )
+
+    def holds(self, other: "Box") -> bool:
+        return (
+            self.left <= other.left
+            and self.top <= other.top
+            and other.right <= self.right
+            and other.bottom <= self.bottom
+        )
+
+    @classmethod
+    def around(cls, center: Point, radius: float) -> "Box":
+        x, y = center
+        return cls(x - radius, y - radius, x + radius, y + radius)
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """Where a label goes.
+
+    Args:
+        head: the middle of its icon, or the end of its text that is nearer to what it names.
+        side: 1 if the text runs to the right of the head, -1 if to the left.
+        box: all of it.
+    """
+
+    head: Point
+    side: int
+    box: Box
+
+
+class Room:
+    """The page while labels are put on it.
+
+    Args:
+        bounds: no label leaves this.
+        busy: shape (n, 2), pixels better not covered.
+    """
+
+    def __init__(self, bounds: Box, busy: NDArray[np.float64]) -> None:
+        self._bounds = bounds
+        self._busy = busy
+        self._taken: list[Box] = []
+
+    def take(self, box: Box) -> None:
+        """Keep all later labels off a box."""
+        self._taken.append(box)
+
+    def place(self, anchor: Point, icon: float, text: float, clear: float) -> Spot | None:
+        """The best place that is free, which is then taken; None if nothing is free.
+
+        Args:
+            anchor: what is to be labelled.
+            icon: the icon's radius.
+            text: the text's width.
+            clear: how far from the anchor the icon must stay.
+        """
+        best, least = None, math.inf
+        for distance in DISTANCES:
+            for index in range(DIRECTIONS):
+                angle = 2 * math.pi * (index + 0.5) / DIRECTIONS
+                spot = _spot(anchor, clear + icon + distance, angle, icon, text)
+                cost = self._cost(spot.box) + distance * DISTANCE_COST
+                if cost < least:
+                    best, least = spot, cost
+        if best is not None:
+            self.take(best.box)
+        return best
+
+    def _cost(self, box: Box) -> float:
+        if not self._bounds.holds(box) or any(box.overlaps(other) for other in self._taken):
+            return math.inf
+        x, y = self._busy[:, 0], self._busy[:, 1]
+        covered = (x > box.left) & (x < box.right) & (y > box.top) & (y < box.bottom)
+        return float(np.count_nonzero(covered))
+
+
+def _spot(anchor: Point, distance: float, angle: float, icon: float, text: float) -> Spot:
+    x = anchor[0] + distance * math.cos(angle)
+    y = anchor[1] + distance * math.sin(angle)
+    side = 1 if math.cos(angle) > 0 else -1
+    far = x + side * (icon + text)
+    near = x - side * icon
+    half = max(icon, 10.0)
+    return Spot((x, y), side, Box(min(near, far), y - half, max(near, far), y + half))

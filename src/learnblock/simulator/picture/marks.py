@@ -1,0 +1,138 @@
+"""What happened on the way, and the names of things: icons and labels that keep clear."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from learnblock.simulator.colours import RGB
+from learnblock.simulator.picture import icons
+from learnblock.simulator.picture.labels import Room, Spot
+from learnblock.simulator.picture.svg import (
+    Circle,
+    Paint,
+    Point,
+    Polyline,
+    Shape,
+    Text,
+    shortened,
+    text_width,
+)
+
+SIZE = 16.0
+"""Of a label's text, pixels."""
+ICON = 14.0
+"""Radius of an icon, pixels."""
+LONGEST_LABEL = 44
+"""Characters."""
+MOST_LABELS = 24
+"""Marks that get a label; of the others only the dots on the path are drawn."""
+_RANK = {"end": 0, "goal": 1}
+
+Icon = Callable[[Point, float], Iterator[Shape]]
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something that happened at a place.
+
+    Args:
+        time: s.
+        kind: "emotion", "goal", "end" or any other.
+        text: the emotion's name, the goal's name and state, how the run ended.
+        place: pixels.
+    """
+
+    time: float
+    kind: str
+    text: str
+    place: Point
+
+    @property
+    def label(self) -> str:
+        return f"{shortened(self.text, LONGEST_LABEL)} · {self.time:.1f} s"
+
+    @property
+    def failed(self) -> bool:
+        return self.kind == "goal" and self.text.endswith("failed")
+
+    @property
+    def colour(self) -> RGB:
+        if self.kind == "emotion":
+            return icons.emotion_colour(self.text)
+        if self.kind == "goal":
+            return icons.RED if self.failed else icons.GREEN
+        return icons.INK
+
+    @property
+    def icon(self) -> Icon | None:
+        if self.kind == "emotion":
+            return partial(icons.face, emotion=self.text)
+        if self.kind == "goal":
+            return icons.cross if self.failed else icons.check
+        return icons.finish if self.kind == "end" else None
+
+
+def events_drawn(events: Sequence[Event], room: Room, clear: float) -> Iterator[Shape]:
+    """The dots of all events, and labels of those for which there is room.
+
+    Args:
+        events: in the order of time.
+        room: where labels may go; those placed are taken from it.
+        clear: how far from the place the label of the end must stay: the robot stands there.
+    """
+    for event in events:
+        yield icons.dot(event.place, event.colour)
+    labelled = []
+    for event in _chosen(events):
+        icon = ICON if event.icon else 0.0
+        away = clear if event.kind == "end" else 12.0
+        spot = room.place(event.place, icon, _width(event.label), away)
+        if spot is not None:
+            labelled.append((event, spot))
+    for event, spot in labelled:
+        yield from _leader(event.place, spot, event.colour)
+    for event, spot in labelled:
+        yield from _labelled(spot, event.icon, event.label, icons.INK)
+
+
+def name_drawn(
+    text: str, place: Point, room: Room, clear: float, icon: Icon | None, colour: RGB
+) -> Iterator[Shape]:
+    """The name of something of the world beside it, if there is room."""
+    label = shortened(text, LONGEST_LABEL)
+    spot = room.place(place, 9.0 if icon else 0.0, _width(label), clear)
+    if spot is not None:
+        yield from _labelled(spot, icon, label, colour, 9.0)
+
+
+def _chosen(events: Sequence[Event]) -> list[Event]:
+    """Those to be labelled, the most important first, evenly over time if they are many."""
+    ranked = sorted(events, key=lambda event: _RANK.get(event.kind, 2))
+    first = [event for event in ranked if event.kind in _RANK][:MOST_LABELS]
+    others = [event for event in ranked if event.kind not in _RANK]
+    left = MOST_LABELS - len(first)
+    if len(others) > left:
+        others = [others[k * len(others) // left] for k in range(left)]
+    return first + others
+
+
+def _leader(place: Point, spot: Spot, colour: RGB) -> Iterator[Shape]:
+    yield Polyline([place, spot.head], (255, 255, 255), 4.5, 0.85)
+    yield Polyline([place, spot.head], icons.INK, 1.6)
+    yield icons.dot(place, colour)
+
+
+def _labelled(
+    spot: Spot, icon: Icon | None, text: str, colour: RGB, radius: float = ICON
+) -> Iterator[Shape]:
+    x, y = spot.head
+    if icon:
+        yield Circle(spot.head, radius + 2, Paint((255, 255, 255), opacity=0.85))
+        yield from icon(spot.head, radius)
+    place = (x + spot.side * ((radius if icon else 0.0) + 6), y + SIZE * 0.36)
+    anchor = "start" if spot.side > 0 else "end"
+    yield Text(place, text, SIZE, colour, bold=True, anchor=anchor, halo=(255, 255, 255))
+
+
+def _width(text: str) -> float:
+    return text_width(text, SIZE) + 10

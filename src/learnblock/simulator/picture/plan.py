@@ -1,0 +1,259 @@
+"""The world as seen from above: floor, lines, walls, things, boards, lamps, starts and goals."""
+
+import math
+from collections.abc import Iterable, Iterator
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from learnblock.simulator import textures
+from learnblock.simulator.colours import RGB, rgb
+from learnblock.simulator.floor import Floor
+from learnblock.simulator.geometry import forward
+from learnblock.simulator.picture import icons
+from learnblock.simulator.picture.svg import (
+    Circle,
+    Image,
+    Paint,
+    Point,
+    Polygon,
+    Polyline,
+    Shape,
+    Text,
+)
+from learnblock.simulator.picture.view import View, round_step
+from learnblock.simulator.world_description import (
+    Box,
+    Cylinder,
+    Face,
+    Follow,
+    Reach,
+    Start,
+    Tag,
+    Visit,
+    Wall,
+    WorldDescription,
+)
+
+BORDER: RGB = (196, 190, 176)
+EDGE: RGB = (90, 88, 84)
+SHADOW = (3.0, 4.0)
+"""Pixels to the south-east by which shadows fall."""
+BOARD = (34.0, 84.0)
+"""The smallest and largest side of a tag's or a face's picture, pixels."""
+
+
+def drawn(world: WorldDescription, view: View) -> Iterator[Shape]:
+    """Everything that stands before a robot comes."""
+    yield from _ground(world, view)
+    yield from _goals(world, view)
+    for line in world.line:
+        points = _points(line.polyline().points)
+        yield Polyline(view.all(points), rgb(line.colour), line.width * view.scale)
+    yield from _outlined(view, world)
+    for start in world.start:
+        yield from _start(start, view)
+    yield from _things(world, view)
+    for lamp in world.light:
+        yield from icons.sun(view.at(lamp.x, lamp.y), 15.0)
+
+
+def board_picture(board: Tag | Face, view: View) -> tuple[Point, float]:
+    """The middle of a board's picture, which stands behind it, and its side, in pixels."""
+    side = min(max(board.size * view.scale * 0.8, BOARD[0]), BOARD[1])
+    x, y = forward(board.heading)
+    # So far that the square clears the board at whatever angle it stands.
+    back = 0.5 * side * (abs(x) + abs(y)) + 7
+    board_x, board_y = view.at(board.x, board.y)
+    return (board_x - back * x, board_y + back * y), side
+
+
+def grid_step(world: WorldDescription) -> float:
+    """mm between the grid's lines, the length of the scale bar: four to ten of a floor's side."""
+    return round_step(max(world.floor.size) / 10)
+
+
+def _ground(world: WorldDescription, view: View) -> Iterator[Shape]:
+    east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
+    corners = view.all([(-east, -north), (east, -north), (east, north), (-east, north)])
+    if world.floor.border:
+        yield Polygon(_shadow(corners), Paint((0, 0, 0), (0, 0, 0), 12, 0.10))
+        yield Polygon(corners, Paint(BORDER, EDGE, 13))
+        yield Polygon(corners, Paint(BORDER, BORDER, 10))
+    yield Polygon(corners, Paint(rgb(world.floor.colour), EDGE, 1.2))
+    if world.floor.picture:
+        yield _floor_picture(world, view)
+    else:
+        yield from _grid(world, view)
+
+
+def _floor_picture(world: WorldDescription, view: View) -> Image:
+    pixels = Floor(world).image
+    width, height = (side * view.scale for side in world.floor.size)
+    x, y = view.at(0, 0)
+    return Image((x - width / 2, y - height / 2), (width, height), _at_most(pixels, width))
+
+
+def _at_most(pixels: textures.Image, width: float) -> textures.Image:
+    """The picture at no more than twice the resolution of the page, to keep files small."""
+    factor = 2 * width / pixels.shape[1]
+    if factor >= 1:
+        return pixels
+    smaller = cv2.resize(pixels, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
+    return np.asarray(smaller, np.uint8)
+
+
+def _grid(world: WorldDescription, view: View) -> Iterator[Shape]:
+    step = grid_step(world)
+    east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
+    ink = (255, 255, 255) if sum(rgb(world.floor.colour)) < 330 else (0, 0, 0)
+    for x in _multiples(step, east):
+        yield Polyline(view.all([(x, -north), (x, north)]), ink, 1.0, 0.07, cap="butt")
+    for y in _multiples(step, north):
+        yield Polyline(view.all([(-east, y), (east, y)]), ink, 1.0, 0.07, cap="butt")
+
+
+def _multiples(step: float, limit: float) -> list[float]:
+    count = math.ceil(limit / step) - 1
+    return [k * step for k in range(-count, count + 1)]
+
+
+def _goals(world: WorldDescription, view: View) -> Iterator[Shape]:
+    for reach in world.goal.reach:
+        yield _region(view, reach)
+    for follow in world.goal.follow:
+        yield from _followed(world, view, follow)
+    for visit in world.goal.visit:
+        yield from _visited(world, view, visit)
+
+
+def _region(view: View, reach: Reach) -> Circle:
+    paint = Paint(icons.GREEN, opacity=0.16)
+    return Circle(view.at(reach.x, reach.y), reach.radius * view.scale, paint)
+
+
+def _outlined(view: View, world: WorldDescription) -> Iterator[Shape]:
+    for reach in world.goal.reach:
+        ring = Paint(stroke=icons.GREEN, width=2.5, dash=(9.0, 6.0))
+        yield Circle(view.at(reach.x, reach.y), reach.radius * view.scale, ring)
+
+
+def _followed(world: WorldDescription, view: View, goal: Follow) -> Iterator[Shape]:
+    """A green glow beneath the line."""
+    for line in world.line:
+        if line.name == goal.line:
+            points = view.all(_points(line.polyline().points))
+            yield Polyline(points, icons.GREEN, line.width * view.scale + 18, 0.22)
+
+
+def _visited(world: WorldDescription, view: View, goal: Visit) -> Iterator[Shape]:
+    """The half disc before the tag from which it is near enough."""
+    for tag in world.tag:
+        if tag.id == goal.id:
+            outline = view.all(_half_disc(tag, goal.distance))
+            yield Polygon(outline, Paint(icons.GREEN, opacity=0.09))
+            yield Polygon(outline, Paint(stroke=icons.GREEN, width=1.6, opacity=0.6, dash=(7, 6)))
+
+
+def _half_disc(tag: Tag, radius: float) -> list[Point]:
+    angles = [tag.heading + 7.5 * k for k in range(-12, 13)]
+    units = [forward(angle) for angle in angles]
+    return [(tag.x + radius * x, tag.y + radius * y) for x, y in units]
+
+
+def _start(start: Start, view: View) -> Iterator[Shape]:
+    """A ring with an arrow along the heading."""
+    x, y = view.at(start.x, start.y)
+    yield Circle((x, y), 13.0, Paint((255, 255, 255), icons.PALE, 1.6, 0.85))
+    ahead, left = forward(start.heading), forward(start.heading - 90)
+    corners = [(10.0, 0.0), (-6.0, 6.5), (-2.5, 0.0), (-6.0, -6.5)]
+    arrow = [(x + f * ahead[0] + s * left[0], y - f * ahead[1] - s * left[1]) for f, s in corners]
+    yield Polygon(arrow, Paint(icons.PALE))
+
+
+def _things(world: WorldDescription, view: View) -> Iterator[Shape]:
+    for wall in world.wall:
+        yield from _wall(wall, view)
+    for box in world.box:
+        yield from _box(box, view)
+    for cylinder in world.cylinder:
+        yield from _cylinder(cylinder, view)
+    for tag in world.tag:
+        yield from _board(tag, view, textures.tag(tag.id, 10 * textures.TAG_CELLS))
+        yield from _number(tag, view)
+    for face in world.face:
+        yield from _board(face, view, textures.face(face.emotion, 160))
+
+
+def _wall(wall: Wall, view: View) -> Iterator[Shape]:
+    points = view.all(wall.points)
+    width = max(wall.thickness * view.scale, 4.0)
+    yield Polyline(_shadow(points), (0, 0, 0), width, 0.16, cap="square")
+    yield Polyline(points, EDGE, width + 2.4, cap="square")
+    # The edge is drawn by what is wider; a square end is longer by half of its width.
+    yield Polyline(points, rgb(wall.colour), width, cap="square")
+
+
+def _box(box: Box, view: View) -> Iterator[Shape]:
+    length, width = box.length / 2, box.width / 2
+    corners = [(length, -width), (length, width), (-length, width), (-length, -width)]
+    outline = view.placed(corners, box.x, box.y, box.heading)
+    yield Polygon(_shadow(outline), Paint((0, 0, 0), opacity=0.16))
+    yield Polygon(outline, _sides(box))
+
+
+def _cylinder(cylinder: Cylinder, view: View) -> Iterator[Shape]:
+    center = view.at(cylinder.x, cylinder.y)
+    radius = cylinder.radius * view.scale
+    yield Circle(_shadow([center])[0], radius, Paint((0, 0, 0), opacity=0.16))
+    yield Circle(center, radius, _sides(cylinder))
+
+
+def _sides(thing: Box | Cylinder) -> Paint:
+    """What can be pushed has a dashed edge."""
+    dash = () if thing.mass is None else (6.0, 4.0)
+    return Paint(rgb(thing.colour), _darker(rgb(thing.colour)), 2.4, dash=dash)
+
+
+def _board(board: Tag | Face, view: View, picture: textures.Image) -> Iterator[Shape]:
+    (x, y), side = board_picture(board, view)
+    corner = (x - side / 2, y - side / 2)
+    frame = [corner, (x + side / 2, y - side / 2), (x + side / 2, y + side / 2)]
+    frame.append((x - side / 2, y + side / 2))
+    yield Polygon(_shadow(frame), Paint((0, 0, 0), opacity=0.13))
+    yield Image(corner, (side, side), picture)
+    yield Polygon(frame, Paint(stroke=EDGE, width=1.4))
+    yield from _edge(board, view)
+
+
+def _edge(board: Tag | Face, view: View) -> Iterator[Shape]:
+    """The board itself, which from above is a line, and the way its front looks."""
+    half = board.size / 2
+    ends = view.placed([(0, half), (0, -half)], board.x, board.y, board.heading)
+    yield Polyline(ends, icons.INK, 5.0, cap="butt")
+    x, y = view.at(board.x, board.y)
+    ahead, left = forward(board.heading), forward(board.heading - 90)
+    corners = [(12.0, 0.0), (3.0, 6.0), (3.0, -6.0)]
+    nose = [(x + f * ahead[0] + s * left[0], y - f * ahead[1] - s * left[1]) for f, s in corners]
+    yield Polygon(nose, Paint(icons.INK))
+
+
+def _number(tag: Tag, view: View) -> Iterator[Shape]:
+    (x, y), side = board_picture(tag, view)
+    place = (x, y + side / 2 + 19)
+    text = f"tag {tag.id}"
+    yield Text(place, text, 15, icons.INK, bold=True, anchor="middle", halo=(255, 255, 255))
+
+
+def _shadow(points: Iterable[Point]) -> list[Point]:
+    return [(x + SHADOW[0], y + SHADOW[1]) for x, y in points]
+
+
+def _darker(colour: RGB) -> RGB:
+    red, green, blue = (round(level * 0.62) for level in colour)
+    return red, green, blue
+
+
+def _points(array: NDArray[np.float64]) -> list[Point]:
+    return [(float(x), float(y)) for x, y in array]

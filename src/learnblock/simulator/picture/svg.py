@@ -1,0 +1,222 @@
+"""A drawing as a list of shapes, and what becomes of it: an SVG document or a PNG.
+
+Places are pixels from the upper left corner of the page, x to the right and y down.
+"""
+
+import base64
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+from xml.sax.saxutils import escape
+
+import cv2
+import numpy as np
+import resvg_py
+from numpy.typing import NDArray
+
+from learnblock.simulator.colours import RGB
+
+Point = tuple[float, float]
+Points = Sequence[Point]
+
+FONTS = Path(__file__).parent / "fonts"
+_FONT_FILES = [str(FONTS / "inter-regular.ttf"), str(FONTS / "inter-semibold.ttf")]
+_FONT_FAMILY = "Inter, 'Helvetica Neue', Arial, sans-serif"
+# XML 1.0, production 2, leaves out control characters and lone surrogates.
+_NO_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+# What the fonts beside this file have: Latin, Greek, Cyrillic and punctuation.
+_NOT_IN_FONT = re.compile("[^\u0000-\u024f\u0370-\u045f\u2000-\u205f]")
+
+
+@dataclass(frozen=True, slots=True)
+class Paint:
+    """How a closed shape is filled and outlined; None leaves it out."""
+
+    fill: RGB | None = None
+    stroke: RGB | None = None
+    width: float = 1.0
+    opacity: float = 1.0
+    dash: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Polygon:
+    """A closed outline with rounded corners of its stroke."""
+
+    points: Points
+    paint: Paint
+
+
+@dataclass(frozen=True, slots=True)
+class Polyline:
+    """A stroke along points."""
+
+    points: Points
+    colour: RGB
+    width: float
+    opacity: float = 1.0
+    dash: tuple[float, ...] = ()
+    cap: Literal["round", "butt", "square"] = "round"
+
+
+@dataclass(frozen=True, slots=True)
+class Circle:
+    """A disc or a ring."""
+
+    center: Point
+    radius: float
+    paint: Paint
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """One line of text.
+
+    Args:
+        place: where its baseline begins, has its middle or ends, as `anchor` says.
+        text: shown as it is, whatever characters it has.
+        size: of the font, pixels.
+        halo: the colour of an edge that sets it off from what lies beneath.
+    """
+
+    place: Point
+    text: str
+    size: float
+    colour: RGB
+    bold: bool = False
+    anchor: Literal["start", "middle", "end"] = "start"
+    halo: RGB | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Image:
+    """A picture, RGB uint8 of shape (height, width, 3), stretched over a rectangle."""
+
+    corner: Point
+    size: tuple[float, float]
+    pixels: NDArray[np.uint8]
+
+
+Shape = Polygon | Polyline | Circle | Text | Image
+
+
+def document(shapes: Iterable[Shape], width: float, height: float, title: str) -> str:
+    """The SVG document that shows `shapes`, later ones on top; it refers to nothing outside."""
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(width)}" '
+        f'height="{_number(height)}" viewBox="0 0 {_number(width)} {_number(height)}" '
+        f'role="img" font-family="{_FONT_FAMILY}">'
+    )
+    return "\n".join([head, f"<title>{_escaped(title)}</title>", *map(element, shapes), "</svg>\n"])
+
+
+def png(svg: str) -> bytes:
+    """An SVG document, one pixel per unit, as a PNG with our own fonts.
+
+    Fonts of the machine are asked only for characters that ours lack: they would look different
+    everywhere, and take time to find.
+    """
+    return resvg_py.svg_to_bytes(
+        svg_string=svg,
+        skip_system_fonts=_NOT_IN_FONT.search(svg) is None,
+        font_files=_FONT_FILES,
+        sans_serif_family="Inter",
+    )
+
+
+def text_width(text: str, size: float) -> float:
+    """About how wide a text is: letters of the font take 0.56 of its size on average."""
+    return size * sum(0.56 if ord(character) < 0x1100 else 1.0 for character in text)
+
+
+def shortened(text: str, length: int) -> str:
+    """The text on one line, cut to `length` characters."""
+    line = " ".join(text.split())
+    return line if len(line) <= length else line[: length - 1].rstrip() + "…"
+
+
+def element(shape: Shape) -> str:
+    """One shape in SVG."""
+    match shape:
+        case Polygon(points, paint):
+            return f'<polygon points="{_places(points)}"{_paint(paint)}/>'
+        case Polyline():
+            return f'<polyline points="{_places(shape.points)}" fill="none"{_stroke(shape)}/>'
+        case Circle((x, y), radius, paint):
+            place = f'cx="{_number(x)}" cy="{_number(y)}" r="{_number(radius)}"'
+            return f"<circle {place}{_paint(paint)}/>"
+        case Text():
+            return _text(shape)
+        case Image():
+            return _image(shape)
+
+
+def _paint(paint: Paint) -> str:
+    fill = "none" if paint.fill is None else _hex(paint.fill)
+    parts = [f' fill="{fill}"']
+    if paint.stroke is not None:
+        parts.append(
+            f' stroke="{_hex(paint.stroke)}" stroke-width="{_number(paint.width)}"'
+            ' stroke-linejoin="round"'
+        )
+    return "".join(parts) + _dash(paint.dash) + _opacity(paint.opacity)
+
+
+def _stroke(line: Polyline) -> str:
+    join = "round" if line.cap == "round" else "miter"
+    return (
+        f' stroke="{_hex(line.colour)}" stroke-width="{_number(line.width)}"'
+        f' stroke-linecap="{line.cap}" stroke-linejoin="{join}"'
+        f"{_dash(line.dash)}{_opacity(line.opacity)}"
+    )
+
+
+def _text(text: Text) -> str:
+    x, y = text.place
+    parts = [f'<text x="{_number(x)}" y="{_number(y)}" font-size="{_number(text.size)}"']
+    parts.append(f' fill="{_hex(text.colour)}" text-anchor="{text.anchor}"')
+    if text.bold:
+        parts.append(' font-weight="600"')
+    if text.halo is not None:
+        parts.append(
+            f' stroke="{_hex(text.halo)}" stroke-width="{_number(text.size * 0.28)}"'
+            ' stroke-linejoin="round" paint-order="stroke"'
+        )
+    return "".join(parts) + f">{_escaped(text.text)}</text>"
+
+
+def _image(image: Image) -> str:
+    (x, y), (width, height) = image.corner, image.size
+    _, encoded = cv2.imencode(".png", cv2.cvtColor(image.pixels, cv2.COLOR_RGB2BGR))
+    data = base64.b64encode(encoded.tobytes()).decode()
+    return (
+        f'<image x="{_number(x)}" y="{_number(y)}" width="{_number(width)}"'
+        f' height="{_number(height)}" preserveAspectRatio="none"'
+        f' href="data:image/png;base64,{data}"/>'
+    )
+
+
+def _places(points: Points) -> str:
+    return " ".join(f"{_number(x)},{_number(y)}" for x, y in points)
+
+
+def _number(value: float) -> str:
+    return f"{round(value, 2) + 0.0:.2f}".rstrip("0").rstrip(".")
+
+
+def _hex(colour: RGB) -> str:
+    return "#{:02x}{:02x}{:02x}".format(*colour)
+
+
+def _dash(dash: tuple[float, ...]) -> str:
+    return f' stroke-dasharray="{" ".join(map(_number, dash))}"' if dash else ""
+
+
+def _opacity(opacity: float) -> str:
+    return "" if opacity == 1.0 else f' opacity="{_number(opacity)}"'
+
+
+def _escaped(text: str) -> str:
+    return escape(_NO_XML.sub("\ufffd", text))

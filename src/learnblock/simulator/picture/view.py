@@ -1,0 +1,87 @@
+"""From the world to the page: what of the world is shown, and where each place of it lies."""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from learnblock.simulator.picture.svg import Point
+
+WIDTH = 1200.0
+"""Of the page, pixels; so is everything below."""
+MARGIN = 56.0
+HEADER = 128.0
+FOOTER = 96.0
+BAR_COLUMN = 118.0
+"""Beside the world, for the colour bar."""
+TALLEST = 1000.0
+LOWEST = 300.0
+
+AROUND = 40.0
+"""mm shown around the floor, or around a path that leaves it."""
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """The world on the page.
+
+    Args:
+        scale: pixels per mm.
+        middle: the pixel where (`x`, `y`) lies.
+        x: mm of the middle of what is shown.
+        y: the same to the north.
+        plot: width and height of the part of the page that shows the world, pixels.
+    """
+
+    scale: float
+    middle: Point
+    x: float
+    y: float
+    plot: tuple[float, float]
+
+    def at(self, x: float, y: float) -> Point:
+        """The pixel of a place in mm; north is up."""
+        middle_x, middle_y = self.middle
+        return middle_x + (x - self.x) * self.scale, middle_y - (y - self.y) * self.scale
+
+    def all(self, points: Iterable[Point]) -> list[Point]:
+        return [self.at(x, y) for x, y in points]
+
+    def placed(self, outline: Iterable[Point], x: float, y: float, heading: float) -> list[Point]:
+        """An outline given as (forward, left) in mm from a pose."""
+        cosine, sine = math.cos(math.radians(heading)), math.sin(math.radians(heading))
+        return self.all(
+            (x + forward * cosine + left * sine, y - forward * sine + left * cosine)
+            for forward, left in outline
+        )
+
+    @property
+    def page_height(self) -> float:
+        return HEADER + self.plot[1] + FOOTER
+
+
+def fitted(floor: tuple[float, float], places: NDArray[np.float64], *, bar: bool) -> View:
+    """The largest view of the floor that also holds all places.
+
+    Args:
+        floor: its size, mm.
+        places: shape (n, 2), mm.
+        bar: whether room for the colour bar is left on the right.
+    """
+    corner = np.array(floor) / 2
+    shown = np.vstack([places, corner, -corner])
+    low, high = shown.min(axis=0) - AROUND, shown.max(axis=0) + AROUND
+    east_west, north_south = (high - low).tolist()
+    width = WIDTH - 2 * MARGIN - (BAR_COLUMN if bar else 0.0)
+    scale = min(width / east_west, TALLEST / north_south)
+    height = max(LOWEST, north_south * scale)
+    x, y = ((low + high) / 2).tolist()
+    return View(scale, (MARGIN + width / 2, HEADER + height / 2), x, y, (width, height))
+
+
+def round_step(least: float) -> float:
+    """The smallest of 1, 2, 5, 10, 20, ... and their tenths that is not below `least`."""
+    power = 10.0 ** math.floor(math.log10(least))
+    return next(power * factor for factor in (1, 2, 5, 10) if power * factor >= least * 0.999999)
