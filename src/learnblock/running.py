@@ -10,7 +10,7 @@ from learnblock import language, robots
 from learnblock.blocks import all_configurations
 from learnblock.client import Client, Goal, Outcome
 from learnblock.devices import Pose
-from learnblock.errors import Diagnostic, ProgramError
+from learnblock.errors import Diagnostic, ProgramError, UnknownNameError
 from learnblock.language.nodes import Program as Tree
 from learnblock.robots import RobotEntry
 from learnblock.runtime.host import Ending, Host, How, Run, Watcher
@@ -87,6 +87,23 @@ def read_text(path: Path) -> str:
         line = data.count(b"\n", 0, error.start) + 1
         problem = f"the byte {data[error.start]:#x} is not UTF-8; save the file as UTF-8"
         raise ProgramError(str(path), [Diagnostic("not-utf-8", problem, line)]) from error
+
+
+def example(name: str) -> Path:
+    """One of the examples that come with LearnBlock.
+
+    Raises:
+        UnknownNameError: there is none of that name.
+    """
+    # Beside the package in an installation, beside `src` in a checkout.
+    here = Path(__file__).parent
+    for folder in (here / "examples", here.parents[1] / "examples"):
+        if folder.is_dir():
+            known = {path.name: path for path in folder.iterdir()}
+            if name in known:
+                return known[name]
+            raise UnknownNameError("example", name, known)
+    raise UnknownNameError("example", name, ())
 
 
 def choose_robot(source: Source, name: str | None = None) -> RobotEntry:

@@ -1,0 +1,117 @@
+"""Every example on every twin, in both notations, again and again."""
+
+import hashlib
+import itertools
+import os
+import subprocess
+import sys
+import threading
+
+import pytest
+from runs import EXAMPLES, TWINS, run_example, run_file
+
+from learnblock import language, robots, running
+from learnblock.runtime.process import ProcessWorker, ThreadWorker
+
+NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
+#: The world in which an example makes sense; a robot's own where none is named.
+WORLDS = {
+    "avoid.bt": "obstacles",
+    "labyrinth.bt": "labyrinth",
+    "line-ebo.bt": "line",
+    "line-states.bt": "line",
+    "line-thymio.bt": "line",
+    "tag-tour.bt": "tags",
+    "tags.bt": "tags",
+    "wall.bt": "walls",
+}
+PAIRS = list(itertools.product(NAMES, TWINS))
+
+
+def refusal(name, robot):
+    """The errors of the check, which keep a program from running on a robot."""
+    found = running.check(running.read(EXAMPLES / name), robots.find(robot))
+    return [one for one in found if one.severity == "error"]
+
+
+@pytest.mark.parametrize(("name", "robot"), PAIRS)
+def test_an_example_runs_on_a_twin_or_is_refused_by_naming_the_missing_device(name, robot):
+    errors = refusal(name, robot)
+    if errors:
+        assert {error.code for error in errors} == {"missing-device"}
+        devices = robots.find(robot).load().device_names()
+        lacking = [error.message.split("`")[3] for error in errors]
+        assert not {device.partition(":")[0] for device in devices} & set(lacking)
+    else:
+        finished = run_example(name, robot, world=WORLDS.get(name), seconds=8)
+        assert finished.report.error is None
+        assert finished.report.ended in {"finished", "time limit"}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_example_keeps_its_form_and_comes_back_from_python_unchanged(name):
+    source = running.read(EXAMPLES / name)
+    again = language.from_python(language.to_python(source.tree, "learnblock.robots.ebo").text)
+    assert again == source.tree
+    assert language.format(again) == source.text
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_block_text_and_python_of_an_example_leave_the_same_trace(name, tmp_path):
+    robot = next(robot for robot in TWINS if not refusal(name, robot))
+    python = tmp_path / "program.py"
+    tree = running.read(EXAMPLES / name).tree
+    python.write_text(language.to_python(tree, robots.module_of("cozmo")).text)
+    options = {"world": WORLDS.get(name), "seconds": 4}
+    of_block_text = run_example(name, robot, **options).report.trace_sha256
+    assert run_file(python, robot, **options).report.trace_sha256 == of_block_text
+
+
+def test_a_generated_file_runs_by_itself_with_the_same_trace(tmp_path):
+    module = robots.module_of("sim-cozmo")
+    program = tmp_path / "square.py"
+    program.write_text(language.to_python(running.read(EXAMPLES / "square.bt").tree, module).text)
+    environment = {**os.environ, "LEARNBLOCK_TRACE": str(tmp_path / "trace.jsonl")}
+    subprocess.run([sys.executable, program], env=environment, check=True)
+    trace = (tmp_path / "trace.jsonl").read_bytes()
+    assert trace == run_example("square.bt", "sim-cozmo").trace
+
+
+def busy(until):
+    """Load the machine until told otherwise."""
+    while not until.is_set():
+        hashlib.sha256(b"0" * 100_000).digest()
+
+
+def test_ten_runs_with_and_without_load_leave_one_trace():
+    options = {"world": "obstacles", "seed": 7, "seconds": 5}
+    quiet = {run_example("avoid.bt", "sim-ebo", **options).report.trace_sha256 for _ in range(5)}
+    until = threading.Event()
+    load = [threading.Thread(target=busy, args=(until,)) for _ in range(3)]
+    for thread in load:
+        thread.start()
+    try:
+        loaded = {
+            run_example("avoid.bt", "sim-ebo", **options).report.trace_sha256 for _ in range(5)
+        }
+    finally:
+        until.set()
+        for thread in load:
+            thread.join()
+    assert len(quiet | loaded) == 1
+
+
+@pytest.mark.parametrize("worker", [ProcessWorker, ThreadWorker])
+@pytest.mark.parametrize("pace", ["free", "5"])
+def test_neither_pace_nor_the_kind_of_worker_changes_the_trace(worker, pace):
+    options = {"world": "tags", "seed": 3, "seconds": 5}
+    expected = run_example("tags.bt", "sim-cozmo", **options).trace
+    actual = run_example("tags.bt", "sim-cozmo", worker=worker, pace=pace, **options).trace
+    assert actual == expected
+
+
+def test_another_seed_gives_another_path():
+    paths = [
+        run_example("square.bt", "sim-ev3", seed=seed, seconds=12).recorder.path for seed in (1, 2)
+    ]
+    assert paths[0] != paths[1]
