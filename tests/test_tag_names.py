@@ -53,7 +53,7 @@ def test_a_name_that_is_nearly_right_is_corrected(dictionary):
         ('ball = "3"\n', ":1:0: bad-tag `ball` is '3'; a tag's number"),
         ("ball = true\n", ":1:0: bad-tag `ball` is True"),
         ("[more]\nball = 3\n", ":0:0: bad-tag `more` is {'ball': 3}"),
-        ("ball: 3\n", "not-toml .*; each line must read like `ball = 3`"),
+        ("ball: 3\n", "not-toml .*; write lines like `ball = 3`"),
     ],
 )
 def test_a_wrong_dictionary_is_refused_with_its_line(dictionary, text, message):

@@ -6,7 +6,6 @@ Each line names one tag:
     "red door" = 12
 """
 
-import tomllib
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from pathlib import Path
@@ -59,11 +58,15 @@ def tag_names() -> Mapping[str, int]:
 
 @lru_cache(maxsize=1)
 def _read(path: Path, changed: int) -> Mapping[str, int]:  # noqa: ARG001 - reads anew when changed
+    import tomllib  # noqa: PLC0415 - most programs never need it
+
     source = path.read_text("utf-8-sig", errors="replace")
     try:
         table = tomllib.loads(source)
     except tomllib.TOMLDecodeError as error:
-        raise TagNamesError(str(path), [_not_toml(error)], source) from None
+        raise TagNamesError(
+            str(path), [Diagnostic("not-toml", f"{error}; write lines like `ball = 3`")], source
+        ) from None
     problems = list(_problems(table, source))
     if problems:
         raise TagNamesError(str(path), problems, source)
@@ -79,10 +82,6 @@ def _whole(tag: object) -> int | None:
     except (TypeError, ValueError):
         return None
     return int(value) if value.is_integer() else None
-
-
-def _not_toml(error: tomllib.TOMLDecodeError) -> Diagnostic:
-    return Diagnostic("not-toml", f"{error}; each line must read like `ball = 3`")
 
 
 def _problems(table: Mapping[str, object], source: str) -> Iterator[Diagnostic]:

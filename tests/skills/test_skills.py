@@ -8,6 +8,7 @@ from learnblock import skills
 from learnblock.blocks import builtin
 from learnblock.blocks.configuration import BlockConfiguration
 from learnblock.devices import DEVICE_TYPES
+from learnblock.errors import LearnBlockError
 from learnblock.testing import FakeRobot
 
 BLOCKS = list(builtin().values())
@@ -119,3 +120,30 @@ def test_a_skill_of_a_plugin_or_of_the_user_never_hides_one_of_ours(monkeypatch,
 
     assert "learnblock.skills.base" == found["turn"].__module__
     assert 3 == found["waltz"](None)
+
+
+def test_when_all_names_are_found_no_other_file_is_imported(monkeypatch, tmp_path):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    (tmp_path / "skills").mkdir()
+    (tmp_path / "skills" / "a.py").write_text("def waltz(robot): return 3\n")
+    (tmp_path / "skills" / "b.py").write_text("raise SystemExit\n")
+
+    assert {"waltz", "turn"} == set(skills.find(["turn", "waltz"]))
+
+
+def test_a_name_that_no_skill_has_is_left_out(monkeypatch, tmp_path):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+
+    assert {"turn"} == set(skills.find(["turn", "fly"]))
+    assert {} == skills.find([])
+
+
+def test_a_file_of_skills_that_cannot_be_imported_is_named(monkeypatch, tmp_path):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    (tmp_path / "skills").mkdir()
+    (tmp_path / "skills" / "mine.py").write_text("import no_such_module\n")
+
+    with pytest.raises(
+        LearnBlockError, match=r"mine\.py: the skills in it cannot be loaded: No mo"
+    ):
+        skills.find(["waltz"])

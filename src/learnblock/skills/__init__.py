@@ -18,8 +18,10 @@ from learnblock.home import home
 
 Skill = Callable[..., Any]
 
+# Those that most programs use come first, since a program that names its skills loads no more.
 _MODULES = (
     "base",
+    "others",
     "pose",
     "motor",
     "camera",
@@ -34,29 +36,32 @@ _MODULES = (
     "matrix",
     "mp3",
     "cozmo",
-    "others",
 )
 
 
 def find(names: Collection[str] | None = None) -> dict[str, Skill]:
     """The skills of these names, or all there are.
 
-    Ours come first: another skill of the same name is not reached. A name that no skill has is left
-    out, since the program may never call it.
+    Ours come first, then the user's, then those of plugins: another skill of the same name is not
+    reached. A name that no skill has is left out, since the program may never call it.
     """
-    found = _of_modules(_ours(), names)
-    if names is None or not found.keys() >= set(names):
-        found = _of_modules(_plugins(), names) | _of_modules(_users(), names) | found
+    found: dict[str, Skill] = {}
+    for modules in (_ours, _users, _plugins):
+        missing = None if names is None else set(names) - found.keys()
+        found = _of_modules(modules(), missing) | found
     return found
 
 
 def _of_modules(modules: Iterator[ModuleType], names: Collection[str] | None) -> dict[str, Skill]:
-    return {
-        name: function
-        for module in modules
-        for name, function in functions(module)
-        if names is None or name in names
-    }
+    """The skills in modules; none is imported any more once all names are found."""
+    found: dict[str, Skill] = {}
+    while names is None or not found.keys() >= set(names):
+        module = next(modules, None)
+        if module is None:
+            break
+        skills = functions(module)
+        found = {name: skill for name, skill in skills if names is None or name in names} | found
+    return found
 
 
 def functions(module: ModuleType) -> Iterator[tuple[str, Skill]]:
