@@ -37,7 +37,7 @@ class Chassis:
     ) -> None:
         hull, self._wheels = description.body, description.wheels
         self._factors = 1 + errors[0], 1 + errors[1]
-        shape_of = _disc if hull.radius is not None and hull.shape == "disc" else _box
+        shape_of = _disc if hull.shape == "disc" else _box
         self._body, shape = shape_of(hull)
         self._control = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
         shape.filter = pymunk.ShapeFilter(group=group)

@@ -54,13 +54,13 @@ class Body(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     @property
     def outline(self) -> tuple[tuple[float, float], ...]:
         """Corners (forward, left) in mm, anticlockwise: of the box, or of eight on the disc."""
-        if self.length is not None and self.width is not None:
-            front, back = self.offset + self.length / 2, self.offset - self.length / 2
-            side = self.width / 2
-            return ((front, -side), (front, side), (back, side), (back, -side))
-        angles = [math.radians(22.5 + 45 * i) for i in range(8)]
-        radius = self.radius or 0.0
-        return tuple((radius * math.cos(a), radius * math.sin(a)) for a in angles)
+        if self.shape == "disc":
+            angles = [math.radians(22.5 + 45 * i) for i in range(8)]
+            radius = self.radius or 0.0
+            return tuple((radius * math.cos(a), radius * math.sin(a)) for a in angles)
+        front, back = (self.offset + sign * (self.length or 0.0) / 2 for sign in (1, -1))
+        side = (self.width or 0.0) / 2
+        return ((front, -side), (front, side), (back, side), (back, -side))
 
     @property
     def reach(self) -> float:

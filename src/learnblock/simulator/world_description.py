@@ -129,7 +129,7 @@ class Wall(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """A wall along a chain of points."""
 
     points: Annotated[
-        tuple[XY, ...], Meta(min_length=2, max_length=100, description="its corners, mm")
+        tuple[XY, ...], Meta(min_length=2, max_length=20, description="its corners, mm")
     ]
     height: Annotated[ObjectHeight, Meta(description="mm")] = 100.0
     thickness: Annotated[float, Meta(ge=2, le=500, description="mm")] = 20.0
@@ -264,7 +264,7 @@ class WorldFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     ] = 400.0
     floor: Annotated[Floor, Meta(description="the ground")] = Floor()
     line: Annotated[tuple[Line, ...], Meta(max_length=50)] = ()
-    wall: Annotated[tuple[Wall, ...], Meta(max_length=100)] = ()
+    wall: Annotated[tuple[Wall, ...], Meta(max_length=50)] = ()
     box: Annotated[tuple[Box, ...], Meta(max_length=100)] = ()
     cylinder: Annotated[tuple[Cylinder, ...], Meta(max_length=100)] = ()
     tag: Annotated[tuple[Tag, ...], Meta(max_length=50)] = ()

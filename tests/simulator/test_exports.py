@@ -1,0 +1,27 @@
+import subprocess
+import sys
+
+import pytest
+
+from learnblock import simulator
+
+
+def test_every_name_of_the_table_of_contents_is_there() -> None:
+    assert all(getattr(simulator, name) for name in simulator.__all__)
+
+
+def test_a_name_that_is_not_there_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="has no attribute 'Wrld'"):
+        _ = simulator.Wrld
+
+
+def test_a_robot_description_is_read_without_physics_or_pictures() -> None:
+    program = (
+        "import sys\n"
+        "from learnblock.simulator import load_robot\n"
+        "load_robot('ebo')\n"
+        "print({'cv2', 'numpy', 'pymunk'} & set(sys.modules))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=True)
+
+    assert done.stdout.split() == [b"set()"]
