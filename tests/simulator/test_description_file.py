@@ -1,10 +1,13 @@
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from learnblock.errors import FileError, RobotDescriptionError, UnknownNameError, WorldError
-from learnblock.simulator import load_robot, load_world
+from learnblock.simulator import World, load_robot, load_world
 from learnblock.simulator.description_file import MAXIMUM_FILE_SIZE
+from learnblock.simulator.world_description import SHIPPED_WORLDS
 
 MALFORMED = Path(__file__).parent / "malformed"
 WORLDS = sorted((MALFORMED / "worlds").glob("*.toml"))
@@ -92,3 +95,42 @@ def test_an_unknown_robot_is_answered_with_a_near_name() -> None:
 def test_a_path_without_a_file_is_an_unknown_world(tmp_path: Path) -> None:
     with pytest.raises(UnknownNameError, match="there is no world"):
         load_world(tmp_path / "nowhere.toml")
+
+
+SLIPS = (
+    "nan",
+    "-1",
+    "1e999",
+    "[]",
+    "[[0, 0]]",
+    "{}",
+    "true",
+    '"x"',
+    "9" * 20,
+    "[[]]",
+    "2020-01-01",
+)
+LINES = [
+    line for file in SHIPPED_WORLDS.glob("*.toml") for line in file.read_text("utf-8").splitlines()
+]
+
+
+@settings(
+    max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(st.data())
+def test_whatever_is_written_loads_or_is_refused_with_a_world_error(
+    data: st.DataObject, tmp_path: Path
+) -> None:
+    lines = data.draw(st.lists(st.sampled_from(sorted(LINES)), max_size=12))
+    slip = data.draw(st.sampled_from(SLIPS))
+    keys = [number for number, line in enumerate(lines) if "=" in line]
+    for number in data.draw(st.lists(st.sampled_from(keys), max_size=2)) if keys else []:
+        lines[number] = lines[number].partition("=")[0] + "= " + slip
+    (tmp_path / "w.toml").write_text("\n".join(lines), encoding="utf-8")
+    try:
+        world = load_world(tmp_path / "w.toml")
+    except WorldError as error:
+        assert error.diagnostics
+    else:
+        World(world).step()
