@@ -270,7 +270,7 @@ class _Checker:
                 self.report("wrong-type", message, number.span)
             elif isinstance(bound, String):
                 self.report("wrong-type", "this is a text; a number is needed", bound.span)
-            elif bound is item.step and isinstance(number, Number) and not float(number.text):
+            elif bound is item.step and isinstance(number, Number) and not int(number.text, 0):
                 self.report("wrong-type", "with `step 0` the loop would never end", number.span)
 
     # Expressions.

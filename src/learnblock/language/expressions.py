@@ -24,7 +24,7 @@ from learnblock.language.nodes import (
 )
 from learnblock.language.strings import quote
 
-LOOSEST, NOT, COMPARE, SIGN, POWER, TIGHTEST = 1, 3, 4, 7, 8, 9
+LOOSEST, NOT, COMPARE, SIGN, POWER, TIGHTEST = 0, 3, 4, 7, 8, 9
 _LEVELS = {"or": 1, "and": 2, "+": 5, "-": 5, "*": 6, "/": 6, "//": 6, "%": 6, "**": POWER}
 
 

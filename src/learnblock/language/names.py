@@ -6,7 +6,7 @@ language's library. Such a name gets a ``_`` behind it in Python: ``class`` is `
 """
 
 import keyword
-from collections.abc import Set as AbstractSet
+from collections.abc import Iterable, Mapping
 
 from learnblock.language.lexer import KEYWORDS
 
@@ -84,6 +84,7 @@ _BUILTINS = [
     "vars",
     "zip",
 ]
+_WHEN = "_when"
 _PYTHON = frozenset(keyword.kwlist)
 # The empty name stands for ``_``, which counts the rounds of `repeat`.
 RESERVED = (
@@ -112,6 +113,11 @@ def from_python(name: str) -> str | None:
     return None if name in KEYWORDS else name
 
 
+def keyword_from_python(name: str) -> str:
+    """The name in Block-Text of an argument that a function of the user's is given by name."""
+    return name[:-1] if name.endswith("_") and name.rstrip("_") in RESERVED else name
+
+
 def attribute_to_python(name: str) -> str:
     """The name in Python of a skill, or of one of its arguments."""
     return name + "_" if name.rstrip("_") in _PYTHON else name
@@ -122,32 +128,41 @@ def attribute_from_python(name: str) -> str:
     return name[:-1] if name.endswith("_") and name.rstrip("_") in _PYTHON else name
 
 
-def when_to_python(name: str, variables: AbstractSet[str]) -> str:
+def stem(name: str) -> str:
+    """A name without each ``_when`` behind it."""
+    while name.endswith(_WHEN) and name != _WHEN:
+        name = name.removesuffix(_WHEN)
+    return name
+
+
+def clashes(variables: Iterable[str]) -> dict[str, int]:
+    """For the stem of each variable, how many ``_when`` the longest variable of that stem has."""
+    found: dict[str, int] = {}
+    for variable in variables:
+        key = stem(variable)
+        count = (len(variable) - len(key)) // len(_WHEN)
+        found[key] = max(count, found.get(key, 0))
+    return found
+
+
+def when_to_python(name: str, clashing: Mapping[str, int]) -> str:
     """The name in Python of a ``when``, which may be called like a variable in Block-Text only.
 
     Args:
         name: in Block-Text.
-        variables: all other names of the program, in Block-Text.
+        clashing: the `clashes` of all other names of the program.
     """
-    return to_python(name + "_when" if _clashes(name, variables) else name)
+    count = clashing.get(stem(name))
+    return to_python(name if count is None else name + _WHEN * (count + 1))
 
 
-def when_from_python(name: str, variables: AbstractSet[str]) -> str | None:
+def when_from_python(name: str, clashing: Mapping[str, int]) -> str | None:
     """The name in Block-Text of a ``when``; None if the function is called like a variable."""
     plain = from_python(name)
     if plain is None:
         return None
-    shorter = plain.removesuffix("_when")
-    if shorter != plain and _clashes(shorter, variables):
-        return shorter
-    return None if _clashes(plain, variables) else plain
-
-
-def _clashes(name: str, variables: AbstractSet[str]) -> bool:
-    """Whether a variable is called so, or would be if both had fewer ``_when`` behind them."""
-    while name not in variables:
-        shorter = name.removesuffix("_when")
-        if shorter == name:
-            return False
-        name = shorter
-    return True
+    count = clashing.get(stem(plain))
+    if count is None:
+        return plain
+    added = _WHEN * (count + 1)
+    return plain.removesuffix(added) if len(plain) - len(stem(plain)) >= len(added) else None

@@ -157,14 +157,6 @@ def state_of(name: str, whens: AbstractSet[str]) -> tuple[str, str] | None:
     return None
 
 
-def _bases(name: str) -> Iterator[str]:
-    """A name and what it is without each ``_when`` behind it."""
-    yield name
-    while (shorter := name.removesuffix("_when")) != name:
-        name = shorter
-        yield name
-
-
 class _Writer(ExpressionWriter):
     """Writes one program, on the assumption that just `clashing` variables are called like a when.
 
@@ -175,8 +167,9 @@ class _Writer(ExpressionWriter):
         super().__init__()
         self.tree = program
         self.functions = program.functions
-        self.whens = {name: names.when_to_python(name, clashing) for name in program.whens}
-        self.watched = {base for name in self.whens for base in _bases(name)}
+        stems = names.clashes(clashing)
+        self.whens = {name: names.when_to_python(name, stems) for name in program.whens}
+        self.watched = {names.stem(name) for name in self.whens}
         self.clashes: set[str] = set()
         self.modules: set[str] = set()
         self.lines: list[str] = []
@@ -381,7 +374,7 @@ class _Writer(ExpressionWriter):
     # Expressions.
 
     def variable(self, name: str) -> str:
-        if name in self.watched:
+        if self.watched and names.stem(name) in self.watched:
             self.clashes.add(name)
         return names.to_python(name)
 
@@ -423,14 +416,14 @@ class _Writer(ExpressionWriter):
             return None
         if template.module:
             self.modules.add(template.module)
-        return template.python.format(
-            *(
-                self.receiver(argument)
-                if index in template.receivers
-                else self.expression(argument)
-                for index, argument in enumerate(node.arguments)
-            )
-        )
+        written = [
+            self.receiver(argument) if index in template.receivers else self.expression(argument)
+            for index, argument in enumerate(node.arguments)
+        ]
+        if name == "sublist" and not all(map(_simple, node.arguments[1:])):
+            # As every Python formatter has it: blanks where a bound is not simple.
+            return f"{written[0]}[{written[1]} : {written[2]}]"
+        return template.python.format(*written)
 
     def power(self, node: Binary) -> str:
         left = self.expression(node.left, TIGHTEST)
@@ -451,8 +444,8 @@ class _Writer(ExpressionWriter):
 
     def watch_raw(self, text: str) -> None:
         if self.watched:
-            found = {names.from_python(name) or name for name in markers.raw_names(text)}
-            self.clashes.update(found & self.watched)
+            found = {names.from_python(name) for name in markers.raw_names(text)}
+            self.clashes.update(name for name in found if name and names.stem(name) in self.watched)
 
 
 def _simple(node: Expression) -> bool:

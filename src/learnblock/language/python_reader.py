@@ -212,7 +212,7 @@ class _Reader:
         self.skeleton = skeleton
         self.line = 1  # the next one whose comments are still to be read
         self.modules: set[str] = set()
-        self.variables = _variables(tree)
+        self.clashes = names.clashes(_variables(tree))
         self.whens = self.declared_whens()
         self.when_names = {plain: name for name, plain in self.whens.items()}
         self.functions = {
@@ -226,7 +226,7 @@ class _Reader:
         found: dict[str, str] = {}
         for item in self.skeleton.rest:
             if isinstance(item, ast.FunctionDef) and _is_when(item):
-                plain = names.when_from_python(item.name, self.variables)
+                plain = names.when_from_python(item.name, self.clashes)
                 if plain is not None:
                     found[item.name] = plain
         return found
@@ -244,7 +244,7 @@ class _Reader:
         main, late = self.main(rest, main_line, end_line)
         arranged = normalized([*items, *late, *([main] if main else [])])
         kept = tuple(item for item in arranged if not isinstance(item, Main))
-        return Program(self.with_imports(kept), main, self.ending(end_line), span=self.span())
+        return Program(self.with_imports(kept, main), main, self.ending(end_line), span=self.span())
 
     def span(self) -> Span:
         return Span(1, 1, len(self.lines), len(self.lines[-1]) + 1 if self.lines else 1)
@@ -340,12 +340,12 @@ class _Reader:
         for node in skeleton.head:
             if _own_import(node) is not None:
                 self.keep_comment(node)
-        kept += self.block(above, 0, skeleton.importing.lineno)
+        kept += self.block(above, 0, skeleton.importing.lineno, top_level=True)
         if kept and not isinstance(kept[-1], Import):
             kept.append(Blank())
         self.line = _end(skeleton.importing) + 1
         below = [node for node in imports if node.lineno > skeleton.importing.lineno]
-        own = self.block(below, 0, skeleton.creating.lineno)
+        own = self.block(below, 0, skeleton.creating.lineno, top_level=True)
         kept += own
         setup = self.setup()
         if setup.arguments or setup.keywords or setup.comment is not None or own:
@@ -364,9 +364,9 @@ class _Reader:
         creating = self.skeleton.creating
         return Setup(arguments, keywords, self.comment_of(_end(creating)), _span(creating))
 
-    def with_imports(self, items: tuple[Item, ...]) -> tuple[Item, ...]:
+    def with_imports(self, items: tuple[Item, ...], main: Main | None) -> tuple[Item, ...]:
         """The items, and as raw Python those imports that only raw Python can need."""
-        text = canonical(Program(items), DEFAULT_ROBOT).text if self.modules else ""
+        text = canonical(Program(items, main), DEFAULT_ROBOT).text if self.modules else ""
         unused = [
             module
             for module in MODULES
@@ -600,8 +600,8 @@ class _Reader:
         comment = self.comment_of(_end(node))
         span = _span(node)
         match node:
-            case ast.Expr(value=ast.Call() as call):
-                return self.perform(call, comment, span)
+            case ast.Expr(value=value):
+                return self.perform(value, comment, span)
             case ast.Assign(targets=[target], value=value):
                 return Assign(self.target(target), "=", self.expression(value), comment, span)
             case ast.AugAssign(target=target, op=operator, value=value):
@@ -633,7 +633,7 @@ class _Reader:
                 orelse=[],
             ):
                 return Repeat(self.expression(count), *self.own_body(node, body), span)
-            case ast.For(target=ast.Name() as target, iter=values, body=body, orelse=[]):
+            case ast.For(target=target, iter=values, body=body, orelse=[]):
                 return self.for_loop(node, target, values, body)
             case _:
                 _unlike()
@@ -644,7 +644,7 @@ class _Reader:
         return (read if any(map(_acts, read)) else (*read, Pass())), comment
 
     def for_loop(
-        self, node: ast.For, target: ast.Name, values: ast.expr, body: list[ast.stmt]
+        self, node: ast.For, target: ast.expr, values: ast.expr, body: list[ast.stmt]
     ) -> ForEach | ForRange:
         name = self.target(target)
         if not isinstance(name, Name):
@@ -722,7 +722,7 @@ class _Reader:
         body = _stripped(tuple(_statement(item) for item in read))
         return body if any(map(_acts, body)) else (*body, Pass())
 
-    def perform(self, call: ast.Call, comment: str | None, span: Span) -> Statement:
+    def perform(self, call: ast.expr, comment: str | None, span: Span) -> Statement:
         match call:
             case ast.Call(
                 func=ast.Attribute(
@@ -731,10 +731,10 @@ class _Reader:
                 args=[],
                 keywords=[],
             ) if name != "robot":
-                plain = self.whens.get(name) or self.identifier(name)
+                plain = self.whens.get(name) or self.called(name)
                 node = Activate if method == "activate" else Deactivate
                 return node(plain, comment, span)
-        value = self.expression(call)
+        value = self.exact(call)
         if not isinstance(value, Call | SkillCall):
             _unlike()
         return Perform(value, comment, span)
@@ -755,9 +755,19 @@ class _Reader:
     def target(self, node: ast.expr) -> Name | Index:
         if isinstance(node, ast.Name | ast.Attribute | ast.Subscript):
             read = self.exact(node)
-            if isinstance(read, Name | Index):
+            root: Expression = read
+            while isinstance(root, Index):
+                root = root.value
+            if isinstance(read, Name | Index) and isinstance(root, Name | Call | SkillCall):
                 return read
         _unlike()
+
+    def called(self, name: str) -> str:
+        """The name in Block-Text of a function."""
+        plain = names.from_python(name)
+        if plain is None or name in self.whens:
+            _unlike()
+        return plain
 
     def identifier(self, name: str) -> str:
         plain = names.from_python(name)
@@ -862,8 +872,8 @@ class _Reader:
                 _unlike()
             arguments, keywords = self.arguments(node, names.attribute_from_python)
             return Call(python_name, arguments, keywords, span)
-        name = self.identifier(python_name)
-        arguments, keywords = self.arguments(node, self.identifier)
+        name = self.called(python_name)
+        arguments, keywords = self.arguments(node, names.keyword_from_python)
         if name not in self.functions and self.means_another(name, arguments, keywords):
             _unlike()
         return Call(name, arguments, keywords, span)
@@ -946,7 +956,7 @@ def _variables(tree: ast.Module) -> set[str]:
     for node in tree.body:
         if isinstance(node, ast.FunctionDef) and not node.decorator_list:
             found.add(node.name)
-    return {names.from_python(name) or name for name in found}
+    return {plain for name in found if (plain := names.from_python(name)) is not None}
 
 
 def _start(node: ast.stmt) -> int:
