@@ -1,6 +1,9 @@
+import json
 from pathlib import Path
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from learnblock.blocks import all_configurations, builtin, load_configurations
 from learnblock.blocks.configuration import BlockConfiguration, Parameter
@@ -153,6 +156,52 @@ def test_a_default_that_is_a_deeply_nested_text_is_refused():
 def test_a_file_that_is_not_there_is_an_error_of_the_system(tmp_path):
     with pytest.raises(FileNotFoundError):
         load_configurations(tmp_path / "no.json")
+
+
+anything = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=3), inner),
+    max_leaves=4,
+)
+parameters = st.fixed_dictionaries(
+    {},
+    optional={
+        "type": st.sampled_from(["float", "int", "boolean", "list", "apriltext"]) | anything,
+        "name": st.sampled_from(["a", "b"]) | anything,
+        "default": anything,
+        "translate": st.dictionaries(st.sampled_from(["EN", "en", "??"]), anything) | anything,
+    },
+)
+blocks = st.fixed_dictionaries(
+    {},
+    optional={
+        "type": st.just("motor") | anything,
+        "category": st.just("Base") | anything,
+        "name": st.sampled_from(["turn", "spin"]) | anything,
+        "variables": st.lists(parameters, max_size=3) | anything,
+        "shape": st.just(["blockLeft"]) | anything,
+        "languages": anything,
+        "tooltip": anything,
+        "needs": anything,
+        "more": anything,
+    },
+)
+
+
+@settings(deadline=None)
+@given(blocks | st.lists(blocks, max_size=3) | anything)
+def test_whatever_a_configuration_says_it_is_a_block_or_our_own_error(value):
+    blocks, diagnostics = outcome(json.dumps(value))
+
+    assert bool(diagnostics) is (blocks is None)
+    assert blocks is None or len(blocks) == (len(value) if isinstance(value, list) else 1)
+
+
+def outcome(text: str):
+    try:
+        return load_configurations(text), ()
+    except BlockConfigurationError as error:
+        return None, error.diagnostics
 
 
 # Our own.

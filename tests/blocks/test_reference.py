@@ -26,4 +26,4 @@ def test_an_entry_tells_parameters_needs_and_labels():
 
 
 def test_what_a_skill_raises_is_told_by_its_name():
-    assert "- `StillTurningError`: it takes far too long" in reference()
+    assert "- raises `StillTurningError`: it takes far too long" in reference()

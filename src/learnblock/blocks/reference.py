@@ -26,7 +26,7 @@ measure None.
 
 This page is generated: `python -m learnblock.blocks.reference docs/skills.md`.
 """
-_SECTION = re.compile(r"(Args|Returns|Raises):")
+_SECTION = re.compile(r"(Args|Raises):")
 _ENTRY = re.compile(r"    (\w+): (.*)")
 
 
@@ -70,12 +70,13 @@ def _labels(languages: Mapping[str, str]) -> str:
 def _markdown(docstring: str) -> str:
     """A docstring in Google style as Markdown: its sections' entries become a list."""
     lines: list[str] = []
+    label = ""
     for line in docstring.splitlines():
-        entry = _ENTRY.fullmatch(line)
-        if _SECTION.fullmatch(line):
-            continue
-        if entry:
-            lines.append(f"- `{entry[1]}`: {entry[2]}")
+        section, entry = _SECTION.fullmatch(line), _ENTRY.fullmatch(line)
+        if section:
+            label = "raises " if section[1] == "Raises" else ""
+        elif entry:
+            lines.append(f"- {label}`{entry[1]}`: {entry[2]}")
         else:
             lines.append(line.removeprefix("      "))
     return re.sub(r"``(.+?)``", r"`\1`", "\n".join(lines)).strip()

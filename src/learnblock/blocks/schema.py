@@ -246,13 +246,15 @@ class _Reader:
     # Names that must differ, and parameters without a default behind those that have one.
 
     def _refuse_repeated(self, names: Sequence[str], paths: Sequence[Path], what: str) -> None:
-        for i, (name, path) in enumerate(zip(names, paths, strict=True)):
-            if name and name in names[:i]:
+        seen: set[str] = set()
+        for name, path in zip(names, paths, strict=True):
+            if name and name in seen:
                 self._wrong(
                     "duplicate-name",
                     (*path, "name"),
                     f"{what} called `{name}` stands above already; each needs a name of its own",
                 )
+            seen.add(name)
 
     def _refuse_late_requirements(
         self, parameters: Sequence[Parameter], paths: Sequence[Path], who: str
