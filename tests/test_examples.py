@@ -8,10 +8,10 @@ import sys
 import threading
 
 import pytest
-from runs import EXAMPLES, TWINS, run_example, run_file
 
 from learnblock import language, robots, running
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
+from runs import EXAMPLES, TWINS, run_example, run_file
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
 #: The world in which an example makes sense; a robot's own where none is named.

@@ -4,10 +4,10 @@ import itertools
 import math
 
 import pytest
-from runs import EXAMPLES, run_example
 
 from learnblock import language, robots, running
 from learnblock.simulator import load_robot, load_world
+from runs import EXAMPLES, run_example
 
 SQUARE_ROBOTS = ("sim-cozmo", "sim-ev3")
 TAG_ROBOTS = ("sim-ebo", "sim-cozmo")
@@ -76,7 +76,7 @@ def test_a_lap_of_the_line_stays_within_half_a_body_width_with_joy_on_it(example
 
 @pytest.mark.parametrize("robot", ["sim-ebo", "sim-thymio"])
 def test_off_the_line_the_follower_is_sad_and_slows_down(robot):
-    example = dict((robot, example) for example, robot in LINE_RUNS)[robot]
+    example = {robot: example for example, robot in LINE_RUNS}[robot]
     finished = run_example(example, robot, world="empty", seconds=3)
     assert finished.report.emotions == ("sadness",)
     assert finished.report.distance < 1
