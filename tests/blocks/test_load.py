@@ -142,6 +142,13 @@ def test_hostile_nesting_is_refused_and_not_followed(text):
         load_configurations(text)
 
 
+def test_no_more_than_a_hundred_problems_are_told():
+    with pytest.raises(BlockConfigurationError) as caught:
+        load_configurations(f"[{'1, ' * 1000}1]")
+
+    assert 100 == len(caught.value.diagnostics)
+
+
 def test_thousands_of_digits_are_refused():
     with pytest.raises(BlockConfigurationError, match="more digits than any block"):
         load_configurations(WALTZ.replace("3", "3" * 5000))

@@ -35,6 +35,8 @@ _KEY_ADVICE = {
     "name": "it names the Python function, or the function's parameter",
     "shape": 'write ["blockVertical"] for a statement, ["blockLeft"] for a value',
 }
+# Nobody reads more of them at once.
+_MOST_PROBLEMS = 100
 _LANGUAGE = re.compile(r"[A-Z]{2,3}(-[A-Z0-9]{2,8})*")
 _DEVICE = re.compile(r"[A-Za-z]\w*(:\w+)?")
 
@@ -275,6 +277,8 @@ class _Reader:
         self._note(code, message, self._document.values.get(path, Place()))
 
     def _note(self, code: str, message: str, place: Place) -> None:
+        if len(self.problems) == _MOST_PROBLEMS:
+            return
         self.problems.append(Diagnostic(code, message, place.line, place.column, place.end_column))
 
 
