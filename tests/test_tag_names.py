@@ -12,17 +12,17 @@ def dictionary(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("tag", [8, 8.0, "8", " 8 "])
 def test_a_number_is_itself_however_it_is_written(dictionary, tag):
-    assert 8 == tag_id(tag)
+    assert tag_id(tag) == 8
 
 
 def test_without_a_dictionary_there_are_no_names(dictionary):
-    assert {} == tag_names()
+    assert tag_names() == {}
 
 
 def test_a_name_is_looked_up(dictionary):
     dictionary.write_text('ball = 3\n"red door" = 12\n')
 
-    assert (3, 12) == (tag_id("ball"), tag_id("red door"))
+    assert (tag_id("ball"), tag_id("red door")) == (3, 12)
 
 
 def test_a_changed_dictionary_is_read_again(dictionary):
@@ -30,7 +30,7 @@ def test_a_changed_dictionary_is_read_again(dictionary):
     tag_id("ball")
     dictionary.write_text("ball = 3\ngoal = 44\n")
 
-    assert 44 == tag_id("goal")
+    assert tag_id("goal") == 44
 
 
 @pytest.mark.parametrize("tag", [-1, 587, "587", 2.5, float("nan"), None, [3]])

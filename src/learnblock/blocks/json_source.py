@@ -13,8 +13,8 @@ from learnblock.errors import BlockConfigurationError, Diagnostic
 #: Which part of a value: the keys and indices that lead to it.
 Path = tuple[str | int, ...]
 
-#: Characters; all of our own blocks take a twentieth of it.
-LARGEST = 1_000_000
+#: Characters; all of our own blocks together take a fifth of it.
+LARGEST = 250_000
 #: Brackets in brackets: a configuration needs five, and a default that is a list some more.
 DEEPEST = 16
 
