@@ -4,7 +4,7 @@ import atexit
 import signal
 import threading
 from collections.abc import Callable, Collection, Iterator, Mapping
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass
 from enum import Enum, auto
 from types import FrameType, TracebackType
@@ -120,11 +120,12 @@ class Client(Events):
         self.observer = observer
         self._devices: dict[type[Device], dict[str, Device]] = {}
         self._skill: str | None = None
+        self._noted: set[str] = set()
         self._state = State.CONNECTING
         self._stopping = threading.Lock()
         self._readings = self._make_readings()
-        self._connect()
         self._attach(skills)
+        self._connect()
 
     # What a specific robot writes.
 
@@ -188,7 +189,7 @@ class Client(Events):
             yield from same.items()
 
     def device(self, kind: type[D], key: str = DEFAULT_KEY) -> D | None:
-        """The device of that type and key, or None, which the observer is told of.
+        """The device of that type and key, or None: the observer is told, once a call of a skill.
 
         Raises:
             RobotStoppedError: the robot is disconnected.
@@ -245,18 +246,16 @@ class Client(Events):
 
     def stop(self) -> None:
         """Stop the motors and disconnect; the second time it does nothing."""
-        with self._stopping:
+        # Everything on the stack happens, the last first, whatever fails or is interrupted.
+        with ExitStack() as ending, self._stopping:
             if self._state is State.STOPPED:
                 return
-            was_connected = self._state is State.CONNECTED
+            ending.callback(self.disconnect)
+            ending.callback(self._readings.close)
+            ending.callback(self._forget_endings)
+            if self._state is State.CONNECTED:
+                ending.callback(self._stop_motors)
             self._state = State.STOPPED
-        self._forget_endings()
-        self._readings.close()
-        try:
-            if was_connected:
-                self._stop_motors()
-        finally:
-            self.disconnect()
 
     def __enter__(self) -> Self:
         return self
@@ -293,15 +292,24 @@ class Client(Events):
         self._watch_endings()
         try:
             self.connect()
-        except BaseException:
-            self.stop()
+        except BaseException as error:
+            self._give_up(error)
             raise
         self._state = State.CONNECTED
 
+    def _give_up(self, error: BaseException) -> None:
+        """Disconnect a robot that is half connected; why it is only half is what matters."""
+        try:
+            self.stop()
+        except Exception as another:  # noqa: BLE001 - a `disconnect` may miss what was never there
+            error.add_note(f"disconnecting failed as well: {type(another).__name__}: {another}")
+
     def _stop_motors(self) -> None:
-        for _, device in self.devices():
-            if isinstance(device, Base):
-                device.stop()
+        """Stop every base, also those after one that fails."""
+        with ExitStack() as stack:
+            for _, device in self.devices():
+                if isinstance(device, Base):
+                    stack.callback(device.stop)
 
     def _attach(self, names: Collection[str] | None) -> None:
         for name, function in skill_registry.find(names).items():
@@ -316,6 +324,7 @@ class Client(Events):
             if self._skill is not None:
                 return function(self, *args, **kwargs)
             self._skill = name
+            self._noted.clear()
             try:
                 if self.observer:
                     self.observer.called(name, args, kwargs)
@@ -328,7 +337,8 @@ class Client(Events):
         return skill
 
     def _note_missing(self, device: str) -> None:
-        if self.observer and self._skill:
+        if self.observer and self._skill and device not in self._noted:
+            self._noted.add(device)
             self.observer.missing(self._skill, device)
 
     def _snapshot(self) -> AbstractContextManager[None]:

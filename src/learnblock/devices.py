@@ -18,7 +18,7 @@ from collections.abc import Callable, Mapping, Sequence
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any, Generic, SupportsFloat, TypeVar
 
-from learnblock.errors import DeviceValueError
+from learnblock.errors import DeviceValueError, did_you_mean
 
 if TYPE_CHECKING:
     import numpy as np
@@ -227,9 +227,11 @@ class Display(Device):
         #: The emotion shown last.
         self.emotion = Emotion.NONE
 
-    def show_emotion(self, emotion: Emotion) -> None:
-        self.functions["show_emotion"](emotion.value)
-        self.emotion = emotion
+    def show_emotion(self, emotion: Emotion | str) -> None:
+        """Show an emotion, also given by its name."""
+        shown = _emotion(emotion)
+        self.functions["show_emotion"](shown.value)
+        self.emotion = shown
 
     def show_image(self, frame: "Frame") -> bool:
         """Show a picture; False on a face that can only show emotions."""
@@ -374,7 +376,11 @@ def number(name: str, value: object) -> float:
     # numpy's numbers are no subclasses of float, but they convert as every number does.
     if isinstance(value, bool) or not isinstance(value, SupportsFloat):
         raise DeviceValueError(f"`{name}` must be a number, not {value!r}")
-    converted = float(value)
+    try:
+        converted = float(value)
+    except (OverflowError, TypeError, ValueError) as error:
+        # A whole number with 400 digits, an array of two numbers.
+        raise DeviceValueError(f"`{name}` must be a number, not {value!r:.80}: {error}") from error
     if not math.isfinite(converted):
         raise DeviceValueError(f"`{name}` must be a finite number, not {value!r}")
     return converted
@@ -388,3 +394,12 @@ def whole(name: str, value: object) -> int:
 def clamped(name: str, value: object, most: int) -> int:
     """`value` as a whole number from 0 to `most`, the nearest one where it lies outside."""
     return min(max(whole(name, value), 0), most)
+
+
+def _emotion(emotion: str) -> Emotion:
+    try:
+        return Emotion(emotion)
+    except ValueError:
+        names = [known.value for known in Emotion]
+        hint = did_you_mean(str(emotion), names) or "known are: " + ", ".join(names)
+        raise DeviceValueError(f"`emotion` must be an emotion, not {emotion!r}; {hint}") from None

@@ -54,7 +54,8 @@ class When:
         """Seconds since activation; 0 throughout the first pass, and while not active."""
         if self._since is None or self._first_pass:
             return 0.0
-        return self._clock.time() - self._since
+        # Rounded as a clock's own time is, so that 0.03 - 0.01 is 0.02.
+        return round(self._clock.time() - self._since, 9)
 
     def activate(self) -> None:
         """Make it active; nothing changes if it already is."""
@@ -143,6 +144,8 @@ class Events:
             if self.stopped:
                 return
             when.run()
+        if self.stopped:
+            return
         # Sums of times carry rounding errors; a cycle is over when it has taken its period.
         remaining = self.period - (self.clock.time() - began)
         if remaining > 1e-9:

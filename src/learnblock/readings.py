@@ -32,11 +32,9 @@ class Readings:
         """The reading of the sensor called `key`, which `read` makes when one is due."""
         if not self.frozen:
             self._forget_the_past()
-        try:
-            return self._read[key]
-        except KeyError:
-            reading = self._read[key] = self._make(key, read)
-            return reading
+        if key not in self._read:
+            self._read[key] = self._make(key, read)
+        return self._read[key]
 
     @contextmanager
     def snapshot(self) -> Iterator[None]:
@@ -82,8 +80,16 @@ class PolledReadings(Readings):
         self._period = period
         self._sensors: dict[Key, Read] = {}
         self._results: dict[Key, tuple[Any, Exception | None]] = {}
+        self._changed = 0
+        self._lock = threading.Lock()
         self._closed = threading.Event()
         self._thread: threading.Thread | None = None
+
+    def forget(self) -> None:
+        super().forget()
+        with self._lock:
+            self._changed += 1
+            self._results.clear()
 
     def close(self) -> None:
         self._closed.set()
@@ -94,14 +100,20 @@ class PolledReadings(Readings):
     def poll(self) -> None:
         """Read every sensor in use once."""
         for key, read in tuple(self._sensors.items()):
-            self._results[key] = _outcome(read)
+            changed = self._changed
+            result = _outcome(read)
+            with self._lock:
+                # What was read while the program changed it, such as a gyroscope's zero, is old.
+                if changed == self._changed:
+                    self._results[key] = result
 
     def _make(self, key: Key, read: Read) -> Any:
-        if key not in self._sensors:
-            self._results[key] = _outcome(read)
+        result = self._results.get(key)
+        if result is None:
+            result = self._results[key] = _outcome(read)
             self._sensors[key] = read
             self._start()
-        reading, error = self._results[key]
+        reading, error = result
         if error:
             raise error
         return reading

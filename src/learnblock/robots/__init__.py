@@ -137,5 +137,9 @@ def _import_file(name: str, path: Path) -> ModuleType:
         raise LearnBlockError(f"{path}: not a Python file")
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
-    spec.loader.exec_module(module)
+    try:
+        spec.loader.exec_module(module)
+    except BaseException:
+        del sys.modules[name]
+        raise
     return module

@@ -5,21 +5,25 @@ import random
 import signal
 import socket
 import sys
-import traceback
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from functools import partial
-from types import FrameType, SimpleNamespace
+from types import CodeType, FrameType, SimpleNamespace, TracebackType
 from typing import Any, NoReturn
 
 from learnblock.client import Client
 from learnblock.errors import LearnBlockError, ProgramStopped
 from learnblock.runtime import remote
 from learnblock.runtime.limits import Limits, contain
-from learnblock.runtime.lines import LineBudget, depth, line_events
+from learnblock.runtime.lines import (
+    LineBudget,
+    depth,
+    line_events,
+    program_frame,
+    start_line_events,
+)
 from learnblock.runtime.link import Link
 from learnblock.runtime.messages import (
-    Continue,
     Ended,
     Fault,
     FromHost,
@@ -27,16 +31,16 @@ from learnblock.runtime.messages import (
     Line,
     Printed,
     Setup,
-    ShowVariables,
     Variables,
 )
 from learnblock.runtime.output import LineWriter
 from learnblock.runtime.usertime import use_robot_time
+from learnblock.runtime.values import described, encodable, shortened
 
 #: Our own robots' modules.
 _ROBOTS = "learnblock.robots."
-#: A variable's text is cut there.
-LONGEST_VALUE = 200
+#: An error's text is cut there.
+LONGEST_ERROR = 2000
 
 
 def main() -> None:
@@ -81,9 +85,8 @@ class _Program:
         self._owns_process = owns_process
         self._robot: remote.RemoteRobot | None = None
         self._cleanup = ExitStack()
+        self._end_lines: Callable[[], object] = bool
         self._output = LineWriter(self._printed)
-        # Until there is a robot there is no time to say that a line ran at.
-        self._note_line: LineBudget | None = None
 
     def run(self) -> Ended:
         try:
@@ -108,10 +111,18 @@ class _Program:
             self._cleanup.enter_context(self._own_process(namespace))
         self._cleanup.callback(self._output.finish)
         self._cleanup.callback(self._stop_robot)
-        self._cleanup.enter_context(line_events(code, self._on_line))
+        self._code = code
+        if self._setup.debug:
+            self._cleanup.enter_context(line_events(code, self._hold_at_line))
         exec(code, namespace)  # noqa: S102 - running the user's program is what we are for
 
+    def _interrupt(self, number: int, frame: FrameType | None) -> NoReturn:  # noqa: ARG002
+        at = program_frame(self._setup.filename, frame)
+        self._wire.interrupted(at.f_lineno if at else 0)
+        raise ProgramStopped("stopped")
+
     def _stop_robot(self) -> None:
+        self._end_lines()
         if self._robot:
             self._robot.stop()
 
@@ -125,6 +136,7 @@ class _Program:
 
     @contextmanager
     def _own_process(self, namespace: dict[str, Any]) -> Iterator[None]:
+        signal.signal(signal.SIGTERM, self._interrupt)
         sys.stdout = sys.stderr = self._output
         if self._setup.folder:
             sys.path.insert(0, self._setup.folder)
@@ -152,8 +164,16 @@ class _Program:
             random.seed(robot.seed)
             self._cleanup.callback(use_robot_time(robot.clock))
         self._robot = robot
-        self._note_line = LineBudget(robot.clock, lambda number: self._wire.note(Line(number, 0)))
+        if not self._setup.debug:
+            self._begin_lines(robot)
         return robot
+
+    def _begin_lines(self, robot: Client) -> None:
+        # Not earlier: without a robot there is no time to say that a line ran at.
+        self._end_lines()
+        budget = LineBudget(robot.clock, self._wire.note_line)
+        frame = sys._getframe()  # noqa: SLF001 - the documented way to walk the stack
+        self._end_lines = start_line_events(self._code, budget, frame)
 
     def _input(self, prompt: object = "") -> str:
         self._output.finish()
@@ -165,41 +185,38 @@ class _Program:
     # What the host is told.
 
     def _printed(self, text: str) -> None:
-        self._wire.note_soon(Printed(text))
-
-    def _on_line(self, number: int) -> None:
-        if self._setup.debug:
-            self._hold_at_line(number)
-        elif self._note_line:
-            self._note_line(number)
+        self._wire.note_soon(Printed(encodable(text)))
 
     def _hold_at_line(self, number: int) -> None:
-        frame = _frame_of(self._setup.filename)
-        self._wire.send(Line(number, depth(self._setup.filename)))
-        while not isinstance(message := self._wire.receive(), Continue):
-            if isinstance(message, ShowVariables):
-                self._wire.send(_variables(frame))
+        filename = self._setup.filename
+        frame = program_frame(filename, sys._getframe())  # noqa: SLF001 - the documented way
+        assert frame is not None  # noqa: S101 - it is the program that calls us
+        self._wire.hold(Line(number, depth(filename)), partial(_variables, frame))
 
     def _fault(self, error: BaseException) -> Fault:
-        described = traceback.TracebackException.from_exception(error, compact=True)
-        *_, summary = described.format_exception_only()
-        _, _, text = summary.rstrip("\n").partition(": ")
-        return Fault(type(error).__name__, text or str(error), self._lines(error))
+        text = shortened(encodable(_message(error)), LONGEST_ERROR)
+        return Fault(type(error).__name__, text, self._lines(error))
 
     def _lines(self, error: BaseException) -> tuple[int, ...]:
         if isinstance(error, SyntaxError) and error.filename == self._setup.filename:
             return (error.lineno or 0,)
         return tuple(
             number
-            for frame, number in traceback.walk_tb(error.__traceback__)
-            if frame.f_code.co_filename == self._setup.filename
+            for code, number in _walk(error.__traceback__)
+            if code.co_filename == self._setup.filename
         )
 
     def _left(self, leaving: SystemExit) -> Ended:
         """`sys.exit()` ends a program well; with a message or a status it is an error."""
         if leaving.code in (None, 0):
             return Ended()
-        return Ended(Fault("SystemExit", str(leaving.code), self._lines(leaving)))
+        return Ended(self._fault(leaving))
+
+
+def _walk(step: TracebackType | None) -> Iterator[tuple[CodeType, int]]:
+    while step is not None:
+        yield step.tb_frame.f_code, step.tb_lineno
+        step = step.tb_next
 
 
 def _stop_program(number: int, frame: FrameType | None) -> NoReturn:  # noqa: ARG001
@@ -210,13 +227,17 @@ def _print_to(output: LineWriter, *values: object, **options: Any) -> None:
     print(*values, **{"file": output, **options})  # noqa: T201 - this is what a program prints with
 
 
-def _frame_of(filename: str) -> FrameType:
-    frame: FrameType | None = sys._getframe(1)  # noqa: SLF001 - the documented way to walk the stack
-    while frame is not None and frame.f_code.co_filename != filename:
-        frame = frame.f_back
-    if frame is None:
-        raise LookupError(f"nothing of {filename} is running")
-    return frame
+def _message(error: BaseException) -> str:
+    """An error's text with Python's own hint, such as ``Did you mean: 'robot'?``."""
+    # Imported where needed, as most programs end well and all of them want to start at once.
+    from traceback import TracebackException  # noqa: PLC0415
+
+    told = TracebackException.from_exception(error, compact=True)
+    # Notes would come last, where the message is looked for.
+    told.__notes__ = None  # type: ignore[attr-defined,unused-ignore]
+    *_, summary = told.format_exception_only()
+    _, _, text = summary.rstrip("\n").partition(": ")
+    return text
 
 
 def _variables(frame: FrameType) -> Variables:
@@ -226,18 +247,10 @@ def _variables(frame: FrameType) -> Variables:
 
 def _described(variables: Any) -> dict[str, str]:
     return {
-        name: _text(value)
+        encodable(name): described(value)
         for name, value in variables.items()
         if not name.startswith("__") and not isinstance(value, Client) and not callable(value)
     }
-
-
-def _text(value: object) -> str:
-    try:
-        text = repr(value)
-    except Exception as error:  # noqa: BLE001 - a pupil's __repr__ may raise anything
-        return f"<{type(error).__name__} in its own description>"
-    return text if len(text) <= LONGEST_VALUE else text[:LONGEST_VALUE] + "..."
 
 
 if __name__ == "__main__":

@@ -27,6 +27,8 @@ class Held:
 class Debugger:
     """Holds a program at breakpoints and when paused; its methods may be called from any thread.
 
+    `resume`, `step` and `step_over` speak to a program that is held, and change nothing otherwise.
+
     Args:
         breakpoints: lines of the program's Python.
         paused: hold it at its first line.
@@ -47,22 +49,24 @@ class Debugger:
         self._depth = 0
         self._ended = False
         self._commands = threading.Condition()
-        self._command: Mode | None = None
+        self._held = False
 
     def reached(self, line: int, depth: int, variables: Callable[[], Variables]) -> None:
         """Return when the program may run the line it has reached."""
         if not self._holds(line, depth):
             return
-        self._on_held(Held(line, variables()))
+        held = Held(line, variables())
+        self._depth, self._held = depth, True
+        self._on_held(held)
         with self._commands:
-            self._commands.wait_for(lambda: self._command or self._ended)
-            self._mode, self._command = self._command or Mode.RUN, None
-            self._depth = depth
+            self._commands.wait_for(lambda: not self._held or self._ended)
+            self._held = False
         self._on_held(None)
 
     def pause(self) -> None:
         """Hold the program at its next line."""
-        self._mode = Mode.STEP
+        with self._commands:
+            self._mode = Mode.STEP
 
     def resume(self) -> None:
         self._give(Mode.RUN)
@@ -92,5 +96,6 @@ class Debugger:
 
     def _give(self, command: Mode) -> None:
         with self._commands:
-            self._command = command
-            self._commands.notify_all()
+            if self._held:
+                self._mode, self._held = command, False
+                self._commands.notify_all()

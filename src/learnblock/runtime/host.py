@@ -6,7 +6,7 @@ first that wakes. One thread does all of this, so a run depends on program, worl
 
 import signal
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import partial
 from time import monotonic
@@ -14,7 +14,7 @@ from typing import Any, Protocol
 
 from learnblock.client import Client
 from learnblock.devices import Device, Sensor
-from learnblock.errors import LearnBlockError, RobotConnectionError
+from learnblock.errors import LearnBlockError, RobotConnectionError, RobotStoppedError
 from learnblock.runtime import messages
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.limits import MEGABYTE, Limits
@@ -134,8 +134,10 @@ class Run:
         self._make_worker = worker
         self._robots = robots
         self._functions: list[dict[str, Callable[..., Any]]] = []
+        #: Seconds of a real robot's time after which the run ends; None for no limit.
+        self.seconds: float | None = None
         self._printed = 0
-        self._last_call = 0.0
+        self._last_call = self._last_look = 0.0
 
     @property
     def simulation(self) -> Simulation | None:
@@ -165,7 +167,7 @@ class Run:
             while self.wake is None and self.ending is None:
                 message = self._next()
                 if message is not None:
-                    _HANDLERS[type(message)](self, message)
+                    self._handle(message)
         except EOFError:
             self._finish(self.stopping or self._death())
         except LearnBlockError as error:
@@ -200,23 +202,49 @@ class Run:
         message = self._link.receive(TICK)
         if message is None:
             self.watcher.tick()
-            self._look_after_silence()
+            if self._worker.wait(0) is not None:
+                raise EOFError("the program's process is gone")
+        if monotonic() - self._last_look > TICK:
+            self._look_after_time()
         return message
 
-    def _look_after_silence(self) -> None:
-        if self._worker.wait(0) is not None:
-            raise EOFError("the program's process is gone")
-        # Only a simulated robot waits for its program; on a real one thinking long is no fault.
-        silent = monotonic() - self._last_call
-        if self.simulation and silent > self._limits.silence:
-            self.stopping = Ending(
+    def _handle(self, message: Any) -> None:
+        _HANDLERS[type(message)](self, message)
+
+    def _look_after_time(self) -> None:
+        self._last_look = monotonic()
+        silent = self._last_look - self._last_call
+        if self.client is None:
+            self._look_after_preparation(silent)
+        elif self.simulation is None:
+            # On a real robot thinking long is no fault, but its time goes on.
+            self._look_after_limit(self.client)
+        elif silent > self._limits.silence:
+            self._end_soon(
                 How.NO_CALL,
                 f"the program made no call to the robot for {self._limits.silence:g} s and was"
                 " stopped: does a loop in it lack a `sleep`?",
             )
 
+    def _look_after_preparation(self, silent: float) -> None:
+        if silent > self._limits.preparation:
+            self._end_soon(
+                How.NO_CALL,
+                f"the program had not made its robot after {self._limits.preparation:g} s and was"
+                " stopped: does it come to its `Robot()`?",
+            )
+
+    def _look_after_limit(self, client: Client) -> None:
+        if self.seconds is not None and client.clock.time() >= self.seconds:
+            self._end_soon(How.TIME_LIMIT, time_is_up(self.seconds))
+
+    def _end_soon(self, how: How, sentence: str) -> None:
+        self.stopping = self.stopping or Ending(how, sentence)
+
     def _dismiss(self, ending: Ending) -> None:
         """Have the program end itself, and kill it if it does not."""
+        # A real robot would drive on while its program says its last words.
+        ending = self._stop_robot(ending)
         try:
             if self.wake is None:
                 self._worker.interrupt()
@@ -234,8 +262,9 @@ class Run:
         while (left := deadline - monotonic()) > 0:
             match self._link.receive(left):
                 case messages.Ended(lines=lines):
-                    line = lines[-1] if lines else ending.line
-                    return Ending(ending.how, ending.sentence, line)
+                    return replace(ending, line=lines[-1] if lines else ending.line)
+                case messages.Interrupted(line):
+                    ending = replace(ending, line=line)
                 case messages.Ask() | messages.Sleep() | messages.Input() | messages.Line():
                     self._link.send(messages.Stop(ending.sentence))
         return ending
@@ -245,28 +274,36 @@ class Run:
         if status is None:
             return Ending(How.KILLED, "the program cut its link to the robot and was killed")
         if status < 0:
-            name = signal.Signals(-status).name
-            if name == "SIGXCPU":
-                return Ending(
-                    How.KILLED,
-                    f"the program used more than {self._limits.cpu} s of processor time",
-                )
-            return Ending(How.KILLED, f"the program was killed by the signal {name}")
+            return Ending(How.KILLED, self._cause(-status))
         return Ending(How.KILLED, f"the program's process ended by itself with status {status}")
+
+    def _cause(self, number: int) -> str:
+        if number == getattr(signal, "SIGXCPU", None):
+            return f"the program used more than {self._limits.cpu} s of processor time"
+        try:
+            name = signal.Signals(number).name
+        except ValueError:
+            # A real-time signal: most of these have no name.
+            name = str(number)
+        return f"the program was killed by the signal {name}"
 
     def _finish(self, ending: Ending) -> None:
         """The robot first: its motors stop whatever becomes of the program."""
         self.wake = None
-        if self.client:
-            try:
-                self.client.stop()
-            except LearnBlockError as error:
-                if ending.well:
-                    ending = Ending(How.ERROR, f"the robot could not be stopped: {error}")
+        ending = self._stop_robot(ending)
         self._worker.kill()
         self.ending = ending
         if self.recorder:
             self.recorder.end(ending.how)
+
+    def _stop_robot(self, ending: Ending) -> Ending:
+        if self.client:
+            try:
+                self.client.stop()
+            except Exception as error:  # noqa: BLE001 - a driver may raise whatever it likes
+                if ending.well:
+                    return Ending(How.ERROR, f"the robot could not be stopped: {_told(error)}")
+        return ending
 
     def _answer(self, value: Any) -> None:
         self._link.send(messages.Answer(value))
@@ -274,10 +311,11 @@ class Run:
     # One method for each message of the child.
 
     def _on_connect(self, message: messages.Connect) -> None:
+        if self.client and not self.client.stopped:
+            raise LearnBlockError("the program asked for a second robot before it let go of one")
         try:
             self.client = self._make_robot(message.module, message.arguments)
-        except (LearnBlockError, TypeError) as error:
-            # A TypeError: the program gave `Robot(...)` an argument this robot does not have.
+        except Exception as error:  # noqa: BLE001 - a driver may raise whatever it likes
             self._link.send(_failure(error))
             return
         self.recorder = self._make_recorder(self.client)
@@ -299,19 +337,22 @@ class Run:
         return messages.Connected(devices, simulation.steps, simulation.dt, simulation.seed)
 
     def _on_ask(self, message: messages.Ask) -> None:
-        self._last_call = monotonic()
         try:
-            value = self._call(message)
+            self._answer(self._call(message))
         except LearnBlockError as error:
             self._link.send(_failure(error))
-        else:
-            self._answer(value)
+        self._last_call = monotonic()
 
     def _on_tell(self, message: messages.Tell) -> None:
-        self._last_call = monotonic()
         self._call(message)
+        self._last_call = monotonic()
 
     def _call(self, message: messages.Ask | messages.Tell) -> Any:
+        if self.client and self.client.stopped:
+            # Only through a device the program has kept: the client in the child refuses the rest.
+            raise RobotStoppedError(
+                "the robot has been stopped: nothing can be asked of it any more"
+            )
         try:
             return self._functions[message.device][message.function](*message.args)
         except LearnBlockError:
@@ -328,13 +369,23 @@ class Run:
         self.wake = self.simulation.steps + max(1, message.steps)
 
     def _on_disconnect(self, message: messages.Disconnect) -> None:  # noqa: ARG002
-        if self.client:
-            self.client.stop()
+        ending = self._stop_robot(Ending(How.STOPPED, ""))
+        if not ending.well:
+            self._finish(ending)
+
+    @property
+    def _recording(self) -> Recorder | None:
+        """The recorder while there is a robot whose time its lines can have."""
+        return None if self.client is None or self.client.stopped else self.recorder
+
+    def _on_lines(self, message: messages.Lines) -> None:
+        if self._recording:
+            self._recording.lines(message.numbers)
+        for number in message.numbers:
+            self.watcher.line(number)
 
     def _on_line(self, message: messages.Line) -> None:
-        if self.recorder:
-            self.recorder.line(message.number)
-        self.watcher.line(message.number)
+        self._on_lines(messages.Lines((message.number,)))
         if self._debugger:
             self._debugger.reached(message.number, message.depth, self._variables)
             self._last_call = monotonic()
@@ -346,34 +397,39 @@ class Run:
             message = self._link.receive()
             if isinstance(message, messages.Variables):
                 return message
+            # Another thread of the program speaks.
+            self._handle(message)
 
     def _on_called(self, message: messages.Called) -> None:
-        self._last_call = monotonic()
-        if self.recorder:
-            self.recorder.called(message.skill, message.args, message.kwargs)
+        if self._recording:
+            self._recording.called(message.skill, message.args, message.kwargs)
 
     def _on_missing(self, message: messages.Missing) -> None:
-        if self.recorder:
-            self.recorder.missing(message.skill, message.device)
+        if self._recording:
+            self._recording.missing(message.skill, message.device)
 
     def _on_printed(self, message: messages.Printed) -> None:
         self._printed += len(message.text)
         if self._printed > self._limits.output:
-            self.stopping = Ending(
+            self._end_soon(
                 How.OUTPUT_LIMIT,
                 f"the program printed more than {self._limits.output / MEGABYTE:g} MB and was"
                 " stopped: does a loop in it print without waiting?",
             )
             return
-        if self.recorder:
-            self.recorder.printed(message.text)
+        if self._recording:
+            self._recording.printed(message.text)
         self.watcher.printed(message.text)
-        if monotonic() - self._last_call > self._limits.silence:
-            self._look_after_silence()
 
     def _on_input(self, message: messages.Input) -> None:
         self._answer(self.watcher.input(message.prompt))
         self._last_call = monotonic()
+
+    def _on_interrupted(self, message: messages.Interrupted) -> None:
+        """A signal from outside; its last message tells the rest."""
+
+    def _on_variables(self, message: messages.Variables) -> None:
+        """Nobody asked for them."""
 
     def _on_ended(self, message: messages.Ended) -> None:
         if message.fault:
@@ -391,11 +447,14 @@ _HANDLERS: Mapping[type, Callable[[Run, Any], None]] = {
     messages.Tell: Run._on_tell,  # noqa: SLF001
     messages.Sleep: Run._on_sleep,  # noqa: SLF001
     messages.Disconnect: Run._on_disconnect,  # noqa: SLF001
+    messages.Lines: Run._on_lines,  # noqa: SLF001
     messages.Line: Run._on_line,  # noqa: SLF001
     messages.Called: Run._on_called,  # noqa: SLF001
     messages.Missing: Run._on_missing,  # noqa: SLF001
     messages.Printed: Run._on_printed,  # noqa: SLF001
     messages.Input: Run._on_input,  # noqa: SLF001
+    messages.Variables: Run._on_variables,  # noqa: SLF001
+    messages.Interrupted: Run._on_interrupted,  # noqa: SLF001
     messages.Ended: Run._on_ended,  # noqa: SLF001
 }
 
@@ -411,6 +470,8 @@ class Host:
     def __init__(self, *runs: Run, seconds: float | None = None) -> None:
         self._runs = runs
         self._seconds = seconds
+        for run in runs:
+            run.seconds = seconds
 
     def run(self) -> None:
         """Return when every program has ended; each run then has its `ending`."""
@@ -436,7 +497,7 @@ class Host:
             limit = self._last_step(simulation)
             self._advance(simulation, wake if limit is None else min(wake, limit))
             if limit is not None and simulation.steps >= limit:
-                self._stop(Ending(How.TIME_LIMIT, f"the time limit of {self._seconds:g} s is up"))
+                self._stop(Ending(How.TIME_LIMIT, time_is_up(limit * simulation.dt)))
             for run in parked:
                 if run.stopping:
                     run.end()
@@ -445,7 +506,7 @@ class Host:
 
     def _advance(self, simulation: Simulation, step: int) -> None:
         """In short strides, so that someone who watches a long wait sees it pass."""
-        while simulation.steps < step and not self._runs[0].stopping:
+        while simulation.steps < step and not any(run.stopping for run in self._runs if run.wake):
             simulation.advance(min(step, simulation.steps + STRIDE))
             for run in self._runs:
                 run.watcher.tick()
@@ -458,20 +519,42 @@ class Host:
             run.stop(ending)
 
 
+def time_is_up(seconds: float) -> str:
+    return f"the time limit of {seconds:g} s is up"
+
+
+def _told(error: Exception) -> str:
+    """An error as words: ours speak for themselves, others say what they are."""
+    return str(error) if isinstance(error, LearnBlockError) else f"{type(error).__name__}: {error}"
+
+
 def _failed(fault: Fault) -> Ending:
     line = fault.lines[-1] if fault.lines else 0
     return Ending(How.ERROR, f"{fault.type}: {fault.text}" if fault.text else fault.type, line)
 
 
 def _failure(error: Exception) -> messages.Failed:
-    return messages.Failed(type(error).__name__, str(error))
+    if isinstance(error, LearnBlockError):
+        return messages.Failed(type(error).__name__, str(error))
+    return messages.Failed(RobotConnectionError.__name__, _told(error))
 
 
 def _functions(client: Client, key: str, device: Device) -> dict[str, Callable[..., Any]]:
     """What a child may call: a sensor is read through the client, which polls those in use."""
     if not isinstance(device, Sensor):
         return device.functions
-    reading = {"read": partial(client.read, type(device), key)}
-    if "detect" in device.functions:
-        reading["detect"] = partial(client.detect, key=key)
-    return {**device.functions, **reading}
+    functions: dict[str, Callable[..., Any]] = {
+        name: partial(_change, client, function) for name, function in device.functions.items()
+    }
+    functions["read"] = partial(client.read, type(device), key)
+    if "detect" in functions:
+        functions["detect"] = partial(client.detect, key=key)
+    return functions
+
+
+def _change(client: Client, function: Callable[..., Any], *args: Any) -> Any:
+    """Tell a sensor something, such as a new zero, which makes its last reading wrong."""
+    try:
+        return function(*args)
+    finally:
+        client.forget_readings()

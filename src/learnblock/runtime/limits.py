@@ -18,6 +18,7 @@ class Limits(msgspec.Struct, frozen=True, array_like=True):
         file_size: bytes in any one file it writes.
         open_files: files open at once.
         silence: seconds of the wall clock a simulated robot waits for the program's next call.
+        preparation: seconds of the wall clock a program may take to make its robot.
     """
 
     memory: int = 2048 * MEGABYTE
@@ -26,6 +27,7 @@ class Limits(msgspec.Struct, frozen=True, array_like=True):
     file_size: int = 16 * MEGABYTE
     open_files: int = 64
     silence: float = 2.0
+    preparation: float = 15.0
 
 
 #: Audit events (PEP 578) by which a program would start another process or harm ours.
@@ -59,17 +61,18 @@ def _limit_resources(limits: Limits) -> None:
     except ImportError:
         return
     wanted = {
-        resource.RLIMIT_AS: limits.memory,
-        resource.RLIMIT_CPU: limits.cpu,
-        resource.RLIMIT_FSIZE: limits.file_size,
-        resource.RLIMIT_NOFILE: limits.open_files,
-        resource.RLIMIT_CORE: 0,
+        resource.RLIMIT_AS: (limits.memory, limits.memory),
+        # At the first the process gets SIGXCPU, which tells why; at the second SIGKILL.
+        resource.RLIMIT_CPU: (limits.cpu, limits.cpu + 1),
+        resource.RLIMIT_FSIZE: (limits.file_size, limits.file_size),
+        resource.RLIMIT_NOFILE: (limits.open_files, limits.open_files),
+        resource.RLIMIT_CORE: (0, 0),
     }
-    for kind, value in wanted.items():
+    for kind, values in wanted.items():
         _, hard = resource.getrlimit(kind)
-        value = value if hard == resource.RLIM_INFINITY else min(value, hard)  # noqa: PLW2901
+        most = sys.maxsize if hard == resource.RLIM_INFINITY else hard
         try:
-            resource.setrlimit(kind, (value, value))
+            resource.setrlimit(kind, (min(values[0], most), min(values[1], most)))
         except (ValueError, OSError):
             # macOS refuses to limit address space: a program there is held by the other limits.
             continue

@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from threading import get_ident
 from types import CodeType, FrameType
 from typing import Any
 
@@ -31,11 +32,20 @@ def start_line_events(
     Args:
         code: a module's code.
         on_line: is called with the line's number.
-        running: the frame that runs `code` already, if it does.
+        running: the innermost frame of the program, if it runs already.
+
+    Only lines of the calling thread count.
     """
     if sys.version_info >= (3, 12):
         return _monitor(code, on_line)
     return _trace(code.co_filename, on_line, running)
+
+
+def program_frame(filename: str, frame: FrameType | None) -> FrameType | None:
+    """The innermost frame of the file `filename` among `frame` and its callers, or None."""
+    while frame is not None and frame.f_code.co_filename != filename:
+        frame = frame.f_back
+    return frame
 
 
 class LineBudget:
@@ -79,13 +89,24 @@ def _monitor(code: CodeType, on_line: OnLine) -> Callable[[], None]:
     # PEP 669: only the program's own code pays, and only for its lines.
     monitoring: Any = sys.monitoring  # type: ignore[attr-defined,unused-ignore] # 3.12
     tool = next(tool for tool in range(6) if monitoring.get_tool(tool) is None)
+    thread = get_ident()
+
+    def line(_code: CodeType, number: int) -> None:
+        if get_ident() == thread:
+            on_line(number)
+
     monitoring.use_tool_id(tool, "learnblock")
-    monitoring.register_callback(
-        tool, monitoring.events.LINE, lambda _code, number: on_line(number)
-    )
+    monitoring.register_callback(tool, monitoring.events.LINE, line)
     for part in _parts(code):
         monitoring.set_local_events(tool, part, monitoring.events.LINE)
-    return lambda: monitoring.free_tool_id(tool)
+
+    def stop() -> None:
+        for part in _parts(code):
+            monitoring.set_local_events(tool, part, monitoring.events.NO_EVENTS)
+        monitoring.register_callback(tool, monitoring.events.LINE, None)
+        monitoring.free_tool_id(tool)
+
+    return stop
 
 
 def _parts(code: CodeType) -> Iterator[CodeType]:
@@ -104,7 +125,10 @@ def _trace(filename: str, on_line: OnLine, running: FrameType | None) -> Callabl
     def enter(frame: FrameType, _event: str, _argument: object) -> Any:
         return local if frame.f_code.co_filename == filename else None
 
-    if running:
-        running.f_trace = local
+    # A frame that runs already is not entered again: it is told by itself.
+    frame = running
+    while frame := program_frame(filename, frame):
+        frame.f_trace = local
+        frame = frame.f_back
     sys.settrace(enter)
     return lambda: sys.settrace(None)

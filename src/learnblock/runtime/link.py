@@ -1,19 +1,24 @@
 """A link: messages over a socket, in order, each with its length before it."""
 
 import socket
+import struct
 from collections import deque
 from typing import Any, Generic, TypeVar
 
 import msgspec
 
-from learnblock.errors import RobotConnectionError
+from learnblock.errors import DeviceValueError, RobotConnectionError
 from learnblock.runtime.messages import Message
+from learnblock.runtime.values import described
 
 Incoming = TypeVar("Incoming")
 
 _LENGTH = 4
 #: The largest message either side accepts: a frame of 1920 by 1080 pixels and its envelope.
 MAX_MESSAGE = 8 * 1024 * 1024
+#: msgpack's extension code for a frame: height, width and channels as 32 bit, then its bytes.
+_FRAME = 1
+_SHAPE = struct.Struct(">III")
 
 
 class Link(Generic[Incoming]):
@@ -27,18 +32,37 @@ class Link(Generic[Incoming]):
     def __init__(self, connection: socket.socket, incoming: Any) -> None:
         self._connection = connection
         self._encoder = msgspec.msgpack.Encoder(enc_hook=_as_plain)
-        self._decoder: msgspec.msgpack.Decoder[Incoming] = msgspec.msgpack.Decoder(incoming)
+        self._decoder: msgspec.msgpack.Decoder[Incoming] = msgspec.msgpack.Decoder(
+            incoming, ext_hook=_from_extension
+        )
         self._received = bytearray()
         self._messages: deque[Incoming] = deque()
         self._outgoing = bytearray()
 
     def put(self, message: Message) -> int:
-        """Queue a message for the next `flush`; answer how many bytes are queued."""
+        """Queue a message for the next `flush`; answer how many bytes are queued.
+
+        Raises:
+            DeviceValueError: it holds what cannot be sent, or is too long; nothing is queued.
+        """
         outgoing = self._outgoing
         start = len(outgoing)
-        outgoing += b"\0\0\0\0"
-        self._encoder.encode_into(message, outgoing, start + _LENGTH)
-        outgoing[start : start + _LENGTH] = (len(outgoing) - start - _LENGTH).to_bytes(_LENGTH)
+        try:
+            outgoing += b"\0\0\0\0"
+            self._encoder.encode_into(message, outgoing, start + _LENGTH)
+            length = len(outgoing) - start - _LENGTH
+            if length > MAX_MESSAGE:
+                raise DeviceValueError(
+                    f"{length} bytes are too much to send; {MAX_MESSAGE} is the most"
+                )
+            outgoing[start : start + _LENGTH] = length.to_bytes(_LENGTH)
+        except (OverflowError, RecursionError, TypeError, UnicodeEncodeError) as error:
+            del outgoing[start:]
+            raise DeviceValueError(f"a value cannot be sent to the robot: {error}") from error
+        except BaseException:
+            # Half a message would make nonsense of all that follow, also where a signal raised.
+            del outgoing[start:]
+            raise
         return len(outgoing)
 
     def flush(self) -> None:
@@ -76,9 +100,9 @@ class Link(Generic[Incoming]):
         self._connection.close()
 
     def _fill(self, timeout: float | None) -> bool:
-        if self._connection.gettimeout() != timeout:
-            self._connection.settimeout(timeout)
         try:
+            if self._connection.gettimeout() != timeout:
+                self._connection.settimeout(timeout)
             received = self._connection.recv(65536)
         except TimeoutError:
             return False
@@ -106,14 +130,36 @@ class Link(Generic[Incoming]):
     def _decode(self, message: bytearray) -> Incoming:
         try:
             return self._decoder.decode(message)
-        except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
+        except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError, TypeError) as error:
             raise RobotConnectionError(f"not a message of this link: {error}") from error
 
 
 def _as_plain(value: Any) -> Any:
-    """What msgpack has no form for: a frame as its shape and bytes, numbers, else its text."""
-    if hasattr(value, "tobytes") and hasattr(value, "shape") and value.shape:
-        return {"shape": list(value.shape), "pixels": value.tobytes()}
-    if hasattr(value, "item"):
+    """What msgpack has no form for: a frame as an extension, numpy's numbers, else its text."""
+    if not hasattr(value, "dtype"):
+        return described(value)
+    if value.ndim == 0:
         return value.item()
-    return repr(value)
+    if value.dtype == "uint8" and value.ndim == 3:
+        return msgspec.msgpack.Ext(_FRAME, _SHAPE.pack(*value.shape) + value.tobytes())
+    return value.tolist()
+
+
+def _from_extension(code: int, data: memoryview) -> Any:
+    shape = _shape(code, data)
+    import numpy as np  # noqa: PLC0415 - few programs look at the picture itself
+
+    # A copy in a bytearray: the program may draw on its picture.
+    return np.frombuffer(bytearray(data[_SHAPE.size :]), dtype=np.uint8).reshape(shape)
+
+
+def _shape(code: int, data: memoryview) -> tuple[int, int, int]:
+    if code != _FRAME or len(data) < _SHAPE.size:
+        raise RobotConnectionError(f"not a message of this link: extension {code}")
+    height, width, channels = _SHAPE.unpack_from(data)
+    if height * width * channels != len(data) - _SHAPE.size:
+        raise RobotConnectionError(
+            f"not a message of this link: {len(data) - _SHAPE.size} bytes are no frame of"
+            f" {height} by {width} by {channels}"
+        )
+    return height, width, channels

@@ -128,10 +128,16 @@ class Disconnect(Message, frozen=True):
     """The program has stopped its robot."""
 
 
-class Line(Message, frozen=True):
-    """A line of the program is about to run; `depth` counts the calls it is in.
+class Lines(Message, frozen=True):
+    """The lines that ran since the message before; not sent when debugging."""
 
-    When debugging it is answered by `Continue`, after any number of `ShowVariables`.
+    numbers: tuple[int, ...]
+
+
+class Line(Message, frozen=True):
+    """When debugging, a line that is about to run; `depth` counts the calls it is in.
+
+    It is answered by `Continue`, after any number of `ShowVariables`.
     """
 
     number: int
@@ -186,6 +192,12 @@ class Fault(msgspec.Struct, frozen=True, array_like=True):
     lines: tuple[int, ...]
 
 
+class Interrupted(Message, frozen=True):
+    """The program was told to stop while it was at this line; it may not obey."""
+
+    line: int
+
+
 class Ended(Message, frozen=True):
     """The program has ended by itself, by `fault`, or because it was `stopped`."""
 
@@ -201,11 +213,13 @@ FromChild = (
     | Tell
     | Sleep
     | Disconnect
+    | Lines
     | Line
     | Called
     | Missing
     | Printed
     | Input
     | Variables
+    | Interrupted
     | Ended
 )

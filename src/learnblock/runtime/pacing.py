@@ -34,10 +34,10 @@ class Pacing:
 
     def wait(self, world_time: float) -> None:
         """Return when the world may make the step that begins at `world_time` seconds."""
-        if self._paused:
-            self._wait_for_permission()
-        if self.factor is not None:
-            self._keep_pace(world_time, self.factor)
+        # The bare questions first: a free world asks before every one of its steps.
+        if self._paused or self.factor is not None:
+            with self._changed:
+                self._wait(world_time)
 
     def pause(self) -> None:
         """Hold the world before its next step."""
@@ -74,23 +74,26 @@ class Pacing:
             self._paused, self._allowed_steps, self._anchor = paused, 0, None
             self._changed.notify_all()
 
-    def _wait_for_permission(self) -> None:
-        with self._changed:
-            self._changed.wait_for(
-                lambda: not self._paused or self._allowed_steps > 0 or self._ended
-            )
+    def _wait(self, world_time: float) -> None:
+        while not self._ended:
             if self._paused and self._allowed_steps:
                 self._allowed_steps -= 1
-            self._anchor = None
+                return
+            ahead = None if self._paused else self._ahead(world_time)
+            if ahead is not None and ahead <= SHORTEST_WAIT:
+                return
+            # Until the time has come, or somebody changes what was waited for.
+            self._changed.wait(ahead)
 
-    def _keep_pace(self, world_time: float, factor: float) -> None:
+    def _ahead(self, world_time: float) -> float:
+        """Seconds of the wall clock by which the world is early."""
+        if self.factor is None:
+            return 0.0
         now = self._clock()
         if self._anchor is None:
             self._anchor = (now, world_time)
         wall, world = self._anchor
-        ahead = wall + (world_time - world) / factor - now
+        ahead = wall + (world_time - world) / self.factor - now
         if ahead < -SLIP:
             self._anchor, self._slipped = (now, world_time), True
-        elif ahead > SHORTEST_WAIT:
-            with self._changed:
-                self._changed.wait_for(lambda: self._ended or self._paused, timeout=ahead)
+        return ahead

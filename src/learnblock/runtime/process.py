@@ -45,12 +45,12 @@ class ProcessWorker:
         self._process.terminate()
 
     def kill(self) -> None:
-        self._process.kill()
-        self._process.wait()
         if hasattr(os, "killpg"):
             # Whatever it managed to start is in its process group.
             with contextlib.suppress(ProcessLookupError, PermissionError):
                 os.killpg(self._process.pid, signal.SIGKILL)
+        self._process.kill()
+        self._process.wait()
         self.link.close()
 
     def wait(self, timeout: float) -> int | None:
@@ -67,12 +67,18 @@ class ProcessWorker:
         environment = {**os.environ, "PYTHONHASHSEED": "0"}
         if sys.platform == "win32":
             return subprocess.Popen(  # noqa: S603 - our own interpreter and module
-                command, env=environment, stdin=subprocess.DEVNULL, close_fds=False
+                command,
+                env=environment,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                close_fds=False,
             )
         return subprocess.Popen(  # noqa: S603 - our own interpreter and module
             command,
             env=environment,
             stdin=subprocess.DEVNULL,
+            # What it prints goes over the link; our own output is ours.
+            stdout=subprocess.DEVNULL,
             pass_fds=(handle,),
             start_new_session=True,
         )

@@ -2,6 +2,7 @@
 
 import threading
 from collections.abc import Callable, Collection
+from contextlib import suppress
 from functools import partial
 from time import monotonic
 from typing import Any
@@ -26,12 +27,18 @@ from learnblock.runtime.messages import (
     Disconnect,
     Failed,
     FromHost,
+    Interrupted,
+    Line,
+    Lines,
     Message,
     Missing,
+    ShowVariables,
     Sleep,
     Stop,
     Tell,
+    Variables,
 )
+from learnblock.runtime.values import plain
 
 #: Events wait for the next call, but not while more than this many bytes or seconds pile up.
 MOST_QUEUED = 65536
@@ -43,8 +50,9 @@ class Wire:
 
     def __init__(self, link: Link[FromHost]) -> None:
         self._link = link
-        self._lock = threading.RLock()
+        self._lock = threading.Lock()
         self._flushed = monotonic()
+        self._lines: list[int] = []
         #: Whether commands may wait for the next question, since until then no time passes.
         self.lockstep = False
 
@@ -56,38 +64,77 @@ class Wire:
             LearnBlockError: what was asked for failed.
         """
         with self._lock:
-            self.send(message)
-            return self._answer()
+            self._put(message)
+            self._flush()
+            answer = self._receive()
+        if type(answer) is Answer:
+            return answer.value
+        if isinstance(answer, Failed):
+            raise _error(answer.error, answer.text)
+        return answer
 
     def tell(self, message: Message) -> None:
         """Send a command: at once, or in lock-step with the next question."""
         with self._lock:
-            self.note(message)
-            if not self.lockstep:
+            if self._put(message) > MOST_QUEUED or not self.lockstep:
                 self._flush()
 
     def note(self, message: Message) -> None:
         """Queue an event."""
         with self._lock:
-            if self._link.put(message) > MOST_QUEUED:
+            if self._put(message) > MOST_QUEUED:
                 self._flush()
 
     def note_soon(self, message: Message) -> None:
         """Queue an event that somebody is waiting to see, such as a print."""
         with self._lock:
-            self.note(message)
-            now = monotonic()
-            if now - self._flushed > LONGEST_WAIT:
-                self._flushed = now
+            if self._put(message) > MOST_QUEUED or self._is_late():
                 self._flush()
 
-    def send(self, message: Message) -> None:
-        with self._lock:
-            self._link.put(message)
-            self._flush()
+    def note_line(self, number: int) -> None:
+        """Note that a line is about to run; lines travel together, before the next message."""
+        self._lines.append(number)
+        if not self.lockstep and self._is_late():
+            with self._lock:
+                self._put_lines()
+                self._flush()
 
-    def receive(self) -> FromHost:
-        """The next message from the host."""
+    def hold(self, line: Line, show: Callable[[], Variables]) -> None:
+        """Announce a line, and return when the program may run it.
+
+        Args:
+            line: the line.
+            show: makes the program's variables as text.
+        """
+        with self._lock:
+            self._put(line)
+            self._flush()
+            while not isinstance(message := self._receive(), Continue):
+                if isinstance(message, ShowVariables):
+                    self._put(show())
+                    self._flush()
+
+    def interrupted(self, line: int) -> None:
+        """Say where a signal found the program, unless it was in the middle of a message."""
+        if self._lock.acquire(blocking=False):
+            try:
+                self._put(Interrupted(line))
+                self._flush()
+            finally:
+                self._lock.release()
+
+    # With the lock held.
+
+    def _put(self, message: Message) -> int:
+        if self._lines:
+            self._put_lines()
+        return self._link.put(message)
+
+    def _put_lines(self) -> None:
+        lines, self._lines = self._lines, []
+        self._link.put(Lines(tuple(lines)))
+
+    def _receive(self) -> FromHost:
         try:
             message = self._link.receive()
         except EOFError as error:
@@ -97,21 +144,14 @@ class Wire:
         return message
 
     def _flush(self) -> None:
+        self._flushed = monotonic()
         try:
             self._link.flush()
         except EOFError as error:
             raise ProgramStopped("the robot's host is gone") from error
 
-    def _answer(self) -> Any:
-        match self.receive():
-            case Answer(value):
-                return value
-            case Failed(name, text):
-                raise _error(name, text)
-            case Connected() | Continue() as message:
-                return message
-            case message:
-                raise RobotConnectionError(f"unexpected answer {type(message).__name__}")
+    def _is_late(self) -> bool:
+        return monotonic() - self._flushed > LONGEST_WAIT
 
 
 class RemoteRobot(Client):
@@ -136,7 +176,9 @@ class RemoteRobot(Client):
             self.add(_device(self._wire, index, device), device.key)
 
     def disconnect(self) -> None:
-        self._wire.send(Disconnect())
+        # A host that is gone has seen to its robot.
+        with suppress(ProgramStopped):
+            self._wire.tell(Disconnect())
 
     def _stop_motors(self) -> None:
         """The host does, on hearing `Disconnect`: it can even when this process is dead."""
@@ -158,7 +200,8 @@ class _Notes:
         self._wire = wire
 
     def called(self, skill: str, args: tuple[Any, ...], kwargs: dict[str, Any]) -> None:
-        self._wire.note(Called(skill, args, kwargs))
+        named = {name: plain(value) for name, value in kwargs.items()}
+        self._wire.note(Called(skill, tuple(map(plain, args)), named))
 
     def missing(self, skill: str, device: str) -> None:
         self._wire.note(Missing(skill, device))
@@ -201,27 +244,16 @@ def _detect(wire: Wire, index: int, detector: str) -> Any:
     return None if found is None else msgspec.convert(found, kinds[detector])
 
 
-def _frame(value: Any) -> Any:
-    if value is None:
-        return None
-    import numpy as np  # noqa: PLC0415 - few programs look at the picture itself
-
-    return np.frombuffer(value["pixels"], dtype=np.uint8).reshape(value["shape"])
-
-
-def _tuple(value: list[float]) -> tuple[float, ...]:
-    return tuple(value)
+def _tuple(value: list[float] | None) -> tuple[float, ...] | None:
+    return None if value is None else tuple(value)
 
 
 def _unchanged(value: Any) -> Any:
     return value
 
 
-_CONVERSIONS: dict[str, Callable[[Any], Any]] = {
-    "Base": _tuple,
-    "Accelerometer": _tuple,
-    "Camera": _frame,
-}
+#: Of the readings that msgpack has no form of its own for.
+_CONVERSIONS: dict[str, Callable[[Any], Any]] = {"Base": _tuple, "Accelerometer": _tuple}
 
 
 def _error(name: str, text: str) -> LearnBlockError:

@@ -35,8 +35,9 @@ def trace_main_program(client: Client, path: Path) -> Callable[[], None]:
     def end() -> None:
         stop_lines()
         stop_prints()
-        # The interpreter keeps the error that a program died of; by now it is ending.
-        recorder.end(How.ERROR if hasattr(sys, "last_value") else How.FINISHED)
+        # The interpreter keeps the error a program died of; in a `with` it is still on its way.
+        failed = hasattr(sys, "last_value") or sys.exc_info()[0] is not None
+        recorder.end(How.ERROR if failed else How.FINISHED)
         file.close()
 
     return end

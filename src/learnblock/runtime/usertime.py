@@ -14,24 +14,34 @@ _NANOSECONDS = 1_000_000_000
 def use_robot_time(clock: Clock) -> Callable[[], None]:
     """Have the `time` module follow `clock` in the calling thread; answer the way back.
 
-    Other threads, and modules that hold the functions themselves, keep the wall clock.
+    Other threads, and modules that hold the functions themselves, keep the wall clock. The way back
+    may be taken from any thread, and twice.
     """
     thread = threading.get_ident()
-    real = {name: getattr(time, name) for name in _ROBOT_TIME}
-
-    def either(name: str, *args: Any) -> Any:
-        if threading.get_ident() == thread:
-            return _ROBOT_TIME[name](clock, *args)
-        return real[name](*args)
-
-    for name in _ROBOT_TIME:
-        setattr(time, name, partial(either, name))
-    return lambda: _restore(real)
+    with _lock:
+        _clocks.setdefault(thread, []).append(clock)
+        for name in _ROBOT_TIME:
+            setattr(time, name, _EITHER_TIME[name])
+    return lambda: _restore(thread, clock)
 
 
-def _restore(real: dict[str, Any]) -> None:
-    for name, function in real.items():
-        setattr(time, name, function)
+def _restore(thread: int, clock: Clock) -> None:
+    with _lock:
+        clocks = _clocks.get(thread, [])
+        if clock in clocks:
+            clocks.remove(clock)
+        if not clocks:
+            _clocks.pop(thread, None)
+        if not _clocks:
+            for name, function in _WALL_TIME.items():
+                setattr(time, name, function)
+
+
+def _either(name: str, *args: Any) -> Any:
+    clocks = _clocks.get(threading.get_ident())
+    if clocks:
+        return _ROBOT_TIME[name](clocks[-1], *args)
+    return _WALL_TIME[name](*args)
 
 
 def _now(clock: Clock) -> float:
@@ -58,3 +68,9 @@ _ROBOT_TIME: dict[str, Callable[..., Any]] = {
     "monotonic_ns": _now_in_nanoseconds,
     "perf_counter_ns": _now_in_nanoseconds,
 }
+_WALL_TIME: dict[str, Callable[..., Any]] = {name: getattr(time, name) for name in _ROBOT_TIME}
+_EITHER_TIME: dict[str, Callable[..., Any]] = {name: partial(_either, name) for name in _ROBOT_TIME}
+# The `time` module is the interpreter's only one, so what replaces its functions is shared as well:
+# the clocks of each thread, the newest last.
+_clocks: dict[int, list[Clock]] = {}
+_lock = threading.Lock()

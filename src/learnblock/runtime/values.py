@@ -1,0 +1,54 @@
+"""What messages, traces and the debugger show of a program's values: plain, short, repeatable."""
+
+import re
+from typing import Any
+
+#: A value's text is cut there.
+LONGEST_VALUE = 200
+#: Lists are shown so many levels deep, and so many of their items.
+DEEPEST_LIST, LONGEST_LIST = 3, 100
+
+_PLAIN = frozenset({type(None), bool, float})
+_LARGEST = 2**63
+# Where an object happens to lie in memory differs between two runs of one program.
+_ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
+
+
+def plain(value: Any, levels: int = DEEPEST_LIST) -> Any:
+    """`value` as None, bool, int, float, str or a list of these: itself, or else a description.
+
+    What is plain already stays as it is, so doing it twice changes nothing.
+    """
+    kind = type(value)
+    if kind in _PLAIN or (kind is int and -_LARGEST <= value < _LARGEST):
+        return value
+    if isinstance(value, str):
+        return shortened(encodable(str(value)))
+    if kind in (list, tuple) and levels:
+        return [plain(item, levels - 1) for item in value[:LONGEST_LIST]]
+    if hasattr(value, "dtype"):
+        return _of_numpy(value)
+    return described(value)
+
+
+def described(value: object) -> str:
+    """The text that `repr` makes of a value, cut, and without its place in memory."""
+    try:
+        text = repr(value)
+    except Exception as error:  # noqa: BLE001 - a pupil's __repr__ may raise anything
+        return f"<{type(error).__name__} in its own description>"
+    return shortened(encodable(_ADDRESS.sub("", text)))
+
+
+def shortened(text: str, longest: int = LONGEST_VALUE) -> str:
+    return text if len(text) <= longest else text[:longest] + "..."
+
+
+def encodable(text: str) -> str:
+    r"""`text` with a half of a surrogate pair, which UTF-8 has no form for, as ``\udc80``."""
+    return text if text.isascii() else text.encode("utf-8", "backslashreplace").decode()
+
+
+def _of_numpy(value: Any) -> Any:
+    """A number of numpy as ours; of an array, which may be a whole frame, only its shape."""
+    return value.item() if value.shape == () else f"<array of shape {value.shape}>"
