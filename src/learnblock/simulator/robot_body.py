@@ -267,14 +267,18 @@ class RobotBody:
         return start + min(max(target - start, -reach), reach)
 
     def frame(self, key: str = "ROBOT") -> NDArray[np.uint8]:
-        """What a camera sees now: RGB, uint8, shape (height, width, 3), not to be written to.
+        """A camera's newest frame: RGB, uint8, shape (height, width, 3), not to be written to.
+
+        It is taken when it is asked for, and stays the newest until the camera's rate allows
+        another.
 
         Raises:
             UnknownNameError: the robot has no such camera.
         """
-        step, picture = self._frames.get(key, (-1, None))
-        if picture is None or step != self._world.steps:
-            picture = self._rendered(self._camera(key))
+        camera = self._camera(key)
+        taken, picture = self._frames.get(key, (0, None))
+        if picture is None or self._world.steps - taken >= camera.period:
+            picture = self._rendered(camera)
             picture.flags.writeable = False
             self._frames[key] = (self._world.steps, picture)
         return picture

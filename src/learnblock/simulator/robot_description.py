@@ -180,6 +180,12 @@ class Camera(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     noise: Annotated[
         float, Meta(ge=0, le=50, description="standard deviation, grey levels of 255")
     ] = 0.0
+    rate: Annotated[float, Meta(ge=0.1, le=100, description="most frames a second")] = 30.0
+
+    @property
+    def period(self) -> int:
+        """Steps of 10 ms for which a frame stays the newest."""
+        return max(1, round(100 / self.rate))
 
 
 class Display(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
