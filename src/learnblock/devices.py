@@ -127,13 +127,20 @@ class Camera(Sensor["Frame | None"]):
     ) -> None:
         super().__init__(read, detect=detect or self._detect)
         self.detect: Callable[[str], Any] = self.functions["detect"]
+        self._detected: dict[str, tuple[Frame, Any]] = {}
 
     def _detect(self, name: str) -> Any:
         # Imported on first use: a robot without a camera pays nothing for OpenCV.
         from learnblock.perception import DETECTORS, detect  # noqa: PLC0415
 
         frame = self.read() if name in DETECTORS else None
-        return None if frame is None else detect(name, frame)
+        if frame is None:
+            return None
+        seen, found = self._detected.get(name, (None, None))
+        if seen is not frame:
+            found = detect(name, frame)
+            self._detected[name] = (frame, found)
+        return found
 
 
 class DistanceSensors(Sensor[Mapping[str, Sequence[float]]]):
