@@ -9,6 +9,7 @@ import ast
 import io
 import re
 import tokenize
+from collections.abc import Container
 from typing import NamedTuple
 
 MAIN, END, PYTHON = "main", "end", "python"
@@ -126,13 +127,19 @@ def raw_names(text: str) -> set[str]:
     return variable_names(tree)
 
 
-def variable_names(tree: ast.AST) -> set[str]:
-    """The variables of a Python tree, without those of which only a state is asked or set."""
+def variable_names(tree: ast.AST, whens: Container[str] | None = None) -> set[str]:
+    """The variables of a Python tree.
+
+    Args:
+        tree: of a file or a part of one.
+        whens: names that count only where more is done than to ask or set a state; None for all.
+    """
     names: set[str] = set()
     states: set[int] = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Attribute) and node.attr in STATE_ATTRIBUTES:
-            states.add(id(node.value))
+            if isinstance(node.value, ast.Name) and (whens is None or node.value.id in whens):
+                states.add(id(node.value))
         elif isinstance(node, ast.Name) and id(node) not in states:
             names.add(node.id)
         elif isinstance(node, ast.arg):

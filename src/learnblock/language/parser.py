@@ -822,9 +822,15 @@ class _Parser:
                 continue
             height = self.height
             self.index += 1
-            right = self.expression(_SIGN if binding == _POWER else binding + 1)
+            right = self.exponent() if binding == _POWER else self.expression(binding + 1)
             self.grow(height)
             left = Binary(operator, left, right, _joined(left.span, right.span))
+
+    def exponent(self) -> Expression:
+        self.nest()
+        exponent = self.expression(_SIGN)
+        self.nesting -= 1
+        return exponent
 
     def grow(self, height: int) -> None:
         """The tree read last and one of `height` become one that is higher than both."""

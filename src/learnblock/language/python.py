@@ -333,7 +333,7 @@ class _Writer(ExpressionWriter):
         self.line(f"return{value}", node, node.comment)
 
     def activation(self, node: Activate | Deactivate, method: str) -> None:
-        name = self.whens.get(node.name) or names.to_python(node.name)
+        name = self.whens.get(node.name) or self.variable(node.name)
         self.line(f"{name}.{method}()", node, node.comment)
 
     def raw_block(self, node: Raw) -> None:

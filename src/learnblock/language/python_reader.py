@@ -56,6 +56,7 @@ from learnblock.language.nodes import (
     When,
     While,
 )
+from learnblock.language.parser import MAX_HEIGHT
 from learnblock.language.python import (
     DEFAULT_ROBOT,
     ROBOT_IMPORT,
@@ -84,7 +85,8 @@ _COMPARE: dict[type[ast.cmpop], str] = {
     ast.In: "in",
     ast.NotIn: "not in",
 }
-_MODULE = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)*")
+# Trees of this height still fit the parser's limit when they are written as Block-Text.
+_MAX_HEIGHT = MAX_HEIGHT - 20
 
 
 def from_python(text: str, filename: str = "program.py") -> Program:
@@ -102,11 +104,7 @@ def from_python(text: str, filename: str = "program.py") -> Program:
     except (_Unlike, RecursionError):
         program = None
     if program is None:
-        return (
-            Program((Raw(text, Span(1, 1, text.count("\n") + 1, 0)),))
-            if text
-            else Program(python="")
-        )
+        return Program((Raw(text, Span(1, 1, text.count("\n") + 1, 0)),))
     module = ROBOT_IMPORT.search(text)
     written = canonical(program, module[1] if module else DEFAULT_ROBOT).text
     return program if written == text else replace(program, python=text)
@@ -212,6 +210,7 @@ class _Reader:
         self.skeleton = skeleton
         self.line = 1  # the next one whose comments are still to be read
         self.modules: set[str] = set()
+        self.height = 0  # of the expression that is being read, so far
         self.clashes = names.clashes(_variables(tree))
         self.whens = self.declared_whens()
         self.when_names = {plain: name for name, plain in self.whens.items()}
@@ -547,7 +546,7 @@ class _Reader:
         if node.decorator_list:
             return self.when(node, comment)
         name = names.from_python(node.name)
-        parameters = tuple(self.identifier(argument.arg) for argument in arguments.args)
+        parameters = tuple(self.called(argument.arg) for argument in arguments.args)
         if name is None:
             _unlike()
         body = self.function_body(node, parameters)
@@ -778,10 +777,13 @@ class _Reader:
     # Expressions.
 
     def expression(self, node: ast.expr) -> Expression:
+        self.height += 1
         try:
-            return self.exact(node)
+            return self.exact(node) if self.height < _MAX_HEIGHT else self.raw(node)
         except _Unlike:
             return self.raw(node)
+        finally:
+            self.height -= 1
 
     def exact(self, node: ast.expr) -> Expression:  # noqa: PLR0911 - one a kind
         span = _span(node)
@@ -830,6 +832,8 @@ class _Reader:
         _unlike()
 
     def logic(self, operator: str, values: list[ast.expr]) -> Expression:
+        if self.height + len(values) > _MAX_HEIGHT:
+            _unlike()
         result = self.expression(values[0])
         for value in values[1:]:
             right = self.expression(value)
@@ -952,7 +956,10 @@ def _is_when(node: ast.FunctionDef) -> bool:
 
 def _variables(tree: ast.Module) -> set[str]:
     """The names in Block-Text of all that is no ``when``."""
-    found = markers.variable_names(tree)
+    whens = {
+        node.name for node in tree.body if isinstance(node, ast.FunctionDef) and _is_when(node)
+    }
+    found = markers.variable_names(tree, whens)
     for node in tree.body:
         if isinstance(node, ast.FunctionDef) and not node.decorator_list:
             found.add(node.name)
