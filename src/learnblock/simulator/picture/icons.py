@@ -6,15 +6,19 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from learnblock.simulator.colours import RGB, rgb
-from learnblock.simulator.picture.svg import Circle, Paint, Point, Polygon, Polyline, Shape, Text
+from learnblock.simulator.picture.palette import GREEN, INK, RED, WHITE, is_dark
+from learnblock.simulator.picture.svg import (
+    Circle,
+    Paint,
+    Point,
+    Polygon,
+    Polyline,
+    Shape,
+    Text,
+    rectangle,
+)
 from learnblock.simulator.picture.view import View
 from learnblock.simulator.robot_description import Body
-
-INK: RGB = (45, 48, 56)
-WHITE: RGB = (255, 255, 255)
-GREEN: RGB = (30, 142, 84)
-RED: RGB = (200, 48, 48)
-PALE: RGB = (110, 114, 124)
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +45,7 @@ _EXPRESSIONS = MappingProxyType(
         "joy": _Expression((255, 205, 60), smile=0.38, mouth=0.5),
         "sadness": _Expression((120, 170, 235), smile=-0.3, brow=-0.16),
         "anger": _Expression((240, 105, 90), smile=-0.22, brow=0.22),
-        "surprise": _Expression((255, 170, 90), open=0.24, brow=0.0),
+        "surprise": _Expression((255, 170, 90), open=0.26),
         "fear": _Expression((190, 150, 225), smile=-0.1, open=0.17, brow=-0.2),
         "disgust": _Expression((150, 200, 100), smile=-0.24, mouth=0.34, brow=0.1),
         "neutral": _Expression((205, 208, 214), mouth=0.36),
@@ -105,22 +109,18 @@ def finish(center: Point, radius: float) -> Iterator[Shape]:
         for column in range(3):
             if (row + column) % 2 == 0:
                 left, top = -0.42 + 0.3 * column, -0.58 + 0.26 * row
-                corners = [
-                    (left, top),
-                    (left + 0.3, top),
-                    (left + 0.3, top + 0.26),
-                    (left, top + 0.26),
-                ]
+                corners = rectangle(left, top, 0.3, 0.26)
                 yield Polygon(_scaled(corners, center, radius), Paint(INK))
 
 
 def flag(center: Point, radius: float) -> Iterator[Shape]:
     """A goal to be reached."""
     pole = [(-0.4, -0.8), (-0.4, 0.8)]
-    yield Polyline(_scaled(pole, center, radius), WHITE, 0.5 * radius)
+    yield Polyline(_scaled(pole, center, radius), WHITE, 0.2 * radius + 4)
+    cloth = _scaled([(-0.4, -0.8), (0.8, -0.35), (-0.4, 0.1)], center, radius)
+    yield Polygon(cloth, Paint(GREEN, WHITE, 4.0))
     yield Polyline(_scaled(pole, center, radius), GREEN, 0.2 * radius)
-    cloth = [(-0.4, -0.8), (0.7, -0.4), (-0.4, 0.05)]
-    yield Polygon(_scaled(cloth, center, radius), Paint(GREEN, WHITE, 1.0))
+    yield Polygon(cloth, Paint(GREEN))
 
 
 def dot(center: Point, colour: RGB, radius: float = 5.0) -> Shape:
@@ -165,11 +165,7 @@ def robot(
     arrow = [(reach, 0.0), (-reach * 0.6, reach * 0.75), (-reach * 0.25, 0.0)]
     arrow.append((-reach * 0.6, -reach * 0.75))
     ahead = view.placed([(middle + f, left) for f, left in arrow], x, y, heading)
-    yield Polygon(ahead, Paint(_readable(rgb(body.colour)), opacity=opacity))
-
-
-def _readable(ground: RGB) -> RGB:
-    return INK if sum(ground) > 330 else WHITE
+    yield Polygon(ahead, Paint(WHITE if is_dark(rgb(body.colour)) else INK, opacity=opacity))
 
 
 def _scaled(points: list[Point], center: Point, radius: float) -> list[Point]:

@@ -8,13 +8,19 @@ from numpy.typing import NDArray
 
 from learnblock.simulator.picture.svg import Point
 
-DISTANCES = (0.0, 14.0, 32.0, 56.0, 86.0)
+DISTANCES = (0.0, 14.0, 32.0, 56.0, 86.0, 120.0)
 """Tried one after another beyond what must stay clear, pixels."""
 DIRECTIONS = 16
 GAP = 4.0
 """Pixels between two labels."""
 DISTANCE_COST = 0.06
 """Points of the path covered that a label may spare by standing one pixel farther off."""
+BUSY_MARGIN = 6.0
+"""Pixels that a label had better keep from the middle of the path."""
+LEADER_STEP = 6.0
+"""Pixels between the points for which the line from a label to its place counts."""
+LEADER_WEIGHT = 3
+"""How many points of the path one of these counts for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +48,9 @@ class Box:
             and other.right <= self.right
             and other.bottom <= self.bottom
         )
+
+    def grown(self, margin: float) -> "Box":
+        return Box(self.left - margin, self.top - margin, self.right + margin, self.bottom + margin)
 
     @classmethod
     def around(cls, center: Point, radius: float) -> "Box":
@@ -95,19 +104,33 @@ class Room:
             for index in range(DIRECTIONS):
                 angle = 2 * math.pi * (index + 0.5) / DIRECTIONS
                 spot = _spot(anchor, clear + icon + distance, angle, icon, text)
-                cost = self._cost(spot.box) + distance * DISTANCE_COST
+                cost = self._cost(anchor, spot) + distance * DISTANCE_COST
                 if cost < least:
                     best, least = spot, cost
         if best is not None:
             self.take(best.box)
+            self._busy = np.vstack([self._busy, *[_leader(anchor, best)] * LEADER_WEIGHT])
         return best
 
-    def _cost(self, box: Box) -> float:
+    def _cost(self, anchor: Point, spot: Spot) -> float:
+        box = spot.box
         if not self._bounds.holds(box) or any(box.overlaps(other) for other in self._taken):
             return math.inf
-        x, y = self._busy[:, 0], self._busy[:, 1]
-        covered = (x > box.left) & (x < box.right) & (y > box.top) & (y < box.bottom)
-        return float(np.count_nonzero(covered))
+        leader = _leader(anchor, spot)
+        crossed = sum(_count(leader, other) for other in self._taken)
+        return _count(self._busy, box.grown(BUSY_MARGIN)) + LEADER_WEIGHT * crossed
+
+
+def _leader(anchor: Point, spot: Spot) -> NDArray[np.float64]:
+    """Points every few pixels from what is named to its label."""
+    count = 2 + int(math.dist(anchor, spot.head) / LEADER_STEP)
+    return np.linspace(anchor, spot.head, count)
+
+
+def _count(points: NDArray[np.float64], box: Box) -> int:
+    x, y = points[:, 0], points[:, 1]
+    within = (x > box.left) & (x < box.right) & (y > box.top) & (y < box.bottom)
+    return int(np.count_nonzero(within))
 
 
 def _spot(anchor: Point, distance: float, angle: float, icon: float, text: float) -> Spot:

@@ -3,10 +3,12 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import Literal
 
 from learnblock.simulator.colours import RGB
 from learnblock.simulator.picture import icons
 from learnblock.simulator.picture.labels import Room, Spot
+from learnblock.simulator.picture.palette import GREEN, INK, PALE, RED, WHITE
 from learnblock.simulator.picture.svg import (
     Circle,
     Paint,
@@ -22,9 +24,11 @@ SIZE = 16.0
 """Of a label's text, pixels."""
 ICON = 14.0
 """Radius of an icon, pixels."""
+FLAG = 12.0
+"""Half the height of a goal's flag, pixels."""
 LONGEST_LABEL = 44
 """Characters."""
-MOST_LABELS = 24
+MOST_LABELS = 18
 """Marks that get a label; of the others only the dots on the path are drawn."""
 _RANK = {"end": 0, "goal": 1}
 
@@ -60,8 +64,8 @@ class Event:
         if self.kind == "emotion":
             return icons.emotion_colour(self.text)
         if self.kind == "goal":
-            return icons.RED if self.failed else icons.GREEN
-        return icons.INK
+            return RED if self.failed else GREEN
+        return INK
 
     @property
     def icon(self) -> Icon | None:
@@ -92,17 +96,36 @@ def events_drawn(events: Sequence[Event], room: Room, clear: float) -> Iterator[
     for event, spot in labelled:
         yield from _leader(event.place, spot, event.colour)
     for event, spot in labelled:
-        yield from _labelled(spot, event.icon, event.label, icons.INK)
+        yield from _labelled(spot, event)
 
 
-def name_drawn(
-    text: str, place: Point, room: Room, clear: float, icon: Icon | None, colour: RGB
-) -> Iterator[Shape]:
-    """The name of something of the world beside it, if there is room."""
-    label = shortened(text, LONGEST_LABEL)
-    spot = room.place(place, 9.0 if icon else 0.0, _width(label), clear)
-    if spot is not None:
-        yield from _labelled(spot, icon, label, colour, 9.0)
+@dataclass(frozen=True, slots=True)
+class Name:
+    """The name of something of the world.
+
+    Args:
+        text: as the world's file has it.
+        place: pixels.
+        clear: how far from the place the label must stay, pixels.
+        is_goal: it then has a flag.
+    """
+
+    text: str
+    place: Point
+    clear: float = 0.0
+    is_goal: bool = False
+
+
+def name_drawn(name: Name, room: Room) -> Iterator[Shape]:
+    """The name beside what it names, if there is room."""
+    label = shortened(name.text, LONGEST_LABEL)
+    radius = FLAG if name.is_goal else 0.0
+    spot = room.place(name.place, radius, _width(label), name.clear)
+    if spot is not None and name.is_goal:
+        yield from icons.flag(spot.head, FLAG)
+        yield _caption(spot, FLAG - 2, label, GREEN)
+    elif spot is not None:
+        yield _caption(spot, 0.0, label, PALE)
 
 
 def _chosen(events: Sequence[Event]) -> list[Event]:
@@ -117,21 +140,25 @@ def _chosen(events: Sequence[Event]) -> list[Event]:
 
 
 def _leader(place: Point, spot: Spot, colour: RGB) -> Iterator[Shape]:
-    yield Polyline([place, spot.head], (255, 255, 255), 4.5, 0.85)
-    yield Polyline([place, spot.head], icons.INK, 1.6)
+    yield Polyline([place, spot.head], WHITE, 4.5, 0.85)
+    yield Polyline([place, spot.head], INK, 1.6)
     yield icons.dot(place, colour)
 
 
-def _labelled(
-    spot: Spot, icon: Icon | None, text: str, colour: RGB, radius: float = ICON
-) -> Iterator[Shape]:
+def _labelled(spot: Spot, event: Event) -> Iterator[Shape]:
+    if event.icon is None:
+        yield _caption(spot, 0.0, event.label, INK)
+        return
+    yield Circle(spot.head, ICON + 2, Paint(WHITE, opacity=0.85))
+    yield from event.icon(spot.head, ICON)
+    yield _caption(spot, ICON, event.label, INK)
+
+
+def _caption(spot: Spot, icon: float, text: str, colour: RGB) -> Text:
     x, y = spot.head
-    if icon:
-        yield Circle(spot.head, radius + 2, Paint((255, 255, 255), opacity=0.85))
-        yield from icon(spot.head, radius)
-    place = (x + spot.side * ((radius if icon else 0.0) + 6), y + SIZE * 0.36)
-    anchor = "start" if spot.side > 0 else "end"
-    yield Text(place, text, SIZE, colour, bold=True, anchor=anchor, halo=(255, 255, 255))
+    place = (x + spot.side * (icon + 6), y + SIZE * 0.36)
+    anchor: Literal["start", "end"] = "start" if spot.side > 0 else "end"
+    return Text(place, text, SIZE, colour, bold=True, anchor=anchor, halo=WHITE)
 
 
 def _width(text: str) -> float:

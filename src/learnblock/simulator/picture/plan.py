@@ -12,6 +12,8 @@ from learnblock.simulator.colours import RGB, rgb
 from learnblock.simulator.floor import Floor
 from learnblock.simulator.geometry import forward
 from learnblock.simulator.picture import icons
+from learnblock.simulator.picture.labels import Box as LabelBox
+from learnblock.simulator.picture.palette import BLACK, GREEN, INK, PALE, WHITE, is_dark
 from learnblock.simulator.picture.svg import (
     Circle,
     Image,
@@ -21,6 +23,7 @@ from learnblock.simulator.picture.svg import (
     Polyline,
     Shape,
     Text,
+    rectangle,
 )
 from learnblock.simulator.picture.view import View, round_step
 from learnblock.simulator.world_description import (
@@ -52,8 +55,6 @@ def drawn(world: WorldDescription, view: View) -> Iterator[Shape]:
         points = _points(line.polyline().points)
         yield Polyline(view.all(points), rgb(line.colour), line.width * view.scale)
     yield from _outlined(view, world)
-    for start in world.start:
-        yield from _start(start, view)
     yield from _things(world, view)
     for lamp in world.light:
         yield from icons.sun(view.at(lamp.x, lamp.y), 15.0)
@@ -69,8 +70,38 @@ def board_picture(board: Tag | Face, view: View) -> tuple[Point, float]:
     return (board_x - back * x, board_y + back * y), side
 
 
+def boards(world: WorldDescription) -> tuple[Tag | Face, ...]:
+    """Tags and faces."""
+    return (*world.tag, *world.face)
+
+
+def things(world: WorldDescription) -> tuple[Box | Cylinder, ...]:
+    """Boxes and cylinders."""
+    return (*world.box, *world.cylinder)
+
+
+def outline(thing: Box | Cylinder, view: View) -> list[Point]:
+    """The corners of a box, or of sixteen on a cylinder, in pixels."""
+    if isinstance(thing, Cylinder):
+        angles = [k * math.pi / 8 for k in range(16)]
+        radius = thing.radius
+        circle = [(thing.x + radius * math.cos(a), thing.y + radius * math.sin(a)) for a in angles]
+        return view.all(circle)
+    length, width = thing.length / 2, thing.width / 2
+    corners = [(length, -width), (length, width), (-length, width), (-length, -width)]
+    return view.placed(corners, thing.x, thing.y, thing.heading)
+
+
+def tag_number_box(tag: Tag, view: View) -> LabelBox:
+    """Where a tag's number stands: beyond its picture, away from the board."""
+    (x, y), side = board_picture(tag, view)
+    away = -1 if forward(tag.heading)[1] < 0 else 1
+    middle = y + away * (side / 2 + 13)
+    return LabelBox(x - 26, middle - 11, x + 26, middle + 11)
+
+
 def grid_step(world: WorldDescription) -> float:
-    """mm between the grid's lines, the length of the scale bar: four to ten of a floor's side."""
+    """The mm between two lines of the grid: also the length of the scale bar."""
     return round_step(max(world.floor.size) / 10)
 
 
@@ -78,7 +109,7 @@ def _ground(world: WorldDescription, view: View) -> Iterator[Shape]:
     east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
     corners = view.all([(-east, -north), (east, -north), (east, north), (-east, north)])
     if world.floor.border:
-        yield Polygon(_shadow(corners), Paint((0, 0, 0), (0, 0, 0), 12, 0.10))
+        yield Polygon(_shadow(corners), Paint(BLACK, BLACK, 12, 0.10))
         yield Polygon(corners, Paint(BORDER, EDGE, 13))
         yield Polygon(corners, Paint(BORDER, BORDER, 10))
     yield Polygon(corners, Paint(rgb(world.floor.colour), EDGE, 1.2))
@@ -107,7 +138,7 @@ def _at_most(pixels: textures.Image, width: float) -> textures.Image:
 def _grid(world: WorldDescription, view: View) -> Iterator[Shape]:
     step = grid_step(world)
     east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
-    ink = (255, 255, 255) if sum(rgb(world.floor.colour)) < 330 else (0, 0, 0)
+    ink = WHITE if is_dark(rgb(world.floor.colour)) else BLACK
     for x in _multiples(step, east):
         yield Polyline(view.all([(x, -north), (x, north)]), ink, 1.0, 0.07, cap="butt")
     for y in _multiples(step, north):
@@ -129,13 +160,13 @@ def _goals(world: WorldDescription, view: View) -> Iterator[Shape]:
 
 
 def _region(view: View, reach: Reach) -> Circle:
-    paint = Paint(icons.GREEN, opacity=0.16)
+    paint = Paint(GREEN, opacity=0.16)
     return Circle(view.at(reach.x, reach.y), reach.radius * view.scale, paint)
 
 
 def _outlined(view: View, world: WorldDescription) -> Iterator[Shape]:
     for reach in world.goal.reach:
-        ring = Paint(stroke=icons.GREEN, width=2.5, dash=(9.0, 6.0))
+        ring = Paint(stroke=GREEN, width=2.5, dash=(9.0, 6.0))
         yield Circle(view.at(reach.x, reach.y), reach.radius * view.scale, ring)
 
 
@@ -144,16 +175,16 @@ def _followed(world: WorldDescription, view: View, goal: Follow) -> Iterator[Sha
     for line in world.line:
         if line.name == goal.line:
             points = view.all(_points(line.polyline().points))
-            yield Polyline(points, icons.GREEN, line.width * view.scale + 18, 0.22)
+            yield Polyline(points, GREEN, line.width * view.scale + 18, 0.22)
 
 
 def _visited(world: WorldDescription, view: View, goal: Visit) -> Iterator[Shape]:
     """The half disc before the tag from which it is near enough."""
     for tag in world.tag:
         if tag.id == goal.id:
-            outline = view.all(_half_disc(tag, goal.distance))
-            yield Polygon(outline, Paint(icons.GREEN, opacity=0.09))
-            yield Polygon(outline, Paint(stroke=icons.GREEN, width=1.6, opacity=0.6, dash=(7, 6)))
+            region = view.all(_half_disc(tag, goal.distance))
+            yield Polygon(region, Paint(GREEN, opacity=0.09))
+            yield Polygon(region, Paint(stroke=GREEN, width=1.6, opacity=0.6, dash=(7, 6)))
 
 
 def _half_disc(tag: Tag, radius: float) -> list[Point]:
@@ -162,14 +193,14 @@ def _half_disc(tag: Tag, radius: float) -> list[Point]:
     return [(tag.x + radius * x, tag.y + radius * y) for x, y in units]
 
 
-def _start(start: Start, view: View) -> Iterator[Shape]:
-    """A ring with an arrow along the heading."""
+def start(start: Start, view: View) -> Iterator[Shape]:
+    """A start that no robot took: a ring with an arrow along the heading."""
     x, y = view.at(start.x, start.y)
-    yield Circle((x, y), 13.0, Paint((255, 255, 255), icons.PALE, 1.6, 0.85))
+    yield Circle((x, y), 13.0, Paint(WHITE, PALE, 1.6, 0.85))
     ahead, left = forward(start.heading), forward(start.heading - 90)
     corners = [(10.0, 0.0), (-6.0, 6.5), (-2.5, 0.0), (-6.0, -6.5)]
     arrow = [(x + f * ahead[0] + s * left[0], y - f * ahead[1] - s * left[1]) for f, s in corners]
-    yield Polygon(arrow, Paint(icons.PALE))
+    yield Polygon(arrow, Paint(PALE))
 
 
 def _things(world: WorldDescription, view: View) -> Iterator[Shape]:
@@ -189,24 +220,22 @@ def _things(world: WorldDescription, view: View) -> Iterator[Shape]:
 def _wall(wall: Wall, view: View) -> Iterator[Shape]:
     points = view.all(wall.points)
     width = max(wall.thickness * view.scale, 4.0)
-    yield Polyline(_shadow(points), (0, 0, 0), width, 0.16, cap="square")
+    yield Polyline(_shadow(points), BLACK, width, 0.16, cap="square")
     yield Polyline(points, EDGE, width + 2.4, cap="square")
     # The edge is drawn by what is wider; a square end is longer by half of its width.
     yield Polyline(points, rgb(wall.colour), width, cap="square")
 
 
 def _box(box: Box, view: View) -> Iterator[Shape]:
-    length, width = box.length / 2, box.width / 2
-    corners = [(length, -width), (length, width), (-length, width), (-length, -width)]
-    outline = view.placed(corners, box.x, box.y, box.heading)
-    yield Polygon(_shadow(outline), Paint((0, 0, 0), opacity=0.16))
-    yield Polygon(outline, _sides(box))
+    corners = outline(box, view)
+    yield Polygon(_shadow(corners), Paint(BLACK, opacity=0.16))
+    yield Polygon(corners, _sides(box))
 
 
 def _cylinder(cylinder: Cylinder, view: View) -> Iterator[Shape]:
     center = view.at(cylinder.x, cylinder.y)
     radius = cylinder.radius * view.scale
-    yield Circle(_shadow([center])[0], radius, Paint((0, 0, 0), opacity=0.16))
+    yield Circle(_shadow([center])[0], radius, Paint(BLACK, opacity=0.16))
     yield Circle(center, radius, _sides(cylinder))
 
 
@@ -219,9 +248,8 @@ def _sides(thing: Box | Cylinder) -> Paint:
 def _board(board: Tag | Face, view: View, picture: textures.Image) -> Iterator[Shape]:
     (x, y), side = board_picture(board, view)
     corner = (x - side / 2, y - side / 2)
-    frame = [corner, (x + side / 2, y - side / 2), (x + side / 2, y + side / 2)]
-    frame.append((x - side / 2, y + side / 2))
-    yield Polygon(_shadow(frame), Paint((0, 0, 0), opacity=0.13))
+    frame = rectangle(*corner, side, side)
+    yield Polygon(_shadow(frame), Paint(BLACK, opacity=0.13))
     yield Image(corner, (side, side), picture)
     yield Polygon(frame, Paint(stroke=EDGE, width=1.4))
     yield from _edge(board, view)
@@ -231,19 +259,18 @@ def _edge(board: Tag | Face, view: View) -> Iterator[Shape]:
     """The board itself, which from above is a line, and the way its front looks."""
     half = board.size / 2
     ends = view.placed([(0, half), (0, -half)], board.x, board.y, board.heading)
-    yield Polyline(ends, icons.INK, 5.0, cap="butt")
+    yield Polyline(ends, INK, 5.0, cap="butt")
     x, y = view.at(board.x, board.y)
     ahead, left = forward(board.heading), forward(board.heading - 90)
     corners = [(12.0, 0.0), (3.0, 6.0), (3.0, -6.0)]
     nose = [(x + f * ahead[0] + s * left[0], y - f * ahead[1] - s * left[1]) for f, s in corners]
-    yield Polygon(nose, Paint(icons.INK))
+    yield Polygon(nose, Paint(INK))
 
 
 def _number(tag: Tag, view: View) -> Iterator[Shape]:
-    (x, y), side = board_picture(tag, view)
-    place = (x, y + side / 2 + 19)
-    text = f"tag {tag.id}"
-    yield Text(place, text, 15, icons.INK, bold=True, anchor="middle", halo=(255, 255, 255))
+    box = tag_number_box(tag, view)
+    place = ((box.left + box.right) / 2, box.bottom - 6)
+    yield Text(place, f"tag {tag.id}", 15, INK, bold=True, anchor="middle", halo=WHITE)
 
 
 def _shadow(points: Iterable[Point]) -> list[Point]:

@@ -3,14 +3,15 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from learnblock.simulator.colours import RGB
-from learnblock.simulator.geometry import forward
-from learnblock.simulator.picture import icons, marks, plan, svg, track
+from learnblock.simulator.geometry import Pose
+from learnblock.simulator.picture import icons, marks, plan, svg, time_bar
 from learnblock.simulator.picture.labels import Box, Room
+from learnblock.simulator.picture.palette import INK, PALE, PAPER
 from learnblock.simulator.picture.svg import (
     Paint,
     Point,
@@ -18,6 +19,7 @@ from learnblock.simulator.picture.svg import (
     Polyline,
     Shape,
     Text,
+    rectangle,
     shortened,
 )
 from learnblock.simulator.picture.track import Track
@@ -31,12 +33,15 @@ from learnblock.simulator.picture.view import (
     fitted,
 )
 from learnblock.simulator.robot_description import Body
-from learnblock.simulator.world_description import WorldDescription
+from learnblock.simulator.world_description import Box as WorldBox
+from learnblock.simulator.world_description import Cylinder, Start, WorldDescription
 
-PAPER: RGB = (253, 252, 249)
-WELL: RGB = (241, 240, 236)
 LONGEST_TITLE = 68
 """Characters; the subtitle may have half as many again."""
+TALLEST_BAR = 520.0
+"""Pixels."""
+START_SLACK = 30.0
+"""mm off a start at which a path still begins there."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,32 +83,27 @@ def _view(scene: Scene) -> View:
 
 
 def _layers(scene: Scene, view: View) -> Iterator[Shape]:
-    yield from _paper(view)
+    driven = Track.of(scene.path, view) if scene.path else None
+    yield Polygon(rectangle(0, 0, WIDTH, view.page_height), Paint(PAPER))
     yield from _heading(scene)
     yield from plan.drawn(scene.world, view)
-    path = np.array(scene.path, np.float64).reshape(-1, 4)
-    driven = Track.of(path, view) if len(path) else None
+    for start in scene.world.start:
+        if not _is_taken(start, scene):
+            yield from plan.start(start, view)
     if driven is not None:
         yield from icons.robot(scene.body, view, scene.path[0][1:], faint=True)
-        yield from track.drawn(driven)
+        yield from driven.drawn()
         yield from icons.robot(scene.body, view, scene.path[-1][1:])
+        yield from _time_bar(scene, view)
     yield from _labels(scene, view, driven)
-    if driven is not None:
-        left = WIDTH - MARGIN - BAR_COLUMN + 34
-        height = min(view.plot[1] - 60, 460.0)
-        yield from track.bar(driven, left, HEADER + (view.plot[1] - height) / 2 + 10, height)
     yield from _footer(scene, view)
-
-
-def _paper(view: View) -> Iterator[Shape]:
-    yield Polygon(_rectangle(0, 0, WIDTH, view.page_height), Paint(PAPER))
 
 
 def _heading(scene: Scene) -> Iterator[Shape]:
     title = shortened(scene.title or scene.world.title or scene.world.name, LONGEST_TITLE)
-    yield Text((MARGIN, 60), title, 30, icons.INK, bold=True)
+    yield Text((MARGIN, 60), title, 30, INK, bold=True)
     subtitle = shortened(" · ".join(_facts(scene)), LONGEST_TITLE * 3 // 2)
-    yield Text((MARGIN, 93), subtitle, 18, icons.PALE)
+    yield Text((MARGIN, 93), subtitle, 18, PALE)
 
 
 def _facts(scene: Scene) -> Iterator[str]:
@@ -115,93 +115,103 @@ def _facts(scene: Scene) -> Iterator[str]:
         yield f"{metres:.2f} m in {scene.path[-1][0] - scene.path[0][0]:.1f} s"
 
 
+def _time_bar(scene: Scene, view: View) -> Iterator[Shape]:
+    corner = (WIDTH - MARGIN - BAR_COLUMN + 34, HEADER + 50)
+    height = min(view.plot[1] - 60, TALLEST_BAR)
+    yield from time_bar.drawn(scene.path[0][0], scene.path[-1][0], corner, height)
+
+
 def _labels(scene: Scene, view: View, driven: Track | None) -> Iterator[Shape]:
     room = Room(_bounds(view), _busy(scene, view, driven))
     reach = scene.body.reach * view.scale
-    for board in (*scene.world.tag, *scene.world.face):
+    for board in plan.boards(scene.world):
         center, side = plan.board_picture(board, view)
         room.take(Box.around(center, side / 2 + 4))
     for tag in scene.world.tag:
-        (x, y), side = plan.board_picture(tag, view)
-        room.take(Box(x - 26, y + side / 2, x + 26, y + side / 2 + 24))
+        room.take(plan.tag_number_box(tag, view))
     if scene.path:
         room.take(Box.around(view.at(*scene.path[-1][1:3]), reach * 0.8))
     events = [marks.Event(t, kind, text, view.at(x, y)) for t, kind, text, x, y in scene.marks]
-    # First what happened, which matters more than what things are called; names go beneath.
+    # What happened matters more than what things are called: it chooses first, and lies on top.
     happened = list(marks.events_drawn(events, room, reach))
-    yield from _names(scene, view, room)
+    for name in _names(scene, view):
+        yield from marks.name_drawn(name, room)
     yield from happened
 
 
-def _names(scene: Scene, view: View, room: Room) -> Iterator[Shape]:
-    for name, place, clear in _goal_places(scene.world, view):
-        yield from marks.name_drawn(name, place, room, clear, icons.flag, icons.GREEN)
-    for thing in (*scene.world.box, *scene.world.cylinder):
+def _names(scene: Scene, view: View) -> Iterator[marks.Name]:
+    """What the world calls its goals, its named things and its starts."""
+    told = [text for _, kind, text, _, _ in scene.marks if kind == "goal"]
+    for name in _goal_names(scene.world, view):
+        if not any(text.startswith(f"{name.text}:") for text in told):
+            yield name
+    for thing in plan.things(scene.world):
         if thing.name not in ("box", "cylinder"):
             clear = _radius(thing) * view.scale + 4
-            place = view.at(thing.x, thing.y)
-            yield from marks.name_drawn(thing.name, place, room, clear, None, icons.PALE)
+            yield marks.Name(thing.name, view.at(thing.x, thing.y), clear)
     for start in scene.world.start:
-        place = view.at(start.x, start.y)
-        yield from marks.name_drawn(start.name, place, room, 18.0, None, icons.PALE)
+        clear = scene.body.reach * view.scale if _is_taken(start, scene) else 18.0
+        yield marks.Name(start.name, view.at(start.x, start.y), clear)
 
 
-def _radius(thing: object) -> float:
-    return float(
-        getattr(thing, "radius", 0.0)
-        or math.hypot(getattr(thing, "length", 0.0), getattr(thing, "width", 0.0)) / 2
-    )
+def _is_taken(start: Start, scene: Scene) -> bool:
+    """Whether the path begins there."""
+    return bool(scene.path) and math.dist((start.x, start.y), scene.path[0][1:3]) < START_SLACK
 
 
-def _goal_places(world: WorldDescription, view: View) -> Iterator[tuple[str, Point, float]]:
+def _radius(thing: WorldBox | Cylinder) -> float:
+    if isinstance(thing, Cylinder):
+        return thing.radius
+    return math.hypot(thing.length, thing.width) / 2
+
+
+def _goal_names(world: WorldDescription, view: View) -> Iterator[marks.Name]:
     for reach in world.goal.reach:
-        yield reach.name, view.at(reach.x, reach.y), 0.0
+        yield marks.Name(reach.name, view.at(reach.x, reach.y), is_goal=True)
+    lines = {line.name: line for line in world.line}
     for follow in world.goal.follow:
-        for line in world.line:
-            if line.name == follow.line:
-                points = line.polyline().points
-                x, y = points[len(points) // 2].tolist()
-                yield follow.name, view.at(x, y), line.width * view.scale / 2 + 10
+        line = lines[follow.line]
+        points = line.polyline().points
+        x, y = points[len(points) // 2].tolist()
+        clear = line.width * view.scale / 2 + 10
+        yield marks.Name(follow.name, view.at(x, y), clear, is_goal=True)
+    tags = {tag.id: tag for tag in world.tag}
     for visit in world.goal.visit:
-        for tag in world.tag:
-            if tag.id == visit.id:
-                x, y = forward(tag.heading)
-                ahead = 0.55 * visit.distance
-                yield visit.name, view.at(tag.x + ahead * x, tag.y + ahead * y), 0.0
+        tag = tags[visit.id]
+        place = Pose(tag.x, tag.y, tag.heading).ahead(0.55 * visit.distance)
+        yield marks.Name(visit.name, view.at(place.x, place.y), is_goal=True)
 
 
 def _bounds(view: View) -> Box:
     width, height = view.plot
-    return Box(MARGIN - 30, HEADER - 10, MARGIN + width + 16, HEADER + height + 6)
+    return Box(MARGIN - 12, HEADER - 6, MARGIN + width - 14, HEADER + height - 10)
 
 
 def _busy(scene: Scene, view: View, driven: Track | None) -> NDArray[np.float64]:
-    """What labels should not cover: the path, walls, things."""
-    points: list[Point] = []
-    for thing in (*scene.world.box, *scene.world.cylinder):
-        radius = _radius(thing) * 0.7
-        points += view.all(
-            (thing.x + radius * x / 2, thing.y + radius * y / 2)
-            for x in range(-2, 3)
-            for y in range(-2, 3)
-        )
+    """What labels should not cover: the path, walls, things, the robot at its start."""
+    parts = [_within(plan.outline(thing, view)) for thing in plan.things(scene.world)]
     for wall in scene.world.wall:
-        for begin, end in zip(wall.points, wall.points[1:], strict=False):
-            points += view.all(zip(*(np.linspace(begin, end, 60).T.tolist()), strict=True))
-    along = track.spread(driven, 6.0) if driven is not None else np.empty((0, 2))
-    return np.vstack([np.array(points).reshape(-1, 2), along])
+        parts += [np.linspace(*ends, 80) for ends in pairwise(view.all(wall.points))]
+    if driven is not None:
+        parts.append(driven.spread(6.0))
+        parts.append(_within(view.placed(scene.body.outline, *scene.path[0][1:])))
+    return np.vstack([np.empty((0, 2)), *parts])
+
+
+def _within(outline: list[Point]) -> NDArray[np.float64]:
+    """Points spread over a convex outline: itself shrunk towards its middle, again and again."""
+    corners = np.array([*outline, outline[0]])
+    edge = np.vstack([np.linspace(begin, end, 8) for begin, end in pairwise(corners)])
+    middle = edge.mean(axis=0)
+    return np.vstack([middle + part * (edge - middle) for part in (0.25, 0.5, 0.75, 1.0)])
 
 
 def _footer(scene: Scene, view: View) -> Iterator[Shape]:
-    base = HEADER + view.plot[1] + FOOTER - 38
+    base = HEADER + view.plot[1] + FOOTER - 30
     step = plan.grid_step(scene.world)
-    left, right = MARGIN + 4, MARGIN + 4 + step * view.scale
+    left, right = MARGIN + 2, MARGIN + 2 + step * view.scale
     bar = [(left, base - 7), (left, base), (right, base), (right, base - 7)]
-    yield Polyline(bar, icons.INK, 2.0, cap="butt")
-    yield Text((right + 12, base + 3), f"{step:g} mm", 16, icons.INK, bold=True)
+    yield Polyline(bar, INK, 2.0, cap="butt")
+    yield Text((right + 12, base + 3), f"{step:g} mm", 16, INK, bold=True)
     yield from icons.compass((WIDTH - MARGIN - 14, base - 8), 14.0)
-    yield Text((WIDTH - MARGIN - 44, base + 3), "LearnBlock", 15, icons.PALE, anchor="end")
-
-
-def _rectangle(left: float, top: float, right: float, bottom: float) -> list[Point]:
-    return [(left, top), (right, top), (right, bottom), (left, bottom)]
+    yield Text((WIDTH - MARGIN - 44, base + 3), "LearnBlock", 15, PALE, anchor="end")

@@ -126,6 +126,12 @@ def png(svg: str) -> bytes:
     )
 
 
+def rectangle(left: float, top: float, width: float, height: float) -> list[Point]:
+    """Its corners."""
+    right, bottom = left + width, top + height
+    return [(left, top), (right, top), (right, bottom), (left, bottom)]
+
+
 def text_width(text: str, size: float) -> float:
     """About how wide a text is: letters of the font take 0.56 of its size on average."""
     return size * sum(0.56 if ord(character) < 0x1100 else 1.0 for character in text)

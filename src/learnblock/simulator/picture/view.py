@@ -12,14 +12,14 @@ from learnblock.simulator.picture.svg import Point
 WIDTH = 1200.0
 """Of the page, pixels; so is everything below."""
 MARGIN = 56.0
-HEADER = 128.0
-FOOTER = 96.0
+HEADER = 116.0
+FOOTER = 78.0
 BAR_COLUMN = 118.0
 """Beside the world, for the colour bar."""
 TALLEST = 1000.0
 LOWEST = 300.0
 
-AROUND = 40.0
+AROUND = 25.0
 """mm shown around the floor, or around a path that leaves it."""
 
 

@@ -1,0 +1,52 @@
+"""The bar that tells which colour of the path is which time."""
+
+import math
+from collections.abc import Iterator
+
+from learnblock.simulator.picture.palette import INK, PALE, WHITE, time_colour
+from learnblock.simulator.picture.svg import (
+    Paint,
+    Point,
+    Polygon,
+    Polyline,
+    Shape,
+    Text,
+    rectangle,
+)
+from learnblock.simulator.picture.view import round_step
+
+WIDTH = 18.0
+"""Pixels."""
+PIECES = 96
+TICKS = 7
+"""About so many times are named."""
+
+
+def drawn(start: float, end: float, corner: Point, height: float) -> Iterator[Shape]:
+    """The colours from `start` (below) to `end` (above), labelled in seconds.
+
+    Args:
+        start: s.
+        end: s.
+        corner: the upper left one, pixels.
+        height: pixels.
+    """
+    left, top = corner
+    for k in range(PIECES):
+        # All reach to the top, each over the one before: side by side they would show seams.
+        piece = rectangle(left, top, WIDTH, height * (1 - k / PIECES))
+        yield Polygon(piece, Paint(time_colour((k + 0.5) / PIECES)))
+    yield Polygon(rectangle(left, top, WIDTH, height), Paint(stroke=WHITE, width=1.5))
+    yield Text((left - 2, top - 16), "time", 15, PALE, bold=True)
+    right = left + WIDTH
+    for time in ticks(start, end):
+        y = top + height * (1 - (time - start) / max(end - start, 1e-9))
+        yield Polyline([(right + 3, y), (right + 9, y)], PALE, 1.5, cap="butt")
+        yield Text((right + 14, y + 5), f"{time:g} s", 15, INK)
+
+
+def ticks(start: float, end: float) -> list[float]:
+    """Round times from `start` to `end`."""
+    step = round_step(max(end - start, 0.01) / TICKS)
+    first, last = math.ceil(start / step - 1e-6), math.floor(end / step + 1e-6)
+    return [k * step for k in range(first, last + 1)]
