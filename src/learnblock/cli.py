@@ -99,7 +99,7 @@ def run(file: Path, as_json: bool, **choices: Any) -> None:  # noqa: FBT001 - a 
     "--picture", type=click.Path(path_type=Path, dir_okay=False), help="Where to draw it."
 )
 def demo(picture: Path | None) -> None:
-    """Show the line follower of the paper on EBO's twin, and draw what it did."""
+    """Run the paper's reaction to tags on EBO's twin, and draw what it did."""
     from learnblock.reporting import demonstrate  # noqa: PLC0415
 
     sys.exit(demonstrate(picture or Path("learnblock-demo.png")))

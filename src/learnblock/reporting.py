@@ -14,6 +14,7 @@ import click
 import msgspec
 
 from learnblock import running
+from learnblock.devices import DEFAULT_KEY
 from learnblock.errors import Diagnostic, LearnBlockError
 from learnblock.running import Options, Report, Session
 from learnblock.runtime.host import How, Watcher
@@ -65,14 +66,14 @@ def run_and_report(
 
 def demonstrate(picture: Path) -> int:
     """Run the demonstration; answer the exit code."""
-    click.echo("The line follower of the paper, on EBO's twin, by camera:\n", err=True)
+    click.echo("EBO's twin looks for tags by camera, drives up to each, and shows a feeling.\n")
     return run_and_report(
-        running.example("line-ebo.bt"),
+        running.example("tags.bt"),
         robot="sim-ebo",
-        world="line",
+        world="tags",
         seed=0,
         pace="free",
-        seconds=90,
+        seconds=62,
         trace=None,
         picture=picture,
         anyway=False,
@@ -180,7 +181,8 @@ def _draw(session: Session, path: Path) -> None:
         raise LearnBlockError("there is no picture: the program made no robot")
     from learnblock.robots.simulated import draw  # noqa: PLC0415 - only a simulated world is drawn
 
-    draw(session.client, session.recorder, path)
+    title = f"{session.program.name} on {session.robot.name}"
+    draw(session.client, session.recorder, path, title)
 
 
 def _print(report: Report, session: Session, picture: Path | None, *, as_json: bool) -> None:
@@ -204,7 +206,8 @@ def _summary(report: Report, session: Session) -> Iterator[str]:
     if report.emotions:
         yield f"{'shown':<10} {', '.join(report.emotions)}"
     for missed in report.no_effect:
-        yield f"{'no effect':<10} {missed['skill']}: {session.robot.name} has no {missed['device']}"
+        device = str(missed["device"]).removesuffix(f":{DEFAULT_KEY}")
+        yield f"{'no effect':<10} {missed['skill']}: {session.robot.name} has no {device}"
     yield f"{'trace':<10} {report.trace_sha256}"
 
 

@@ -30,11 +30,12 @@ from learnblock.devices import (
     RGBLed,
     Speaker,
 )
-from learnblock.errors import DeviceValueError
+from learnblock.errors import DeviceValueError, LearnBlockError
 from learnblock.home import home
 from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.pacing import Pacing
 from learnblock.runtime.standalone import trace_main_program
+from learnblock.runtime.trace import Recorder
 from learnblock.runtime.usertime import use_robot_time
 from learnblock.simulator import (
     GoalState,
@@ -255,6 +256,31 @@ def worlds() -> Iterator[WorldDescription]:
     """Every world there is: ours and the user's own."""
     for name in world_names(folders=world_folders()):
         yield load_world(name, folders=world_folders())
+
+
+def draw(robot: Client, recorder: Recorder, path: Path, title: str) -> None:
+    """Draw a run on a simulated robot, as .png or .svg.
+
+    Raises:
+        LearnBlockError: the robot is no simulated one.
+    """
+    if not isinstance(robot, SimulatedRobot):
+        raise LearnBlockError("only a run on a simulated robot can be drawn")
+    from learnblock.simulator.picture import Scene, draw_png, draw_svg  # noqa: PLC0415 - if asked
+
+    scene = Scene(
+        world=robot.simulation.world.description,
+        body=robot.body.description.body,
+        path=tuple((time, *pose) for time, pose in recorder.path),
+        marks=tuple(
+            (mark.time, mark.kind, mark.text, mark.pose[0], mark.pose[1])
+            for mark in recorder.marks
+            if mark.pose
+        ),
+        title=title,
+    )
+    drawn = draw_svg(scene).encode() if path.suffix == ".svg" else draw_png(scene)
+    path.write_bytes(drawn)
 
 
 def pace_factor(pace: str | float) -> float | None:
