@@ -36,7 +36,7 @@ def test_joy_smiles_and_sadness_does_not():
 
 def test_a_round_robot_is_drawn_as_a_disc_at_its_scale():
     body = Body(shape="disc", radius=75, height=80, mass=1, colour="black")
-    hull, arrow = icons.robot(body, VIEW, (10, 20, 0))
+    _, hull, arrow = icons.robot(body, VIEW, (10, 20, 0))
     assert isinstance(hull, Circle)
     assert VIEW.at(10, 20) == pytest.approx(hull.center)
     assert 75 * VIEW.scale == pytest.approx(hull.radius)
@@ -45,7 +45,7 @@ def test_a_round_robot_is_drawn_as_a_disc_at_its_scale():
 
 @pytest.mark.parametrize("heading", [0, 90, 200])
 def test_a_robot_looks_along_its_heading(heading):
-    hull, arrow = icons.robot(load_robot("thymio").body, VIEW, (0, 0, heading))
+    _, hull, arrow = icons.robot(load_robot("thymio").body, VIEW, (0, 0, heading))
     assert isinstance(hull, Polygon)
     ahead = np.subtract(VIEW.placed([(1, 0)], 0, 0, heading)[0], VIEW.at(0, 0))
     along = [float(np.dot(point, ahead)) for point in arrow.points]

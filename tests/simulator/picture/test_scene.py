@@ -98,6 +98,12 @@ def test_a_missed_goal_is_marked_in_red():
     assert "#c83030" not in draw_svg(scene())
 
 
+def test_a_long_title_is_set_smaller_until_it_fits():
+    [first, *_] = parsed(draw_svg(scene(title="a" * 100))).iter(f"{SVG}text")
+    assert "a" * 100 == first.text
+    assert float(first.get("font-size", "0")) < 30
+
+
 def test_hundreds_of_marks_leave_the_picture_readable():
     marks = tuple((t, "emotion", "joy", x, y) for t, x, y, _ in spiral(500))
     labels = [text for text in texts(draw_svg(scene(marks=marks))) if text.startswith("joy")]

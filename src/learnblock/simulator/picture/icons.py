@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from learnblock.simulator.colours import RGB, rgb
-from learnblock.simulator.picture.palette import GREEN, INK, RED, WHITE, is_dark
+from learnblock.simulator.picture.palette import BLACK, GREEN, INK, RED, WHITE, is_dark
 from learnblock.simulator.picture.svg import (
     Circle,
     Paint,
@@ -19,6 +19,9 @@ from learnblock.simulator.picture.svg import (
 )
 from learnblock.simulator.picture.view import View
 from learnblock.simulator.robot_description import Body
+
+SHADOW = (3.0, 4.0)
+"""Pixels to the south-east by which shadows fall."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,19 +156,27 @@ def robot(
 ) -> Iterator[Shape]:
     """A robot from above at a pose (x, y, heading), with an arrow ahead."""
     opacity = 0.38 if faint else 0.92
-    paint = Paint(rgb(body.colour), INK, 2.2, opacity, (5.0, 4.0) if faint else ())
-    x, y, heading = pose
-    if body.radius is not None and body.shape == "disc":
-        yield Circle(view.at(x, y), body.radius * view.scale, paint)
-    else:
-        yield Polygon(view.placed(body.outline, x, y, heading), paint)
+    if not faint:
+        yield _hull(body, view, pose, Paint(BLACK, opacity=0.16), SHADOW)
+    dash = (5.0, 4.0) if faint else ()
+    yield _hull(body, view, pose, Paint(rgb(body.colour), INK, 2.2, opacity, dash))
     front = max(forward for forward, _ in body.outline)
     reach = min(front, max(left for _, left in body.outline)) * 0.55
     middle = body.offset if body.shape == "box" else 0.0
     arrow = [(reach, 0.0), (-reach * 0.6, reach * 0.75), (-reach * 0.25, 0.0)]
     arrow.append((-reach * 0.6, -reach * 0.75))
-    ahead = view.placed([(middle + f, left) for f, left in arrow], x, y, heading)
+    ahead = view.placed([(middle + f, left) for f, left in arrow], *pose)
     yield Polygon(ahead, Paint(WHITE if is_dark(rgb(body.colour)) else INK, opacity=opacity))
+
+
+def _hull(
+    body: Body, view: View, pose: tuple[float, float, float], paint: Paint, moved: Point = (0, 0)
+) -> Shape:
+    if body.radius is not None and body.shape == "disc":
+        x, y = view.at(*pose[:2])
+        return Circle((x + moved[0], y + moved[1]), body.radius * view.scale, paint)
+    outline = view.placed(body.outline, *pose)
+    return Polygon([(x + moved[0], y + moved[1]) for x, y in outline], paint)
 
 
 def _scaled(points: list[Point], center: Point, radius: float) -> list[Point]:

@@ -19,7 +19,7 @@ BUSY_MARGIN = 6.0
 """Pixels that a label had better keep from the middle of the path."""
 LEADER_STEP = 6.0
 """Pixels between the points for which the line from a label to its place counts."""
-LEADER_WEIGHT = 3
+LEADER_WEIGHT = 8
 """How many points of the path one of these counts for."""
 
 

@@ -41,8 +41,6 @@ from learnblock.simulator.world_description import (
 
 BORDER: RGB = (196, 190, 176)
 EDGE: RGB = (90, 88, 84)
-SHADOW = (3.0, 4.0)
-"""Pixels to the south-east by which shadows fall."""
 BOARD = (34.0, 84.0)
 """The smallest and largest side of a tag's or a face's picture, pixels."""
 
@@ -54,7 +52,7 @@ def drawn(world: WorldDescription, view: View) -> Iterator[Shape]:
     for line in world.line:
         points = _points(line.polyline().points)
         yield Polyline(view.all(points), rgb(line.colour), line.width * view.scale)
-    yield from _outlined(view, world)
+    yield from _outlines(world, view)
     yield from _things(world, view)
     for lamp in world.light:
         yield from icons.sun(view.at(lamp.x, lamp.y), 15.0)
@@ -152,25 +150,26 @@ def _multiples(step: float, limit: float) -> list[float]:
 
 def _goals(world: WorldDescription, view: View) -> Iterator[Shape]:
     for reach in world.goal.reach:
-        yield _region(view, reach)
+        yield _region(reach, view)
     for follow in world.goal.follow:
-        yield from _followed(world, view, follow)
+        yield from _followed(follow, world, view)
     for visit in world.goal.visit:
-        yield from _visited(world, view, visit)
+        yield from _visited(visit, world, view)
 
 
-def _region(view: View, reach: Reach) -> Circle:
+def _region(reach: Reach, view: View) -> Circle:
     paint = Paint(GREEN, opacity=0.16)
     return Circle(view.at(reach.x, reach.y), reach.radius * view.scale, paint)
 
 
-def _outlined(view: View, world: WorldDescription) -> Iterator[Shape]:
+def _outlines(world: WorldDescription, view: View) -> Iterator[Shape]:
+    """The edges of goals' regions: over the lines, which may fill a region."""
     for reach in world.goal.reach:
         ring = Paint(stroke=GREEN, width=2.5, dash=(9.0, 6.0))
         yield Circle(view.at(reach.x, reach.y), reach.radius * view.scale, ring)
 
 
-def _followed(world: WorldDescription, view: View, goal: Follow) -> Iterator[Shape]:
+def _followed(goal: Follow, world: WorldDescription, view: View) -> Iterator[Shape]:
     """A green glow beneath the line."""
     for line in world.line:
         if line.name == goal.line:
@@ -178,7 +177,7 @@ def _followed(world: WorldDescription, view: View, goal: Follow) -> Iterator[Sha
             yield Polyline(points, GREEN, line.width * view.scale + 18, 0.22)
 
 
-def _visited(world: WorldDescription, view: View, goal: Visit) -> Iterator[Shape]:
+def _visited(goal: Visit, world: WorldDescription, view: View) -> Iterator[Shape]:
     """The half disc before the tag from which it is near enough."""
     for tag in world.tag:
         if tag.id == goal.id:
@@ -274,7 +273,7 @@ def _number(tag: Tag, view: View) -> Iterator[Shape]:
 
 
 def _shadow(points: Iterable[Point]) -> list[Point]:
-    return [(x + SHADOW[0], y + SHADOW[1]) for x, y in points]
+    return [(x + icons.SHADOW[0], y + icons.SHADOW[1]) for x, y in points]
 
 
 def _darker(colour: RGB) -> RGB:

@@ -21,6 +21,7 @@ from learnblock.simulator.picture.svg import (
     Text,
     rectangle,
     shortened,
+    text_width,
 )
 from learnblock.simulator.picture.track import Track
 from learnblock.simulator.picture.view import (
@@ -36,8 +37,8 @@ from learnblock.simulator.robot_description import Body
 from learnblock.simulator.world_description import Box as WorldBox
 from learnblock.simulator.world_description import Cylinder, Start, WorldDescription
 
-LONGEST_TITLE = 68
-"""Characters; the subtitle may have half as many again."""
+LONGEST_TITLE = 110
+"""Characters."""
 TALLEST_BAR = 520.0
 """Pixels."""
 START_SLACK = 30.0
@@ -101,9 +102,14 @@ def _layers(scene: Scene, view: View) -> Iterator[Shape]:
 
 def _heading(scene: Scene) -> Iterator[Shape]:
     title = shortened(scene.title or scene.world.title or scene.world.name, LONGEST_TITLE)
-    yield Text((MARGIN, 60), title, 30, INK, bold=True)
-    subtitle = shortened(" · ".join(_facts(scene)), LONGEST_TITLE * 3 // 2)
-    yield Text((MARGIN, 93), subtitle, 18, PALE)
+    yield Text((MARGIN, 60), title, _fitting(title, 30), INK, bold=True)
+    facts = shortened(" · ".join(_facts(scene)), LONGEST_TITLE)
+    yield Text((MARGIN, 93), facts, _fitting(facts, 18), PALE)
+
+
+def _fitting(text: str, size: float) -> float:
+    """The size of the font, smaller where the text would leave the page."""
+    return min(size, size * (WIDTH - 2 * MARGIN) / max(text_width(text, size), 1.0))
 
 
 def _facts(scene: Scene) -> Iterator[str]:
