@@ -141,7 +141,7 @@ _OTHER_LANGUAGES = {
     "with": "use a `python:` block",
     "global": "all variables are global: leave it out",
 }
-_OPENING_WORDS = [
+_OPENING_WORDS = (
     "if",
     "elif",
     "else",
@@ -160,7 +160,30 @@ _OPENING_WORDS = [
     "deactivate",
     "import",
     "function",
-]
+)
+# Words with which a block begins, here or in another language.
+_BLOCK_WORDS = frozenset(
+    [
+        "if",
+        "while",
+        "for",
+        "repeat",
+        "def",
+        "when",
+        "main",
+        "switch",
+        "loop",
+        "foreach",
+        "function",
+        "func",
+        "class",
+        "try",
+        "with",
+        "until",
+        "unless",
+        "forever",
+    ]
+)
 _UNEXPECTED = {
     "=": ("assignment-in-condition", "`=` sets a variable: to compare, write `==`"),
     "is": ("unknown-word", "`is` is not a word of Block-Text: to compare, write `==`"),
@@ -168,13 +191,13 @@ _UNEXPECTED = {
     "&": ("unknown-word", "`&` is not an operator: write `and`"),
     "|": ("unknown-word", "`|` is not an operator: write `or`"),
 }
+_LINE_END = "the end of the line"
 _COMPARES = "`==` compares: to set `{0}`, write `{0} = ...`"
 _WORDS: dict[str, type[Break | Continue | Pass]] = {
     "break": Break,
     "continue": Continue,
     "pass": Pass,
 }
-_NOTES = frozenset(("newline", "blank", "comment"))
 _IF_PARTS = frozenset(("if", "elif", "else"))
 _AFTER_NAME = frozenset((".", "string"))
 _MISSING: Expression = Constant(None)
@@ -296,11 +319,17 @@ class _Parser:
         token = self.token
         if token.kind == "bad":
             return self.bad_character(token)
+        if token.kind == "=" and self.kinds[self.index - 1] in KEYWORDS:
+            return self.reserved(self.tokens[self.index - 1])
         advice = _UNEXPECTED.get(token.text)
         if advice:
             return self.slip(*advice)
-        message = f"{wanted} is needed here, but here stands {_described(token)}"
+        message = f"{wanted} is needed here, not {_described(token)}"
         return self.slip("unexpected", message)
+
+    def reserved(self, token: Token) -> _Slip:
+        message = f"`{token.text}` is a word of the language: choose another name"
+        return self.slip("reserved-word", message, token)
 
     def bad_character(self, token: Token) -> _Slip:
         mark = token.text[0]
@@ -342,6 +371,8 @@ class _Parser:
         if token.text == "robot" and self.sets_up(items):
             read = self.setup
         try:
+            if token.kind in self.tops and self.kinds[self.index + 1] in _ASSIGNMENTS:
+                raise self.reserved(token)
             item = read(token)
         except _Slip as slip:
             self.leave(slip)
@@ -393,8 +424,12 @@ class _Parser:
         if kind == "newline":
             self.index += 1
         elif kind not in {"end", "elif", "else"}:
-            raise self.unexpected("the end of the line")
+            raise self.second_statement() if kind in self.starts else self.unexpected(_LINE_END)
         return comment
+
+    def second_statement(self) -> _Slip:
+        message = f"one statement a line: start a new line before `{self.token.text}`"
+        return self.slip("two-statements", message)
 
     # Blocks.
 
@@ -449,11 +484,13 @@ class _Parser:
         while True:
             if self.note(body):
                 continue
+            index = self.index
             if self.body_ends():
                 break
-            token = self.tokens[self.index]
-            if token.kind in _NOTES:
+            if index != self.index:
+                empty = False  # something that belongs elsewhere has been read
                 continue
+            token = self.tokens[index]
             try:
                 statement = self.statement(token)
             except _Slip as slip:
@@ -480,12 +517,24 @@ class _Parser:
     def body_ends(self) -> bool:
         token = self.tokens[self.index]
         kind = token.kind
+        if kind in _TOP_LEVEL:
+            return not self.nested_definition(token)
         if kind not in {"elif", "else"}:
-            return kind == "end" or kind in _TOP_LEVEL
+            return kind == "end"
         if any(opener.kind in _IF_PARTS for opener in self.openers):
             return True
         self.stray(token)
         return False
+
+    def nested_definition(self, token: Token) -> bool:
+        """Read a ``def`` where none may be, if it is indented as if it were part of the block."""
+        opener = self.openers[-1]
+        if token.kind == "eof" or token.column <= opener.column:
+            return False
+        message = f"a `{token.kind}` belongs at the top level, outside of `{opener.text}`"
+        self.report("nested-" + token.kind, message, token)
+        self.item([], token)
+        return True
 
     def close(self, opener: Token, body: list[Statement]) -> None:
         """Read the ``end`` of a block; a comment behind it becomes the body's last line."""
@@ -503,13 +552,13 @@ class _Parser:
             if comment is not None:
                 body.append(Comment(comment, Span(token.line, token.column + 4)))
             return
-        self.diagnostics.append(self.unexpected("the end of the line").diagnostic)
+        self.diagnostics.append(self.unexpected(_LINE_END).diagnostic)
         self.skip_line()
 
     def unclosed(self, opener: Token) -> None:
         if self.stopped:
             return
-        blamed = self.suspects.pop() if self.suspects else opener
+        blamed = self.suspects.pop(0) if self.suspects else opener
         message = (
             f"this `{blamed.text}` has no `end`: write `end` on a line of its own below its block"
         )
@@ -539,7 +588,23 @@ class _Parser:
             return self.repeat_loop(token)
         if following in {"(", "["}:
             return self.perform(token)
-        raise self.odd_statement(token, self.tokens[self.index + 1])
+        slip = self.odd_statement(token, self.tokens[self.index + 1])
+        if not self.opens_block(token):
+            raise slip
+        self.leave(slip)
+        return While(_MISSING, self.block(token), None, self.line_span(token))
+
+    def opens_block(self, token: Token) -> bool:
+        """Whether a line that begins with an unknown word still begins a block."""
+        word = token.text.lower()
+        if word not in _BLOCK_WORDS:
+            word = did_you_mean(token.text, _OPENING_WORDS).removeprefix("did you mean `")[:-2]
+        if word not in _BLOCK_WORDS:
+            return False
+        index = self.index
+        while self.kinds[index] not in {"newline", "comment"}:
+            index += 1
+        return self.kinds[index - 1] == ":"
 
     def odd_statement(self, token: Token, following: Token) -> _Slip:  # noqa: PLR0911 - one a slip
         """What was meant by a name that begins neither a call nor an assignment?"""
@@ -555,6 +620,9 @@ class _Parser:
             return self.slip("comparison-as-statement", _COMPARES.format(name), following)
         if following.kind in {"name", "number", "string", "not", ":"} or following.kind in KEYWORDS:
             return self.misspelled(token, following)
+        if following.kind in {"+", "-"} and self.kinds[self.index + 2] == following.kind:
+            message = f"to count, write `{name} {following.kind}= 1`"
+            return self.slip("unexpected", message, following)
         if following.kind in {"newline", "comment"}:
             message = f"`{name}` alone does nothing: to call it, write `{name}()`"
             return self.slip("no-effect", message, token)
@@ -718,6 +786,8 @@ class _Parser:
         if self.kinds[self.index] == "in":
             self.index += 1
             return target, self.expression(), None, None, None
+        if self.kinds[self.index] == "=":
+            raise self.slip("unexpected", f"write `for {target.name} from 1 to 10:`, without `=`")
         self.word_of_for("from", "`in` and a list, or `from` and a number,")
         start = self.expression()
         self.word_of_for("to", "`to` and the last number")
@@ -861,6 +931,8 @@ class _Parser:
 
     def no_expression(self, token: Token) -> _Slip:
         before = self.tokens[self.index - 1]
+        if token.kind in KEYWORDS and token.kind not in _LEVELS:
+            return self.reserved(token)
         if token.kind == "=" and before.kind in _LEVELS:
             return self.slip("unexpected", f"write `{before.text}=` without a blank", token)
         if token.text in {"/", "*"} and before.text in {"/", "*"}:

@@ -956,13 +956,10 @@ def _is_when(node: ast.FunctionDef) -> bool:
 
 def _variables(tree: ast.Module) -> set[str]:
     """The names in Block-Text of all that is no ``when``."""
-    whens = {
-        node.name for node in tree.body if isinstance(node, ast.FunctionDef) and _is_when(node)
-    }
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    whens = {node.name for node in functions if _is_when(node)}
     found = markers.variable_names(tree, whens)
-    for node in tree.body:
-        if isinstance(node, ast.FunctionDef) and not node.decorator_list:
-            found.add(node.name)
+    found |= {node.name for node in functions if not node.decorator_list}
     return {plain for name in found if (plain := names.from_python(name)) is not None}
 
 
