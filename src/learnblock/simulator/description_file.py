@@ -106,6 +106,10 @@ def _document(file: Path, source: str, error: type[FileError]) -> dict[str, Any]
     except RecursionError:
         diagnostic = Diagnostic("invalid-toml", "brackets stand too deep inside brackets")
         raise error(file.name, [diagnostic], source) from None
+    except ValueError as broken:
+        # A number of more digits than Python converts, or a day that no month has.
+        diagnostic = Diagnostic("invalid-toml", f"this is not TOML: {broken}")
+        raise error(file.name, [diagnostic], source) from None
 
 
 _UNKNOWN = re.compile(r"Object contains unknown field `(.+?)`")

@@ -1,0 +1,185 @@
+"""A fuzzer of everything that reads what a person wrote: only our own errors may come out.
+
+    uv run python tests/fuzz.py --seconds 600
+
+It mutates the examples, the shipped worlds, robots and block configurations, and the malformed ones
+of the tests: characters, lines and tokens are dropped, doubled, swapped and taken from other files.
+"""
+
+import argparse
+import random
+import tempfile
+import time
+import traceback
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from learnblock import language
+from learnblock.blocks import builtin, load_configurations
+from learnblock.errors import LearnBlockError
+from learnblock.simulator import World, load_robot, load_world
+
+TESTS = Path(__file__).parent
+PACKAGE = TESTS.parent / "src" / "learnblock"
+#: Strings that have broken readers before.
+NASTY = (
+    "\0", "\ufeff", "\r", "\f", "\u2028", "\ud800", "'''", '"', "`", "#", "(" * 150, "[" * 300, ")",
+    "end\n", "main:\n", "python:\n", "when x:\n", "if a:\n" * 120, "not " * 500, "-" * 500, "1e999",
+    "9" * 5000, "0x", "nan", "inf", "-1", "= ", "== ", "{" * 200, "}", "[[robot]]\n", "a.b.c = 1\n",
+    "true", "null", "\\u0000", "\\", "\t", "function.", "state_", "time_", "lambda: 0", "**" * 50,
+    "é", "名", "🤖", "x" * 3000, "\n" * 100, "def f(x):\n    return x\n", "import os\n",
+    "from x import *\n",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Target:
+    """Something that reads a text, and texts to begin with."""
+
+    name: str
+    read: Callable[[str], object]
+    corpus: tuple[str, ...]
+
+
+def targets(folder: Path) -> tuple[Target, ...]:
+    """Every reader; those of files write each text into `folder`."""
+    block_text = texts(TESTS.parent / "examples", "*.bt") + texts(TESTS / "cases", "**/*.bt")
+    python = tuple(
+        language.to_python(language.parse(text)).text
+        for text in texts(TESTS.parent / "examples", "*.bt")
+    )
+    return (
+        Target("Block-Text", read_block_text, block_text),
+        Target("Python", read_python, (*python, *texts(PACKAGE / "language", "*.py")[:4])),
+        Target(
+            "world",
+            lambda text: read_world(folder, text),
+            texts(PACKAGE / "simulator" / "worlds", "*.toml")
+            + texts(TESTS / "simulator" / "malformed", "**/*.toml"),
+        ),
+        Target(
+            "robot description",
+            lambda text: load_robot(written(folder / "robot.toml", text)),
+            texts(PACKAGE / "simulator" / "robots", "*.toml"),
+        ),
+        Target(
+            "block configuration",
+            load_configurations,
+            texts(PACKAGE / "blocks" / "configurations", "*.json")
+            + texts(TESTS / "blocks" / "malformed", "*.json"),
+        ),
+    )
+
+
+def texts(folder: Path, pattern: str) -> tuple[str, ...]:
+    """The texts of a folder's files."""
+    return tuple(
+        path.read_text(encoding="utf-8", errors="replace") for path in sorted(folder.glob(pattern))
+    )
+
+
+def read_block_text(text: str) -> None:
+    """Everything that is done with a program in Block-Text."""
+    tree, _ = language.recover(text)
+    language.check(tree, builtin(), frozenset({"Base:ROBOT"}))
+    tree = language.parse(text)
+    canonical = language.format(tree)
+    if language.format(language.parse(canonical)) != canonical:
+        raise AssertionError("the canonical form is not stable")
+    python = language.to_python(tree).text
+    if language.from_python(python) != tree:
+        raise AssertionError("the tree does not come back from Python")
+
+
+def read_python(text: str) -> None:
+    """Everything that is done with a program in Python."""
+    tree = language.from_python(text)
+    if language.to_python(tree, None).text != text:
+        raise AssertionError("Python does not come back byte for byte")
+    language.check(tree, builtin())
+    language.parse(language.format(tree))
+
+
+def read_world(folder: Path, text: str) -> None:
+    """Load a world and let a moment pass in it."""
+    world = World(load_world(written(folder / "world.toml", text)))
+    world.step()
+
+
+def written(path: Path, text: str) -> Path:
+    """Write a text, whatever it holds."""
+    path.write_text(text, encoding="utf-8", errors="surrogatepass", newline="")
+    return path
+
+
+def mutated(text: str, corpus: tuple[str, ...], chance: random.Random) -> str:
+    """`text` after one to six small disasters."""
+    for _ in range(chance.randint(1, 6)):
+        start = chance.randint(0, len(text))
+        end = min(len(text), start + chance.choice((0, 1, 1, 5, 40)))
+        other = chance.choice(corpus)
+        begin = chance.randint(0, len(other))
+        letter = chr(chance.randint(0, 0x2FF))
+        doubled = text[start:end] * 2
+        piece = chance.choice(
+            ("", chance.choice(NASTY), other[begin : begin + 30], doubled, letter)
+        )
+        text = text[:start] + piece + text[end:]
+    return text[:100_000]
+
+
+def inputs(target: Target, chance: random.Random) -> Iterator[str]:
+    """Texts without end: first the corpus as it is, then mutations."""
+    yield from target.corpus
+    while True:
+        yield mutated(chance.choice(target.corpus), target.corpus, chance)
+
+
+def attempt(target: Target, text: str, counts: Counter[str]) -> str | None:
+    """Read one text; the traceback of an error that is not ours, or None."""
+    try:
+        target.read(text)
+    except LearnBlockError:
+        counts[f"{target.name}: refused"] += 1
+    except Exception:  # noqa: BLE001 - finding these is what a fuzzer is for
+        return traceback.format_exc()
+    else:
+        counts[f"{target.name}: accepted"] += 1
+    return None
+
+
+def fuzz(seed: int, seconds: float, most: int | None = None) -> tuple[Counter[str], list[str]]:
+    """Fuzz every target by turns; the counts, and the failures with their inputs."""
+    chance = random.Random(seed)  # noqa: S311 - repeatable, not secret
+    counts: Counter[str] = Counter()
+    failures: list[str] = []
+    deadline = time.monotonic() + seconds
+    with tempfile.TemporaryDirectory() as folder:
+        sources = [(target, inputs(target, chance)) for target in targets(Path(folder))]
+        while time.monotonic() < deadline and (most is None or counts.total() < most):
+            for target, source in sources:
+                text = next(source)
+                if failure := attempt(target, text, counts):
+                    failures.append(f"{target.name}: {text!r}\n{failure}")
+    return counts, failures
+
+
+def main() -> None:
+    """Run for as long as asked and print the counts."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--seed", type=int, default=0)
+    options = parser.parse_args()
+    counts, failures = fuzz(options.seed, options.seconds)
+    for name, count in sorted(counts.items()):
+        print(f"{name:<32} {count}")  # noqa: T201 - its report
+    for failure in failures[:20]:
+        print(failure[-3000:])  # noqa: T201 - its report
+    print(f"{counts.total()} inputs, {len(failures)} failures")  # noqa: T201 - its report
+    raise SystemExit(bool(failures))
+
+
+if __name__ == "__main__":
+    main()

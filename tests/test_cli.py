@@ -1,0 +1,269 @@
+"""The command line as a person and a script meet it."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+from click.testing import CliRunner
+
+from learnblock.cli import main
+from runs import EXAMPLES, TWINS
+
+SQUARE = str(EXAMPLES / "square.bt")
+
+
+def call(*arguments, **options):
+    """Run a command in this process."""
+    return CliRunner().invoke(main, [str(argument) for argument in arguments], **options)
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Write a file and answer its path."""
+
+    def write(name, text):
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return write
+
+
+def test_help_shows_every_command_and_how_to_start():
+    shown = call("--help").output
+    for command in ("run", "check", "format", "convert", "robots", "worlds", "skills", "demo"):
+        assert f"\n  {command} " in shown
+    assert "learnblock demo" in shown
+
+
+def test_it_runs_as_a_module_too():
+    command = [sys.executable, "-m", "learnblock", "--version"]
+    shown = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    assert shown.startswith("learnblock, version ")
+
+
+def test_run_prints_one_json_object_with_what_happened():
+    result = call("run", SQUARE, "--robot", "sim-ev3", "--world", "empty", "--json")
+    report = json.loads(result.stdout)
+    assert result.exit_code == 0
+    assert report.keys() == {
+        "time",
+        "distance",
+        "pose",
+        "goals",
+        "emotions",
+        "no_effect",
+        "trace_sha256",
+        "ended",
+        "error",
+    }
+    assert report["ended"] == "finished"
+    assert 760 < report["distance"] < 840
+    assert report["error"] is None
+
+
+def test_run_says_at_the_end_what_happened_and_what_had_no_effect():
+    result = call("run", EXAMPLES / "dance.bt", "--robot", "sim-ev3", "--world", "empty")
+    assert result.exit_code == 0
+    assert "ended      finished" in result.stderr
+    assert "no effect  expressJoy: sim-ev3 has no Display" in result.stderr
+
+
+def test_run_writes_a_trace_whose_hash_it_reports(tmp_path):
+    import hashlib
+
+    trace = tmp_path / "trace.jsonl"
+    result = call("run", SQUARE, "--robot", "sim-ev3", "--for", 3, "--trace", trace, "--json")
+    lines = [json.loads(line) for line in trace.read_text().splitlines()]
+    assert (
+        hashlib.sha256(trace.read_bytes()).hexdigest() == json.loads(result.stdout)["trace_sha256"]
+    )
+    assert lines[0]["run"]["robot"] == "sim-ev3"
+    assert lines[-1] == {"t": 3.0, "end": "time limit"}
+    times = [line["t"] for line in lines if "pose" in line]
+    assert max(b - a for a, b in zip(times, times[1:], strict=False)) <= 0.1 + 1e-9
+
+
+@pytest.mark.parametrize("suffix", [".png", ".svg"])
+def test_run_draws_a_picture(tmp_path, suffix):
+    picture = tmp_path / f"square{suffix}"
+    result = call("run", SQUARE, "--robot", "sim-ev3", "--for", 3, "--picture", picture)
+    starts = {".png": b"\x89PNG", ".svg": b"<svg"}
+    assert result.exit_code == 0
+    assert starts[suffix] in picture.read_bytes()[:200]
+
+
+def test_a_picture_in_another_format_is_refused_before_the_run(tmp_path):
+    result = call("run", SQUARE, "--picture", tmp_path / "square.gif")
+    assert result.exit_code == 2
+    assert "a picture is a .png or a .svg file" in result.stderr
+
+
+def test_an_error_is_reported_at_the_line_of_block_text(write):
+    program = write("broken.bt", "x = 0\nmain:\n    function.stop_bot()\n    x = 1 / x\nend\n")
+    result = call("run", program, "--json")
+    error = json.loads(result.stdout)["error"]
+    assert result.exit_code == 3
+    assert (error["file"], error["line"]) == ("broken.bt", 4)
+    assert error["message"] == "ZeroDivisionError: division by zero"
+    assert error["text"] == "x = 1 / x"
+
+
+def test_an_error_is_reported_at_the_line_of_python(write):
+    program = write(
+        "broken.py",
+        "from learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n\nrobot.fly()\n",
+    )
+    result = call("run", program)
+    assert result.exit_code == 1
+    assert "broken.py:5" in result.stderr
+    assert "fly" in result.stderr
+
+
+def test_a_program_with_mistakes_is_not_run(write):
+    program = write("typo.bt", "function.move_strait()\n")
+    result = call("run", program)
+    assert result.exit_code == 1
+    assert "did you mean `move_straight`?" in result.stderr
+
+
+def test_a_question_that_can_never_be_answered_is_refused_unless_run_anyway():
+    line = EXAMPLES / "line-thymio.bt"
+    refused = call("run", line, "--robot", "sim-ebo")
+    anyway = call("run", line, "--robot", "sim-ebo", "--anyway", "--for", 2, "--json")
+    assert refused.exit_code == 1
+    assert "needs `GroundSensors`" in refused.stderr
+    missed = json.loads(anyway.stdout)["no_effect"]
+    assert {"skill": "is_left_ground_line", "device": "GroundSensors:ROBOT"}.items() <= missed[
+        1
+    ].items()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["--robot", "sim-ebbo"], "there is no robot `sim-ebbo`; did you mean `sim-ebo`?"),
+        (["--robot", "cozmo"], "its twin is here: --robot sim-cozmo"),
+        (["--world", "lin"], "there is no world `lin`; did you mean `line`?"),
+        (["--pace", "fast"], "`pace` must be free, real or a positive factor"),
+    ],
+)
+def test_a_wrong_choice_is_named_with_advice(arguments, sentence):
+    result = call("run", SQUARE, *arguments)
+    assert result.exit_code == 2
+    assert sentence in result.stderr
+
+
+def test_check_prints_place_code_and_message_and_exits_with_1(write):
+    program = write("typo.bt", "main:\n    function.move_strait()\nend\n")
+    result = call("check", program)
+    assert result.exit_code == 1
+    assert result.stdout.startswith(f"{program}:2:5: unknown-skill ")
+
+
+def test_warnings_alone_are_no_failure():
+    result = call("check", EXAMPLES / "line-thymio.bt", "--robot", "sim-thymio")
+    assert result.exit_code == 0
+    assert "missing-device" in result.stdout
+
+
+def test_check_has_a_form_for_tools(write):
+    program = write("typo.bt", "function.move_strait()\n")
+    found = json.loads(call("check", program, "--json").stdout)
+    assert [(one["line"], one["column"], one["severity"]) for one in found] == [(1, 1, "error")]
+
+
+def test_format_rewrites_a_file_and_checks_without_touching_it(write):
+    program = write("messy.bt", "main:\nfunction.stop_bot( )\nend\n")
+    would = call("format", "--check", program)
+    assert (would.exit_code, program.read_text()) == (1, "main:\nfunction.stop_bot( )\nend\n")
+    assert call("format", program).exit_code == 0
+    assert program.read_text() == "main:\n    function.stop_bot()\nend\n"
+    assert call("format", "--check", program).exit_code == 0
+
+
+@pytest.mark.parametrize("robot", [*TWINS, "ev3", "cozmo", "ebo", "thymio", "rcis"])
+def test_convert_names_any_robot_in_the_import_line_and_changes_nothing_else(robot):
+    python = call("convert", SQUARE, "--to", "python", "--robot", robot).stdout
+    first, *rest = python.splitlines()
+    assert first == f"from learnblock.robots.{robot.replace('-', '_')} import Robot"
+    assert rest == call("convert", SQUARE, "--to", "python").stdout.splitlines()[1:]
+
+
+def test_convert_there_and_back_gives_the_same_text(write):
+    python = write("square.py", call("convert", SQUARE, "--to", "python").stdout)
+    assert (
+        call("convert", python, "--to", "block-text").stdout == (EXAMPLES / "square.bt").read_text()
+    )
+
+
+def test_lists_have_a_form_for_tools():
+    robots = json.loads(call("robots", "--json").stdout)
+    worlds = json.loads(call("worlds", "--json").stdout)
+    skills = json.loads(call("skills", "--json").stdout)
+    assert {robot["name"] for robot in robots} >= set(TWINS)
+    assert {"empty", "line", "tags", "labyrinth"} <= {world["name"] for world in worlds}
+    turn = next(skill for skill in skills if skill["name"] == "turn")
+    assert turn["needs"] == ["Base"]
+    assert turn["languages"]["ES"]
+
+
+def test_a_skill_is_explained():
+    shown = call("skills", "turn").stdout
+    assert "function.turn(angle)" in shown
+    assert "robot.turn(angle)" in shown
+
+
+def test_a_file_that_is_no_program_is_refused(write):
+    result = call("run", write("notes.txt", "hello"))
+    assert result.exit_code == 1
+    assert "a program is a .bt file" in result.stderr
+
+
+def test_a_file_that_is_not_utf_8_names_the_line(tmp_path):
+    path = tmp_path / "latin.bt"
+    path.write_bytes(b"x = 1\ny = '\xe9'\n")
+    result = call("check", path)
+    assert result.exit_code == 1
+    assert result.stdout.startswith(f"{path}:2:0: not-utf-8 ")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGINT for one process")
+def test_ctrl_c_ends_a_run_with_its_report(write):
+    program = write("endless.bt", "while True:\n    function.move_straight()\n    print(1)\nend\n")
+    command = [sys.executable, "-m", "learnblock", "run", program, "--pace", "real", "--json"]
+    command.remove("--json")
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert process.stdout.readline() == "1\n"
+    process.send_signal(signal.SIGINT)
+    begun = time.monotonic()
+    _, errors = process.communicate(timeout=10)
+    assert time.monotonic() - begun < 2
+    assert "ended      stopped" in errors
+
+
+def test_the_users_own_folder_adds_a_skill_a_world_and_a_robot(own_home, write):
+    for name in ("skills", "worlds", "robots"):
+        (own_home / name).mkdir()
+    (own_home / "skills" / "mine.py").write_text(
+        "def wiggle(robot, times: int = 2) -> None:\n"
+        '    """Turn left and right."""\n'
+        "    for _ in range(times):\n"
+        "        robot.turn_left()\n"
+        "        robot.sleep(0.5)\n"
+        "        robot.turn_right()\n"
+        "        robot.sleep(0.5)\n"
+    )
+    (own_home / "worlds" / "mine.toml").write_text('title = "My room"\n')
+    (own_home / "robots" / "my_ebo.py").write_text(
+        "from learnblock.robots.simulated import SimulatedRobot\n\n\n"
+        "class Robot(SimulatedRobot):\n"
+        '    description_name = "ebo"\n'
+    )
+    program = write("mine.bt", "function.wiggle(3)\n")
+    result = call("run", program, "--robot", "my-ebo", "--world", "mine", "--json")
+    assert json.loads(result.stdout)["time"] == 3.0
