@@ -23,6 +23,9 @@ LEADER_WEIGHT = 8
 """How many points of the path one of these counts for."""
 
 
+_NO_POINTS = np.empty((0, 2))
+
+
 @dataclass(frozen=True, slots=True)
 class Box:
     """A rectangle on the page."""
@@ -90,7 +93,9 @@ class Room:
         """Keep all later labels off a box."""
         self._taken.append(box)
 
-    def place(self, anchor: Point, icon: float, text: float, clear: float) -> Spot | None:
+    def place(
+        self, anchor: Point, icon: float, text: float, clear: float, *, leader: bool = True
+    ) -> Spot | None:
         """The best place that is free, which is then taken; None if nothing is free.
 
         Args:
@@ -98,26 +103,28 @@ class Room:
             icon: the icon's radius.
             text: the text's width.
             clear: how far from the anchor the icon must stay.
+            leader: whether a line is drawn from the anchor, which should cross no label either.
         """
         best, least = None, math.inf
         for distance in DISTANCES:
             for index in range(DIRECTIONS):
                 angle = 2 * math.pi * (index + 0.5) / DIRECTIONS
                 spot = _spot(anchor, clear + icon + distance, angle, icon, text)
-                cost = self._cost(anchor, spot) + distance * DISTANCE_COST
+                lead = _leader(anchor, spot) if leader else _NO_POINTS
+                cost = self._cost(anchor, lead, spot.box) + distance * DISTANCE_COST
                 if cost < least:
                     best, least = spot, cost
         if best is not None:
             self.take(best.box)
+        if best is not None and leader:
             self._busy = np.vstack([self._busy, *[_leader(anchor, best)] * LEADER_WEIGHT])
         return best
 
-    def _cost(self, anchor: Point, spot: Spot) -> float:
-        box = spot.box
+    def _cost(self, anchor: Point, leader: NDArray[np.float64], box: Box) -> float:
         if not self._bounds.holds(box) or any(box.overlaps(other) for other in self._taken):
             return math.inf
-        leader = _leader(anchor, spot)
-        crossed = sum(_count(leader, other) for other in self._taken)
+        # What the anchor lies in, every leader crosses.
+        crossed = sum(_count(leader, b) for b in self._taken if not b.holds(Box.around(anchor, 0)))
         return _count(self._busy, box.grown(BUSY_MARGIN)) + LEADER_WEIGHT * crossed
 
 

@@ -120,7 +120,7 @@ def name_drawn(name: Name, room: Room) -> Iterator[Shape]:
     """The name beside what it names, if there is room."""
     label = shortened(name.text, LONGEST_LABEL)
     radius = FLAG if name.is_goal else 0.0
-    spot = room.place(name.place, radius, _width(label), name.clear)
+    spot = room.place(name.place, radius, _width(label), name.clear, leader=False)
     if spot is not None and name.is_goal:
         yield from icons.flag(spot.head, FLAG)
         yield _caption(spot, FLAG - 2, label, GREEN)

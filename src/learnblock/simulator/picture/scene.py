@@ -41,6 +41,8 @@ LONGEST_TITLE = 110
 """Characters."""
 TALLEST_BAR = 520.0
 """Pixels."""
+SPREAD = 6.0
+"""Pixels between the points of what labels should not cover."""
 START_SLACK = 30.0
 """mm off a start at which a path still begins there."""
 
@@ -194,14 +196,19 @@ def _bounds(view: View) -> Box:
 
 
 def _busy(scene: Scene, view: View, driven: Track | None) -> NDArray[np.float64]:
-    """What labels should not cover: the path, walls, things, the robot at its start."""
+    """What labels should not cover: lines, walls, things, the path, the robot at its start."""
     parts = [_within(plan.outline(thing, view)) for thing in plan.things(scene.world)]
-    for wall in scene.world.wall:
-        parts += [np.linspace(*ends, 80) for ends in pairwise(view.all(wall.points))]
+    lines = [line.polyline().points.tolist() for line in scene.world.line]
+    for points in [*lines, *(wall.points for wall in scene.world.wall)]:
+        parts += [_between(*ends) for ends in pairwise(view.all(points))]
     if driven is not None:
-        parts.append(driven.spread(6.0))
+        parts.append(driven.spread(SPREAD))
         parts.append(_within(view.placed(scene.body.outline, *scene.path[0][1:])))
     return np.vstack([np.empty((0, 2)), *parts])
+
+
+def _between(begin: Point, end: Point) -> NDArray[np.float64]:
+    return np.linspace(begin, end, 2 + int(math.dist(begin, end) / SPREAD))
 
 
 def _within(outline: list[Point]) -> NDArray[np.float64]:
