@@ -141,6 +141,14 @@ class Client(Events):
         return None
 
     @classmethod
+    def check_wishes(cls, wishes: Mapping[str, Any]) -> None:
+        """Refuse what `hosted` could not fulfil, before a program is started.
+
+        Raises:
+            LearnBlockError: the sentence says what is wrong with which wish.
+        """
+
+    @classmethod
     def hosted(cls, arguments: Mapping[str, Any], wishes: Mapping[str, Any]) -> Self:
         """Make the robot for a host that runs its program elsewhere.
 
@@ -275,9 +283,13 @@ class Client(Events):
         )
 
     def __getattr__(self, name: str) -> Any:
-        # Only reached for what is neither a method nor a skill, so it costs a program nothing.
+        # Only reached for what is neither a method nor a skill in use: a skill calls another one
+        # that its program does not mention.
         if name.startswith("_"):
             raise AttributeError(name)
+        self._attach({name})
+        if name in vars(self):
+            return vars(self)[name]
         hint = did_you_mean(name, [known for known in dir(self) if not known.startswith("_")])
         raise RobotAttributeError(f"a robot has no skill `{name}`" + (f"; {hint}" if hint else ""))
 

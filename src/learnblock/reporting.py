@@ -49,6 +49,7 @@ def run_and_report(
     if picture and picture.suffix not in {".png", ".svg"}:
         raise LearnBlockError(f"a picture is a .png or a .svg file, not {picture}")
     options = Options(world, seed, pace, _time_limit(pace, seconds))
+    entry.load().check_wishes(options.wishes)
     with _opened(trace) as trace_file:
         session = Session(
             running.program(source, entry),

@@ -197,6 +197,10 @@ class SimulatedRobot(Client):
         return self.simulation.world.add_robot(self.description(), name=self.name)
 
     @classmethod
+    def check_wishes(cls, wishes: Mapping[str, Any]) -> None:
+        cls.make_simulation(**wishes)
+
+    @classmethod
     def hosted(cls, arguments: Mapping[str, Any], wishes: Mapping[str, Any]) -> Self:
         return cls(simulation=cls.make_simulation(**{**arguments, **wishes}))
 
