@@ -5,14 +5,14 @@ import random
 import signal
 import socket
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from contextlib import ExitStack, contextmanager
 from functools import partial
 from types import CodeType, FrameType, SimpleNamespace, TracebackType
 from typing import Any, NoReturn
 
 from learnblock.client import Client
-from learnblock.errors import LearnBlockError, ProgramStopped
+from learnblock.errors import LearnBlockError, ProgramStopped, did_you_mean
 from learnblock.runtime import remote
 from learnblock.runtime.limits import Limits, contain
 from learnblock.runtime.lines import (
@@ -228,16 +228,31 @@ def _print_to(output: LineWriter, *values: object, **options: Any) -> None:
 
 
 def _message(error: BaseException) -> str:
-    """An error's text with Python's own hint, such as ``Did you mean: 'robot'?``."""
-    # Imported where needed, as most programs end well and all of them want to start at once.
-    from traceback import TracebackException  # noqa: PLC0415
+    """An error's text, with a hint where a name is known that is nearly the one asked for."""
+    if isinstance(error, SyntaxError):
+        # Its text would repeat the file and the line.
+        return str(error.msg)
+    try:
+        text = str(error)
+    except Exception as another:  # noqa: BLE001 - a pupil's __str__ may raise anything
+        return f"<{type(another).__name__} in its own description>"
+    hint = _hint(error)
+    return f"{text}; {hint}" if hint else text
 
-    told = TracebackException.from_exception(error, compact=True)
-    # Notes would come last, where the message is looked for.
-    told.__notes__ = None  # type: ignore[attr-defined,unused-ignore]
-    *_, summary = told.format_exception_only()
-    _, _, text = summary.rstrip("\n").partition(": ")
-    return text
+
+def _hint(error: BaseException) -> str:
+    if not isinstance(error, NameError | AttributeError) or not isinstance(error.name, str):
+        return ""
+    known = dir(error.obj) if isinstance(error, AttributeError) else _visible(error.__traceback__)
+    return did_you_mean(error.name, [name for name in known if not name.startswith("_")])
+
+
+def _visible(step: TracebackType | None) -> Collection[str]:
+    """The names that can be used where an error was raised."""
+    while step and step.tb_next:
+        step = step.tb_next
+    frame = step.tb_frame if step else None
+    return {*vars(builtins), *frame.f_globals, *frame.f_locals} if frame else ()
 
 
 def _variables(frame: FrameType) -> Variables:
@@ -248,7 +263,7 @@ def _variables(frame: FrameType) -> Variables:
 def _described(variables: Any) -> dict[str, str]:
     return {
         encodable(name): described(value)
-        for name, value in variables.items()
+        for name, value in list(variables.items())
         if not name.startswith("__") and not isinstance(value, Client) and not callable(value)
     }
 

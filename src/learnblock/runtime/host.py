@@ -5,13 +5,14 @@ first that wakes. One thread does all of this, so a run depends on program, worl
 """
 
 import signal
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import partial
 from time import monotonic
 from typing import Any, Protocol
 
+from learnblock import skills
 from learnblock.client import Client
 from learnblock.devices import Device, Sensor
 from learnblock.errors import LearnBlockError, RobotConnectionError, RobotStoppedError
@@ -136,6 +137,7 @@ class Run:
         self._functions: list[dict[str, Callable[..., Any]]] = []
         #: Seconds of a real robot's time after which the run ends; None for no limit.
         self.seconds: float | None = None
+        self._not_stopped = ""
         self._printed = 0
         self._last_call = self._last_look = 0.0
 
@@ -146,6 +148,7 @@ class Run:
 
     def start(self) -> None:
         """Start the program; it goes nowhere until served."""
+        # First: it takes its time to begin, in which we look for the skills.
         self._worker = self._make_worker()
         self._link = self._worker.link
         self._link.send(
@@ -153,7 +156,7 @@ class Run:
                 source=self.program.python,
                 filename=self.program.name,
                 folder=self.program.folder,
-                skills=self.program.names,
+                skills=_skills(self.program.names),
                 robots=self._robots,
                 debug=self._debugger is not None,
                 limits=self._limits,
@@ -243,8 +246,9 @@ class Run:
 
     def _dismiss(self, ending: Ending) -> None:
         """Have the program end itself, and kill it if it does not."""
-        # A real robot would drive on while its program says its last words.
-        ending = self._stop_robot(ending)
+        if self.simulation is None:
+            # A real robot would drive on while its program says its last words.
+            self._stop_robot()
         try:
             if self.wake is None:
                 self._worker.interrupt()
@@ -257,16 +261,21 @@ class Run:
         self._finish(ending)
 
     def _drain(self, ending: Ending) -> Ending:
-        """Let it say its last words; what it still asks for is refused."""
+        """Hear what it did before it was told, and how it ends; what it still asks is refused."""
         deadline = monotonic() + GRACE
+        told = self.wake is not None
         while (left := deadline - monotonic()) > 0:
             match self._link.receive(left):
                 case messages.Ended(lines=lines):
                     return replace(ending, line=lines[-1] if lines else ending.line)
                 case messages.Interrupted(line):
-                    ending = replace(ending, line=line)
+                    told, ending = True, replace(ending, line=line)
                 case messages.Ask() | messages.Sleep() | messages.Input() | messages.Line():
                     self._link.send(messages.Stop(ending.sentence))
+                case messages.Connect() | messages.Disconnect() | None:
+                    continue
+                case event if not told:
+                    self._handle(event)
         return ending
 
     def _death(self) -> Ending:
@@ -290,20 +299,20 @@ class Run:
     def _finish(self, ending: Ending) -> None:
         """The robot first: its motors stop whatever becomes of the program."""
         self.wake = None
-        ending = self._stop_robot(ending)
+        self._stop_robot()
         self._worker.kill()
+        if self._not_stopped and ending.well:
+            ending = Ending(How.ERROR, self._not_stopped)
         self.ending = ending
         if self.recorder:
             self.recorder.end(ending.how)
 
-    def _stop_robot(self, ending: Ending) -> Ending:
+    def _stop_robot(self) -> None:
         if self.client:
             try:
                 self.client.stop()
             except Exception as error:  # noqa: BLE001 - a driver may raise whatever it likes
-                if ending.well:
-                    return Ending(How.ERROR, f"the robot could not be stopped: {_told(error)}")
-        return ending
+                self._not_stopped = f"the robot could not be stopped: {_told(error)}"
 
     def _answer(self, value: Any) -> None:
         self._link.send(messages.Answer(value))
@@ -369,9 +378,7 @@ class Run:
         self.wake = self.simulation.steps + max(1, message.steps)
 
     def _on_disconnect(self, message: messages.Disconnect) -> None:  # noqa: ARG002
-        ending = self._stop_robot(Ending(How.STOPPED, ""))
-        if not ending.well:
-            self._finish(ending)
+        self._stop_robot()
 
     @property
     def _recording(self) -> Recorder | None:
@@ -517,6 +524,15 @@ class Host:
     def _stop(self, ending: Ending) -> None:
         for run in self._runs:
             run.stop(ending)
+
+
+def _skills(names: Collection[str]) -> tuple[str, ...]:
+    """Those of `names` that are skills, so that the child need not search all that is installed."""
+    try:
+        return tuple(sorted(skills.find(names)))
+    except LearnBlockError:
+        # The child finds the same error, and tells it at the program's own line.
+        return tuple(names)
 
 
 def time_is_up(seconds: float) -> str:

@@ -51,7 +51,7 @@ class Wire:
     def __init__(self, link: Link[FromHost]) -> None:
         self._link = link
         self._lock = threading.Lock()
-        self._flushed = monotonic()
+        self._flushed = 0.0
         self._lines: list[int] = []
         #: Whether commands may wait for the next question, since until then no time passes.
         self.lockstep = False
@@ -89,7 +89,13 @@ class Wire:
         """Queue an event that somebody is waiting to see, such as a print."""
         with self._lock:
             if self._put(message) > MOST_QUEUED or self._is_late():
-                self._flush()
+                self._flush_now()
+
+    def send(self, message: Message) -> None:
+        """Send a message that cannot wait."""
+        with self._lock:
+            self._put(message)
+            self._flush()
 
     def note_line(self, number: int) -> None:
         """Note that a line is about to run; lines travel together, before the next message."""
@@ -97,7 +103,7 @@ class Wire:
         if not self.lockstep and self._is_late():
             with self._lock:
                 self._put_lines()
-                self._flush()
+                self._flush_now()
 
     def hold(self, line: Line, show: Callable[[], Variables]) -> None:
         """Announce a line, and return when the program may run it.
@@ -143,8 +149,11 @@ class Wire:
             raise ProgramStopped(message.reason if message else "the link is silent")
         return message
 
-    def _flush(self) -> None:
+    def _flush_now(self) -> None:
         self._flushed = monotonic()
+        self._flush()
+
+    def _flush(self) -> None:
         try:
             self._link.flush()
         except EOFError as error:
@@ -178,7 +187,7 @@ class RemoteRobot(Client):
     def disconnect(self) -> None:
         # A host that is gone has seen to its robot.
         with suppress(ProgramStopped):
-            self._wire.tell(Disconnect())
+            self._wire.send(Disconnect())
 
     def _stop_motors(self) -> None:
         """The host does, on hearing `Disconnect`: it can even when this process is dead."""
