@@ -13,6 +13,17 @@ from learnblock.runtime.trace import Recorder
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo")
+#: The world in which an example makes sense; a robot's own where none is named.
+WORLDS = {
+    "avoid.bt": "obstacles",
+    "labyrinth.bt": "labyrinth",
+    "line-ebo.bt": "line",
+    "line-states.bt": "line",
+    "line-thymio.bt": "line",
+    "tag-tour.bt": "tags",
+    "tags.bt": "tags",
+    "wall.bt": "walls",
+}
 
 
 @dataclass(frozen=True)

@@ -11,20 +11,9 @@ import pytest
 
 from learnblock import language, robots, running
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
-from runs import EXAMPLES, TWINS, run_example, run_file
+from runs import EXAMPLES, TWINS, WORLDS, run_example, run_file
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
-#: The world in which an example makes sense; a robot's own where none is named.
-WORLDS = {
-    "avoid.bt": "obstacles",
-    "labyrinth.bt": "labyrinth",
-    "line-ebo.bt": "line",
-    "line-states.bt": "line",
-    "line-thymio.bt": "line",
-    "tag-tour.bt": "tags",
-    "tags.bt": "tags",
-    "wall.bt": "walls",
-}
 PAIRS = list(itertools.product(NAMES, TWINS))
 
 

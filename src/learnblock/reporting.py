@@ -182,7 +182,11 @@ def _draw(session: Session, path: Path) -> None:
         raise LearnBlockError("there is no picture: the program made no robot")
     from learnblock.robots.simulated import draw  # noqa: PLC0415 - only a simulated world is drawn
 
-    title = f"{session.program.name} on {session.robot.name}"
+    conditions = session.client.conditions()
+    title = (
+        f"{session.program.name} on {session.robot.name},"
+        f" world {conditions['world']}, seed {conditions['seed']}"
+    )
     draw(session.client, session.recorder, path, title)
 
 

@@ -1,0 +1,66 @@
+"""Real-time factor of worlds whose robots run programs in processes of their own, at 20 Hz."""
+
+import os
+from time import perf_counter
+
+from learnblock import robots
+from learnblock.robots.simulated import SimulatedRobot
+from learnblock.runtime.host import Host, Run
+from learnblock.runtime.program import Program
+from learnblock.runtime.trace import Trace, record
+
+STEERING = """\
+from learnblock.robots.sim_ebo import Robot
+
+robot = Robot()
+
+while True:
+    if robot.is_front_obstacle(150):
+        robot.turn_right()
+    else:
+        robot.move_straight()
+    robot.sleep(0.05)
+"""
+LOOKING = STEERING.replace("is_front_obstacle(150)", "is_any_tag()")
+#: program, robots, seconds of the world, and the factor aimed at.
+CASES = (
+    ("1 robot", STEERING, 1, 200, 200),
+    ("10 robots", STEERING, 10, 20, 30),
+    ("30 robots", STEERING, 30, 6, 10),
+    ("1 camera", LOOKING, 1, 40, 20),
+)
+
+
+def factor(python: str, count: int, seconds: float) -> float:
+    """Seconds of the world for one of the wall clock, from the first call on."""
+    kind = robots.find("sim-ebo").load()
+    assert issubclass(kind, SimulatedRobot)
+    simulation = kind.make_simulation(world="tags")
+    trace = Trace()
+    started = 0.0
+
+    def start_clock() -> None:
+        nonlocal started
+        started = started or perf_counter()
+
+    def make_run(index: int) -> Run:
+        program = Program("steering.py", python, python)
+
+        def make_robot(module: str, arguments: dict[str, object]) -> SimulatedRobot:
+            start_clock()
+            return kind(simulation=simulation, name=f"robot {index}")
+
+        return Run(program, make_robot, lambda client: record(client, program.identity, trace))
+
+    Host(*(make_run(index) for index in range(count)), seconds=seconds).run()
+    return seconds / (perf_counter() - started)
+
+
+def main() -> None:
+    print(f"{os.cpu_count()} processors; times real time")
+    for name, python, count, seconds, aim in CASES:
+        print(f"{name:<10} {factor(python, count, seconds):7.1f}  (aim {aim})")
+
+
+if __name__ == "__main__":
+    main()
