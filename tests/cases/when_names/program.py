@@ -18,12 +18,12 @@ def start():
 def seen_when():
     global seen
     seen = seen + class_.time
-    if tired.active:
+    if tired_when_when.active:
         class_.deactivate()
 
 
 @robot.when(lambda: robot.elapsedTime(60))
-def tired():
+def tired_when_when():
     global tired_when
     tired_when = seen_when.active
 
