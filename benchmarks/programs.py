@@ -3,8 +3,7 @@
 import os
 from time import perf_counter
 
-from learnblock import robots
-from learnblock.robots.simulated import SimulatedRobot
+from learnblock.robots.sim_ebo import Robot
 from learnblock.runtime.host import Host, Run
 from learnblock.runtime.program import Program
 from learnblock.runtime.trace import Trace, record
@@ -32,23 +31,19 @@ CASES = (
 
 
 def factor(python: str, count: int, seconds: float) -> float:
-    """Seconds of the world for one of the wall clock, from the first call on."""
-    kind = robots.find("sim-ebo").load()
-    assert issubclass(kind, SimulatedRobot)
-    simulation = kind.make_simulation(world="tags")
+    """Seconds of the world for one of the wall clock, once every program runs."""
+    simulation = Robot.make_simulation(world="tags")
     trace = Trace()
     started = 0.0
-
-    def start_clock() -> None:
-        nonlocal started
-        started = started or perf_counter()
 
     def make_run(index: int) -> Run:
         program = Program("steering.py", python, python)
 
-        def make_robot(module: str, arguments: dict[str, object]) -> SimulatedRobot:
-            start_clock()
-            return kind(simulation=simulation, name=f"robot {index}")
+        def make_robot(*_program: object) -> Robot:
+            nonlocal started
+            # The last of them: by then every process runs.
+            started = perf_counter()
+            return Robot(simulation=simulation, name=f"robot {index}")
 
         return Run(program, make_robot, lambda client: record(client, program.identity, trace))
 

@@ -1,5 +1,7 @@
 """The command line as a person and a script meet it."""
 
+import hashlib
+import itertools
 import json
 import os
 import signal
@@ -74,8 +76,6 @@ def test_run_says_at_the_end_what_happened_and_what_had_no_effect():
 
 
 def test_run_writes_a_trace_whose_hash_it_reports(tmp_path):
-    import hashlib
-
     trace = tmp_path / "trace.jsonl"
     result = call("run", SQUARE, "--robot", "sim-ev3", "--for", 3, "--trace", trace, "--json")
     lines = [json.loads(line) for line in trace.read_text().splitlines()]
@@ -85,7 +85,7 @@ def test_run_writes_a_trace_whose_hash_it_reports(tmp_path):
     assert lines[0]["run"]["robot"] == "sim-ev3"
     assert lines[-1] == {"t": 3.0, "end": "time limit"}
     times = [line["t"] for line in lines if "pose" in line]
-    assert max(b - a for a, b in zip(times, times[1:], strict=False)) <= 0.1 + 1e-9
+    assert max(b - a for a, b in itertools.pairwise(times)) <= 0.1 + 1e-9
 
 
 @pytest.mark.parametrize("suffix", [".png", ".svg"])
