@@ -58,7 +58,11 @@ def run(link: Link[FromHost], fence: Callable[[Limits], None] | None = None) -> 
         link: our end of the link.
         fence: puts this process under the limits; None in a thread of the host.
     """
-    setup = link.receive()
+    try:
+        setup = link.receive()
+    except EOFError:
+        # The host has changed its mind.
+        return
     if not isinstance(setup, Setup):
         raise TypeError(f"expected Setup, got {type(setup).__name__}")
     if fence:

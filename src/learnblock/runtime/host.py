@@ -125,6 +125,8 @@ class Run:
         self.recorder: Recorder | None = None
         #: The step at which it goes on, while it waits for its world.
         self.wake: int | None = None
+        #: The devices whose readings it then wants.
+        self._reads: tuple[int, ...] = ()
         #: How it is to end, once that has been asked for.
         self.stopping: Ending | None = None
         self._make_robot = make_robot
@@ -137,6 +139,7 @@ class Run:
         self._functions: list[dict[str, Callable[..., Any]]] = []
         #: Seconds of a real robot's time after which the run ends; None for no limit.
         self.seconds: float | None = None
+        self._simulation: Simulation | None = None
         self._not_stopped = ""
         self._printed = 0
         self._last_call = self._last_look = 0.0
@@ -144,7 +147,7 @@ class Run:
     @property
     def simulation(self) -> Simulation | None:
         """The world of a simulated robot; None on a real one, and before there is a robot."""
-        return getattr(self.client, "simulation", None) if self.client else None
+        return self._simulation
 
     def start(self) -> None:
         """Start the program; it goes nowhere until served."""
@@ -180,7 +183,12 @@ class Run:
         """Wake the program at its world's present step, and serve it."""
         assert self.simulation is not None  # noqa: S101 - only a simulated program parks
         self.wake = None
-        self._answer(self.simulation.steps)
+        try:
+            readings = [self._call(messages.Ask(index, "read", ())) for index in self._reads]
+        except LearnBlockError as error:
+            self._link.send(_failure(error))
+        else:
+            self._answer((self.simulation.steps, readings))
         self.serve()
 
     def stop(self, ending: Ending) -> None:
@@ -327,6 +335,7 @@ class Run:
         except Exception as error:  # noqa: BLE001 - a driver may raise whatever it likes
             self._link.send(_failure(error))
             return
+        self._simulation = vars(self.client).get("simulation")
         self.recorder = self._make_recorder(self.client)
         # Only now: the recorder has put itself between the devices and their functions.
         self._functions = [
@@ -376,6 +385,7 @@ class Run:
         if self.simulation is None:
             raise LearnBlockError("only the program of a simulated robot waits for its world")
         self.wake = self.simulation.steps + max(1, message.steps)
+        self._reads = message.reads
 
     def _on_disconnect(self, message: messages.Disconnect) -> None:  # noqa: ARG002
         self._stop_robot()

@@ -66,7 +66,7 @@ class Connected(Message, frozen=True):
 
 
 class Answer(Message, frozen=True):
-    """The value of an `Ask`, a `Sleep` (the step it woke at), or an `Input`."""
+    """The value of an `Ask`, a `Sleep` (the step it woke at, and readings), or an `Input`."""
 
     value: Any = None
 
@@ -119,9 +119,14 @@ class Tell(Message, frozen=True):
 
 
 class Sleep(Message, frozen=True):
-    """Park until that many steps have passed; answered with the step the program woke at."""
+    """Park until that many steps have passed.
+
+    Answered with the step the program woke at and the readings of the devices in `reads`: those it
+    has read since it last slept, which it will most likely read again.
+    """
 
     steps: int
+    reads: tuple[int, ...] = ()
 
 
 class Disconnect(Message, frozen=True):

@@ -53,6 +53,10 @@ class Wire:
         self._lock = threading.Lock()
         self._flushed = 0.0
         self._lines: list[int] = []
+        #: The devices read since the program last slept, in order.
+        self._used: dict[int, None] = {}
+        #: Readings that came with the last waking, until they are used or out of date.
+        self._fresh: dict[int, Any] = {}
         #: Whether commands may wait for the next question, since until then no time passes.
         self.lockstep = False
 
@@ -73,8 +77,24 @@ class Wire:
             raise _error(answer.error, answer.text)
         return answer
 
+    def sleep(self, steps: int) -> int:
+        """Park for that many steps; answer the world's step counter on waking."""
+        reads, self._used = tuple(self._used), {}
+        woke, readings = self.ask(Sleep(steps, reads))
+        self._fresh = dict(zip(reads, readings, strict=True))
+        return int(woke)
+
+    def read(self, index: int) -> Any:
+        """The reading of a device, which may have come with the last waking."""
+        self._used[index] = None
+        if index in self._fresh:
+            return self._fresh.pop(index)
+        return self.ask(Ask(index, "read", ()))
+
     def tell(self, message: Message) -> None:
         """Send a command: at once, or in lock-step with the next question."""
+        # A command such as a gyroscope's reset changes what is read.
+        self._fresh.clear()
         with self._lock:
             if self._put(message) > MOST_QUEUED or not self.lockstep:
                 self._flush()
@@ -219,7 +239,7 @@ class _Notes:
 def _clock(wire: Wire, offer: Connected) -> Clock:
     if offer.steps is None:
         return WallClock()
-    return LockStepClock(lambda steps: wire.ask(Sleep(steps)), offer.steps, offer.dt)
+    return LockStepClock(wire.sleep, offer.steps, offer.dt)
 
 
 def _device(wire: Wire, index: int, offer: DeviceOffer) -> Device:
@@ -232,6 +252,9 @@ def _device(wire: Wire, index: int, offer: DeviceOffer) -> Device:
 def _function(wire: Wire, index: int, kind: str, name: str) -> Function:
     if name == "detect":
         return partial(_detect, wire, index)
+    if name == "read" and kind == "Camera":
+        # A frame is taken when it is asked for, and never beforehand.
+        return partial(wire.ask, Ask(index, "read", ()))
     if name == "read":
         return partial(_read, wire, index, _CONVERSIONS.get(kind, _unchanged))
     return partial(_tell, wire, index, name)
@@ -242,7 +265,7 @@ def _tell(wire: Wire, index: int, name: str, *args: Any) -> None:
 
 
 def _read(wire: Wire, index: int, convert: Callable[[Any], Any]) -> Any:
-    return convert(wire.ask(Ask(index, "read", ())))
+    return convert(wire.read(index))
 
 
 def _detect(wire: Wire, index: int, detector: str) -> Any:

@@ -28,7 +28,9 @@ def trace_main_program(client: Client, path: Path) -> Callable[[], None]:
     recorder = record(client, program.identity, Trace(file))
     client.observer = recorder
     stop_lines = start_line_events(
-        frame.f_code, LineBudget(client.clock, recorder.line), running=frame
+        frame.f_code,
+        LineBudget(client.clock, recorder.line),
+        running=sys._getframe(),  # noqa: SLF001 - the robot may be made in a function
     )
     stop_prints = _record_prints(recorder)
 

@@ -1,0 +1,158 @@
+import threading
+
+import pytest
+
+from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.host import How
+from learnblock.runtime.messages import Variables
+from learnblock.runtime.process import ProcessWorker, ThreadWorker
+
+# The header has two lines.
+PROGRAM = """
+def double(n):
+    result = 2 * n
+    return result
+
+total = 0
+for i in range(2):
+    total += double(i)
+print(total)
+"""
+
+
+class Script:
+    """Answers each hold of a program with the next command of a list."""
+
+    def __init__(self, *commands, **options):
+        self.commands = list(commands)
+        self.held = []
+        self.debugger = Debugger(on_held=self.answer, **options)
+
+    def answer(self, held):
+        if held is None:
+            return
+        self.held.append(held)
+        getattr(self.debugger, self.commands.pop(0) if self.commands else "resume")()
+
+    @property
+    def lines(self):
+        return [held.line for held in self.held]
+
+
+@pytest.fixture(params=[ProcessWorker, ThreadWorker])
+def debug(run, request):
+    def debug(script, source=PROGRAM):
+        return run(source, debugger=script.debugger, worker=request.param)
+
+    return debug
+
+
+def test_a_program_is_held_at_its_breakpoints(debug):
+    script = Script(breakpoints=[10])
+    result = debug(script)
+    assert script.lines == [10, 10]
+    assert (How.FINISHED, "2\n") == (result.how, result.output)
+
+
+def test_the_variables_are_those_before_the_line(debug):
+    script = Script(breakpoints=[6])
+    debug(script)
+    first, second = script.held
+    assert first.variables.local == {"n": "0", "result": "0"}
+    assert second.variables.local == {"n": "1", "result": "2"}
+    assert second.variables.shared == {"total": "0", "i": "1"}
+
+
+def test_outside_functions_all_variables_are_the_programs(debug):
+    script = Script(breakpoints=[11])
+    debug(script)
+    assert script.held[0].variables == Variables({}, {"total": "2", "i": "1"})
+
+
+def test_paused_from_the_start_a_program_goes_line_by_line(debug):
+    script = Script("step", "step", "step", "step", "step", "step", "step", paused=True)
+    debug(script)
+    assert script.lines == [1, 2, 4, 8, 9, 10, 5, 6]
+
+
+def test_stepping_goes_into_functions(debug):
+    script = Script("step", "step", "step", breakpoints=[9])
+    debug(script)
+    assert script.lines[:4] == [9, 10, 5, 6]
+
+
+def test_stepping_over_stays_in_the_function(debug):
+    script = Script("step_over", "step_over", "step_over", breakpoints=[9])
+    debug(script, PROGRAM.replace("range(2)", "range(1)"))
+    assert script.lines == [9, 10, 9, 11]
+
+
+def test_stepping_over_the_end_of_a_function_holds_in_its_caller(debug):
+    script = Script("step_over", "step_over", breakpoints=[5])
+    debug(script, PROGRAM.replace("range(2)", "range(1)"))
+    assert script.lines == [5, 6, 9]
+
+
+def test_a_command_while_nothing_is_held_changes_nothing(debug):
+    script = Script(breakpoints=[11])
+    for command in ("resume", "step", "step_over"):
+        getattr(script.debugger, command)()
+    debug(script)
+    assert script.lines == [11]
+
+
+def test_a_pause_holds_at_the_next_line(run):
+    script = Script()
+
+    class Pausing:
+        text, numbers = [], []
+
+        def line(self, number):
+            if number == 7:
+                script.debugger.pause()
+
+        def tick(self):
+            pass
+
+        def printed(self, text):
+            pass
+
+    run(PROGRAM.strip(), debugger=script.debugger, watcher=Pausing())
+    assert script.lines == [7]
+
+
+def test_a_stop_while_held_ends_the_program_at_once(stage):
+    held = threading.Event()
+    debugger = Debugger(breakpoints=[3], on_held=lambda where: where and held.set())
+    run = stage.add("print('never')", debugger=debugger)
+    host = stage.host()
+    thread = threading.Thread(target=host.run)
+    thread.start()
+    assert held.wait(5)
+    host.stop("enough")
+    thread.join(2)
+    assert not thread.is_alive()
+    assert (How.STOPPED, "enough") == (run.ending.how, run.ending.sentence)
+    assert stage.results()[0].output == ""
+
+
+def test_a_variable_that_cannot_be_shown_does_not_end_the_program(debug):
+    source = (
+        "class Shy:\n    def __repr__(self):\n        raise ValueError\n"
+        "shy = Shy()\nlong = 'x' * 999\nodd = '\\ud800'\npass"
+    )
+    script = Script(breakpoints=[9])
+    assert debug(script, source).how == How.FINISHED
+    assert script.held[0].variables.shared == {
+        "shy": "<ValueError in its own description>",
+        "long": "'" + 199 * "x" + "...",
+        "odd": "'\\ud800'",
+    }
+
+
+def test_a_run_that_is_debugged_has_the_trace_of_one_that_is_not(stage, run):
+    debugged = run(PROGRAM, debugger=Script(breakpoints=[9]).debugger)
+    fresh = type(stage)()
+    fresh.add(PROGRAM)
+    fresh.host().run()
+    assert debugged.trace == fresh.results()[0].trace
