@@ -139,6 +139,7 @@ class _Checker:
         self.diagnostics: list[Diagnostic] = []
         self.functions = program.functions
         self.whens = program.whens
+        self.top = tuple(item for item in program.items if not isinstance(item, Def | When))
         self.main: Body = () if program.main is None else program.main.body
         self.everything = list(statements(program.items + self.main))
         self.imports = any(isinstance(item, Import) for item in program.items)
@@ -174,8 +175,7 @@ class _Checker:
             elif isinstance(item, When):
                 self.own_expressions(item)
                 self.block(item.body, 1, 0, within_def=False)
-        top = tuple(item for item in self.program.items if not isinstance(item, Def | When))
-        self.block(top, 0, 0, within_def=False)
+        self.block(self.top, 0, 0, within_def=False)
         self.block(self.main, 0, 0, within_def=False)
         self.unset_variables()
         self.unseen_sensors()
@@ -247,12 +247,9 @@ class _Checker:
                 return
             if _leaves(item):
                 left = item
-        if left is not None and body is not self.main and self.main and body is self.top():
+        if left is not None and self.main and body is self.top:
             message = f"this is never reached: {_reason(left)} in line {left.span.line}"
             self.report("unreachable", message, self.main[0].span, "warning")
-
-    def top(self) -> tuple[Item, ...]:
-        return self.program.items
 
     def activation(self, item: Activate | Deactivate) -> None:
         if item.name in self.whens or item.name in self.raw_names:

@@ -6,9 +6,9 @@ keeps the comment at the end of its line. The rules of layout are those of `layo
 that every program has there, such as the one before a ``def``, is not in the tree.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple, cast
 
 
 class Span(NamedTuple):
@@ -403,7 +403,8 @@ class Program:
         items: the top level, in order, without `main`.
         main: written last.
         ending: comments and blank lines after `main`.
-        python: the Python it was read from, where `to_python` would spell it otherwise.
+        python: the Python it was read from, where `to_python` would spell it otherwise or name
+            another robot.
     """
 
     items: tuple[Item, ...] = ()
@@ -436,74 +437,92 @@ def set_by(node: Item | Main) -> str | None:
     return None
 
 
-def bodies(node: Item | Main) -> Iterator[Body]:
+def _if_bodies(node: If) -> tuple[Body, ...]:
+    found = tuple(branch.body for branch in node.branches)
+    return found if node.otherwise is None else (*found, node.otherwise.body)
+
+
+def _own_body(node: Any) -> tuple[Body, ...]:
+    return (node.body,)
+
+
+_BODIES: dict[type, Callable[[Any], tuple[Body, ...]]] = {
+    If: _if_bodies,
+    While: _own_body,
+    Repeat: _own_body,
+    ForEach: _own_body,
+    ForRange: _own_body,
+    Def: _own_body,
+    When: _own_body,
+    Main: _own_body,
+}
+
+
+def bodies(node: Item | Main) -> tuple[Body, ...]:
     """The bodies right inside a statement or an item of the top level, in order."""
-    if isinstance(node, If):
-        for branch in node.branches:
-            yield branch.body
-        if node.otherwise is not None:
-            yield node.otherwise.body
-    elif isinstance(node, While | Repeat | ForEach | ForRange | Def | When | Main):
-        yield node.body
+    get = _BODIES.get(type(node))
+    return () if get is None else get(node)
 
 
 def statements(body: tuple[Item, ...]) -> Iterator[Item]:
     """Every statement of a body and of the bodies within it, in order of the text."""
-    for statement in body:
+    ahead: list[Item] = list(reversed(body))
+    while ahead:
+        statement = ahead.pop()
         yield statement
-        for inner in bodies(statement):
-            yield from statements(inner)
+        for inner in reversed(bodies(statement)):
+            ahead.extend(reversed(inner))
 
 
-def expressions(node: Item | Main | Branch) -> Iterator[Expression]:
+def _range_parts(node: ForRange) -> tuple[Expression, ...]:
+    found = (node.target, node.start, node.stop)
+    return found if node.step is None else (*found, node.step)
+
+
+def _optional(value: Expression | None) -> tuple[Expression, ...]:
+    return () if value is None else (value,)
+
+
+def _arguments(node: Any) -> tuple[Expression, ...]:
+    if not node.keywords:
+        return cast("tuple[Expression, ...]", node.arguments)
+    return (*node.arguments, *(keyword.value for keyword in node.keywords))
+
+
+_EXPRESSIONS: dict[type, Callable[[Any], tuple[Expression, ...]]] = {
+    Perform: lambda node: (node.call,),
+    Assign: lambda node: (node.target, node.value),
+    If: lambda node: tuple(branch.condition for branch in node.branches),
+    While: lambda node: (node.condition,),
+    Repeat: lambda node: (node.count,),
+    ForEach: lambda node: (node.target, node.values),
+    ForRange: _range_parts,
+    Return: lambda node: _optional(node.value),
+    When: lambda node: _optional(node.condition),
+    Setup: _arguments,
+}
+_OPERANDS: dict[type, Callable[[Any], tuple[Expression, ...]]] = {
+    Call: _arguments,
+    SkillCall: _arguments,
+    List: lambda node: node.items,
+    Index: lambda node: (node.value, node.index),
+    Unary: lambda node: (node.operand,),
+    Binary: lambda node: (node.left, node.right),
+    Compare: lambda node: node.operands,
+}
+
+
+def expressions(node: Item | Main) -> tuple[Expression, ...]:
     """The expressions that a statement itself holds, without those of the bodies within it."""
-    match node:
-        case Perform(call=call):
-            yield call
-        case Assign(target=target, value=value):
-            yield target
-            yield value
-        case If(branches=branches):
-            yield from (branch.condition for branch in branches)
-        case While(condition=value) | Repeat(count=value):
-            yield value
-        case ForEach(target=target, values=value):
-            yield target
-            yield value
-        case ForRange(target=target, start=start, stop=stop, step=step):
-            yield target
-            yield start
-            yield stop
-            if step is not None:
-                yield step
-        case Return(value=value) | When(condition=value) if value is not None:
-            yield value
-        case Setup(arguments=arguments, keywords=keywords):
-            yield from arguments
-            yield from (keyword.value for keyword in keywords)
-        case _:
-            return
+    get = _EXPRESSIONS.get(type(node))
+    return () if get is None else get(node)
 
 
-def operands(expression: Expression) -> tuple[Expression, ...]:
-    """The expressions right inside an expression, in order of the text."""
-    found: tuple[Expression, ...] = ()
-    match expression:
-        case Call(_, arguments, keywords) | SkillCall(_, arguments, keywords):
-            found = arguments + tuple(keyword.value for keyword in keywords)
-        case List(items=found) | Compare(operands=found):
-            pass
-        case Index(value=value, index=index):
-            found = (value, index)
-        case Unary(operand=operand):
-            found = (operand,)
-        case Binary(left=left, right=right):
-            found = (left, right)
+def within(expression: Expression) -> list[Expression]:
+    """An expression and every expression inside it."""
+    found = [expression]
+    for node in found:
+        get = _OPERANDS.get(type(node))
+        if get is not None:
+            found.extend(get(node))
     return found
-
-
-def within(expression: Expression) -> Iterator[Expression]:
-    """An expression and every expression inside it, in order of the text."""
-    yield expression
-    for operand in operands(expression):
-        yield from within(operand)

@@ -20,6 +20,7 @@ from learnblock.language.nodes import (
     Break,
     Call,
     Comment,
+    Constant,
     Continue,
     Deactivate,
     Def,
@@ -425,6 +426,14 @@ class _Writer(ExpressionWriter):
             return f"{written[0]}[{written[1]} : {written[2]}]"
         return template.python.format(*written)
 
+    def unary(self, node: Unary, level: int) -> str:
+        operand = node.operand
+        if node.operator != "not" and isinstance(operand, Binary) and operand.operator == "**":
+            # As every Python formatter has it, since few know which of the two comes first.
+            text = f"{node.operator}({self.power(operand)})"
+            return f"({text})" if level > SIGN else text
+        return super().unary(node, level)
+
     def power(self, node: Binary) -> str:
         left = self.expression(node.left, TIGHTEST)
         right = self.expression(node.right, SIGN)
@@ -451,7 +460,7 @@ class _Writer(ExpressionWriter):
 def _simple(node: Expression) -> bool:
     if isinstance(node, Unary):
         return node.operator != "not" and isinstance(node.operand, Name | Number)
-    return isinstance(node, Name | Number) or (
+    return isinstance(node, Name | Number | Constant) or (
         isinstance(node, RawExpression) and _RAW_ATOM.fullmatch(node.text.strip()) is not None
     )
 

@@ -105,8 +105,7 @@ def from_python(text: str, filename: str = "program.py") -> Program:
         program = None
     if program is None:
         return Program((Raw(text, Span(1, 1, text.count("\n") + 1, 0)),))
-    module = ROBOT_IMPORT.search(text)
-    written = canonical(program, module[1] if module else DEFAULT_ROBOT).text
+    written = canonical(program, DEFAULT_ROBOT).text
     return program if written == text else replace(program, python=text)
 
 

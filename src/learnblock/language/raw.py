@@ -32,7 +32,7 @@ def read(block: str) -> str:
     first = next((line for line in lines if line.strip(" \t")), "")
     indent = _indent(first)
     plain = [_read_line(line, indent) for line in lines]
-    if lines and lines[-1].strip(" \t") == "\\":
+    if lines and lines[-1].lstrip(" \t") == "\\":
         return "\n".join(plain[:-1])
     return "".join(line + "\n" for line in plain)
 
