@@ -5,6 +5,7 @@ from time import perf_counter
 
 from learnblock.robots.sim_ebo import Robot
 from learnblock.runtime.host import Host, Run
+from learnblock.runtime.process import one_processor
 from learnblock.runtime.program import Program
 from learnblock.runtime.trace import Trace, record
 
@@ -47,7 +48,8 @@ def factor(python: str, count: int, seconds: float) -> float:
 
         return Run(program, make_robot, lambda client: record(client, program.identity, trace))
 
-    Host(*(make_run(index) for index in range(count)), seconds=seconds).run()
+    with one_processor():
+        Host(*(make_run(index) for index in range(count)), seconds=seconds).run()
     return seconds / (perf_counter() - started)
 
 

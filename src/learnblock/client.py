@@ -105,6 +105,8 @@ class Client(Events):
         RobotConnectionError: the robot cannot be reached.
     """
 
+    #: Whether its world waits for its program, as only a simulated one does.
+    lockstep: ClassVar[bool] = False
     #: Seconds between two readings of a sensor in use; None reads when the program asks.
     sensing_period: ClassVar[float | None] = 0.02
 

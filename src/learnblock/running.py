@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Mapping
+from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -15,7 +16,7 @@ from learnblock.language.nodes import Program as Tree
 from learnblock.robots import RobotEntry
 from learnblock.runtime.host import Ending, Host, How, Run, Watcher
 from learnblock.runtime.limits import Limits
-from learnblock.runtime.process import ProcessWorker, Worker
+from learnblock.runtime.process import ProcessWorker, Worker, one_processor
 from learnblock.runtime.program import Program
 from learnblock.runtime.trace import Recorder, Trace, record
 
@@ -231,7 +232,8 @@ class Session:
 
     def run(self) -> Report:
         """Run the program to its end."""
-        self._host.run()
+        with one_processor() if self.robot.load().lockstep else nullcontext():
+            self._host.run()
         return self._report()
 
     def stop(self) -> None:

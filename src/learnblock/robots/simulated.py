@@ -148,6 +148,7 @@ class SimulatedRobot(Client):
         DeviceValueError: the seed or pace is no such thing.
     """
 
+    lockstep = True
     #: The name of the robot's description.
     description_name: ClassVar[str]
 

@@ -40,7 +40,8 @@ class Chassis:
         shape_of = _disc if hull.shape == "disc" else _box
         self._body, shape = shape_of(hull)
         self._control = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
-        shape.filter = pymunk.ShapeFilter(group=group)
+        #: Lets the rays of its own sensors pass.
+        self.filter = shape.filter = pymunk.ShapeFilter(group=group)
         shape.collision_type = ROBOT
         physics.space.add(self._body)
         physics.add(shape, name)
@@ -52,13 +53,17 @@ class Chassis:
         self._adv = 0.0
         self._omega = 0.0
         self._x = self._y = 0.0
+        self._pose: Pose | None = None
         self._moved = self._moved_before = (0.0, 0.0)
         self.distance_driven = 0.0
 
     @property
     def pose(self) -> Pose:
         """Where it is; the heading is from -180 to 180."""
-        return Pose(self._x, self._y, wrapped(self.turned))
+        # Many sensors ask within one step.
+        if self._pose is None:
+            self._pose = Pose(self._x, self._y, wrapped(self.turned))
+        return self._pose
 
     @property
     def turned(self) -> float:
@@ -83,6 +88,7 @@ class Chassis:
         self._body.angular_velocity = self._control.angular_velocity = 0.0
         self._speeds = (0.0, 0.0)
         self._adv = self._omega = 0.0
+        self._pose = None
         self._moved = self._moved_before = (0.0, 0.0)
         self._space.reindex_shapes_for_body(self._body)
 
@@ -109,6 +115,7 @@ class Chassis:
         self._moved_before, self._moved = self._moved, moved
         self.distance_driven += math.hypot(*moved)
         self._x, self._y = x, y
+        self._pose = None
 
     def _accelerate(self) -> None:
         change = self._wheels.acceleration * DT

@@ -60,17 +60,15 @@ class Physics:
         for thing in things(world):
             self._add_thing(thing)
 
-    def ray(self, start: Point, end: Point, ignored_group: int) -> float | None:
+    def ray(self, start: Point, end: Point, looker: pymunk.ShapeFilter) -> float | None:
         """The part of the way from `start` to `end`, 0 to 1, to the first thing in the way.
 
         Args:
             start: mm.
             end: mm.
-            ignored_group: the shapes that the ray passes through: those of the robot that looks.
+            looker: of the robot that looks: the ray passes through it.
         """
-        seen = self.space.segment_query_first(
-            start, end, 0.0, pymunk.ShapeFilter(group=ignored_group)
-        )
+        seen = self.space.segment_query_first(start, end, 0.0, looker)
         return None if seen is None else seen.alpha
 
     def touches(self, place: Point, radius: float, ignored_group: int) -> bool:

@@ -353,7 +353,7 @@ class RobotBody:
     def _ray(self, start: Point, heading: float, reach: float) -> float:
         x, y = forward(heading)
         end = start[0] + reach * x, start[1] + reach * y
-        part = self._world.physics.ray(start, end, self._group)
+        part = self._world.physics.ray(start, end, self.chassis.filter)
         return reach if part is None else part * reach
 
     def _ground(self, sensor: robot_description.GroundSensor) -> float:
