@@ -477,7 +477,8 @@ def test_a_host_that_is_interrupted_leaves_nothing_behind(stage):
         def printed(self, text):
             signal.raise_signal(signal.SIGINT)
 
-    stage.add(DRIVE + "print(1)\nwhile True: pass", watcher=Interrupting())
+    # The second print arrives while the first interrupt is being dealt with.
+    stage.add(DRIVE + "print(1)\nprint(2)\nwhile True: pass", watcher=Interrupting())
     with pytest.raises(KeyboardInterrupt):
         stage.host().run()
     assert stage.parts[0][0].client.log == STOPPED

@@ -32,7 +32,8 @@ def lines_of(source, **names):
         ("def f():\n    return 1\nf()\nf()", [1, 3, 2, 4, 2]),
         ("def f():\n    def g():\n        return 2\n    return g()\nf()", [1, 5, 2, 4, 3]),
         ("if True:\n    x = 1\nelse:\n    x = 2", [1, 2]),
-        ("class A:\n    x = 1\n    def f(self):\n        pass\nA().f()", [1, 1, 2, 3, 5, 4]),
+        # How often the line of a `class` is told depends on the version of Python.
+        ("class A:\n    x = 1\n    def f(self):\n        pass\nA().f()", None),
         ("f = lambda: (\n    3)\nf()", None),
         ("try:\n    1 / 0\nexcept ZeroDivisionError:\n    x = 1", [1, 2, 3, 4]),
     ],

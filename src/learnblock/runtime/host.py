@@ -6,6 +6,7 @@ first that wakes. One thread does all of this, so a run depends on program, worl
 
 import signal
 from collections.abc import Callable, Collection, Mapping
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import partial
@@ -266,7 +267,8 @@ class Run:
         except (EOFError, LearnBlockError):
             # It died first, or speaks nonsense; either way it is over.
             pass
-        self._finish(ending)
+        finally:
+            self._finish(ending)
 
     def _drain(self, ending: Ending) -> Ending:
         """Hear what it did before it was told, and how it ends; what it still asks is refused."""
@@ -492,15 +494,13 @@ class Host:
 
     def run(self) -> None:
         """Return when every program has ended; each run then has its `ending`."""
-        try:
+        with ExitStack() as endings:
             for run in self._runs:
+                endings.callback(run.end)
                 run.start()
             for run in self._runs:
                 run.serve()
             self._take_turns()
-        finally:
-            for run in self._runs:
-                run.end()
 
     def stop(self, sentence: str = "the program was stopped") -> None:
         """End all programs within a second, whatever they do; may be called from any thread."""
