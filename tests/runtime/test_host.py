@@ -7,6 +7,9 @@ import time
 
 import pytest
 
+from learnblock.client import Client
+from learnblock.devices import Device
+from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.host import Ending, How, Watcher
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.process import ThreadWorker
@@ -192,6 +195,7 @@ def test_every_program_ends_within_a_second_of_being_told_to(stage, name):
     told = time.monotonic()
     host.stop("enough")
     thread.join(5)
+    # It takes half a second at most; the other half is for machines with much else to do.
     assert time.monotonic() - told < 1
     assert run.ending.sentence == "enough"
     assert run.ending.how == How.STOPPED
@@ -483,3 +487,52 @@ def test_a_host_that_is_interrupted_leaves_nothing_behind(stage):
         stage.host().run()
     assert stage.parts[0][0].client.log == STOPPED
     assert not any(worker.wait(0) is None for worker in stage.workers)
+
+
+def test_what_a_program_did_before_it_was_ended_is_heard_and_recorded(run, impatient):
+    result = run("print('a')\nprint('b')\nwhile True: pass", limits=impatient)
+    assert result.output == "a\nb\n"
+    assert ["a", "b"] == [event["print"] for event in result.events if "print" in event]
+    assert [3, 4, 5] == result.lines[:3]
+
+
+def test_a_debugged_loop_without_a_call_is_ended_too(run, impatient):
+    result = run("n = 0\nwhile True:\n    n += 1", limits=impatient, debugger=Debugger())
+    assert How.NO_CALL == result.how
+
+
+def test_a_device_of_a_type_that_programs_cannot_reach_is_named(run):
+    class Gripper(Device):
+        pass
+
+    class Rover(Client):
+        def connect(self):
+            self.add(Gripper(close=bool))
+
+    result = run("", make_robot=lambda module, arguments: Rover(skills=[]))
+    assert "the robot has a Gripper, a type of device that programs cannot reach" in (
+        result.ending.sentence
+    )
+
+
+@needs_posix
+def test_a_file_may_only_be_so_large(run, tmp_path):
+    path = str(tmp_path / "big")
+    result = run(f"open({path!r}, 'wb').write(bytes(10**6))", limits=Limits(file_size=1000))
+    assert result.ending.sentence.startswith("OSError: [Errno 27]")
+
+
+@needs_posix
+def test_only_so_many_files_may_be_open(run):
+    result = run("files = [open('/dev/null') for _ in range(100)]")
+    assert result.ending.sentence.startswith("OSError: [Errno 24]")
+
+
+@pytest.mark.parametrize(
+    "argument", ["10**30", "'\\ud800'", "[[[[[]]]]]", "{(1, 2): 3}", "object()"]
+)
+def test_a_call_with_an_argument_no_message_can_hold_is_recorded_by_its_description(run, argument):
+    result = run(f"robot.say_Text({argument})\nrobot.clock.sleep(1)\nprint('on')")
+    assert (How.FINISHED, "on\n") == (result.how, result.output)
+    assert ["say_Text"] == [event["call"] for event in result.events if "call" in event]
+    assert result.run.recorder.missed == {("say_Text", "Speaker:ROBOT"): 1}

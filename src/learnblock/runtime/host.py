@@ -406,8 +406,10 @@ class Run:
     def _on_line(self, message: messages.Line) -> None:
         self._on_lines(messages.Lines((message.number,)))
         if self._debugger:
+            reached = monotonic()
             self._debugger.reached(message.number, message.depth, self._variables)
-            self._last_call = monotonic()
+            # While it was held the program could make no call.
+            self._last_call += monotonic() - reached
             self._link.send(messages.Continue())
 
     def _variables(self) -> messages.Variables:

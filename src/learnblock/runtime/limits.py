@@ -14,7 +14,7 @@ class Limits(msgspec.Struct, frozen=True, array_like=True):
     Args:
         memory: bytes of address space; none on systems that cannot limit it.
         cpu: seconds of processor time.
-        output: bytes printed.
+        output: characters printed.
         file_size: bytes in any one file it writes.
         open_files: files open at once.
         silence: seconds of the wall clock a simulated robot waits for the program's next call.

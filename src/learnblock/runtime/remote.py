@@ -243,6 +243,11 @@ def _clock(wire: Wire, offer: Connected) -> Clock:
 
 
 def _device(wire: Wire, index: int, offer: DeviceOffer) -> Device:
+    if offer.type not in DEVICE_TYPES:
+        raise RobotConnectionError(
+            f"the robot has a {offer.type}, a type of device that programs cannot reach;"
+            f" known are: {', '.join(sorted(DEVICE_TYPES))}"
+        )
     functions: dict[str, Function] = {
         name: _function(wire, index, offer.type, name) for name in offer.functions
     }
