@@ -52,7 +52,7 @@ for name, work in dict(
     robot.clock.sleep(0.01)
 def count():
     total = 0
-    for number in range(900):
+    for number in range(450):
         total += number
 best = 1e9
 for _ in range({rounds} * 10):
@@ -60,7 +60,7 @@ for _ in range({rounds} * 10):
     began = datetime.now()
     count()
     robot.clock.sleep(0.01)
-    best = min(best, (datetime.now() - began).total_seconds() * 1e6 / 1800)
+    best = min(best, (datetime.now() - began).total_seconds() * 1e6 / 900)
 print("line", best)
 """
 
