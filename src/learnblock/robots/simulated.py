@@ -30,7 +30,7 @@ from learnblock.devices import (
     RGBLed,
     Speaker,
 )
-from learnblock.errors import DeviceValueError, LearnBlockError
+from learnblock.errors import DeviceValueError, LearnBlockError, UnknownNameError
 from learnblock.home import home
 from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.pacing import Pacing
@@ -189,7 +189,7 @@ class SimulatedRobot(Client):
     ) -> Simulation:
         """The world a robot of this kind gets, from arguments, environment or defaults."""
         chosen = world or os.environ.get("LEARNBLOCK_WORLD") or cls.description().world
-        description = load_world(chosen, folders=world_folders())
+        description = find_world(chosen)
         return Simulation(World(description, seed=_seed(seed)), Pacing(_factor(pace)))
 
     @cached_property
@@ -252,15 +252,39 @@ class SimulatedRobot(Client):
             self._end_trace = trace_main_program(self, Path(os.environ["LEARNBLOCK_TRACE"]))
 
 
-def world_folders() -> tuple[Path, ...]:
-    """Where worlds are looked for besides our own."""
-    return (home() / "worlds",)
+def find_world(name_or_path: str) -> WorldDescription:
+    """A world of the user's own folder, of ours, or of a plugin, or one by its path.
+
+    Raises:
+        UnknownNameError: there is no such world.
+        WorldError: its file is wrong.
+    """
+    try:
+        return load_world(name_or_path, folders=(_own_worlds(),))
+    except UnknownNameError:
+        # Plugins last: to know them one has to search all that is installed.
+        return load_world(name_or_path, folders=(_own_worlds(), *_plugin_worlds()))
 
 
 def worlds() -> Iterator[WorldDescription]:
-    """Every world there is: ours and the user's own."""
-    for name in world_names(folders=world_folders()):
-        yield load_world(name, folders=world_folders())
+    """Every world there is: ours, the user's own and those of plugins."""
+    for name in world_names(folders=(_own_worlds(), *_plugin_worlds())):
+        yield find_world(name)
+
+
+def _own_worlds() -> Path:
+    return home() / "worlds"
+
+
+def _plugin_worlds() -> Iterator[Path]:
+    """The folders of the packages that entry points of the group ``learnblock.worlds`` name."""
+    from importlib.metadata import entry_points  # noqa: PLC0415 - see `find_world`
+    from importlib.util import find_spec  # noqa: PLC0415
+
+    for point in entry_points(group="learnblock.worlds"):
+        found = find_spec(point.module)
+        if found and found.submodule_search_locations:
+            yield Path(found.submodule_search_locations[0])
 
 
 def draw(robot: Client, recorder: Recorder, path: Path, title: str) -> None:
