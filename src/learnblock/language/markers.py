@@ -92,14 +92,13 @@ def unescaped(comment: str) -> str:
 
 def raw_lines(text: str, indent: str) -> list[str]:
     """The lines of a block of raw Python between its markers, behind `indent`."""
-    found = notes(text) or Notes({}, set())
+    found = notes(text)
+    in_string = found.in_string if found else set()
     result = []
     for number, line in enumerate(text.removesuffix("\n").split("\n") if text else [], 1):
         kept = line
-        if number not in found.in_string:
-            comment = found.comments.get(number)
-            if comment is not None and comment.own_line:
-                kept = _PLAIN_END.sub(r"\1# \2", line) if _PLAIN_END.fullmatch(line) else line
+        if number not in in_string:
+            kept = _PLAIN_END.sub(r"\1# \2", line) if _PLAIN_END.fullmatch(line) else line
             kept = indent + kept if kept else ""
         result.append(kept)
     return result

@@ -195,6 +195,7 @@ class _Writer(ExpressionWriter):
             Deactivate: lambda node: self.activation(node, "deactivate"),
             Raw: self.raw_block,
             Import: lambda node: self.line(f"from {node.module} import *", node, node.comment),
+            Setup: self.creation,
             Def: self.definition,
             When: self.when,
             Main: self.main,
@@ -220,15 +221,14 @@ class _Writer(ExpressionWriter):
         self.in_order(self.tree.items[:length])
         above = len(self.lines)
         rest = list(self.tree.items[length:])
-        place = next((i for i, item in enumerate(rest) if isinstance(item, Setup)), None)
-        setup = None if place is None else rest[place]
-        before, after = ([], rest) if place is None else (rest[:place], rest[place + 1 :])
-        if before:
+        place = next((i for i, item in enumerate(rest) if isinstance(item, Setup)), -1)
+        creation = rest[: place + 1] or [Setup()]
+        apart = isinstance(creation[0], Setup)
+        if not apart:
             self.blank()
-            self.in_order(before)
-        self.creation(setup if isinstance(setup, Setup) else Setup())
-        self.body_of(after)
-        self.import_lines(above, robot_module, apart=not before)
+        self.in_order(creation)
+        self.body_of(rest[place + 1 :])
+        self.import_lines(above, robot_module, apart=apart)
         return "\n".join([*self.lines, ""])
 
     def in_order(self, items: Any) -> None:

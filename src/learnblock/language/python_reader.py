@@ -1,15 +1,15 @@
 """Python as a tree: what `python` writes and ordinary variants of it; all else as raw Python."""
 
 import ast
+import bisect
 import re
 import warnings
-from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import NoReturn
 
 from learnblock.errors import Diagnostic, ProgramError
-from learnblock.language import markers, names, ranges
-from learnblock.language.layout import normalized
+from learnblock.language import markers, names, ranges, raw
+from learnblock.language.layout import normalized, prologue_length
 from learnblock.language.lexer import MAX_CHARACTERS
 from learnblock.language.library import MODULES, TEMPLATES, is_builtin, recognized
 from learnblock.language.nodes import (
@@ -207,6 +207,8 @@ class _Reader:
             self.lines.pop()
         self.comments, self.in_string = notes
         self.skeleton = skeleton
+        self.raw_ends = self.found_raw_ends()
+        self.raw_lines = self.found_raw_lines()
         self.line = 1  # the next one whose comments are still to be read
         self.modules: set[str] = set()
         self.height = 0  # of the expression that is being read, so far
@@ -290,17 +292,17 @@ class _Reader:
             self.lines[number - 1] = ""
 
     def main_marker(self) -> int:
-        return next(
-            (
-                line
-                for line, comment in sorted(self.comments.items())
-                if comment[:3] == (0, markers.MAIN, True)
-                and line > self.skeleton.creating.lineno
-                and not self.in_raw(line)
-                and not any(node.lineno <= line <= _end(node) for node in self.skeleton.rest)
-            ),
-            0,
-        )
+        """The line of the comment below which stands `main`, or 0."""
+        rest = self.skeleton.rest
+        starts = [_start(node) for node in rest]
+        for line, comment in sorted(self.comments.items()):
+            if comment[:3] != (0, markers.MAIN, True) or line in self.raw_lines:
+                continue
+            before = bisect.bisect(starts, line) - 1
+            inside = before >= 0 and line <= _end(rest[before])
+            if line > self.skeleton.creating.lineno and not inside:
+                return line
+        return 0
 
     def end_marker(self, rest: list[ast.stmt]) -> int:
         """The line of the comment below which stands what comes after `main`, or 0."""
@@ -308,53 +310,73 @@ class _Reader:
         after = [
             line
             for line, comment in self.comments.items()
-            if line > last and comment[:3] == (0, markers.END, True) and not self.in_raw(line)
+            if line > last and comment[:3] == (0, markers.END, True) and line not in self.raw_lines
         ]
         return min(after, default=0)
 
-    def in_raw(self, line: int) -> bool:
-        return any(start < line <= end for start, end in self.raw_blocks())
+    def found_raw_ends(self) -> dict[int, int]:
+        """For each ``# python`` with an ``# end`` at the same indentation, the lines of the two."""
+        found: dict[int, int] = {}
+        ends: dict[int, int] = {}  # the next ``# end`` below, by its column
+        for number in range(len(self.lines), 0, -1):
+            text = self.lines[number - 1]
+            indent = len(text) - len(text.lstrip())
+            if not text.strip() or number in self.in_string:
+                continue
+            if any(column > indent for column in ends):
+                ends = {column: line for column, line in ends.items() if column <= indent}
+            comment = self.comments.get(number)
+            if comment is None or not comment.own_line:
+                continue
+            if comment.text == markers.END:
+                ends[comment.column] = number
+            elif comment.text == markers.PYTHON and comment.column in ends:
+                found[number] = ends[comment.column]
+        return found
 
-    def raw_blocks(self) -> Iterator[tuple[int, int]]:
-        """First and last line of each block of raw Python at the margin, markers included."""
-        start: int | None = None
-        for line, comment in sorted(self.comments.items()):
-            if comment[:3] == (0, markers.PYTHON, True) and start is None:
-                start = line
-            elif comment[:3] == (0, markers.END, True) and start is not None:
-                yield start, line
-                start = None
+    def found_raw_lines(self) -> set[int]:
+        """The lines of the blocks of raw Python at the margin, without their first."""
+        found: set[int] = set()
+        last = 0
+        for line, end in sorted(self.raw_ends.items()):
+            if line > last and self.comments[line].column == 0:
+                found.update(range(line + 1, end + 1))
+                last = end
+        return found
 
     def head(self) -> list[Item]:
         """What stands above the line that creates the robot, and that line if it says something."""
         skeleton = self.skeleton
-        imports = [node for node in skeleton.head if _own_import(node) is None]
-        kept: list[Item] = []
+        others: list[ast.stmt] = []
         for node in skeleton.head:
             module = _own_import(node)
-            if module:
+            if module is None:
+                others.append(node)
+            else:
                 self.modules.add(module)
-        above = [node for node in imports if node.lineno < skeleton.importing.lineno]
-        for node in skeleton.head:
-            if _own_import(node) is not None:
-                self.keep_comment(node)
-        kept += self.block(above, 0, skeleton.importing.lineno, top_level=True)
-        if kept and not isinstance(kept[-1], Import):
-            kept.append(Blank())
+                self.blank_lines(node)
+        line = skeleton.importing.lineno
+        above = self.head_part([node for node in others if node.lineno < line], line)
+        if above and not isinstance(above[-1], Import):
+            above.append(Blank())
         self.line = _end(skeleton.importing) + 1
-        below = [node for node in imports if node.lineno > skeleton.importing.lineno]
-        own = self.block(below, 0, skeleton.creating.lineno, top_level=True)
-        kept += own
-        setup = self.setup()
-        if setup.arguments or setup.keywords or setup.comment is not None or own:
-            kept.append(setup)
+        below = [node for node in others if node.lineno > line]
+        below_items = self.head_part(below, skeleton.creating.lineno)
         self.line = _end(skeleton.creating) + 1
-        return kept
+        return self.with_setup([*above, *below_items])
 
-    def keep_comment(self, node: ast.stmt) -> None:
-        """An import that is written anew by itself leaves no line behind."""
-        for number in range(node.lineno, _end(node) + 1):
-            self.lines[number - 1] = ""
+    def head_part(self, nodes: list[ast.stmt], limit: int) -> list[Item]:
+        return self.block(nodes, 0, limit, top_level=True)
+
+    def with_setup(self, items: list[Item]) -> list[Item]:
+        """The robot's setup stands above all that is more than a comment or an import."""
+        plain = [item for item in items if isinstance(item, Comment | Blank | Import)]
+        others = [item for item in items if not isinstance(item, Comment | Blank | Import)]
+        setup = self.setup()
+        described = bool(plain) and isinstance(plain[-1], Comment)
+        if setup.arguments or setup.keywords or setup.comment is not None or described:
+            return [*plain, setup, *others]
+        return [*plain, *others]
 
     def setup(self) -> Setup:
         node = self.skeleton.creation
@@ -373,7 +395,8 @@ class _Reader:
         if not unused:
             return items
         raw = Raw("".join(f"import {module}\n" for module in unused))
-        place = next((i for i, item in enumerate(items) if not isinstance(item, Setup)), len(items))
+        setup = next((i + 1 for i, item in enumerate(items) if isinstance(item, Setup)), 0)
+        place = setup or prologue_length(items)
         return (*items[:place], raw, *items[place:])
 
     # Bodies.
@@ -386,18 +409,24 @@ class _Reader:
         index = 0
         while index < len(nodes):
             node = nodes[index]
-            raw = self.notes(items, _start(node), None)
+            raw = self.notes(items, _start(node), column)
             if raw:
                 while index < len(nodes) and nodes[index].lineno < raw:
                     index += 1
                 continue
             index = self.add(items, nodes, index, top_level=top_level)
-        while self.notes(items, limit, column):
+        while self.notes(items, limit, column, leave=True):
             pass
         return items
 
-    def notes(self, items: list[Item], limit: int, column: int | None) -> int:
-        """Read comments and blank lines up to `limit`, or to one left of `column`.
+    def notes(self, items: list[Item], limit: int, column: int, *, leave: bool = False) -> int:
+        """Read the comments and blank lines of a body up to the line `limit`.
+
+        Args:
+            items: what is read is added to it.
+            limit: the line to stop at.
+            column: where the body's statements begin.
+            leave: stop at a comment left of them too.
 
         Returns:
             the line after a block of raw Python that was met and read; else 0.
@@ -406,10 +435,10 @@ class _Reader:
             number = self.line
             comment = self.comments.get(number)
             if comment is not None and comment.own_line and not comment.inside:
-                if column is not None and comment.column < column:
+                if leave and comment.column < column:
                     return 0
-                end = self.raw_end(number, comment)
-                if end:
+                end = self.raw_ends.get(number, 0)
+                if end and comment.column == column:
                     items.append(self.marked(number, end))
                     self.line = end + 1
                     return end + 1
@@ -422,16 +451,6 @@ class _Reader:
 
     def is_blank(self, line: int) -> bool:
         return line <= len(self.lines) and not self.lines[line - 1].strip()
-
-    def raw_end(self, line: int, comment: markers.NotedComment) -> int:
-        """The line of the ``# end`` that belongs to a ``# python``; 0 for any other comment."""
-        if comment.text != markers.PYTHON:
-            return 0
-        for number in range(line + 1, len(self.lines) + 1):
-            found = self.comments.get(number)
-            if found is not None and found[:3] == (comment.column, markers.END, True):
-                return number
-        return 0
 
     def marked(self, start: int, end: int) -> Raw:
         indent = self.lines[start - 1][: self.comments[start].column]
@@ -592,7 +611,7 @@ class _Reader:
             comment = self.comments.get(ahead)
             if comment is None or not comment.own_line or comment.column < column:
                 return
-            self.notes(items, ahead + 1, column)
+            self.notes(items, ahead + 1, column, leave=True)
 
     def statement(self, node: ast.stmt) -> Statement:  # noqa: PLR0911 - one a kind
         comment = self.comment_of(_end(node))
@@ -906,7 +925,11 @@ class _Reader:
         return self.expression(node)
 
     def raw(self, node: ast.expr) -> RawExpression:
-        return RawExpression(self.segment(node), _span(node))
+        text = self.segment(node)
+        if isinstance(node, ast.Yield | ast.YieldFrom | ast.NamedExpr):
+            # Python's tree leaves out their brackets, which they must have in most places.
+            text = f"({text})"
+        return RawExpression(text, _span(node))
 
     def segment(self, node: ast.expr) -> str:
         """The text of an expression that stands on one line."""
@@ -999,4 +1022,7 @@ def _stripped(body: Body) -> Body:
 
 
 def _acts(item: Statement) -> bool:
+    """Whether a body that holds this statement is no empty one."""
+    if isinstance(item, Raw):
+        return raw.code_lines(item.text)
     return not isinstance(item, Comment | Blank)
