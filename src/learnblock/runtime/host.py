@@ -5,7 +5,7 @@ first that wakes. One thread does all of this, so a run depends on program, worl
 """
 
 import signal
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -181,7 +181,7 @@ class Run:
             self._finish(Ending(How.ERROR, str(error)))
 
     def release(self) -> None:
-        """Wake the program at its world's present step, and serve it."""
+        """Wake the program at its world's present step; it then wants to be served."""
         assert self.simulation is not None  # noqa: S101 - only a simulated program parks
         self.wake = None
         try:
@@ -190,7 +190,6 @@ class Run:
             self._link.send(_failure(error))
         else:
             self._answer((self.simulation.steps, readings))
-        self.serve()
 
     def stop(self, ending: Ending) -> None:
         """Ask for the end; it may be called from any thread, and returns at once."""
@@ -517,11 +516,22 @@ class Host:
             self._advance(simulation, wake if limit is None else min(wake, limit))
             if limit is not None and simulation.steps >= limit:
                 self._stop(Ending(How.TIME_LIMIT, time_is_up(limit * simulation.dt)))
-            for run in parked:
-                if run.stopping:
-                    run.end()
-                elif run.wake == wake:
-                    run.release()
+            self._wake([run for run in parked if run.wake == wake or run.stopping])
+
+    def _wake(self, due: Sequence[Run]) -> None:
+        """Wake programs together, on as many processors as there are, and serve them by turns.
+
+        What one of them commands takes effect with the next step, so that they think at the same
+        time makes no difference to any of them, nor to the trace.
+        """
+        for run in due:
+            if not run.stopping:
+                run.release()
+        for run in due:
+            if run.stopping:
+                run.end()
+            else:
+                run.serve()
 
     def _advance(self, simulation: Simulation, step: int) -> None:
         """In short strides, so that someone who watches a long wait sees it pass."""
