@@ -57,7 +57,7 @@ def report(name: str, text: str, original: float) -> None:
     main = program.main.body if program.main else ()
     count = sum(not isinstance(node, Comment) for node in statements(program.items + main))
     python = to_python(program).text
-    runs = 5 if count > 100 else 200
+    runs = 7 if count > 100 else 500
     ours = milliseconds(lambda: to_python(parse(text)), runs)
     print(
         f"{name:17} {count:5} {ours:9.3f} {ours / count * 1000:9.1f} {original / ours:8.0f}x"

@@ -135,6 +135,14 @@ def _plain_line_ends(text: str) -> str:
     return text if "\n" in text else text.replace("\r", "\n")
 
 
+def _foreign_name(text: str) -> tuple[str, str]:
+    """Kind and text of a name with letters beyond ASCII, in the form in which Python compares."""
+    text = unicodedata.normalize("NFKC", text)
+    if text in KEYWORDS:
+        return text, text
+    return ("name" if text.isidentifier() else "bad"), text
+
+
 class _Lexer:
     def __init__(self, text: str) -> None:
         self.text = text
@@ -156,24 +164,27 @@ class _Lexer:
 
     def scan(self, position: int, end: int) -> None:  # noqa: C901, PLR0912 - the hot loop
         tokens, kinds = self.result.tokens, self.result.kinds
+        add_token, add_kind = tokens.append, kinds.append
         new = tuple.__new__  # twice as fast as Token(...)
         line, line_start, depth = self.line, self.line_start, self.depth
         for match in _TOKEN.finditer(self.text, position, end):
             group = match.lastindex
             assert group is not None  # noqa: S101 - every alternative of the pattern is a group
             text = match[group]
-            start, after = match.span(group)
-            column = start - line_start + 1
+            column = match.start(group) - line_start + 1
             if group == _NAME:
-                if not text.isascii():
-                    text = unicodedata.normalize("NFKC", text)
                 kind = text if text in KEYWORDS else "name"
-                if depth and self.soft and kind in _OPENS_LINE and self.begins_statement(after):
+                if not text.isascii():
+                    kind, text = _foreign_name(text)
+                if (
+                    depth
+                    and self.soft
+                    and kind in _OPENS_LINE
+                    and self.begins_statement(match.end())
+                ):
                     # The bracket before was never closed; a statement begins here.
                     self.restore_line_ends()
                     depth = 0
-                elif kind == "name" and not text.isidentifier():
-                    kind = "bad"
             elif group == _OPERATOR:
                 kind = text
                 if kind in "([":
@@ -186,12 +197,12 @@ class _Lexer:
                 token = Token("newline", "\n", line, column)
                 lines = 1 if text == "\n" else len(_LINE_END.findall(text))
                 line += lines
-                line_start = after
+                line_start = match.end()
                 if depth:
                     self.soft.append((len(tokens), token))
                     continue
-                tokens.append(token)
-                kinds.append("newline")
+                add_token(token)
+                add_kind("newline")
                 if lines > 1:
                     tokens.append(Token("blank", "", line - 1, 1))
                     kinds.append("blank")
@@ -203,8 +214,8 @@ class _Lexer:
                     comment = Token(kind, text, line, column)
                     self.result.hoisted.setdefault(self.statement, []).append(comment)
                     continue
-            tokens.append(new(Token, (kind, text, line, column)))
-            kinds.append(kind)
+            add_token(new(Token, (kind, text, line, column)))
+            add_kind(kind)
         self.line, self.line_start, self.depth = line, line_start, depth
 
     def begins_statement(self, after: int) -> bool:

@@ -269,41 +269,6 @@ class _Parser:
         self.openers: list[Token] = []  # first tokens of the blocks that are open
         self.stopped = False  # too deep: nothing more is read, and nothing more reported
         self.suspects: list[Token] = []  # blocks whose `end` stands under an outer block
-        self.atoms: dict[str, Callable[[Token], Expression]] = {
-            "number": self.number,
-            "string": self.string,
-            "name": self.name,
-            "function": self.skill_call,
-            "True": self.constant,
-            "False": self.constant,
-            "None": self.constant,
-            "(": self.parenthesized,
-            "[": self.list,
-            "raw": self.raw_expression,
-        }
-        self.starts: dict[str, Callable[[Token], Statement]] = {
-            "name": self.name_statement,
-            "function": self.perform,
-            "if": self.if_chain,
-            "while": self.while_loop,
-            "for": self.for_loop,
-            "activate": self.activation,
-            "deactivate": self.activation,
-            "break": self.word,
-            "continue": self.word,
-            "pass": self.word,
-            "return": self.return_statement,
-            "python": self.raw_statement,
-        }
-        self.tops: dict[str, Callable[[Token], Item | Main | None]] = {
-            "import": self.import_,
-            "def": self.definition,
-            "when": self.when,
-            "main": self.main,
-            "end": self.stray,
-            "elif": self.stray,
-            "else": self.stray,
-        }
 
     @property
     def token(self) -> Token:
@@ -367,13 +332,13 @@ class _Parser:
 
     def item(self, items: list[Item | Main], token: Token) -> None:
         """Read one item of the top level and add it."""
-        read: Callable[[Token], Item | Main | None] = self.tops.get(token.kind, self.statement)
+        read = _TOPS.get(token.kind, _Parser.statement)
         if token.text == "robot" and self.sets_up(items):
-            read = self.setup
+            read = _Parser.setup
         try:
-            if token.kind in self.tops and self.kinds[self.index + 1] in _ASSIGNMENTS:
+            if token.kind in _TOPS and self.kinds[self.index + 1] in _ASSIGNMENTS:
                 raise self.reserved(token)
-            item = read(token)
+            item = read(self, token)
         except _Slip as slip:
             self.leave(slip)
             return
@@ -424,7 +389,7 @@ class _Parser:
         if kind == "newline":
             self.index += 1
         elif kind not in {"end", "elif", "else"}:
-            raise self.second_statement() if kind in self.starts else self.unexpected(_LINE_END)
+            raise self.second_statement() if kind in _STARTS else self.unexpected(_LINE_END)
         return comment
 
     def second_statement(self) -> _Slip:
@@ -568,10 +533,10 @@ class _Parser:
 
     def statement(self, token: Token) -> Statement:
         self.nesting = 0
-        start = self.starts.get(token.kind)
+        start = _STARTS.get(token.kind)
         if start is None:
             raise self.not_a_statement(token)
-        return start(token)
+        return start(self, token)
 
     def not_a_statement(self, token: Token) -> _Slip:
         if token.kind == "bad":
@@ -873,11 +838,11 @@ class _Parser:
     def expression(self, level: int = 1) -> Expression:
         kinds = self.kinds
         kind = kinds[self.index]
-        atom = self.atoms.get(kind)
+        atom = _ATOMS.get(kind)
         if atom is None:
             left = self.prefixed(kind, level)
         else:
-            left = atom(self.tokens[self.index])
+            left = atom(self, self.tokens[self.index])
             if kinds[self.index] == "[":
                 left = self.indexed(left)
         while True:
@@ -1188,6 +1153,44 @@ class _Parser:
         text = token.text[1:-1].replace("``", "`")
         span = Span(token.line, token.column, token.line, token.column + len(token.text))
         return RawExpression(text, span)
+
+
+# What each kind of token begins.
+_ATOMS: dict[str, Callable[[_Parser, Token], Expression]] = {
+    "number": _Parser.number,
+    "string": _Parser.string,
+    "name": _Parser.name,
+    "function": _Parser.skill_call,
+    "True": _Parser.constant,
+    "False": _Parser.constant,
+    "None": _Parser.constant,
+    "(": _Parser.parenthesized,
+    "[": _Parser.list,
+    "raw": _Parser.raw_expression,
+}
+_STARTS: dict[str, Callable[[_Parser, Token], Statement]] = {
+    "name": _Parser.name_statement,
+    "function": _Parser.perform,
+    "if": _Parser.if_chain,
+    "while": _Parser.while_loop,
+    "for": _Parser.for_loop,
+    "activate": _Parser.activation,
+    "deactivate": _Parser.activation,
+    "break": _Parser.word,
+    "continue": _Parser.word,
+    "pass": _Parser.word,
+    "return": _Parser.return_statement,
+    "python": _Parser.raw_statement,
+}
+_TOPS: dict[str, Callable[[_Parser, Token], Item | Main | None]] = {
+    "import": _Parser.import_,
+    "def": _Parser.definition,
+    "when": _Parser.when,
+    "main": _Parser.main,
+    "end": _Parser.stray,
+    "elif": _Parser.stray,
+    "else": _Parser.stray,
+}
 
 
 class _Part(NamedTuple):
