@@ -39,7 +39,8 @@ class Diagnostic:
 
     def pointed(self, source: str) -> str:
         """The line of `source` it speaks of with a caret beneath, or "" where it names no line."""
-        lines = source.splitlines()
+        # Not splitlines: to an editor a form feed begins no line.
+        lines = [line.removesuffix("\r") for line in source.split("\n")]
         if not 1 <= self.line <= len(lines):
             return ""
         text = lines[self.line - 1]

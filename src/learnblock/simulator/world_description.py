@@ -393,6 +393,8 @@ def _check_picture(folder: Path, picture: str) -> Iterator[Finding]:
 
 
 def _picture_problem(folder: Path, picture: str) -> str:
+    if "\0" in picture:
+        return "no file's name holds the character NUL"
     file = (folder / picture).resolve()
     if not file.is_relative_to(folder.resolve()):
         return "a picture must lie in the folder of the world's file"
