@@ -3,6 +3,7 @@
 import hashlib
 import itertools
 import os
+import re
 import subprocess
 import sys
 import threading
@@ -104,3 +105,12 @@ def test_another_seed_gives_another_path():
         run_example("square.bt", "sim-ev3", seed=seed, seconds=12).recorder.path for seed in (1, 2)
     ]
     assert paths[0] != paths[1]
+
+
+def test_the_page_of_examples_names_each_with_a_robot_that_can_run_it():
+    page = (EXAMPLES / "README.md").read_text(encoding="utf-8")
+    commands = re.findall(r"`learnblock run (\S+) --robot (\S+) --world (\S+)`", page)
+    assert sorted(name for name, _, _ in commands) == NAMES
+    for name, robot, world in commands:
+        assert refusal(name, robot) == []
+        assert world == WORLDS.get(name, world)

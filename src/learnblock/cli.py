@@ -32,6 +32,9 @@ class _Commands(click.Group):
         except FileError as error:
             _report_mistakes(error)
             ctx.exit(MISTAKES)
+        except BrokenPipeError:
+            # `learnblock skills | head`: click knows how to end quietly.
+            raise
         except (LearnBlockError, OSError) as error:
             click.echo(f"learnblock: {error}", err=True)
             ctx.exit(USAGE)
