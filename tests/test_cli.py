@@ -246,6 +246,25 @@ def test_ctrl_c_ends_a_run_with_its_report(write):
     assert "ended      stopped" in errors
 
 
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no pseudo-terminals")
+def test_on_a_terminal_one_line_tells_the_state_while_it_runs():
+    ours, theirs = os.openpty()
+    command = [sys.executable, "-m", "learnblock", "run", SQUARE, "--for", "4", "--pace", "5"]
+    process = subprocess.Popen(command, stdout=theirs, stderr=theirs)
+    os.close(theirs)
+    shown = bytearray()
+    try:
+        while data := os.read(ours, 4096):
+            shown += data
+    except OSError:
+        # So Linux tells that the other end of a terminal is closed.
+        pass
+    os.close(ours)
+    assert process.wait() == 0
+    states = shown.decode().split("\r\x1b[K")
+    assert sum(" x real time" in state for state in states) > 2
+
+
 def test_the_users_own_folder_adds_a_skill_a_world_and_a_robot(own_home, write):
     for name in ("skills", "worlds", "robots"):
         (own_home / name).mkdir()

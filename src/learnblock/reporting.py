@@ -8,7 +8,7 @@ from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from time import monotonic
 from types import FrameType
-from typing import Any, BinaryIO
+from typing import BinaryIO
 
 import click
 import msgspec
@@ -16,7 +16,8 @@ import msgspec
 from learnblock import running
 from learnblock.devices import DEFAULT_KEY
 from learnblock.errors import Diagnostic, LearnBlockError
-from learnblock.running import Options, Report, Session
+from learnblock.robots import RobotEntry
+from learnblock.running import Options, Report, Session, Source
 from learnblock.runtime.host import How, Watcher
 
 #: A program that never ends, at full speed, needs an end: seconds of the robot's time.
@@ -51,14 +52,15 @@ def run_and_report(
     options = Options(world, seed, pace, _time_limit(pace, seconds))
     entry.load().check_wishes(options.wishes)
     with _opened(trace) as trace_file:
+        terminal = None if as_json else _Terminal()
         session = Session(
-            running.program(source, entry),
-            entry,
-            options,
-            trace=trace_file,
-            watcher=None if as_json else _Terminal(),
+            running.program(source, entry), entry, options, trace=trace_file, watcher=terminal
         )
+        if terminal:
+            terminal.session = session
         report = _run(session)
+        if terminal:
+            terminal.clear()
     if picture:
         _draw(session, picture)
     _print(report, session, picture, as_json=as_json)
@@ -85,8 +87,10 @@ def demonstrate(picture: Path) -> int:
 class _Terminal(Watcher):
     """Shows prints as they come, and on a terminal one line with the state of things."""
 
+    #: What it tells the state of.
+    session: Session | None = None
+
     def __init__(self) -> None:
-        self.session: Session | None = None
         self._drawn = monotonic()
         self._started = self._drawn
         self._live = sys.stderr.isatty()
@@ -124,7 +128,7 @@ class _Terminal(Watcher):
         return "  ".join(parts)
 
 
-def _refused(source: Any, entry: Any, *, anyway: bool, as_json: bool) -> bool:
+def _refused(source: Source, entry: RobotEntry, *, anyway: bool, as_json: bool) -> bool:
     """Print what the check finds; say whether the program cannot be run."""
     diagnostics = running.check(source, entry)
     errors = [
@@ -133,7 +137,8 @@ def _refused(source: Any, entry: Any, *, anyway: bool, as_json: bool) -> bool:
         if one.severity == "error" and not (anyway and one.code == "missing-device")
     ]
     if as_json and errors:
-        _print_json({"ended": "refused", "error": _refusal(str(source.path), errors)})
+        refused = Report(ended="refused", error=_refusal(str(source.path), errors))
+        _print_json(dataclasses.asdict(refused))
     elif not as_json:
         for one in diagnostics:
             click.echo(one.located(str(source.path)), err=True)

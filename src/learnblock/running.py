@@ -159,6 +159,7 @@ class Report:
     """What happened in a run.
 
     Args:
+        ended: how, one word or two; ``refused`` if the program was not even started.
         time: seconds of the robot's time.
         distance: mm driven; None where it is not known.
         pose: (x mm, y mm, heading in degrees) at the end, or None.
@@ -166,19 +167,18 @@ class Report:
         emotions: those shown, in order.
         no_effect: skills that had none: skill, missing device, how often.
         trace_sha256: the hash of the trace.
-        ended: how, one word or two.
         error: what went wrong: message, line, and the text of that line; None when nothing did.
     """
 
-    time: float
-    distance: float | None
-    pose: Pose | None
-    goals: tuple[Goal, ...]
-    emotions: tuple[str, ...]
-    no_effect: tuple[Mapping[str, object], ...]
-    trace_sha256: str
     ended: str
-    error: Mapping[str, object] | None
+    time: float = 0.0
+    distance: float | None = None
+    pose: Pose | None = None
+    goals: tuple[Goal, ...] = ()
+    emotions: tuple[str, ...] = ()
+    no_effect: tuple[Mapping[str, object], ...] = ()
+    trace_sha256: str = ""
+    error: Mapping[str, object] | None = None
 
 
 class Session:

@@ -393,10 +393,9 @@ def _check_picture(folder: Path, picture: str) -> Iterator[Finding]:
 
 
 def _picture_problem(folder: Path, picture: str) -> str:
-    if "\0" in picture:
-        return "no file's name holds the character NUL"
-    file = (folder / picture).resolve()
-    if not file.is_relative_to(folder.resolve()):
+    # The name of no file holds a NUL, and even to ask about such a file is an error.
+    file = (folder / picture.partition("\0")[0]).resolve()
+    if "\0" in picture or not file.is_relative_to(folder.resolve()):
         return "a picture must lie in the folder of the world's file"
     if not file.is_file():
         return "there is no such file in the folder of the world's file"
