@@ -235,8 +235,7 @@ def test_a_file_that_is_not_utf_8_names_the_line(tmp_path):
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGINT for one process")
 def test_ctrl_c_ends_a_run_with_its_report(write):
     program = write("endless.bt", "while True:\n    function.move_straight()\n    print(1)\nend\n")
-    command = [sys.executable, "-m", "learnblock", "run", program, "--pace", "real", "--json"]
-    command.remove("--json")
+    command = [sys.executable, "-m", "learnblock", "run", program, "--pace", "real"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert process.stdout.readline() == "1\n"
     process.send_signal(signal.SIGINT)
@@ -244,6 +243,7 @@ def test_ctrl_c_ends_a_run_with_its_report(write):
     _, errors = process.communicate(timeout=10)
     assert time.monotonic() - begun < 2
     assert "ended      stopped" in errors
+    assert process.returncode == 130
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no pseudo-terminals")

@@ -1,8 +1,6 @@
 """The command line: `learnblock run`, `check`, `format`, `convert`, `robots`, `worlds`, `skills`.
 
-Exit codes: 0 all is well; 1 a file has mistakes, or a check failed; 2 the command itself was wrong
-(an option, a file, a robot or world that is not there); 3 the program ended with an error;
-4 the program had to be stopped (it made no call, printed too much) or was killed; 130 Ctrl-C.
+Each command imports what it needs when it is called, so that `learnblock --help` answers at once.
 """
 
 import sys
@@ -11,12 +9,11 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
+from learnblock.console import ExitCode, print_json
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
 
 if TYPE_CHECKING:
     from learnblock.running import Source
-
-MISTAKES, USAGE, PROGRAM_FAILED, PROGRAM_STOPPED, INTERRUPTED = 1, 2, 3, 4, 130
 
 _PROGRAM = click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
 _JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON, for tools.")
@@ -31,15 +28,15 @@ class _Commands(click.Group):
             return super().invoke(ctx)
         except FileError as error:
             _report_mistakes(error)
-            ctx.exit(MISTAKES)
+            ctx.exit(ExitCode.MISTAKES)
         except BrokenPipeError:
             # `learnblock skills | head`: click knows how to end quietly.
             raise
         except (LearnBlockError, OSError) as error:
             click.echo(f"learnblock: {error}", err=True)
-            ctx.exit(USAGE)
+            ctx.exit(ExitCode.USAGE)
         except KeyboardInterrupt:
-            ctx.exit(INTERRUPTED)
+            ctx.exit(ExitCode.INTERRUPTED)
 
 
 @click.group(
@@ -126,12 +123,12 @@ def check(files: tuple[Path, ...], robot: str | None, as_json: bool) -> None:  #
     """
     found = {file: _diagnose(file, robot) for file in files}
     if as_json:
-        _print_json([_as_object(file, one) for file, (all_, _) in found.items() for one in all_])
+        print_json([_as_object(file, one) for file, (all_, _) in found.items() for one in all_])
     else:
         for file, (diagnostics, text) in found.items():
             _print_diagnostics(str(file), diagnostics, text)
     errors = [one for all_, _ in found.values() for one in all_ if one.severity == "error"]
-    sys.exit(MISTAKES if errors else 0)
+    sys.exit(ExitCode.MISTAKES if errors else 0)
 
 
 @main.command("format")
@@ -154,11 +151,11 @@ def format_command(
     """Give Block-Text programs their canonical form: four spaces, one blank where one belongs."""
     changed = [file for file in files if _format(file, only_check=only_check, to_stdout=to_stdout)]
     if as_json:
-        _print_json({"changed": [str(file) for file in changed]})
+        print_json({"changed": [str(file) for file in changed]})
     elif not to_stdout:
         for file in changed:
             click.echo(f"{'would change' if only_check else 'formatted'} {file}")
-    sys.exit(MISTAKES if only_check and changed else 0)
+    sys.exit(ExitCode.MISTAKES if only_check and changed else 0)
 
 
 @main.command()
@@ -188,7 +185,7 @@ def convert(file: Path, notation: str, robot: str | None, as_json: bool) -> None
         module = None if source.is_python and not robot else chosen
         text = language.to_python(source.tree, module).text
     if as_json:
-        _print_json({"file": str(file), "to": notation, "text": text})
+        print_json({"file": str(file), "to": notation, "text": text})
     else:
         click.echo(text, nl=False)
 
@@ -281,12 +278,6 @@ def _as_object(file: Path, diagnostic: Diagnostic) -> dict[str, object]:
     }
 
 
-def _print_json(value: object) -> None:
-    import msgspec  # noqa: PLC0415
-
-    click.echo(msgspec.json.format(msgspec.json.encode(value), indent=2))
-
-
 def _fail(message: str) -> NoReturn:
     click.echo(f"learnblock: {message}", err=True)
-    sys.exit(USAGE)
+    sys.exit(ExitCode.USAGE)

@@ -8,6 +8,7 @@ import msgspec
 from learnblock import robots
 from learnblock.blocks import all_configurations
 from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.console import print_json
 from learnblock.errors import LearnBlockError, UnknownNameError
 
 
@@ -15,7 +16,7 @@ def robot_list(*, as_json: bool) -> None:
     """Print every robot with its devices."""
     listed = [_robot(entry) for entry in robots.entries().values()]
     if as_json:
-        _print_json(listed)
+        print_json(listed)
         return
     for robot in listed:
         click.echo(f"{robot['name']:<12} {', '.join(robot['devices']) or robot['problem']}")
@@ -49,7 +50,7 @@ def world_list(*, as_json: bool) -> None:
         for world in worlds()
     ]
     if as_json:
-        _print_json(listed)
+        print_json(listed)
         return
     for world in listed:
         click.echo(f"{world['name']:<14} {world['title']}")
@@ -62,7 +63,7 @@ def skill_list(name: str | None, *, as_json: bool) -> None:
         raise UnknownNameError("skill", name, skills)
     listed = [skills[name]] if name else list(skills.values())
     if as_json:
-        _print_json([_skill(skill) for skill in listed])
+        print_json([_skill(skill) for skill in listed])
     elif name:
         _describe(listed[0])
     else:
@@ -79,7 +80,9 @@ def _print_by_category(skills: list[BlockConfiguration]) -> None:
 
 
 def _describe(skill: BlockConfiguration) -> None:
-    click.echo(f"{_signature(skill)}\n  {skill.tooltip.get('EN', '')}")
+    click.echo(_signature(skill))
+    for language, label in sorted(skill.languages.items()):
+        click.echo(f"  {language}:      {label}: {skill.tooltip.get(language, '')}")
     click.echo(f"  answers: {'a value' if skill.returns_value else 'nothing'}")
     click.echo(f"  needs:   {', '.join(skill.needs) or 'no device'}")
     click.echo(f"  Block-Text: function.{_signature(skill)}")
@@ -104,7 +107,3 @@ def _skill(skill: BlockConfiguration) -> dict[str, object]:
         "languages": dict(skill.languages),
         "tooltip": dict(skill.tooltip),
     }
-
-
-def _print_json(value: object) -> None:
-    click.echo(msgspec.json.format(msgspec.json.encode(value), indent=2))

@@ -11,9 +11,9 @@ from types import FrameType
 from typing import BinaryIO
 
 import click
-import msgspec
 
 from learnblock import running
+from learnblock.console import ExitCode, print_json
 from learnblock.devices import DEFAULT_KEY
 from learnblock.errors import Diagnostic, LearnBlockError
 from learnblock.robots import RobotEntry
@@ -25,8 +25,14 @@ DEFAULT_SECONDS = 300.0
 #: Seconds of the wall clock between two states of the status line.
 STATUS_PERIOD = 0.1
 
-_EXIT_CODES = {How.ERROR: 3, How.NO_CALL: 4, How.OUTPUT_LIMIT: 4, How.KILLED: 4}
-_MISTAKES = 1
+_EXIT_CODES = {
+    How.ERROR: ExitCode.PROGRAM_FAILED,
+    How.NO_CALL: ExitCode.PROGRAM_STOPPED,
+    How.OUTPUT_LIMIT: ExitCode.PROGRAM_STOPPED,
+    How.KILLED: ExitCode.PROGRAM_STOPPED,
+    # Nothing but a signal, such as that of Ctrl-C, stops a run from here.
+    How.STOPPED: ExitCode.INTERRUPTED,
+}
 
 
 def run_and_report(
@@ -46,7 +52,7 @@ def run_and_report(
     source = running.read(file)
     entry = running.choose_robot(source, robot)
     if _refused(source, entry, anyway=anyway, as_json=as_json):
-        return _MISTAKES
+        return ExitCode.MISTAKES
     if picture and picture.suffix not in {".png", ".svg"}:
         raise LearnBlockError(f"a picture is a .png or a .svg file, not {picture}")
     options = Options(world, seed, pace, _time_limit(pace, seconds))
@@ -64,7 +70,7 @@ def run_and_report(
     if picture:
         _draw(session, picture)
     _print(report, session, picture, as_json=as_json)
-    return _EXIT_CODES.get(How(report.ended), 0)
+    return _EXIT_CODES.get(How(report.ended), ExitCode.WELL)
 
 
 def demonstrate(picture: Path) -> int:
@@ -138,7 +144,7 @@ def _refused(source: Source, entry: RobotEntry, *, anyway: bool, as_json: bool) 
     ]
     if as_json and errors:
         refused = Report(ended="refused", error=_refusal(str(source.path), errors))
-        _print_json(dataclasses.asdict(refused))
+        print_json(dataclasses.asdict(refused))
     elif not as_json:
         for one in diagnostics:
             click.echo(one.located(str(source.path)), err=True)
@@ -197,7 +203,7 @@ def _draw(session: Session, path: Path) -> None:
 
 def _print(report: Report, session: Session, picture: Path | None, *, as_json: bool) -> None:
     if as_json:
-        _print_json(dataclasses.asdict(report))
+        print_json(dataclasses.asdict(report))
         return
     for line in _summary(report, session):
         click.echo(line, err=True)
@@ -230,7 +236,3 @@ def _ending(report: Report, session: Session) -> str:
     place = f"{report.error['file']}:{report.error['line']}: " if report.error["line"] else ""
     quoted = f"\n           {report.error['text']}" if report.error["text"] else ""
     return f"{place}{report.error['message']}{quoted}"
-
-
-def _print_json(value: object) -> None:
-    click.echo(msgspec.json.format(msgspec.json.encode(value), indent=2))

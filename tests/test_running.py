@@ -1,0 +1,55 @@
+"""From a file to a run: what the page of the docs says of it."""
+
+import dataclasses
+import re
+from pathlib import Path
+
+import pytest
+
+from learnblock import running
+from learnblock.errors import ProgramError, UnknownNameError
+from learnblock.runtime.host import How
+from learnblock.runtime.limits import MEGABYTE, Limits
+
+PAGE = (Path(__file__).parents[1] / "docs" / "running.md").read_text(encoding="utf-8")
+
+
+def test_the_page_tells_every_field_of_a_report_in_order():
+    report = PAGE.partition("| field | meaning |")[2].partition("The exit code")[0]
+    fields = [field.name for field in dataclasses.fields(running.Report)]
+    assert fields == re.findall(r"^\| `(\w+)` \|", report, re.MULTILINE)
+
+
+def test_the_page_tells_every_way_to_end():
+    line = next(line for line in PAGE.splitlines() if line.startswith("| `ended` |"))
+    assert {*How, "refused"} == set(re.findall(r"`([a-z ]+)`", line)) - {"ended"}
+
+
+def test_the_page_tells_the_limits_there_are():
+    limits = Limits()
+    assert limits.memory == 2048 * MEGABYTE
+    assert limits.cpu == 3600
+    assert (limits.open_files, limits.file_size, limits.output) == (64, 16 * MEGABYTE, MEGABYTE)
+    assert limits.silence == 2
+    told = " ".join(PAGE.split())
+    assert "2 GB of memory, an hour of processor time, 64 open files of at most 16 MB" in told
+
+
+def test_a_python_file_names_its_robot_and_another_can_be_chosen(tmp_path):
+    path = tmp_path / "program.py"
+    path.write_text("from learnblock.robots.sim_ev3 import Robot\n\nrobot = Robot()\n")
+    source = running.read(path)
+    assert running.choose_robot(source).name == "sim-ev3"
+    assert running.choose_robot(source, "sim-cozmo").name == "sim-cozmo"
+
+
+def test_a_file_too_large_for_a_program_is_refused(tmp_path):
+    path = tmp_path / "huge.bt"
+    path.write_text("#" * (running.LARGEST_PROGRAM + 1))
+    with pytest.raises(ProgramError, match="too-large"):
+        running.read(path)
+
+
+def test_an_unknown_example_is_named():
+    with pytest.raises(UnknownNameError, match=r"did you mean `square\.bt`"):
+        running.example("sqare.bt")
