@@ -9,6 +9,7 @@ from typing import NoReturn
 
 from learnblock.errors import Diagnostic, ProgramError
 from learnblock.language import markers, names, ranges, raw
+from learnblock.language.expression_parser import MAX_HEIGHT
 from learnblock.language.layout import normalized, prologue_length
 from learnblock.language.lexer import MAX_CHARACTERS
 from learnblock.language.library import MODULES, TEMPLATES, is_builtin, recognized
@@ -56,7 +57,6 @@ from learnblock.language.nodes import (
     When,
     While,
 )
-from learnblock.language.parser import MAX_HEIGHT
 from learnblock.language.python import (
     DEFAULT_ROBOT,
     ROBOT_IMPORT,

@@ -1,0 +1,371 @@
+"""Expressions of Block-Text into trees: precedence climbing, with Python's levels of binding."""
+
+import re
+from collections.abc import Callable
+
+from learnblock.language import slips
+from learnblock.language.lexer import KEYWORDS, Token, Tokens
+from learnblock.language.nodes import (
+    Binary,
+    Call,
+    Compare,
+    Constant,
+    Expression,
+    Index,
+    Keyword,
+    List,
+    Name,
+    Number,
+    RawExpression,
+    SkillCall,
+    Span,
+    String,
+    Unary,
+)
+from learnblock.language.slips import Slip
+from learnblock.language.strings import unquote
+from learnblock.language.token_reader import TokenReader, from_to, new
+
+# Deeper trees would not fit on Python's own stack when they are written out again.
+MAX_HEIGHT = 200
+MAX_DIGITS = 1000
+
+_LEVELS = {
+    "or": 1,
+    "and": 2,
+    "not": 4,  # of `not in`
+    "in": 4,
+    "==": 4,
+    "!=": 4,
+    "<": 4,
+    ">": 4,
+    "<=": 4,
+    ">=": 4,
+    "+": 5,
+    "-": 5,
+    "*": 6,
+    "/": 6,
+    "//": 6,
+    "%": 6,
+    "**": 8,
+}
+OPERATORS = frozenset(_LEVELS)
+_NOT, _COMPARE, _SIGN, _POWER = 3, 4, 7, 8
+_CONSTANTS = {"True": True, "False": False, "None": None}
+_NUMBER = re.compile(
+    r"0[xX](?:_?[0-9a-fA-F])+|0[bB](?:_?[01])+|0[oO](?:_?[0-7])+"
+    r"|0(?:_?0)*|[1-9](?:_?[0-9])*"
+    r"|(?:[0-9](?:_?[0-9])*)?\.[0-9](?:_?[0-9])*(?:[eE][-+]?[0-9](?:_?[0-9])*)?"
+    r"|[0-9](?:_?[0-9])*\.(?:[eE][-+]?[0-9](?:_?[0-9])*)?"
+    r"|[0-9](?:_?[0-9])*[eE][-+]?[0-9](?:_?[0-9])*"
+)
+_AFTER_NAME = frozenset((".", "string"))
+
+
+class ExpressionParser(TokenReader):
+    """Reads expressions; `height` is how high the tree is that was read last."""
+
+    def __init__(self, tokens: Tokens) -> None:
+        super().__init__(tokens)
+        self.height = 0
+        self.nesting = 0  # of brackets
+
+    def expression(self, level: int = 1) -> Expression:
+        kinds = self.kinds
+        kind = kinds[self.index]
+        atom = _ATOMS.get(kind)
+        if atom is None:
+            left = self.prefixed(kind, level)
+        else:
+            left = atom(self, self.tokens[self.index])
+            if kinds[self.index] == "[":
+                left = self.indexed(left)
+        while True:
+            operator = kinds[self.index]
+            binding = _LEVELS.get(operator)
+            if binding is None or binding < level:
+                return left
+            if binding == _COMPARE:
+                if operator == "not" and kinds[self.index + 1] != "in":
+                    return left
+                left = self.comparison(left)
+                continue
+            height = self.height
+            self.index += 1
+            right = self.exponent() if binding == _POWER else self.expression(binding + 1)
+            self.grow(height)
+            left = Binary(operator, left, right, _joined(left.span, right.span))
+
+    def exponent(self) -> Expression:
+        self.nest()
+        exponent = self.expression(_SIGN)
+        self.nesting -= 1
+        return exponent
+
+    def grow(self, height: int) -> None:
+        """The tree read last and one of `height` become one that is higher than both."""
+        self.height = max(height, self.height) + 1
+        if self.height > MAX_HEIGHT:
+            raise slips.too_deep(self.before)
+
+    def prefixed(self, kind: str, level: int) -> Expression:
+        token = self.tokens[self.index]
+        if kind not in {"-", "+", "not"}:
+            raise slips.no_value(token, self.before, OPERATORS)
+        if kind == "not" and level > _NOT:
+            message = "put `not` and what follows it in brackets: `(not ...)`"
+            raise self.slip("not-needs-brackets", message)
+        self.index += 1
+        self.nest()
+        operand = self.expression(_NOT if kind == "not" else _SIGN)
+        self.nesting -= 1
+        self.grow(0)
+        last = operand.span
+        span = Span(token.line, token.column, last.end_line, last.end_column)
+        return Unary(kind, operand, span)
+
+    def nest(self) -> None:
+        self.nesting += 1
+        if self.nesting > MAX_HEIGHT:
+            raise slips.too_deep(self.token)
+
+    def comparison(self, left: Expression) -> Compare:
+        operators: list[str] = []
+        operands = [left]
+        while True:
+            operator = self.kinds[self.index]
+            if operator == "not" and self.kinds[self.index + 1] == "in":
+                self.index += 1
+                operator = "not in"
+            elif _LEVELS.get(operator) != _COMPARE or operator == "not":
+                break
+            height = self.height
+            self.index += 1
+            operators.append(operator)
+            operands.append(self.expression(_COMPARE + 1))
+            self.height = max(height, self.height)
+        self.grow(0)
+        span = _joined(left.span, operands[-1].span)
+        return Compare(tuple(operators), tuple(operands), span)
+
+    def postfix(self, token: Token) -> Expression:
+        value = self.skill_call(token) if token.kind == "function" else self.name(token)
+        return self.indexed(value) if self.kinds[self.index] == "[" else value
+
+    def indexed(self, value: Expression) -> Expression:
+        while self.kinds[self.index] == "[":
+            height = self.height
+            self.index += 1
+            self.nest()
+            index = self.expression()
+            self.nesting -= 1
+            if self.kinds[self.index] == ":":
+                message = "a part of a list is written `sublist(values, from, to)`"
+                raise self.slip("slice", message)
+            close = self.expect("]", "`]`")
+            self.grow(height)
+            first = value.span
+            value = Index(
+                value, index, Span(first.line, first.column, close.line, close.column + 1)
+            )
+        return value
+
+    def name(self, token: Token) -> Expression:
+        _, text, line, column = token
+        self.index += 1
+        if self.kinds[self.index] != "(":
+            self.height = 1
+            if self.kinds[self.index] in _AFTER_NAME:
+                raise slips.odd_name(token, self.token, self.tokens[self.index + 1])
+            return Name(text, new(Span, (line, column, line, column + len(text))))
+        arguments, keywords = self.arguments()
+        close = self.tokens[self.index - 1]
+        return Call(
+            text, arguments, keywords, new(Span, (line, column, close.line, close.column + 1))
+        )
+
+    def skill_call(self, token: Token) -> Call | SkillCall:
+        self.index += 1
+        self.expect(".", "`.` and the name of a skill after `function`")
+        name = self.token
+        if name.kind != "name" and name.kind not in KEYWORDS:
+            raise self.unexpected("the name of a skill after `function.`")
+        self.index += 1
+        if self.kinds[self.index] != "(":
+            message = f"write `function.{name.text}()`: a call needs its brackets"
+            raise self.slip("missing-brackets", message, name)
+        arguments, keywords = self.arguments()
+        close = self.tokens[self.index - 1]
+        span = new(Span, (token.line, token.column, close.line, close.column + 1))
+        # The language's own primitive is among the robot's methods in Python: one node for both.
+        node = Call if name.text == "elapsedTime" else SkillCall
+        return node(name.text, arguments, keywords, span)
+
+    def arguments(self) -> tuple[tuple[Expression, ...], tuple[Keyword, ...]]:
+        opening = self.token
+        self.index += 1
+        if self.kinds[self.index] == ")":
+            self.index += 1
+            self.height = 1
+            return (), ()
+        self.nest()
+        arguments: list[Expression] = []
+        keywords: list[Keyword] = []
+        height = 0
+        while True:
+            self.argument(arguments, keywords)
+            height = max(height, self.height)
+            if not self.another(opening, ")"):
+                break
+        self.nesting -= 1
+        self.height = height
+        self.grow(0)
+        return tuple(arguments), tuple(keywords)
+
+    def argument(self, arguments: list[Expression], keywords: list[Keyword]) -> None:
+        token = self.tokens[self.index]
+        if self.kinds[self.index + 1] == "=" and (token.kind == "name" or token.kind in KEYWORDS):
+            self.index += 2
+            if any(keyword.name == token.text for keyword in keywords):
+                message = f"the argument `{token.text}` is given twice"
+                raise self.slip("duplicate-argument", message, token)
+            value = self.expression()
+            last = value.span
+            span = Span(token.line, token.column, last.end_line, last.end_column)
+            keywords.append(Keyword(token.text, value, span))
+            return
+        if keywords:
+            message = f"arguments without a name come before `{keywords[0].name}=`"
+            raise self.slip("argument-order", message, token)
+        arguments.append(self.expression())
+
+    def another(self, opening: Token, closing: str) -> bool:
+        """Whether one more value follows in a list of values; else its bracket has been closed."""
+        kind = self.kinds[self.index]
+        if kind == ",":
+            self.index += 1
+            if self.kinds[self.index] != closing:
+                return True
+            kind = closing
+        if kind != closing:
+            raise self.unclosed_bracket(opening, closing, "`,` or ")
+        self.index += 1
+        return False
+
+    def unclosed_bracket(self, opening: Token, closing: str, separator: str = "") -> Slip:
+        if self.kinds[self.index] in {"newline", "comment", "eof", ":"}:
+            message = f"this `{opening.text}` is not closed: write `{closing}` where it ends"
+            return self.slip("unclosed-bracket", message, opening)
+        return self.unexpected(f"{separator}`{closing}`")
+
+    def parenthesized(self, token: Token) -> Expression:
+        self.index += 1
+        self.nest()
+        value = self.expression()
+        self.nesting -= 1
+        if self.kinds[self.index] != ")":
+            raise self.unclosed_bracket(token, ")")
+        self.index += 1
+        return value
+
+    def list(self, token: Token) -> List:
+        self.index += 1
+        items: list[Expression] = []
+        height = 0
+        self.nest()
+        if self.kinds[self.index] == "]":
+            self.index += 1
+        else:
+            items.append(self.expression())
+            height = self.height
+            while self.another(token, "]"):
+                items.append(self.expression())
+                height = max(height, self.height)
+        self.nesting -= 1
+        self.height = height
+        self.grow(0)
+        close = self.tokens[self.index - 1]
+        span = Span(token.line, token.column, close.line, close.column + 1)
+        return List(tuple(items), span)
+
+    def constant(self, token: Token) -> Constant:
+        kind, _, line, column = token
+        self.index += 1
+        self.height = 1
+        return Constant(_CONSTANTS[kind], new(Span, (line, column, line, column + len(kind))))
+
+    def number(self, token: Token) -> Number:
+        _, text, line, column = token
+        self.index += 1
+        self.height = 1
+        if not (text.isdecimal() and text[0] != "0" and len(text) < MAX_DIGITS):
+            self.check_number(token)
+        if self.kinds[self.index] == "name":
+            self.check_unit(token, self.token)
+        return Number(text, new(Span, (line, column, line, column + len(text))))
+
+    def check_number(self, token: Token) -> None:
+        text = token.text
+        if len(text) >= MAX_DIGITS:
+            message = f"a number of {len(text)} digits is too long: at most {MAX_DIGITS}"
+            raise self.slip("bad-number", message, token)
+        if not _NUMBER.fullmatch(text):
+            plain = text.lstrip("0_")
+            advice = f": write `{plain}`" if text[0] == "0" and plain.isdecimal() else ""
+            raise self.slip("bad-number", f"`{text}` is no number{advice}", token)
+
+    def check_unit(self, number: Token, name: Token) -> None:
+        if name.line == number.line and name.column == number.column + len(number.text):
+            message = (
+                f"`{number.text}{name.text}`: a name cannot begin with a digit, "
+                "and a number has no unit behind it"
+            )
+            raise self.slip("bad-number", message, number)
+
+    def string(self, token: Token) -> String:
+        _, text, line, column = token
+        self.index += 1
+        self.height = 1
+        if self.kinds[self.index] == "string":
+            raise slips.two_strings(token, self.token)
+        span = new(Span, (line, column, line, column + len(text)))
+        return String(self.unquoted(token), span)
+
+    def unquoted(self, token: Token) -> str:
+        try:
+            return unquote(token.text)
+        except ValueError as error:
+            raise self.slip(
+                "bad-escape", f"{error}; a backslash is written `\\\\`", token
+            ) from None
+
+    def raw_expression(self, token: Token) -> RawExpression:
+        self.index += 1
+        self.height = 1
+        text = token.text[1:-1].replace("``", "`")
+        span = Span(token.line, token.column, token.line, token.column + len(token.text))
+        return RawExpression(text, span)
+
+
+# What each kind of token begins.
+_ATOMS: dict[str, Callable[[ExpressionParser, Token], Expression]] = {
+    "number": ExpressionParser.number,
+    "string": ExpressionParser.string,
+    "name": ExpressionParser.name,
+    "function": ExpressionParser.skill_call,
+    "True": ExpressionParser.constant,
+    "False": ExpressionParser.constant,
+    "None": ExpressionParser.constant,
+    "(": ExpressionParser.parenthesized,
+    "[": ExpressionParser.list,
+    "raw": ExpressionParser.raw_expression,
+}
+
+
+def name_of(token: Token) -> Name:
+    """A variable of which the token is the name."""
+    return Name(token.text, from_to(token, token))
+
+
+def _joined(first: Span, last: Span) -> Span:
+    return new(Span, (first.line, first.column, last.end_line, last.end_column))

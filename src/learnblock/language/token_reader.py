@@ -1,0 +1,63 @@
+"""Where a parser stands in its list of tokens."""
+
+from learnblock.language import slips
+from learnblock.language.lexer import Token, Tokens
+from learnblock.language.nodes import Span
+from learnblock.language.slips import Slip
+
+LINE_ENDS = frozenset(("newline", "comment"))
+
+# Twice as fast as Span(...).
+new = tuple.__new__
+
+
+class TokenReader:
+    """Reads one list of tokens; `index` is the token that comes next."""
+
+    def __init__(self, tokens: Tokens) -> None:
+        self.tokens, self.kinds = tokens.tokens, tokens.kinds
+        self.hoisted = tokens.hoisted
+        self.diagnostics = tokens.diagnostics
+        self.index = 0
+
+    @property
+    def token(self) -> Token:
+        return self.tokens[self.index]
+
+    @property
+    def before(self) -> Token:
+        """The token that was read last."""
+        return self.tokens[self.index - 1]
+
+    def report(self, code: str, message: str, token: Token) -> None:
+        self.diagnostics.append(slips.at(token, code, message))
+
+    def slip(self, code: str, message: str, token: Token | None = None) -> Slip:
+        """What is wrong at a token, by default at the one that comes next."""
+        return slips.slip(token or self.token, code, message)
+
+    def unexpected(self, wanted: str) -> Slip:
+        return slips.unexpected(self.token, self.before, wanted)
+
+    def expect(self, kind: str, wanted: str) -> Token:
+        if self.kinds[self.index] != kind:
+            raise self.unexpected(wanted)
+        self.index += 1
+        return self.tokens[self.index - 1]
+
+    def skip_line(self) -> None:
+        kinds, index = self.kinds, self.index
+        while kinds[index] not in {"newline", "eof"}:
+            index += 1
+        self.index = index
+
+    def line_ends_in_colon(self) -> bool:
+        kinds, index = self.kinds, self.index
+        while kinds[index] not in LINE_ENDS:
+            index += 1
+        return kinds[index - 1] == ":"
+
+
+def from_to(start: Token, last: Token) -> Span:
+    """From the first character of one token to the last of another one on its own line."""
+    return new(Span, (start.line, start.column, last.line, last.column + len(last.text)))
