@@ -14,10 +14,11 @@ from time import perf_counter
 
 from learnblock.client import Client
 from learnblock.devices import Base, DistanceSensors
-from learnblock.runtime.host import Host, Run, Watcher
+from learnblock.runtime.host import Host
 from learnblock.runtime.pacing import Pacing
 from learnblock.runtime.process import ProcessWorker
 from learnblock.runtime.program import Program
+from learnblock.runtime.run import Run, Watcher
 from learnblock.runtime.trace import Trace, record
 from learnblock.testing import VirtualClock
 

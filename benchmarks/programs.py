@@ -5,9 +5,10 @@ from contextlib import nullcontext
 from time import perf_counter
 
 from learnblock.robots.sim_ebo import Robot
-from learnblock.runtime.host import Host, Run
+from learnblock.runtime.host import Host
 from learnblock.runtime.process import one_processor
 from learnblock.runtime.program import Program
+from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Trace, record
 
 STEERING = """\

@@ -8,7 +8,7 @@ import pytest
 
 from learnblock import running
 from learnblock.errors import ProgramError, UnknownNameError
-from learnblock.runtime.host import How
+from learnblock.runtime.ending import How
 from learnblock.runtime.limits import MEGABYTE, Limits
 
 PAGE = (Path(__file__).parents[1] / "docs" / "running.md").read_text(encoding="utf-8")

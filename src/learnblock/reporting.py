@@ -18,7 +18,8 @@ from learnblock.devices import DEFAULT_KEY
 from learnblock.errors import Diagnostic, LearnBlockError
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, Report, Session, Source
-from learnblock.runtime.host import How, Watcher
+from learnblock.runtime.ending import How
+from learnblock.runtime.run import Watcher
 
 #: A program that never ends, at full speed, needs an end: seconds of the robot's time.
 DEFAULT_SECONDS = 300.0

@@ -14,10 +14,12 @@ from learnblock.devices import Pose
 from learnblock.errors import Diagnostic, ProgramError, UnknownNameError
 from learnblock.language.nodes import Program as Tree
 from learnblock.robots import RobotEntry
-from learnblock.runtime.host import Ending, Host, How, Run, Watcher
+from learnblock.runtime.ending import Ending, How
+from learnblock.runtime.host import Host
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.process import ProcessWorker, Worker, one_processor
 from learnblock.runtime.program import Program
+from learnblock.runtime.run import Run, Watcher
 from learnblock.runtime.trace import Recorder, Trace, record
 
 DEFAULT_ROBOT = "sim-ebo"

@@ -9,11 +9,13 @@ import pytest
 
 from learnblock.client import Client
 from learnblock.devices import Base, Display, DistanceSensors, Gyroscope
-from learnblock.runtime.host import Ending, Host, Run, Watcher
+from learnblock.runtime.ending import Ending
+from learnblock.runtime.host import Host
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.pacing import Pacing
 from learnblock.runtime.process import ProcessWorker
 from learnblock.runtime.program import Program
+from learnblock.runtime.run import Run, Watcher
 from learnblock.runtime.trace import Trace, record
 
 HEADER = "from learnblock.robots.tiny import Robot\nrobot = Robot()\n"

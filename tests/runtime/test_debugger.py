@@ -3,7 +3,7 @@ import threading
 import pytest
 
 from learnblock.runtime.debugger import Debugger
-from learnblock.runtime.host import How
+from learnblock.runtime.ending import How
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 

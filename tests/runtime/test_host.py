@@ -10,9 +10,10 @@ import pytest
 from learnblock.client import Client
 from learnblock.devices import Device
 from learnblock.runtime.debugger import Debugger
-from learnblock.runtime.host import Ending, How, Watcher
+from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.process import ThreadWorker
+from learnblock.runtime.run import Watcher
 
 DRIVE = """from learnblock.devices import Base
 robot.device(Base).move(100, 0)

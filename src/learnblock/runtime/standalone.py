@@ -8,7 +8,7 @@ from types import FrameType
 
 from learnblock.client import Client
 from learnblock.errors import LearnBlockError
-from learnblock.runtime.host import How
+from learnblock.runtime.ending import How
 from learnblock.runtime.lines import LineBudget, start_line_events
 from learnblock.runtime.output import LineWriter
 from learnblock.runtime.program import Program
