@@ -68,9 +68,10 @@ def run_and_report(
         report = _run(session)
         if terminal:
             terminal.clear()
+    _print(report, session, as_json=as_json)
     if picture:
         _draw(session, picture)
-    _print(report, session, picture, as_json=as_json)
+        click.echo(f"picture    {picture}", err=True)
     return _EXIT_CODES.get(How(report.ended), ExitCode.WELL)
 
 
@@ -202,14 +203,12 @@ def _draw(session: Session, path: Path) -> None:
     draw(session.client, session.recorder, path, title)
 
 
-def _print(report: Report, session: Session, picture: Path | None, *, as_json: bool) -> None:
+def _print(report: Report, session: Session, *, as_json: bool) -> None:
     if as_json:
         print_json(dataclasses.asdict(report))
         return
     for line in _summary(report, session):
         click.echo(line, err=True)
-    if picture:
-        click.echo(f"picture    {picture}", err=True)
 
 
 def _summary(report: Report, session: Session) -> Iterator[str]:
