@@ -164,6 +164,11 @@ def test_a_long_file_of_errors_is_read_in_one_go(line):
     assert recover(line * 20_000)[1]
 
 
+@pytest.mark.parametrize("white", [" ", "\t", "\n", " \n", "\f", "\xa0"])
+def test_white_space_without_end_is_read_in_one_go(white):
+    assert 1 == len(parse("x = 1" + white * 500_000).items)
+
+
 @pytest.mark.parametrize("text", ["x = 1\0", "x = '\ud800'", "x" * 2_000_001])
 def test_what_no_file_can_hold_is_refused(text):
     assert 1 == len(recover(text)[1])

@@ -39,21 +39,38 @@ KEYWORDS = frozenset(
 # A line that begins with one of these begins a statement, whatever bracket stands open before it.
 _OPENS_LINE = KEYWORDS - {"True", "False", "None", "and", "or", "not", "in", "function"}
 
+_ASSIGNING = frozenset(("=", "+=", "-=", "*=", "/=", "//=", "%=", "**="))
+_COMPARING = frozenset(("==", "!=", "<", "<=", ">", ">="))
+_FIXED = KEYWORDS | _ASSIGNING | _COMPARING | frozenset("+-*/%()[],:.") | {"**", "//"}
+_OPENING, _CLOSING = frozenset("(["), frozenset(")]")
+
+# White space; a token, unless the text ends here; what is no token.
 _TOKEN = re.compile(
-    r"""[ \t\f\xa0]*(?:
-    ([^\W\d]\w*)
-    |(\*\*=|//=|\*\*|//|[-+*/%=!<>]=|[-+*/%<>=()\[\],:]|\.(?![0-9]))
-    |((?:\r?\n|\r)(?:[ \t\f\xa0]*(?:\r?\n|\r))*)
-    |(0[xXbBoO]\w*|(?:[0-9][0-9_]*\.?[0-9_]*|\.[0-9][0-9_]*)(?:[eE][-+]?[0-9][0-9_]*)?)
-    |("(?:[^"\\\n\r]|\\[^\n\r])*"|'(?:[^'\\\n\r]|\\[^\n\r])*')
-    |(\#[^\n\r]*)
-    |(`(?:[^`\n\r]|``)+`)
+    r"""([ \t\f\xa0]*+)(?:
+    (
+        [^\W\d]\w*
+        |\*\*=|//=|\*\*|//|[-+*/%=!<>]=|[-+*/%<>=()\[\],:]|\.(?![0-9])
+        |(?:\r?\n|\r)(?:[ \t\f\xa0]*(?:\r?\n|\r))*
+        |0[xXbBoO]\w*|(?:[0-9][0-9_]*\.?[0-9_]*|\.[0-9][0-9_]*)(?:[eE][-+]?[0-9][0-9_]*)?
+        |"(?:[^"\\\n\r]|\\[^\n\r])*"|'(?:[^'\\\n\r]|\\[^\n\r])*'
+        |\#[^\n\r]*
+        |`(?:[^`\n\r]|``)+`
+    )
     |(["'`][^\n\r]*|[^ \t\f\xa0])
+    |\Z
     )""",
     re.VERBOSE,
 )
-_NAME, _OPERATOR, _NEWLINE, _NUMBER, _STRING, _COMMENT, _RAW, _BAD = range(1, 9)
-_KINDS = {_NUMBER: "number", _STRING: "string", _COMMENT: "comment", _RAW: "raw", _BAD: "bad"}
+# The kind of a token that is neither a keyword nor an operator, by its first character.
+_KINDS = {
+    "\n": "newline",
+    "\r": "newline",
+    '"': "string",
+    "'": "string",
+    "#": "comment",
+    "`": "raw",
+    **dict.fromkeys(".0123456789", "number"),
+}
 
 _RAW_START = re.compile(r"^([ \t]*)python[ \t]*:[ \t]*(#[^\n]*?)?\r?$", re.MULTILINE)
 _RAW_END = re.compile(r"^[ \t]*end\b[ \t]*(?:#[^\n]*)?\r?$", re.MULTILINE)
@@ -162,55 +179,54 @@ class _Lexer:
         self.finish()
         return self.result
 
-    def scan(self, position: int, end: int) -> None:  # noqa: C901, PLR0912 - the hot loop
+    def scan(self, position: int, end: int) -> None:  # noqa: C901, PLR0912, PLR0915 - the hot loop
         tokens, kinds = self.result.tokens, self.result.kinds
         add_token, add_kind = tokens.append, kinds.append
         new = tuple.__new__  # twice as fast as Token(...)
         line, line_start, depth = self.line, self.line_start, self.depth
-        for match in _TOKEN.finditer(self.text, position, end):
-            group = match.lastindex
-            assert group is not None  # noqa: S101 - every alternative of the pattern is a group
-            text = match[group]
-            column = match.start(group) - line_start + 1
-            if group == _NAME:
-                kind = text if text in KEYWORDS else "name"
-                if not text.isascii():
-                    kind, text = _foreign_name(text)
-                if (
-                    depth
-                    and self.soft
-                    and kind in _OPENS_LINE
-                    and self.begins_statement(match.end())
-                ):
-                    # The bracket before was never closed; a statement begins here.
-                    self.restore_line_ends()
-                    depth = 0
-            elif group == _OPERATOR:
+        for white, known, bad in _TOKEN.findall(self.text, position, end):
+            text = known or bad
+            if not text:
+                break
+            position += len(white)
+            column = position - line_start + 1
+            position += len(text)
+            if known in _FIXED:
                 kind = text
-                if kind in "([":
+                if kind in _OPENING:
                     depth += 1
-                elif kind in ")]" and depth:
-                    depth -= 1
-                    if not depth:
-                        self.soft.clear()
-            elif group == _NEWLINE:
-                token = Token("newline", "\n", line, column)
-                lines = 1 if text == "\n" else len(_LINE_END.findall(text))
-                line += lines
-                line_start = match.end()
-                if depth:
-                    self.soft.append((len(tokens), token))
-                    continue
-                add_token(token)
-                add_kind("newline")
-                if lines > 1:
-                    tokens.append(Token("blank", "", line - 1, 1))
-                    kinds.append("blank")
-                self.statement = len(tokens)
-                continue
+                elif depth:
+                    if kind in _CLOSING:
+                        depth -= 1
+                        if not depth:
+                            self.soft.clear()
+                    elif self.soft and kind in _OPENS_LINE and self.begins_statement(position):
+                        # The bracket before was never closed; a statement begins here.
+                        self.restore_line_ends()
+                        depth = 0
+            elif bad:
+                kind = "bad"
             else:
-                kind = _KINDS[group]
-                if depth and group == _COMMENT:
+                kind = _KINDS.get(text[0], "name")
+                if kind == "name":
+                    if not text.isascii():
+                        kind, text = _foreign_name(text)
+                elif kind == "newline":
+                    token = Token("newline", "\n", line, column)
+                    lines = 1 if text == "\n" else len(_LINE_END.findall(text))
+                    line += lines
+                    line_start = position
+                    if depth:
+                        self.soft.append((len(tokens), token))
+                        continue
+                    add_token(token)
+                    add_kind("newline")
+                    if lines > 1:
+                        add_token(Token("blank", "", line - 1, 1))
+                        add_kind("blank")
+                    self.statement = len(tokens)
+                    continue
+                elif depth and kind == "comment":
                     comment = Token(kind, text, line, column)
                     self.result.hoisted.setdefault(self.statement, []).append(comment)
                     continue
