@@ -7,6 +7,7 @@ from learnblock.blocks.configuration import BlockConfiguration, Parameter
 from learnblock.errors import Diagnostic, Severity, did_you_mean
 from learnblock.language import markers
 from learnblock.language.library import BUILTINS, FUNCTIONS, TEMPLATES
+from learnblock.language.names import state_of
 from learnblock.language.nodes import (
     Activate,
     Assign,
@@ -46,7 +47,6 @@ from learnblock.language.nodes import (
     statements,
     within,
 )
-from learnblock.language.python import state_of
 
 # CPython allows fewer than 100 levels of indentation, and 20 loops inside each other.
 MAX_INDENTATION = 99

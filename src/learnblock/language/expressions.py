@@ -4,7 +4,7 @@ A bracket stands only where the tree needs it. Levels of binding are Python's, l
 """
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, ClassVar
 
 from learnblock.language.nodes import (
     Binary,
@@ -27,29 +27,33 @@ from learnblock.language.strings import quote
 LOOSEST, NOT, COMPARE, SIGN, POWER, TIGHTEST = 0, 3, 4, 7, 8, 9
 _LEVELS = {"or": 1, "and": 2, "+": 5, "-": 5, "*": 6, "/": 6, "//": 6, "%": 6, "**": POWER}
 
+_WRITERS: dict[type[Expression], str] = {
+    Number: "number",
+    String: "string",
+    Constant: "constant",
+    Name: "name",
+    Call: "call",
+    SkillCall: "skill_call",
+    List: "list",
+    Index: "index",
+    Unary: "unary",
+    Binary: "binary",
+    Compare: "compare",
+    RawExpression: "raw",
+}
+
 
 class ExpressionWriter:
     """Writes expressions; a notation says how it spells names, calls and raw Python."""
 
-    def __init__(self) -> None:
-        self.writers: dict[type[Expression], Callable[[Any, int], str]] = {
-            Number: self.number,
-            String: self.string,
-            Constant: self.constant,
-            Name: self.name,
-            Call: self.call,
-            SkillCall: self.skill_call,
-            List: self.list,
-            Index: self.index,
-            Unary: self.unary,
-            Binary: self.binary,
-            Compare: self.compare,
-            RawExpression: self.raw,
-        }
+    writers: ClassVar[dict[type[Expression], Callable[[Any, Any, int], str]]] = {}
+
+    def __init_subclass__(cls) -> None:
+        cls.writers = {kind: getattr(cls, name) for kind, name in _WRITERS.items()}
 
     def expression(self, node: Expression, level: int = LOOSEST) -> str:
         """`node` as text, in brackets if it binds more loosely than `level`."""
-        return self.writers[type(node)](node, level)
+        return self.writers[type(node)](self, node, level)
 
     def number(self, node: Number, _: int) -> str:
         return node.text

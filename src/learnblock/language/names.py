@@ -7,6 +7,7 @@ language's library. Such a name gets a ``_`` behind it in Python: ``class`` is `
 
 import keyword
 from collections.abc import Iterable, Mapping
+from collections.abc import Set as AbstractSet
 
 from learnblock.language.lexer import KEYWORDS
 
@@ -166,3 +167,12 @@ def when_from_python(name: str, clashing: Mapping[str, int]) -> str | None:
         return plain
     added = _WHEN * (count + 1)
     return plain.removesuffix(added) if len(plain) - len(stem(plain)) >= len(added) else None
+
+
+def state_of(name: str, whens: AbstractSet[str]) -> tuple[str, str] | None:
+    """The ``when`` and the attribute that ``state_X`` or ``time_X`` asks for."""
+    if name[:6] == "state_" and name[6:] in whens:
+        return name[6:], "active"
+    if name[:5] == "time_" and name[5:] in whens:
+        return name[5:], "time"
+    return None

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from learnblock.language import names
 from learnblock.language.expression_parser import MAX_HEIGHT
 from learnblock.language.library import TEMPLATES, is_builtin, recognized
+from learnblock.language.names import state_of
 from learnblock.language.nodes import (
     Binary,
     Call,
@@ -23,7 +24,6 @@ from learnblock.language.nodes import (
     String,
     Unary,
 )
-from learnblock.language.python import state_of
 
 BINARY: dict[type[ast.operator], str] = {
     ast.Add: "+",

@@ -30,7 +30,7 @@ from learnblock.language.nodes import (
     Span,
     When,
 )
-from learnblock.language.python import DEFAULT_ROBOT, ROBOT_IMPORT, canonical, global_names
+from learnblock.language.python import DEFAULT_ROBOT, ROBOT_IMPORT, canonical
 from learnblock.language.python_expression_reader import (
     Unlike,
     end_of,
@@ -38,6 +38,7 @@ from learnblock.language.python_expression_reader import (
     start_of,
 )
 from learnblock.language.python_statement_reader import StatementReader, acts, stripped
+from learnblock.language.python_writer import global_names
 
 
 def from_python(text: str, filename: str = "program.py") -> Program:
