@@ -72,8 +72,8 @@ def turn_by(robot: "Client", base: Base, angle: float, manner: Manner) -> None:
         if abs(remaining) <= manner.settled_within:
             return
     raise StillTurningError(
-        f"turned {angle - remaining:.0f} of {angle:.0f} degrees in"
-        f" {robot.clock.time() - began:.0f} s: is the robot stuck, or lifted off the floor?"
+        f"turned {round(angle - remaining)} of {round(angle)} degrees in"
+        f" {round(robot.clock.time() - began)} s: is the robot stuck, or lifted off the floor?"
     )
 
 
