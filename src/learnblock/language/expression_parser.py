@@ -24,7 +24,7 @@ from learnblock.language.nodes import (
 )
 from learnblock.language.slips import Slip
 from learnblock.language.strings import unquote
-from learnblock.language.token_reader import TokenReader, from_to, new
+from learnblock.language.token_reader import TokenReader, new
 
 # Deeper trees would not fit on Python's own stack when they are written out again.
 MAX_HEIGHT = 200
@@ -177,7 +177,7 @@ class ExpressionParser(TokenReader):
             self.height = 1
             if self.kinds[self.index] in _AFTER_NAME:
                 raise slips.odd_name(token, self.token, self.tokens[self.index + 1])
-            return Name(text, new(Span, (line, column, line, column + len(text))))
+            return name_of(token)
         arguments, keywords = self.arguments()
         close = self.tokens[self.index - 1]
         return Call(
@@ -364,7 +364,8 @@ _ATOMS: dict[str, Callable[[ExpressionParser, Token], Expression]] = {
 
 def name_of(token: Token) -> Name:
     """A variable of which the token is the name."""
-    return Name(token.text, from_to(token, token))
+    _, text, line, column = token
+    return Name(text, new(Span, (line, column, line, column + len(text))))
 
 
 def _joined(first: Span, last: Span) -> Span:

@@ -159,30 +159,30 @@ _TOPS: dict[str, Callable[[_Parser, Token], Item | Main | None]] = {
 
 def _arranged(items: list[Item | Main], span: Span) -> Program:
     """The program with `main` last, but the comments right above `main` still above it."""
-    if any(type(item) is Setup for item in items):
+    kinds = [type(item) for item in items]
+    if Setup in kinds:
         items = [item for index, item in enumerate(items) if not _says_nothing(items, index)]
-    place = next((i for i, item in enumerate(items) if isinstance(item, Main)), None)
-    if place is not None:
-        items = _main_last(items[:place], items[place], items[place + 1 :])
-    if any(type(item) is Blank for item in items):
+    if Main in kinds:
+        items = _main_last(items)
+    if Blank in map(type, items):
         items = normalized(items)
-    place = next((i for i, item in enumerate(items) if type(item) is Main), len(items))
-    main = items[place] if place < len(items) else None
-    assert main is None or isinstance(main, Main)  # noqa: S101 - for the type checker
-    return Program(
-        tuple(item for item in items[:place] if not isinstance(item, Main)),
-        main,
-        tuple(item for item in items[place:] if isinstance(item, Comment | Blank)),
-        span=span,
-    )
+    for place, item in enumerate(items):
+        if isinstance(item, Main):
+            ending = tuple(note for note in items[place:] if isinstance(note, Comment | Blank))
+            return Program(_without_main(items[:place]), item, ending, span=span)
+    return Program(_without_main(items), span=span)
 
 
-def _main_last(
-    before: list[Item | Main], main: Item | Main, after: list[Item | Main]
-) -> list[Item | Main]:
+def _without_main(items: list[Item | Main]) -> tuple[Item, ...]:
+    return tuple([item for item in items if not isinstance(item, Main)])
+
+
+def _main_last(items: list[Item | Main]) -> list[Item | Main]:
+    place = next(index for index, item in enumerate(items) if isinstance(item, Main))
+    before, main, after = items[:place], items[place], items[place + 1 :]
     ending = _notes_at_end(after)
     if len(ending) == len(after):
-        return [*before, main, *after]
+        return items
     above = _notes_at_end(before)
     rest = before[: len(before) - len(above)]
     return [*rest, Blank(), *after[: len(after) - len(ending)], *above, main, *ending]

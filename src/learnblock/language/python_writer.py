@@ -5,7 +5,7 @@ import re
 from collections.abc import Set as AbstractSet
 
 from learnblock.language import markers, names, ranges
-from learnblock.language.expressions import LOOSEST, SIGN, TIGHTEST
+from learnblock.language.expression_writer import LOOSEST, SIGN, TIGHTEST
 from learnblock.language.layout import placed, prologue_length
 from learnblock.language.library import MODULES, TEMPLATES, is_builtin
 from learnblock.language.names import state_of

@@ -60,4 +60,6 @@ class TokenReader:
 
 def from_to(start: Token, last: Token) -> Span:
     """From the first character of one token to the last of another one on its own line."""
-    return new(Span, (start.line, start.column, last.line, last.column + len(last.text)))
+    _, _, line, column = start
+    _, text, end_line, end_column = last
+    return new(Span, (line, column, end_line, end_column + len(text)))

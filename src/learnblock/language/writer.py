@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Any, ClassVar
 
-from learnblock.language.expressions import ExpressionWriter
+from learnblock.language.expression_writer import ExpressionWriter
 from learnblock.language.layout import placed
 from learnblock.language.nodes import (
     Activate,
