@@ -47,7 +47,6 @@ def exact(text):
             "python:\n    import math\nend\nx = `math.gcd(4, 6)`\n",
         ),
         ("def f(x=1):\n    pass\n", "python:\n    def f(x=1):\n        pass\nend\n"),
-        ("def f():\n    x = 1\n", "python:\n    def f():\n        x = 1\nend\n"),
         ("while a:\n    b = {}\n    c, d = 1, 2\n", None),
     ],
 )
@@ -55,6 +54,67 @@ def test_what_can_be_said_is_said_and_the_rest_is_raw(python, expected):
     if expected is None:
         expected = "while a:\n    b = `{}`\n    python:\n        c, d = 1, 2\n    end\nend\n"
     assert expected == block_text(python)
+
+
+@pytest.mark.parametrize(
+    ("python", "expected"),
+    [
+        ("x = x + 1\n", "x = x + 1\n"),
+        ("while times<4:\n  times+=1\n", "while times < 4:\n    times += 1\nend\n"),
+        ("while x :robot.turn(5)\n", "while x:\n    function.turn(5)\nend\n"),
+        ("print('hola')\n", 'print("hola")\n'),
+        (
+            "if robot.is_tag(1) == True:\n\trobot.stop_bot()\n",
+            "if function.is_tag(1) == True:\n    function.stop_bot()\nend\n",
+        ),
+        ("if (x>2) :\n    print((x))\n", "if x > 2:\n    print(x)\nend\n"),
+        ("if not(x == 1): pass\n", "if not x == 1:\n    pass\nend\n"),
+        ("x=1; y=2\n", "x = 1\ny = 2\n"),
+        ("robot.turn(angle = 90)\n", "function.turn(angle=90)\n"),
+        ("for _ in range(0,4): f()\n", "repeat 4:\n    f()\nend\n"),
+        ("import random\n\nx = random.randint(1,6)\n", "x = random(1, 6)\n"),
+        (
+            "def f():\n  robot.turn(90)\ndef g():\n  f()\ng()",
+            "def f():\n    function.turn(90)\nend\n\ndef g():\n    f()\nend\n\ng()\n",
+        ),
+        (
+            "def f():\n    a = 1\n    print(a)\n",
+            "def f():\n    a = 1\n    print(a)\nend\n",
+        ),
+        (
+            "def f():\n    global a\n    global b\n    print(a)\n    b = 1\n",
+            "def f():\n    print(a)\n    b = 1\nend\n",
+        ),
+        (
+            "if a:\n    b()\nelse:\n    if c:\n        d()\n",
+            "if a:\n    b()\nelse:\n    if c:\n        d()\n    end\nend\n",
+        ),
+    ],
+)
+def test_a_pupils_variants_are_said_without_raw_python(python, expected):
+    text = SKELETON + python
+    program = from_python(text)
+    assert expected == format_program(program)
+    assert text == to_python(program, None).text
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        "def f():\n    x = 1\n\nprint(x)\n",
+        "def f():\n    x = 1\n    f()\n    print(x)\n",
+        "def f():\n    x = 1\n    return lambda: x\n",
+        "def f():\n    x = 1\n\ndef g():\n    x = 2\n",
+        "def f():\n    x = 1\n    g()\n    print(x)\n\ndef g():\n    f()\n",
+        "def f():\n    global i\n    for i in xs:\n        pass\n",
+    ],
+)
+def test_a_function_for_which_sharing_its_variables_would_matter_stays_raw(function):
+    assert block_text(function).startswith("python:\n    def f():\n")
+
+
+def test_a_brace_in_a_text_is_no_bracket():
+    assert 'x = `f"{{"`\n\n# note\ny = 1\n' == block_text('x = f"{{"\n\n# note\ny = 1\n')
 
 
 def test_a_file_without_our_robot_is_one_block_of_raw_python():

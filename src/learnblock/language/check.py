@@ -450,7 +450,7 @@ class _Checker:
 
     def read(self, node: Name, known: set[str], own: set[str]) -> None:
         name = node.name
-        if name in self.assigned or name in own or self.imports:
+        if name in self.assigned or name in own or self.imports or name in _PYTHONS_OWN:
             return
         if name.partition("_")[0] in {"state", "time"} and "_" in name:
             return
@@ -534,6 +534,8 @@ class _Order:
         self.checker.report("unset-variable", message, node.span)
 
 
+# Python sets them in every file.
+_PYTHONS_OWN = frozenset(("__name__", "__file__"))
 _OPEN_ENDED = frozenset(name for name, (_, most) in BUILTINS.items() if most is None)
 
 

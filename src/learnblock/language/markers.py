@@ -64,9 +64,9 @@ def notes(text: str) -> Notes | None:
                 opened.append(token.start[0])
             elif token.type in _STRING_ENDS:
                 found.in_string.update(range(opened.pop() + 1, token.end[0] + 1))
-            elif token.string in {"(", "[", "{"}:
+            elif token.type == tokenize.OP and token.string in {"(", "[", "{"}:
                 depth += 1
-            elif token.string in {")", "]", "}"}:
+            elif token.type == tokenize.OP and token.string in {")", "]", "}"}:
                 depth -= 1
     except (tokenize.TokenError, SyntaxError, IndexError, ValueError):
         return None

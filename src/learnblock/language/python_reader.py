@@ -29,6 +29,7 @@ from learnblock.language.nodes import (
     Setup,
     Span,
     When,
+    statements,
 )
 from learnblock.language.python import DEFAULT_ROBOT, ROBOT_IMPORT, canonical
 from learnblock.language.python_expression_reader import (
@@ -37,6 +38,7 @@ from learnblock.language.python_expression_reader import (
     span_of,
     start_of,
 )
+from learnblock.language.python_scopes import Scopes, stored_names
 from learnblock.language.python_statement_reader import StatementReader, acts, stripped
 from learnblock.language.python_writer import global_names
 
@@ -159,10 +161,13 @@ class _Reader(StatementReader):
         self.skeleton = skeleton
         self.raw_lines = self.found_raw_lines()
         self.modules: set[str] = set()
+        self.scopes = Scopes(tree)
 
     def program(self) -> Program:
         head = self.head()
         rest = list(self.skeleton.rest)
+        while rest and self.is_own_import(rest[0]):
+            del rest[0]
         self.remove_run(rest)
         main_line, end_line = self.main_marker(), self.end_marker(rest)
         items: list[Item | Main] = [*head]
@@ -254,14 +259,7 @@ class _Reader(StatementReader):
     def head(self) -> list[Item]:
         """What stands above the line that creates the robot, and that line if it says something."""
         skeleton = self.skeleton
-        others: list[ast.stmt] = []
-        for node in skeleton.head:
-            module = _own_import(node)
-            if module is None:
-                others.append(node)
-            else:
-                self.modules.add(module)
-                self.blank_lines(node)
+        others = [node for node in skeleton.head if not self.is_own_import(node)]
         line = skeleton.importing.lineno
         above = self.head_part([node for node in others if node.lineno < line], line)
         if above and not isinstance(above[-1], Import):
@@ -271,6 +269,16 @@ class _Reader(StatementReader):
         below_items = self.head_part(below, skeleton.creating.lineno)
         self.line = end_of(skeleton.creating) + 1
         return self.with_setup([*above, *below_items])
+
+    def is_own_import(self, node: ast.stmt) -> bool:
+        """Read an import such as generated Python has where it is needed."""
+        match node:
+            case ast.Import(names=[ast.alias(name=module, asname=None)]) if module in MODULES:
+                if self.lines[node.lineno - 1].strip() == f"import {module}":
+                    self.modules.add(module)
+                    self.lines[node.lineno - 1] = ""
+                    return True
+        return False
 
     def head_part(self, nodes: list[ast.stmt], limit: int) -> list[Item]:
         return self.block(nodes, 0, limit, top_level=True)
@@ -349,11 +357,24 @@ class _Reader(StatementReader):
     def function_body(self, node: ast.FunctionDef, parameters: tuple[str, ...]) -> Body:
         body = self.body(node.lineno, node.body, end_of(node) + 1)
         body = self.trailing(body, node)
-        first = node.body[0]
-        declared = first.names if isinstance(first, ast.Global) else []
-        if sorted(declared) != global_names(body, parameters, self.when_names):
+        if not self.shares_enough(node, body, parameters):
             raise Unlike
         return body if any(map(acts, body)) else (*body, Pass())
+
+    def shares_enough(self, node: ast.FunctionDef, body: Body, parameters: tuple[str, ...]) -> bool:
+        """Whether a function means the same where it shares all variables that it sets."""
+        declared: set[str] = set()
+        for first in node.body:
+            if not isinstance(first, ast.Global):
+                break
+            declared.update(first.names)
+        shared = set(global_names(body, parameters, self.when_names))
+        needless = declared - shared
+        if needless and any(isinstance(statement, Raw) for statement in statements(body)):
+            return False
+        return not needless & stored_names(node) and self.scopes.may_be_shared(
+            shared - declared, node
+        )
 
 
 def _declared_whens(functions: list[ast.FunctionDef], clashes: dict[str, int]) -> dict[str, str]:
@@ -364,14 +385,6 @@ def _declared_whens(functions: list[ast.FunctionDef], clashes: dict[str, int]) -
         if _is_when(node)
     }
     return {name: plain for name, plain in found.items() if plain is not None}
-
-
-def _own_import(node: ast.stmt) -> str | None:
-    """The module of an import that generated Python writes where it is needed."""
-    match node:
-        case ast.Import(names=[ast.alias(name=name, asname=None)]) if name in MODULES:
-            return name
-    return None
 
 
 def _unusual(arguments: ast.arguments) -> bool:

@@ -217,7 +217,7 @@ class StatementReader(ExpressionReader):
         """Read one statement, or with those after it what is raw; return where to go on."""
         node = nodes[index]
         saved = self.line
-        if isinstance(node, ast.Global) and index == 0 and not top_level:
+        if not top_level and all(isinstance(one, ast.Global) for one in nodes[: index + 1]):
             self.line = end_of(node) + 1
             return index + 1
         try:
@@ -302,7 +302,11 @@ class StatementReader(ExpressionReader):
                 return While(condition, *self.own_body(node, body), span)
             case ast.For(
                 target=ast.Name(id="_"),
-                iter=ast.Call(func=ast.Name(id="range"), args=[count], keywords=[]),
+                iter=ast.Call(
+                    func=ast.Name(id="range"),
+                    args=[count] | [ast.Constant(value=0), count],
+                    keywords=[],
+                ),
                 body=body,
                 orelse=[],
             ):
