@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from learnblock.language import check, parse
+from learnblock.language import check, from_python, parse
 
 CASES = Path(__file__).parent.parent / "cases"
 EBO = frozenset(
@@ -43,6 +43,38 @@ def test_a_robot_that_cannot_move_is_an_error(said):
 
 def test_without_a_chosen_robot_no_device_is_missing(said):
     assert [] == said("function.look_floor()")
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "advice"),
+    [
+        ("total = 1\nprint(totl)\n", "unknown-name", "did you mean `total`?"),
+        ("x = true\n", "unknown-name", "write `True`"),
+        ("function.trun(90)\n", "unknown-skill", "did you mean `turn`?"),
+        ("def go(): pass end\ngoo()\n", "unknown-function", "did you mean `go`?"),
+        ("stop_bot()\n", "unknown-function", "`function.stop_bot(...)`"),
+        ("function.turn()\n", "missing-argument", "also needs `angle`"),
+        ("function.turn(1, 2)\n", "argument-count", "takes 1 argument (angle), not 2"),
+        ("function.move_straight(speed=9)\n", "unknown-argument", "did you mean `advSpeed`?"),
+        ('function.turn("90")\n', "wrong-type", "write 90 without quotes"),
+        ("x = sqrt(1, 2)\n", "argument-count", "`sqrt` takes 1 argument, not 2"),
+        ("when follow: activate folow end\n", "unknown-when", "did you mean `follow`?"),
+        ("when follow: print(state_folow) end\n", "unknown-when", "did you mean `follow`?"),
+        ("print(x)\nx = 1\n", "unset-variable", "write `x = ...` above"),
+        ("while True: pass end\nx = 1\n", "unreachable", "`while True` never ends in line 1"),
+        ("repeat 3:\n    break\n    x = 1\nend\n", "unreachable", "`break` leaves in line 2"),
+        ("if function.is_tag(1): x = 1 end\n", "sensor-outside-loop", "use a `when`"),
+    ],
+)
+def test_each_mistake_is_named_with_what_to_do(text, code, advice, skills):
+    (diagnostic,) = check(parse(text), skills)
+    assert (code, True) == (diagnostic.code, advice in diagnostic.message)
+
+
+def test_a_file_knows_its_own_name(skills):
+    skeleton = "from learnblock.robots.ebo import Robot\n\nrobot = Robot()\n\n"
+    program = from_python(skeleton + "if __name__ == '__main__':\n    robot.turn(90)\n")
+    assert [] == check(program, skills)
 
 
 def test_diagnostics_stand_in_order_of_the_text(said):

@@ -195,6 +195,36 @@ def test_any_text_comes_back_or_is_no_python(text):
     assert text == through_block_text
 
 
+def test_a_when_that_stays_raw_is_none_to_the_others():
+    odd = "@robot.when(lambda: robot.is_any_tag())\ndef seen(): x, y = 1, 2; z: int = seen.time\n"
+    raw = "@robot.when\ndef odd(x=1):\n    pass\n"
+    text = SKELETON + odd + raw + "\nprint(seen.active, odd.active)\n\nrobot.run()\n"
+    program = from_python(text)
+    assert ["seen"] == list(program.whens)
+    assert "print(state_seen, `odd.active`)" in format_program(program)
+    again = parse(format_program(program))
+    assert again == from_python(to_python(again).text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "# python\nif a:\n# end\n    b()\n",
+        "if a:\n    b()\n    # python\n# end\n",
+        "# python\nwith a:\n    # end\n    b()\n# end\nc()\n",
+        "x = 1\n# end\n# bye\n",
+        "# main\nx = 1\n\n\ndef f():\n    pass\n\n\n# main\ny = 1\n",
+        "# python\nimport math\n# end\nx = 1\n",
+        "# about\nimport math\n@robot.when\ndef f():\n    pass\n",
+    ],
+)
+def test_markers_that_a_hand_has_moved_lead_to_a_tree_that_stays(text):
+    program = from_python(SKELETON + text)
+    again = parse(format_program(program))
+    assert program == again
+    assert again == from_python(to_python(again).text)
+
+
 def test_only_the_robots_import_is_replaced():
     text = SKELETON + "x=1  # kept\n"
     expected = text.replace("learnblock.robots.ebo", "learnblock.robots.cozmo")

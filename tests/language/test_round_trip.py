@@ -139,6 +139,7 @@ TEXTS = ("", "hi", '"', "'", "\\", "\n", "# end", "é", "\ud800", "a'b\"c", "\x0
 RAW_EXPRESSIONS = ("{1: 2}", "lambda: 0", "x.y", "a if b else c", "b'`'")
 RAW_STATEMENTS = (
     "import os\n",
+    "import math\n",
     "x = 1\n",
     "with a as b:\n    pass\n\n\n",
     "end\n",

@@ -5,6 +5,7 @@ This module reads the top level; a statement, an expression and a slip have modu
 
 import re
 from collections.abc import Callable
+from operator import attrgetter
 
 from learnblock.errors import Diagnostic, ProgramError
 from learnblock.language import slips
@@ -51,7 +52,7 @@ def recover(text: str) -> tuple[Program, tuple[Diagnostic, ...]]:
     except RecursionError:
         # Our limits are far below Python's, so this takes a caller who has used up the stack.
         return Program(), (slips.too_deep(parser.token).diagnostic,)
-    found = sorted(parser.diagnostics, key=lambda diagnostic: (diagnostic.line, diagnostic.column))
+    found = sorted(parser.diagnostics, key=attrgetter("line", "column"))
     return program, tuple(dict.fromkeys(found))[:MAX_DIAGNOSTICS]
 
 

@@ -141,24 +141,45 @@ def _read(text: str, tree: ast.Module) -> Program | None:
     notes = markers.notes(plain)
     if line != skeleton.importing.lineno or notes is None:
         return None
-    return _Reader(plain, tree, skeleton, notes).program()
+    whens = frozenset(
+        node.name for node in skeleton.rest if isinstance(node, ast.FunctionDef) and _is_when(node)
+    )
+    while True:
+        reader = _Reader(plain, tree, skeleton, notes, whens)
+        program = reader.program()
+        kept = frozenset(name for name, plain in reader.whens.items() if plain in program.whens)
+        if kept == whens:
+            return program
+        # A `when` that has to stay raw Python is none to the others either.
+        whens = kept
 
 
 class _Reader(StatementReader):
-    """Reads a whole file."""
+    """Reads a whole file, in which the functions that `whens` names are ``when``s."""
 
     def __init__(
-        self, text: str, tree: ast.Module, skeleton: _Skeleton, notes: markers.Notes
+        self,
+        text: str,
+        tree: ast.Module,
+        skeleton: _Skeleton,
+        notes: markers.Notes,
+        whens: frozenset[str],
     ) -> None:
-        clashes = names.clashes(_variables(tree))
+        clashes = names.clashes(_variables(tree, whens))
         functions = [node for node in skeleton.rest if isinstance(node, ast.FunctionDef)]
         super().__init__(
             text.removesuffix("\n").split("\n"),
             notes,
-            _declared_whens(functions, clashes),
+            _declared_whens(whens, clashes),
             {names.from_python(node.name) or "" for node in functions if not node.decorator_list},
         )
         self.skeleton = skeleton
+        if self.raw_ends:
+            begins = _begins(tree, sorted(self.raw_ends.values()))
+            # Markers that a hand has moved into a statement mark nothing.
+            self.raw_ends = {
+                line: end for line, end in self.raw_ends.items() if begins.get(end, 0) < line
+            }
         self.raw_lines = self.found_raw_lines()
         self.modules: set[str] = set()
         self.scopes = Scopes(tree)
@@ -169,14 +190,15 @@ class _Reader(StatementReader):
         while rest and self.is_own_import(rest[0]):
             del rest[0]
         self.remove_run(rest)
-        main_line, end_line = self.main_marker(), self.end_marker(rest)
-        items: list[Item | Main] = [*head]
+        main_line = self.main_marker()
+        end_line = self.end_marker(rest) if main_line else 0
         top = [node for node in rest if not main_line or node.lineno < main_line]
-        items += self.block(top, 0, main_line or end_line or len(self.lines) + 1, top_level=True)
+        items = self.block(top, 0, main_line or len(self.lines) + 1, top_level=True)
         main, late = self.main(rest, main_line, end_line)
-        arranged = normalized([*items, *late, *([main] if main else [])])
+        whole = self.with_imports((*head, *items, *late), main)
+        arranged = normalized([*whole, *([main] if main else [])])
         kept = tuple(item for item in arranged if not isinstance(item, Main))
-        return Program(self.with_imports(kept, main), main, self.ending(end_line), span=self.span())
+        return Program(kept, main, self.ending(end_line), span=self.span())
 
     def span(self) -> Span:
         return Span(1, 1, len(self.lines), len(self.lines[-1]) + 1 if self.lines else 1)
@@ -272,6 +294,8 @@ class _Reader(StatementReader):
 
     def is_own_import(self, node: ast.stmt) -> bool:
         """Read an import such as generated Python has where it is needed."""
+        if node.lineno in self.raw_lines:
+            return False
         match node:
             case ast.Import(names=[ast.alias(name=module, asname=None)]) if module in MODULES:
                 if self.lines[node.lineno - 1].strip() == f"import {module}":
@@ -377,14 +401,21 @@ class _Reader(StatementReader):
         )
 
 
-def _declared_whens(functions: list[ast.FunctionDef], clashes: dict[str, int]) -> dict[str, str]:
-    """The ``when``s by their names in Python."""
-    found = {
-        node.name: names.when_from_python(node.name, clashes)
-        for node in functions
-        if _is_when(node)
-    }
+def _declared_whens(whens: frozenset[str], clashes: dict[str, int]) -> dict[str, str]:
+    """The names in Block-Text of the ``when``s, by their names in Python."""
+    found = {name: names.when_from_python(name, clashes) for name in sorted(whens)}
     return {name: plain for name, plain in found.items() if plain is not None}
+
+
+def _begins(tree: ast.Module, lines: list[int]) -> dict[int, int]:
+    """For each of the sorted `lines` inside a statement, where the innermost one begins."""
+    begins: dict[int, int] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.stmt):
+            first, end = bisect.bisect(lines, start_of(node)), bisect.bisect(lines, end_of(node))
+            for line in lines[first:end]:
+                begins[line] = max(begins.get(line, 0), start_of(node))
+    return begins
 
 
 def _unusual(arguments: ast.arguments) -> bool:
@@ -413,10 +444,9 @@ def _is_when(node: ast.FunctionDef) -> bool:
     return False
 
 
-def _variables(tree: ast.Module) -> set[str]:
+def _variables(tree: ast.Module, whens: frozenset[str]) -> set[str]:
     """The names in Block-Text of all that is no ``when``."""
     functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
-    whens = {node.name for node in functions if _is_when(node)}
     found = markers.variable_names(tree, whens)
     found |= {node.name for node in functions if not node.decorator_list}
     return {plain for name in found if (plain := names.from_python(name)) is not None}

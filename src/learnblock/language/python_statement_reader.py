@@ -444,13 +444,14 @@ def _statement(item: Item) -> Statement:
 
 
 def stripped(body: Body) -> Body:
-    """A body without blank lines at its ends."""
-    start, end = 0, len(body)
-    while start < end and isinstance(body[start], Blank):
-        start += 1
-    while start < end and isinstance(body[end - 1], Blank):
-        end -= 1
-    return body[start:end]
+    """A body without blank lines at its ends, or next to each other."""
+    kept: list[Statement] = []
+    for item in body:
+        if not isinstance(item, Blank) or (kept and not isinstance(kept[-1], Blank)):
+            kept.append(item)
+    if kept and isinstance(kept[-1], Blank):
+        kept.pop()
+    return tuple(kept)
 
 
 def acts(item: Statement) -> bool:
