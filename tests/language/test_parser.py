@@ -1,5 +1,3 @@
-import time
-
 import pytest
 
 from learnblock.errors import ProgramError
@@ -176,17 +174,3 @@ def test_white_space_without_end_is_read_in_one_go(white):
 @pytest.mark.parametrize("text", ["x = 1\0", "x = '\ud800'", "x" * 2_000_001])
 def test_what_no_file_can_hold_is_refused(text):
     assert 1 == len(recover(text)[1])
-
-
-def seconds_for(text):
-    best = 1.0
-    for _ in range(3):
-        start = time.perf_counter()
-        parse(text)
-        best = min(best, time.perf_counter() - start)
-    return best
-
-
-def test_time_grows_with_the_length_of_the_program_and_no_faster():
-    lines = "x = 1 + 2 * y\nwhile x < 3:\n    function.turn(x)\nend\n"
-    assert seconds_for(lines * 400) < 30 * seconds_for(lines * 40)

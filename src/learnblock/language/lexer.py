@@ -126,6 +126,8 @@ def _unreadable(text: str) -> Diagnostic | None:
     if len(text) > MAX_CHARACTERS:
         message = f"a program of {len(text):,} characters is too long: at most {MAX_CHARACTERS:,}"
         return Diagnostic("too-long", message)
+    if text.isascii() and "\0" not in text:
+        return None
     found = _FORBIDDEN.search(text)
     if found is None:
         return None
@@ -179,9 +181,9 @@ class _Lexer:
         self.finish()
         return self.result
 
-    def scan(self, position: int, end: int) -> None:  # noqa: C901, PLR0912, PLR0915 - the hot loop
-        tokens, kinds = self.result.tokens, self.result.kinds
-        add_token, add_kind = tokens.append, kinds.append
+    def scan(self, position: int, end: int) -> None:  # noqa: C901, PLR0912 - the hot loop
+        tokens = self.result.tokens
+        add = tokens.append
         new = tuple.__new__  # twice as fast as Token(...)
         line, line_start, depth = self.line, self.line_start, self.depth
         for white, known, bad in _TOKEN.findall(self.text, position, end):
@@ -212,26 +214,23 @@ class _Lexer:
                     if not text.isascii():
                         kind, text = _foreign_name(text)
                 elif kind == "newline":
-                    token = Token("newline", "\n", line, column)
+                    token = new(Token, ("newline", "\n", line, column))
                     lines = 1 if text == "\n" else len(_LINE_END.findall(text))
                     line += lines
                     line_start = position
                     if depth:
                         self.soft.append((len(tokens), token))
                         continue
-                    add_token(token)
-                    add_kind("newline")
+                    add(token)
                     if lines > 1:
-                        add_token(Token("blank", "", line - 1, 1))
-                        add_kind("blank")
+                        add(Token("blank", "", line - 1, 1))
                     self.statement = len(tokens)
                     continue
                 elif depth and kind == "comment":
                     comment = Token(kind, text, line, column)
                     self.result.hoisted.setdefault(self.statement, []).append(comment)
                     continue
-            add_token(new(Token, (kind, text, line, column)))
-            add_kind(kind)
+            add(new(Token, (kind, text, line, column)))
         self.line, self.line_start, self.depth = line, line_start, depth
 
     def begins_statement(self, after: int) -> bool:
@@ -252,7 +251,6 @@ class _Lexer:
         ):
             tokens.append(line_end)
             tokens.extend(tail[start - first : end - first])
-        self.result.kinds[first:] = [token.kind for token in tokens[first:]]
         self.soft.clear()
         self.statement = len(tokens)
 
@@ -284,7 +282,6 @@ class _Lexer:
 
     def add(self, kind: str, text: str, column: int) -> None:
         self.result.tokens.append(Token(kind, text, self.line, column))
-        self.result.kinds.append(kind)
 
     def finish(self) -> None:
         if self.depth and self.soft:
@@ -292,3 +289,4 @@ class _Lexer:
         column = len(self.text) - self.line_start + 1
         self.add("newline", "", column)
         self.add("eof", "", column)
+        self.result.kinds = [token[0] for token in self.result.tokens]
