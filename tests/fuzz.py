@@ -83,12 +83,15 @@ def texts(folder: Path, pattern: str) -> tuple[str, ...]:
 def read_block_text(text: str) -> None:
     """Everything that is done with a program in Block-Text."""
     tree, _ = language.recover(text)
-    language.check(tree, builtin(), frozenset({"Base:ROBOT"}))
+    found = language.check(tree, builtin(), frozenset({"Base:ROBOT"}))
     tree = language.parse(text)
     canonical = language.format(tree)
     if language.format(language.parse(canonical)) != canonical:
         raise AssertionError("the canonical form is not stable")
     python = language.to_python(tree).text
+    if any(one.code in {"invalid-python", "too-deep"} for one in found):
+        # The check refuses it: raw Python that is none may end where another part begins.
+        return
     if language.from_python(python) != tree:
         raise AssertionError("the tree does not come back from Python")
 

@@ -8,6 +8,7 @@ from learnblock.language.nodes import (
     Blank,
     Call,
     Comment,
+    Import,
     Name,
     Number,
     Perform,
@@ -174,3 +175,8 @@ def test_white_space_without_end_is_read_in_one_go(white):
 @pytest.mark.parametrize("text", ["x = 1\0", "x = '\ud800'", "x" * 2_000_001])
 def test_what_no_file_can_hold_is_refused(text):
     assert 1 == len(recover(text)[1])
+
+
+def test_the_name_of_an_import_is_taken_as_python_takes_it():
+    program = parse('import "songsʳslow"\n')
+    assert Import("songsrslow") == program.items[0]

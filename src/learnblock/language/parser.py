@@ -4,6 +4,7 @@ This module reads the top level; a statement, an expression and a slip have modu
 """
 
 import re
+import unicodedata
 from collections.abc import Callable
 from operator import attrgetter
 
@@ -99,7 +100,8 @@ class _Parser(StatementParser):
     def import_(self, token: Token) -> Import:
         self.index += 1
         name = self.expect("string", 'the name of a file in quotes, such as "dance",')
-        module = self.unquoted(name)
+        # In the form in which Python compares names, as the lexer gives all others.
+        module = unicodedata.normalize("NFKC", self.unquoted(name))
         if not _MODULE.fullmatch(module):
             hint = module.replace("\\", "/").rpartition("/")[2].removesuffix(".py")
             advice = f' such as "{hint}"' if _MODULE.fullmatch(hint) else ""
