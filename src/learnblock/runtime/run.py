@@ -94,6 +94,7 @@ class Run:
         self.wake: int | None = None
         #: The devices whose readings it then wants.
         self._reads: tuple[int, ...] = ()
+        self._held = False
         #: How it is to end, once that has been asked for.
         self.stopping: Ending | None = None
         self._make_robot = make_robot
@@ -115,6 +116,11 @@ class Run:
     def simulation(self) -> Simulation | None:
         """The world of a simulated robot; None on a real one, and before there is a robot."""
         return self._simulation
+
+    @property
+    def _awaits_us(self) -> bool:
+        """Whether the program waits for an answer: that its time has come, or its line."""
+        return self.wake is not None or self._held
 
     def start(self) -> None:
         """Start the program; it goes nowhere until served."""
@@ -224,10 +230,10 @@ class Run:
             # A real robot would drive on while its program says its last words.
             self._stop_robot()
         try:
-            if self.wake is None:
-                self._worker.interrupt()
-            else:
+            if self._awaits_us:
                 self._link.send(messages.Stop(ending.sentence))
+            else:
+                self._worker.interrupt()
             ending = self._drain(ending)
         except (EOFError, LearnBlockError):
             # It died first, or speaks nonsense; either way it is over.
@@ -238,7 +244,7 @@ class Run:
     def _drain(self, ending: Ending) -> Ending:
         """Hear what it did before it was told, and how it ends; what it still asks is refused."""
         deadline = monotonic() + GRACE
-        told = self.wake is not None
+        told = self._awaits_us
         while (left := deadline - monotonic()) > 0:
             match self._link.receive(left):
                 case messages.Ended(lines=lines):
@@ -372,10 +378,14 @@ class Run:
         self._on_lines(messages.Lines((message.number,)))
         if self._debugger:
             reached = monotonic()
+            self._held = True
             self._debugger.reached(message.number, message.depth, self._variables)
             # While it was held the program could make no call.
             self._last_call += monotonic() - reached
-            self._link.send(messages.Continue())
+            if not self.stopping:
+                # Else it hears that instead, and does not run another line.
+                self._held = False
+                self._link.send(messages.Continue())
 
     def _variables(self) -> messages.Variables:
         self._link.send(messages.ShowVariables())
