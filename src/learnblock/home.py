@@ -1,7 +1,9 @@
 """The user's own folder of skills, robots, worlds, blocks and settings."""
 
 import os
+import sys
 from pathlib import Path
+from types import ModuleType
 
 
 def home() -> Path:
@@ -12,3 +14,30 @@ def home() -> Path:
     from platformdirs import user_config_path  # noqa: PLC0415 - most programs never need it
 
     return user_config_path("learnblock", appauthor=False)
+
+
+def import_file(path: Path) -> ModuleType:
+    """Import a Python file of the user's own folder; once, unless it has changed since.
+
+    Raises:
+        Exception: whatever the file raises; it is then not imported.
+    """
+    import importlib.util  # noqa: PLC0415 - most programs never need it
+
+    name = f"learnblock_home.{path.parent.name}.{path.stem}"
+    version = (str(path), path.stat().st_mtime_ns)
+    loaded = sys.modules.get(name)
+    if loaded and loaded.__spec__ and loaded.__spec__.loader_state == version:
+        return loaded
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise ImportError(f"{path} is not a Python file")
+    spec.loader_state = version
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    try:
+        spec.loader.exec_module(module)
+    except BaseException:
+        del sys.modules[name]
+        raise
+    return module

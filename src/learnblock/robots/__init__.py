@@ -6,8 +6,6 @@ from entry points of the group ``learnblock.robots`` (id = module) and from the 
 """
 
 import importlib
-import importlib.util
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -15,7 +13,7 @@ from typing import Any
 
 from learnblock.client import Client
 from learnblock.errors import LearnBlockError, UnknownNameError
-from learnblock.home import home
+from learnblock.home import home, import_file
 
 _OURS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo")
 #: The robots of the paper that have a name and a module already, and get their driver next.
@@ -122,24 +120,10 @@ def _users() -> dict[str, RobotEntry]:
 def _import(entry: RobotEntry) -> ModuleType:
     try:
         if entry.path:
-            return _import_file(entry.module, entry.path)
+            return import_file(entry.path)
         return importlib.import_module(entry.module)
     except LearnBlockError:
         raise
     except Exception as error:
         # A robot's module is someone else's code: it may raise whatever it likes.
         raise LearnBlockError(f"the robot `{entry.name}` cannot be loaded: {error}") from error
-
-
-def _import_file(name: str, path: Path) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(name, path)
-    if spec is None or spec.loader is None:
-        raise LearnBlockError(f"{path}: not a Python file")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
-    try:
-        spec.loader.exec_module(module)
-    except BaseException:
-        del sys.modules[name]
-        raise
-    return module

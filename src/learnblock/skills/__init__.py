@@ -5,16 +5,14 @@
 """
 
 import importlib
-import importlib.util
 import inspect
-import sys
 from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from learnblock.errors import LearnBlockError
-from learnblock.home import home
+from learnblock.home import home, import_file
 
 Skill = Callable[..., Any]
 
@@ -98,15 +96,7 @@ def load(path: Path) -> ModuleType:
     Raises:
         LearnBlockError: the file cannot be imported; its own error is the cause.
     """
-    name = f"learnblock_home.skills.{path.stem}"
-    spec = importlib.util.spec_from_file_location(name, path)
-    if spec is None or spec.loader is None:
-        raise LearnBlockError(f"{path}: not a Python file")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
     try:
-        spec.loader.exec_module(module)
+        return import_file(path)
     except Exception as error:
-        del sys.modules[name]
         raise LearnBlockError(f"{path}: the skills in it cannot be loaded: {error}") from error
-    return module
