@@ -1,0 +1,80 @@
+/** The socket to the server: what is said is typed by `messages.ts`, and it reconnects by itself. */
+
+import { signal } from "@preact/signals";
+
+import type { FromPage, ToPage } from "./messages";
+
+type Listener = (message: ToPage) => void;
+type FrameListener = (jpeg: Blob) => void;
+export type ConnectionState = "connecting" | "open" | "lost";
+
+const FIRST_DELAY = 250;
+const LONGEST_DELAY = 4000;
+/** The server closes a socket with this code when the token is not its own: trying again is vain. */
+const FORBIDDEN = 4403;
+
+export class Connection {
+  readonly state = signal<ConnectionState>("connecting");
+  private socket: WebSocket | null = null;
+  private listeners = new Map<string, Set<Listener>>();
+  private frameListeners = new Set<FrameListener>();
+  private delay = FIRST_DELAY;
+
+  constructor(
+    private readonly address: URL,
+    private readonly token: string,
+  ) {}
+
+  open(): void {
+    // The token travels as a subprotocol: an address would end up in logs.
+    const socket = new WebSocket(this.address, ["learnblock", this.token]);
+    socket.binaryType = "blob";
+    socket.onopen = () => {
+      this.delay = FIRST_DELAY;
+      this.state.value = "open";
+    };
+    socket.onmessage = (event: MessageEvent<string | Blob>) => this.receive(event.data);
+    socket.onclose = (event) => this.closed(event.code);
+    this.socket = socket;
+  }
+
+  /** Send a message; while there is no connection it is dropped, as what it speaks of is gone. */
+  send(message: FromPage): boolean {
+    if (this.socket?.readyState !== WebSocket.OPEN) return false;
+    this.socket.send(JSON.stringify(message));
+    return true;
+  }
+
+  /** Be told of messages of one kind; call what is returned to be told no more. */
+  on<K extends ToPage["kind"]>(
+    kind: K,
+    listener: (message: Extract<ToPage, { kind: K }>) => void,
+  ): () => void {
+    const known = this.listeners.get(kind) ?? new Set<Listener>();
+    this.listeners.set(kind, known);
+    known.add(listener as Listener);
+    return () => known.delete(listener as Listener);
+  }
+
+  /** Be told of camera frames; the `CameraFrame` message before says what each is. */
+  onFrame(listener: FrameListener): () => void {
+    this.frameListeners.add(listener);
+    return () => this.frameListeners.delete(listener);
+  }
+
+  private receive(data: string | Blob): void {
+    if (data instanceof Blob) {
+      for (const listener of this.frameListeners) listener(data);
+      return;
+    }
+    const message = JSON.parse(data) as ToPage;
+    for (const listener of this.listeners.get(message.kind) ?? []) listener(message);
+  }
+
+  private closed(code: number): void {
+    this.state.value = "lost";
+    if (code === FORBIDDEN) return;
+    setTimeout(() => this.open(), this.delay);
+    this.delay = Math.min(this.delay * 2, LONGEST_DELAY);
+  }
+}

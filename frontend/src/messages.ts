@@ -1,0 +1,544 @@
+/** The conversation with the server; written by `python -m learnblock.server.typescript`. */
+
+export type Notation = "blocktext" | "python";
+
+export type View = "blocks" | "blocktext" | "python";
+
+export interface Answer {
+  kind: "Answer";
+  text: string;
+}
+
+export interface Block {
+  type: string;
+  id: string;
+  x?: number | null;
+  y?: number | null;
+  fields?: Record<string, string | number | boolean | Record<string, string> | null>;
+  inputs?: Record<string, Input>;
+  extraState?: unknown;
+  comment?: BlockComment | null;
+  data?: string | null;
+  collapsed?: boolean;
+  disabledReasons?: string[];
+  inline?: boolean | null;
+}
+
+export interface BlockComment {
+  text: string;
+  pinned?: boolean;
+  width?: number | null;
+  height?: number | null;
+}
+
+export interface CameraFrame {
+  kind: "CameraFrame";
+  width: number;
+  height: number;
+  time: number;
+  seen?: Seen[];
+}
+
+export interface CheckWorld {
+  kind: "CheckWorld";
+  world: Record<string, unknown>;
+}
+
+export interface ChooseRobot {
+  kind: "ChooseRobot";
+  name: string;
+}
+
+export interface ChooseWorld {
+  kind: "ChooseWorld";
+  name: string;
+}
+
+export interface Complete {
+  kind: "Complete";
+  request: number;
+  notation: "blocktext" | "python";
+  line: number;
+  column: number;
+}
+
+export interface Completion {
+  label: string;
+  insert: string;
+  sort: string;
+  detail?: string;
+  help?: string;
+}
+
+export interface Completions {
+  kind: "Completions";
+  request: number;
+  from_column: number;
+  options: Completion[];
+}
+
+export interface Delete {
+  kind: "Delete";
+  name: string;
+}
+
+export interface Describe {
+  kind: "Describe";
+  request: number;
+  notation: "blocktext" | "python";
+  line: number;
+  column: number;
+}
+
+export interface Description {
+  kind: "Description";
+  request: number;
+  title?: string;
+  text?: string;
+  needs?: string[];
+  line?: number;
+  column?: number;
+  from_column?: number;
+  to_column?: number;
+  sort?: "" | "function" | "variable" | "when";
+  name?: string;
+}
+
+export interface Document {
+  kind: "Document";
+  edit: number;
+  origin: "blocks" | "blocktext" | "python";
+  blocktext?: string | null;
+  python?: string | null;
+  workspace?: Workspace | null;
+  places?: Place[];
+  problems?: Problem[];
+  stale?: ("blocks" | "blocktext" | "python")[];
+  can_undo?: boolean;
+  can_redo?: boolean;
+}
+
+export interface Drive {
+  kind: "Drive";
+  advance: number;
+  rotation: number;
+}
+
+export interface EditBlocks {
+  kind: "EditBlocks";
+  edit: number;
+  workspace: Workspace;
+}
+
+export interface EditText {
+  kind: "EditText";
+  edit: number;
+  notation: "blocktext" | "python";
+  text: string;
+}
+
+export interface Ended {
+  kind: "Ended";
+  ended: string;
+  message?: string;
+  block?: string | null;
+  time?: number;
+  distance?: number | null;
+  goals?: GoalNow[];
+  emotions?: string[];
+  no_effect?: [string, string][];
+  trace_sha256?: string;
+}
+
+export interface ExampleChoice {
+  name: string;
+  title: string;
+  description: string;
+  robot: string;
+  world: string;
+}
+
+export interface Export {
+  kind: "Export";
+  format: "bt" | "learnblock" | "py";
+}
+
+export interface Failed {
+  kind: "Failed";
+  message: string;
+  request?: string;
+}
+
+export interface File {
+  kind: "File";
+  filename: string;
+  text: string;
+}
+
+export interface Format {
+  kind: "Format";
+}
+
+export interface GoalNow {
+  name: string;
+  sort: string;
+  state: "failed" | "open" | "reached";
+  time: number | null;
+}
+
+export interface History {
+  kind: "History";
+  versions: Version[];
+  runs: PastRun[];
+}
+
+export interface Import {
+  kind: "Import";
+  filename: string;
+  text: string;
+}
+
+export interface Input {
+  block?: Block | null;
+  shadow?: Block | null;
+  stack?: Block[];
+}
+
+export interface InputWanted {
+  kind: "InputWanted";
+  prompt: string;
+}
+
+export interface ListHistory {
+  kind: "ListHistory";
+}
+
+export interface ListProjects {
+  kind: "ListProjects";
+}
+
+export interface New {
+  kind: "New";
+  name?: string;
+  example?: string | null;
+}
+
+export interface Open {
+  kind: "Open";
+  name: string;
+}
+
+export interface Opened {
+  kind: "Opened";
+  name: string;
+  robot: string;
+  world: string;
+  breakpoints?: string[];
+  recovered?: boolean;
+}
+
+export interface PastRun {
+  time: number;
+  robot: string;
+  world: string;
+  ended: string;
+  seconds: number;
+  goals: string[];
+  trace_sha256: string;
+  version: string;
+}
+
+export interface Pause {
+  kind: "Pause";
+}
+
+export type Place = [block: string, blocktext: number, blocktext_end: number, python: number, python_end: number];
+
+export interface PlaceRobot {
+  kind: "PlaceRobot";
+  x: number;
+  y: number;
+  heading: number;
+}
+
+export interface Printed {
+  kind: "Printed";
+  text: string;
+}
+
+export interface Problem {
+  code: string;
+  message: string;
+  severity: "error" | "warning";
+  view: "blocks" | "blocktext" | "python";
+  line?: number;
+  column?: number;
+  end_column?: number;
+  block?: string | null;
+}
+
+export interface ProjectEntry {
+  name: string;
+  changed: number;
+}
+
+export interface Projects {
+  kind: "Projects";
+  projects: ProjectEntry[];
+}
+
+export interface ReadWorld {
+  kind: "ReadWorld";
+  name: string;
+}
+
+export interface Redo {
+  kind: "Redo";
+}
+
+export interface Rename {
+  kind: "Rename";
+  sort: "function" | "variable" | "when";
+  name: string;
+  new: string;
+}
+
+export interface ResetWorld {
+  kind: "ResetWorld";
+}
+
+export interface Restore {
+  kind: "Restore";
+  version: string;
+}
+
+export interface Resume {
+  kind: "Resume";
+}
+
+export interface Robot {
+  name: string;
+  x: number;
+  y: number;
+  heading: number;
+  joints?: Record<string, number>;
+  leds?: Record<string, [number, number, number]>;
+  emotion?: string;
+}
+
+export interface RobotChoice {
+  name: string;
+  title: string;
+  simulated: boolean;
+}
+
+export interface Run {
+  kind: "Run";
+  paused?: boolean;
+}
+
+export interface RunState {
+  kind: "RunState";
+  state: "ended" | "held" | "idle" | "input" | "paused" | "running" | "starting";
+  block?: string | null;
+  speed?: number | null;
+}
+
+export interface SaveAs {
+  kind: "SaveAs";
+  name: string;
+}
+
+export interface SaveWorld {
+  kind: "SaveWorld";
+  name: string;
+  world: Record<string, unknown>;
+}
+
+export interface Saved {
+  kind: "Saved";
+  edit: number;
+}
+
+export interface Scene {
+  kind: "Scene";
+  name: string;
+  world: Record<string, unknown>;
+  lines: [number, number][][];
+  robots: [string, Record<string, unknown>][];
+  start?: [number, number, number] | null;
+}
+
+export interface Seen {
+  sort: "face" | "line" | "tag";
+  label: string;
+  corners: [number, number][];
+}
+
+export interface SetBreakpoints {
+  kind: "SetBreakpoints";
+  blocks: string[];
+}
+
+export interface SetSpeed {
+  kind: "SetSpeed";
+  factor: number | null;
+}
+
+export interface Sound {
+  kind: "Sound";
+  device: string;
+  action: string;
+  values: unknown[];
+}
+
+export interface Step {
+  kind: "Step";
+  over?: boolean;
+}
+
+export interface Stop {
+  kind: "Stop";
+}
+
+export interface Telemetry {
+  kind: "Telemetry";
+  time: number;
+  robots: Robot[];
+  pushed?: [number, number, number][];
+  sensors?: Record<string, number | boolean | null>;
+  block?: string | null;
+  goals?: GoalNow[];
+}
+
+export interface Undo {
+  kind: "Undo";
+}
+
+export interface Variable {
+  name: string;
+  id: string;
+}
+
+export interface Variables {
+  kind: "Variables";
+  local: Record<string, string>;
+  shared: Record<string, string>;
+  whens?: WhenNow[];
+}
+
+export interface Version {
+  id: string;
+  time: number;
+  reason: "opened" | "restored" | "run" | "time";
+  lines: number;
+}
+
+export interface WatchCamera {
+  kind: "WatchCamera";
+  on: boolean;
+}
+
+export interface Welcome {
+  kind: "Welcome";
+  version: string;
+  robots: RobotChoice[];
+  worlds: WorldChoice[];
+  examples: ExampleChoice[];
+  folder: string;
+}
+
+export interface WhenNow {
+  name: string;
+  active: boolean;
+  time: number;
+}
+
+export interface Workspace {
+  stacks: Block[][];
+  variables: Variable[];
+}
+
+export interface WorldChecked {
+  kind: "WorldChecked";
+  problems: string[];
+  lines?: [number, number][][];
+}
+
+export interface WorldChoice {
+  name: string;
+  title: string;
+  own: boolean;
+}
+
+export interface WorldToEdit {
+  kind: "WorldToEdit";
+  name: string;
+  world: Record<string, unknown>;
+  lines: [number, number][][];
+}
+
+export interface Worlds {
+  kind: "Worlds";
+  worlds: WorldChoice[];
+}
+
+export type FromPage =
+  | Open
+  | New
+  | Import
+  | SaveAs
+  | Delete
+  | Export
+  | ListProjects
+  | ListHistory
+  | Restore
+  | EditBlocks
+  | EditText
+  | Undo
+  | Redo
+  | Format
+  | Rename
+  | Complete
+  | Describe
+  | SetBreakpoints
+  | ChooseRobot
+  | ChooseWorld
+  | Run
+  | Stop
+  | Pause
+  | Resume
+  | Step
+  | SetSpeed
+  | Answer
+  | ResetWorld
+  | PlaceRobot
+  | Drive
+  | WatchCamera
+  | ReadWorld
+  | CheckWorld
+  | SaveWorld;
+
+export type ToPage =
+  | Welcome
+  | Worlds
+  | Projects
+  | Opened
+  | File
+  | History
+  | Saved
+  | Failed
+  | Document
+  | Completions
+  | Description
+  | RunState
+  | InputWanted
+  | Printed
+  | Ended
+  | Variables
+  | Telemetry
+  | Sound
+  | CameraFrame
+  | Scene
+  | WorldToEdit
+  | WorldChecked;

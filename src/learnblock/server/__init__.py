@@ -1,0 +1,1 @@
+"""The server of the page: sessions, projects, and the conversation with browsers."""

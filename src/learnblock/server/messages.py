@@ -1,0 +1,761 @@
+"""The whole conversation between the server and a page.
+
+A page speaks first: `Open` or `New`; everything else is about the project it has opened. Each
+message is a JSON object whose `kind` names it; camera frames alone are binary (`CameraFrame` says
+how). ``python -m learnblock.server.typescript`` writes the page's types from this module.
+"""
+
+from typing import Annotated, Any, Literal
+
+from msgspec import Meta, Struct, field
+
+from learnblock.language.workspace import Workspace
+
+#: Longer texts are no program that a person wrote.
+LONGEST_TEXT = 1_000_000
+MOST_BREAKPOINTS = 1000
+
+Notation = Literal["blocktext", "python"]
+View = Literal["blocks", "blocktext", "python"]
+Text = Annotated[str, Meta(max_length=LONGEST_TEXT)]
+Name = Annotated[str, Meta(min_length=1, max_length=100)]
+#: Of a block.
+Id = Annotated[str, Meta(min_length=1, max_length=100)]
+Coordinate = Annotated[float, Meta(ge=-5000, le=5000)]
+
+
+class Message(Struct, tag_field="kind", omit_defaults=True, frozen=True):
+    """A message of the conversation."""
+
+
+# The page speaks: projects.
+
+
+class Open(Message, frozen=True):
+    """Open a project; the page then hears `Opened`."""
+
+    name: Name
+
+
+class New(Message, frozen=True):
+    """Make a project and open it.
+
+    Args:
+        name: made unique by a number behind it where there is one of that name.
+        example: begin with this example, or else with an empty program.
+    """
+
+    name: Name = "program"
+    example: str | None = None
+
+
+class Import(Message, frozen=True):
+    """Make a project from a file and open it.
+
+    Args:
+        filename: ends in .bt, .py or .learnblock.
+        text: what stands in it.
+    """
+
+    filename: Name
+    text: Text
+
+
+class SaveAs(Message, frozen=True):
+    """Go on with a copy of the project under another name."""
+
+    name: Name
+
+
+class Delete(Message, frozen=True):
+    """Delete a project that is not open; it is kept in the folder's trash."""
+
+    name: Name
+
+
+class Export(Message, frozen=True):
+    """Ask for a file of the open project: `File`."""
+
+    format: Literal["bt", "py", "learnblock"]
+
+
+class ListProjects(Message, frozen=True):
+    """Ask for `Projects`."""
+
+
+class ListHistory(Message, frozen=True):
+    """Ask for `History`."""
+
+
+class Restore(Message, frozen=True):
+    """Go back to a version; the present one becomes a version itself."""
+
+    version: Name
+
+
+# The page speaks: the program.
+
+
+class EditBlocks(Message, frozen=True):
+    """The workspace as it is now.
+
+    Args:
+        edit: counts the page's edits; the `Document` that answers has the same number.
+    """
+
+    edit: int
+    workspace: Workspace
+
+
+class EditText(Message, frozen=True):
+    """A text as it is now."""
+
+    edit: int
+    notation: Notation
+    text: Text
+
+
+class Undo(Message, frozen=True):
+    """Take the last edit back, whichever view it was made in."""
+
+
+class Redo(Message, frozen=True):
+    """Make the last edit that was taken back again."""
+
+
+class Format(Message, frozen=True):
+    """Give Block-Text its canonical form."""
+
+
+class Rename(Message, frozen=True):
+    """Rename a variable, a function or a `when` everywhere; answered by a `Document`."""
+
+    sort: Literal["variable", "function", "when"]
+    name: Name
+    new: Name
+
+
+class Complete(Message, frozen=True):
+    """Ask for `Completions` at a place (both from 1) of a text as last sent."""
+
+    request: int
+    notation: Notation
+    line: int
+    column: int
+
+
+class Describe(Message, frozen=True):
+    """Ask for the `Description` of what stands at a place of a text, and where it is defined."""
+
+    request: int
+    notation: Notation
+    line: int
+    column: int
+
+
+class SetBreakpoints(Message, frozen=True):
+    """Hold the program before these blocks."""
+
+    blocks: Annotated[list[Id], Meta(max_length=MOST_BREAKPOINTS)]
+
+
+# The page speaks: running.
+
+
+class ChooseRobot(Message, frozen=True):
+    name: Name
+
+
+class ChooseWorld(Message, frozen=True):
+    name: Name
+
+
+class Run(Message, frozen=True):
+    """Run the program from the beginning.
+
+    Args:
+        paused: hold it before its first line.
+    """
+
+    paused: bool = False
+
+
+class Stop(Message, frozen=True):
+    """Stop the program and the robot."""
+
+
+class Pause(Message, frozen=True):
+    """Hold program and world where they are."""
+
+
+class Resume(Message, frozen=True):
+    """Go on after a pause or a breakpoint."""
+
+
+class Step(Message, frozen=True):
+    """Run to the next line; `over` does not follow calls into functions."""
+
+    over: bool = False
+
+
+class SetSpeed(Message, frozen=True):
+    """How fast simulated time runs: times real time; None is as fast as it goes."""
+
+    factor: Annotated[float, Meta(ge=0.01, le=100)] | None
+
+
+class Answer(Message, frozen=True):
+    """The line that the program asked for by `InputWanted`."""
+
+    text: Annotated[str, Meta(max_length=10_000)]
+
+
+class ResetWorld(Message, frozen=True):
+    """Put everything back to where it was at first; only while no program runs."""
+
+
+class PlaceRobot(Message, frozen=True):
+    """Set the robot down elsewhere; the next run starts there. Only while the world stands still.
+
+    Args:
+        x: mm east.
+        y: mm north.
+        heading: degrees clockwise, 0 looks east.
+    """
+
+    x: Coordinate
+    y: Coordinate
+    heading: Annotated[float, Meta(ge=-360, le=360)]
+
+
+class Drive(Message, frozen=True):
+    """Drive by hand while no program runs; told again at least twice a second, else it stops.
+
+    Args:
+        advance: of the robot's fastest, -1 to 1, forward positive.
+        rotation: of the robot's fastest, -1 to 1, clockwise positive.
+    """
+
+    advance: Annotated[float, Meta(ge=-1, le=1)]
+    rotation: Annotated[float, Meta(ge=-1, le=1)]
+
+
+class WatchCamera(Message, frozen=True):
+    """Send camera frames from now on, or no more."""
+
+    on: bool
+
+
+# The page speaks: worlds.
+
+
+class ReadWorld(Message, frozen=True):
+    """Ask for a world to edit: `WorldToEdit`."""
+
+    name: Name
+
+
+class CheckWorld(Message, frozen=True):
+    """Ask what is wrong with a world, and how it looks: `WorldChecked`."""
+
+    world: dict[str, Any]
+
+
+class SaveWorld(Message, frozen=True):
+    """Save a world in the user's folder and choose it; `WorldChecked` when it is wrong."""
+
+    name: Name
+    world: dict[str, Any]
+
+
+FromPage = (
+    Open
+    | New
+    | Import
+    | SaveAs
+    | Delete
+    | Export
+    | ListProjects
+    | ListHistory
+    | Restore
+    | EditBlocks
+    | EditText
+    | Undo
+    | Redo
+    | Format
+    | Rename
+    | Complete
+    | Describe
+    | SetBreakpoints
+    | ChooseRobot
+    | ChooseWorld
+    | Run
+    | Stop
+    | Pause
+    | Resume
+    | Step
+    | SetSpeed
+    | Answer
+    | ResetWorld
+    | PlaceRobot
+    | Drive
+    | WatchCamera
+    | ReadWorld
+    | CheckWorld
+    | SaveWorld
+)
+
+
+# The server speaks: what there is.
+
+
+class RobotChoice(Struct, frozen=True):
+    """A robot one can choose; `simulated` ones live in a world."""
+
+    name: str
+    title: str
+    simulated: bool
+
+
+class WorldChoice(Struct, frozen=True):
+    """A world one can choose; `own` ones can be edited in place."""
+
+    name: str
+    title: str
+    own: bool
+
+
+class ExampleChoice(Struct, frozen=True):
+    """An example to open, with the robot and world that suit it."""
+
+    name: str
+    title: str
+    description: str
+    robot: str
+    world: str
+
+
+class Welcome(Message, frozen=True):
+    """The first message of the server."""
+
+    version: str
+    robots: tuple[RobotChoice, ...]
+    worlds: tuple[WorldChoice, ...]
+    examples: tuple[ExampleChoice, ...]
+    folder: str
+
+
+class Worlds(Message, frozen=True):
+    """The worlds there are now, after one was saved."""
+
+    worlds: tuple[WorldChoice, ...]
+
+
+class ProjectEntry(Struct, frozen=True):
+    """A project; `changed` is seconds since 1970."""
+
+    name: str
+    changed: float
+
+
+class Projects(Message, frozen=True):
+    """Every project, the last changed first."""
+
+    projects: tuple[ProjectEntry, ...]
+
+
+class Opened(Message, frozen=True):
+    """A project is open; a `Document`, a `Scene` and a `RunState` follow."""
+
+    name: str
+    robot: str
+    world: str
+    breakpoints: tuple[str, ...] = ()
+    recovered: bool = False
+
+
+class File(Message, frozen=True):
+    """A file to download."""
+
+    filename: str
+    text: str
+
+
+class Version(Struct, frozen=True):
+    """A version of the program that one can go back to.
+
+    Args:
+        id: for `Restore`.
+        time: seconds since 1970.
+        reason: why it was kept.
+        lines: of its Block-Text.
+    """
+
+    id: str
+    time: float
+    reason: Literal["run", "time", "restored", "opened"]
+    lines: int
+
+
+class PastRun(Struct, frozen=True):
+    """A run of the program: see `Ended`."""
+
+    time: float
+    robot: str
+    world: str
+    ended: str
+    seconds: float
+    goals: tuple[str, ...]
+    trace_sha256: str
+    version: str
+
+
+class History(Message, frozen=True):
+    """What was, the newest first."""
+
+    versions: tuple[Version, ...]
+    runs: tuple[PastRun, ...]
+
+
+class Saved(Message, frozen=True):
+    """The project is on disk as it was at `edit`."""
+
+    edit: int
+
+
+class Failed(Message, frozen=True):
+    """A message could not be obeyed; nothing has changed."""
+
+    message: str
+    request: str = ""
+
+
+# The server speaks: the program.
+
+
+class Problem(Struct, frozen=True, omit_defaults=True):
+    """An error or a warning.
+
+    Args:
+        code: what kind of problem, for tests and help.
+        message: what is wrong and what to do.
+        severity: an error keeps the program from running.
+        view: the text that `line` and `column` speak of; `blocks` where there is a block alone.
+        line: from 1; 0 for all of it.
+        column: from 1; 0 for the whole line.
+        end_column: behind the last character; 0 where it is not known.
+        block: the block it belongs to, if any.
+    """
+
+    code: str
+    message: str
+    severity: Literal["error", "warning"]
+    view: View
+    line: int = 0
+    column: int = 0
+    end_column: int = 0
+    block: str | None = None
+
+
+class Place(Struct, frozen=True, array_like=True):
+    """Where a statement stands in each view: block, and first and last lines from 1 (0 nowhere)."""
+
+    block: str
+    blocktext: int
+    blocktext_end: int
+    python: int
+    python_end: int
+
+
+class Document(Message, frozen=True):
+    """The program as it is now; a view that is None has not changed.
+
+    Args:
+        edit: the page's last edit that is in it.
+        origin: the view that was edited last.
+        blocktext: the text, as its author wrote it if they wrote it.
+        python: likewise.
+        workspace: with ids and places kept.
+        places: every statement in all three views.
+        problems: of all views.
+        stale: the views that show the last good program, since another one has errors.
+    """
+
+    edit: int
+    origin: View
+    blocktext: str | None = None
+    python: str | None = None
+    workspace: Workspace | None = None
+    places: tuple[Place, ...] = ()
+    problems: tuple[Problem, ...] = ()
+    stale: tuple[View, ...] = ()
+    can_undo: bool = False
+    can_redo: bool = False
+
+
+class Completion(Struct, frozen=True, omit_defaults=True):
+    """Something that could stand here.
+
+    Args:
+        label: what is shown and filtered by.
+        insert: what is inserted.
+        sort: skill, function, variable, when, keyword, robot.
+        detail: its parameters.
+        help: one sentence.
+    """
+
+    label: str
+    insert: str
+    sort: str
+    detail: str = ""
+    help: str = ""
+
+
+class Completions(Message, frozen=True):
+    """They replace the text from `from_column` (from 1) to the place that was asked for."""
+
+    request: int
+    from_column: int
+    options: tuple[Completion, ...]
+
+
+class Description(Message, frozen=True):
+    """What stands at a place.
+
+    Args:
+        title: its name with its parameters; empty when there is nothing to say.
+        text: what it does.
+        needs: devices that it needs and the chosen robot lacks.
+        line: where it is defined in the same text, from 1; 0 for nowhere.
+        column: likewise.
+        from_column: where its name begins.
+        to_column: behind its end.
+        sort: of what can be renamed (variable, function, when), else empty.
+        name: as `Rename` wants it.
+    """
+
+    request: int
+    title: str = ""
+    text: str = ""
+    needs: tuple[str, ...] = ()
+    line: int = 0
+    column: int = 0
+    from_column: int = 0
+    to_column: int = 0
+    sort: Literal["variable", "function", "when", ""] = ""
+    name: str = ""
+
+
+# The server speaks: running.
+
+
+class RunState(Message, frozen=True):
+    """What the program does.
+
+    Args:
+        state: ``idle`` before the first run, ``ended`` after one; ``paused`` holds the world,
+            ``held`` holds the program before a line; ``input`` waits for `Answer`.
+        block: the block before which it is held.
+    """
+
+    state: Literal["idle", "starting", "running", "paused", "held", "input", "ended"]
+    block: str | None = None
+    speed: float | None = 1.0
+
+
+class InputWanted(Message, frozen=True):
+    """The program waits for a line."""
+
+    prompt: str
+
+
+class Printed(Message, frozen=True):
+    """What the program printed, at most some thousand characters at once."""
+
+    text: str
+
+
+class GoalNow(Struct, frozen=True):
+    """A goal of the world."""
+
+    name: str
+    sort: str
+    state: Literal["open", "reached", "failed"]
+    time: float | None
+
+
+class Ended(Message, frozen=True):
+    """How a run ended: the report of ``learnblock run``.
+
+    Args:
+        ended: one word, such as ``finished``, ``stopped`` or ``error``.
+        message: a sentence when it did not end well.
+        block: where it went wrong.
+        no_effect: skills that had none, each with the device that is missing.
+    """
+
+    ended: str
+    message: str = ""
+    block: str | None = None
+    time: float = 0.0
+    distance: float | None = None
+    goals: tuple[GoalNow, ...] = ()
+    emotions: tuple[str, ...] = ()
+    no_effect: tuple[tuple[str, str], ...] = ()
+    trace_sha256: str = ""
+
+
+class WhenNow(Struct, frozen=True):
+    """A `when`: whether it is active, and since how many seconds."""
+
+    name: str
+    active: bool
+    time: float
+
+
+class Variables(Message, frozen=True):
+    """The program's variables as text: those of the function it is in, and its own."""
+
+    local: dict[str, str]
+    shared: dict[str, str]
+    whens: tuple[WhenNow, ...] = ()
+
+
+class Robot(Struct, frozen=True, omit_defaults=True):
+    """A robot as it is now.
+
+    Args:
+        name: in its world.
+        x: mm east.
+        y: mm north.
+        heading: degrees clockwise, 0 looks east.
+        joints: degrees, by key.
+        leds: red, green, blue, by key.
+        emotion: what it shows; ``none`` is nothing.
+    """
+
+    name: str
+    x: float
+    y: float
+    heading: float
+    joints: dict[str, float] = field(default_factory=dict)
+    leds: dict[str, tuple[int, int, int]] = field(default_factory=dict)
+    emotion: str = "none"
+
+
+class Telemetry(Message, frozen=True):
+    """The world as it is now, about twenty times a second while something moves.
+
+    Args:
+        time: seconds of the world.
+        robots: ours is the first.
+        pushed: x, y, heading of what can be pushed, in the order of the world's description:
+            boxes with a mass first, then cylinders.
+        sensors: readings by sensor, such as ``Distance front 1`` in its unit; None where nothing is
+            measured.
+        block: the block that runs.
+        goals: as they stand.
+    """
+
+    time: float
+    robots: tuple[Robot, ...]
+    pushed: tuple[tuple[float, float, float], ...] = ()
+    sensors: dict[str, float | bool | None] = field(default_factory=dict)
+    block: str | None = None
+    goals: tuple[GoalNow, ...] = ()
+
+
+class Sound(Message, frozen=True):
+    """The robot would be heard.
+
+    Args:
+        device: such as ``Speaker``.
+        action: such as ``say``.
+        values: as the robot was told.
+    """
+
+    device: str
+    action: str
+    values: tuple[Any, ...]
+
+
+class Seen(Struct, frozen=True, omit_defaults=True):
+    """Something that perception found in a camera frame.
+
+    Args:
+        sort: tag, face or line.
+        label: such as the tag's number.
+        corners: x, y in pixels of the frame.
+    """
+
+    sort: Literal["tag", "face", "line"]
+    label: str
+    corners: tuple[tuple[float, float], ...]
+
+
+class CameraFrame(Message, frozen=True):
+    """What the next binary message is: a JPEG of the camera, and what was found in it."""
+
+    width: int
+    height: int
+    time: float
+    seen: tuple[Seen, ...] = ()
+
+
+class Scene(Message, frozen=True):
+    """What stands in the world, for drawing it; `Telemetry` moves it.
+
+    Args:
+        name: the world's.
+        world: as its file says (`WorldFile`).
+        lines: for each painted line the corners of its middle, mm.
+        robots: name and description of each (`RobotDescription`).
+        start: x, y, heading where the next run begins.
+    """
+
+    name: str
+    world: dict[str, Any]
+    lines: tuple[tuple[tuple[float, float], ...], ...]
+    robots: tuple[tuple[str, dict[str, Any]], ...]
+    start: tuple[float, float, float] | None = None
+
+
+class WorldToEdit(Message, frozen=True):
+    """A world as its file says (`WorldFile`), and the corners of its lines, mm."""
+
+    name: str
+    world: dict[str, Any]
+    lines: tuple[tuple[tuple[float, float], ...], ...]
+
+
+class WorldChecked(Message, frozen=True):
+    """What is wrong with a world; `lines` as in `Scene` when nothing is."""
+
+    problems: tuple[str, ...]
+    lines: tuple[tuple[tuple[float, float], ...], ...] = ()
+
+
+ToPage = (
+    Welcome
+    | Worlds
+    | Projects
+    | Opened
+    | File
+    | History
+    | Saved
+    | Failed
+    | Document
+    | Completions
+    | Description
+    | RunState
+    | InputWanted
+    | Printed
+    | Ended
+    | Variables
+    | Telemetry
+    | Sound
+    | CameraFrame
+    | Scene
+    | WorldToEdit
+    | WorldChecked
+)

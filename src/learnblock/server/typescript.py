@@ -1,0 +1,130 @@
+"""The page's types, written from `learnblock.server.messages`.
+
+python -m learnblock.server.typescript > frontend/src/messages.ts
+"""
+
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import msgspec
+from msgspec import inspect
+
+from learnblock.server import messages
+
+_HEADER = """\
+/** The conversation with the server; written by `python -m learnblock.server.typescript`. */
+"""
+_SCALARS: dict[type[inspect.Type], str] = {
+    inspect.StrType: "string",
+    inspect.IntType: "number",
+    inspect.FloatType: "number",
+    inspect.BoolType: "boolean",
+    inspect.NoneType: "null",
+    inspect.AnyType: "unknown",
+}
+
+
+def typescript() -> str:
+    """The whole module."""
+    unions = {"FromPage": messages.FromPage, "ToPage": messages.ToPage}
+    kinds = {name: inspect.type_info(union) for name, union in unions.items()}
+    aliases = {name: getattr(messages, name) for name in ("Notation", "View")}
+    parts = [_HEADER]
+    parts += [
+        f"export type {name} = {_written(inspect.type_info(one))};\n"
+        for name, one in aliases.items()
+    ]
+    parts += [_interface(struct) for struct in _structs(kinds.values())]
+    parts += [
+        f"export type {name} =\n  | " + "\n  | ".join(_members(kind)) + ";\n"
+        for name, kind in kinds.items()
+    ]
+    return "\n".join(parts)
+
+
+def _members(kind: inspect.Type) -> Iterator[str]:
+    assert isinstance(kind, inspect.UnionType)  # noqa: S101 - both are unions
+    yield from map(_written, kind.types)
+
+
+def _structs(kinds: Any) -> list[inspect.StructType]:
+    """Every struct that is spoken of, in the order of the alphabet."""
+    found: dict[str, inspect.StructType] = {}
+    ahead = list(kinds)
+    while ahead:
+        kind = ahead.pop()
+        if isinstance(kind, inspect.StructType):
+            if kind.cls.__name__ in found:
+                continue
+            found[kind.cls.__name__] = kind
+        ahead += _parts(kind)
+    return [found[name] for name in sorted(found)]
+
+
+def _parts(kind: inspect.Type) -> list[inspect.Type]:
+    match kind:
+        case inspect.StructType(fields=fields):
+            return [one.type for one in fields]
+        case inspect.UnionType(types=types):
+            return list(types)
+        case inspect.ListType(item_type=item) | inspect.VarTupleType(item_type=item):
+            return [item]
+        case inspect.TupleType(item_types=items):
+            return list(items)
+        case inspect.DictType(value_type=value):
+            return [value]
+    return []
+
+
+def _interface(struct: inspect.StructType) -> str:
+    if struct.array_like:
+        fields = ", ".join(f"{one.name}: {_written(one.type)}" for one in struct.fields)
+        return f"export type {struct.cls.__name__} = [{fields}];\n"
+    lines = [f"export interface {struct.cls.__name__} {{"]
+    if struct.tag is not None:
+        lines.append(f'  {struct.tag_field}: "{struct.tag}";')
+    lines += [
+        f"  {one.encode_name}{_mark(struct, one)}: {_written(one.type)};" for one in struct.fields
+    ]
+    return "\n".join([*lines, "}", ""])
+
+
+def _mark(struct: inspect.StructType, one: inspect.Field) -> str:
+    """Whether a field may be absent: we leave defaults out, and a page may."""
+    defaults = struct.cls.__struct_config__.omit_defaults
+    has_default = (
+        one.default is not msgspec.NODEFAULT or one.default_factory is not msgspec.NODEFAULT
+    )
+    return "?" if defaults and has_default else ""
+
+
+def _written(kind: inspect.Type) -> str:
+    scalar = _SCALARS.get(type(kind))
+    return _compound(kind) if scalar is None else scalar
+
+
+def _compound(kind: inspect.Type) -> str:
+    match kind:
+        case inspect.StructType(cls=cls):
+            return str(cls.__name__)
+        case inspect.LiteralType(values=values):
+            return " | ".join(f'"{value}"' for value in values)
+        case inspect.UnionType(types=types):
+            return " | ".join(dict.fromkeys(map(_written, types)))
+        case inspect.ListType(item_type=item) | inspect.VarTupleType(item_type=item):
+            return f"{_bracketed(item)}[]"
+        case inspect.TupleType(item_types=items):
+            return f"[{', '.join(map(_written, items))}]"
+        case inspect.DictType(value_type=value):
+            return f"Record<string, {_written(value)}>"
+    raise TypeError(f"there is no TypeScript for {kind}")
+
+
+def _bracketed(kind: inspect.Type) -> str:
+    text = _written(kind)
+    return f"({text})" if " | " in text else text
+
+
+if __name__ == "__main__":
+    sys.stdout.write(typescript())
