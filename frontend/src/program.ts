@@ -22,7 +22,7 @@ export interface ProgramState {
 const EMPTY: ProgramState = {
   blocktext: "",
   python: "",
-  workspace: {},
+  workspace: { stacks: [], variables: [] },
   places: [],
   problems: [],
   stale: [],
