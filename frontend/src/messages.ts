@@ -385,6 +385,13 @@ export interface SetSpeed {
   factor: number | null;
 }
 
+export interface Settings {
+  kind: "Settings";
+  robot: string;
+  world: string;
+  breakpoints?: string[];
+}
+
 export interface Sound {
   kind: "Sound";
   device: string;
@@ -524,6 +531,7 @@ export type ToPage =
   | Worlds
   | Projects
   | Opened
+  | Settings
   | File
   | History
   | Saved

@@ -34,6 +34,11 @@ export class Running {
       this.state.value = IDLE;
       this.variables.value = this.ended.value = this.telemetry.value = null;
     });
+    connection.on("Settings", (settings) => {
+      this.robot.value = settings.robot;
+      this.world.value = settings.world;
+      this.breakpoints.value = new Set(settings.breakpoints);
+    });
     connection.on("RunState", (state) => {
       if (state.state === "starting") this.variables.value = this.ended.value = null;
       this.state.value = state;

@@ -374,6 +374,14 @@ class Opened(Message, frozen=True):
     recovered: bool = False
 
 
+class Settings(Message, frozen=True):
+    """What is set for the next run, after anyone has changed it."""
+
+    robot: str
+    world: str
+    breakpoints: tuple[str, ...] = ()
+
+
 class File(Message, frozen=True):
     """A file to download."""
 
@@ -740,6 +748,7 @@ ToPage = (
     | Worlds
     | Projects
     | Opened
+    | Settings
     | File
     | History
     | Saved
