@@ -1,6 +1,9 @@
 """A tree as Block-Text, in its one canonical spelling: four spaces, one statement a line."""
 
+from collections.abc import Mapping
+
 from learnblock.language import raw
+from learnblock.language.extents import Extent
 from learnblock.language.nodes import (
     Activate,
     Blank,
@@ -28,6 +31,12 @@ from learnblock.language.writer import ProgramWriter, comment_text
 def format(program: Program) -> str:  # noqa: A001 - the verb that every formatter has
     """A program in Block-Text; the same tree always gives the same text."""
     return _Writer().program(program)
+
+
+def format_with_extents(program: Program) -> tuple[str, Mapping[int, Extent]]:
+    """A program in Block-Text, and the lines of its statements by identity of the node."""
+    writer = _Writer()
+    return writer.program(program), writer.extents
 
 
 class _Writer(ProgramWriter):

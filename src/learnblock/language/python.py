@@ -1,9 +1,10 @@
 """A tree as Python: the program that a good teacher would write, and where its lines come from."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from learnblock.language.extents import Extent, every
 from learnblock.language.nodes import If, Node, Program, Raw, statements
 from learnblock.language.python_writer import PythonWriter
 from learnblock.language.source_map import SourceMap
@@ -14,10 +15,17 @@ ROBOT_IMPORT = re.compile(r"^from[ \t]+([\w.]+)[ \t]+import[ \t]+Robot\b", re.MU
 
 @dataclass(frozen=True, slots=True)
 class PythonText:
-    """Python and where each of its lines comes from."""
+    """Python and where each of its lines comes from.
+
+    Args:
+        text: the program.
+        source_map: between its lines and those of the source.
+        extents: the lines of each statement by identity of the node.
+    """
 
     text: str
     source_map: SourceMap
+    extents: Mapping[int, Extent]
 
 
 def to_python(program: Program, robot_module: str | None = DEFAULT_ROBOT) -> PythonText:
@@ -42,7 +50,8 @@ def canonical(program: Program, robot_module: str) -> PythonText:
     if writer.clashes:
         writer = PythonWriter(program, frozenset(writer.clashes))
         text = writer.program(robot_module)
-    return PythonText(text, SourceMap(tuple(writer.sources), tuple(writer.nodes)))
+    source_map = SourceMap(tuple(writer.sources), tuple(writer.nodes))
+    return PythonText(text, source_map, writer.extents)
 
 
 def _is_raw(program: Program) -> bool:
@@ -61,7 +70,10 @@ def _kept(program: Program, text: str, robot_module: str | None) -> PythonText:
     for line, source, node in _raw_lines(program) if raw_only else _read_lines(program):
         if line <= lines and not sources[line - 1]:
             sources[line - 1], nodes[line - 1] = source, node
-    return PythonText(text, SourceMap(tuple(sources), tuple(nodes)))
+    written = {id(node): (node.span.line, node.span.end_line) for node in every(program)}
+    if raw_only:
+        written = {id(program.items[0]): (1, lines)}
+    return PythonText(text, SourceMap(tuple(sources), tuple(nodes)), written)
 
 
 def _raw_lines(program: Program) -> Iterator[tuple[int, int, Node]]:

@@ -120,6 +120,9 @@ class PythonWriter(ProgramWriter):
         self.lines[place:place] = lines
         self.sources[place:place] = [0] * len(lines)
         self.nodes[place:place] = [None] * len(lines)
+        for key, (first, last) in self.extents.items():
+            if first > place:
+                self.extents[key] = (first + len(lines), last + len(lines))
 
     def body_of(self, items: list[Item]) -> None:
         main = () if self.tree.main is None else (self.tree.main,)

@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, ClassVar
 
 from learnblock.language.expression_writer import ExpressionWriter
+from learnblock.language.extents import Extent
 from learnblock.language.layout import placed
 from learnblock.language.nodes import (
     Activate,
@@ -76,9 +77,12 @@ class ProgramWriter(ExpressionWriter):
     def __init__(self) -> None:
         self.lines: list[str] = []
         self.indent = ""
+        self.extents: dict[int, Extent] = {}
 
     def item(self, item: Item | Main) -> None:
+        first = len(self.lines) + 1
         self.items[type(item)](self, item)
+        self.extents[id(item)] = (first, len(self.lines))
 
     def in_order(self, items: Sequence[Item | Main]) -> None:
         """Items of the top level, with the blank lines between them."""
@@ -97,9 +101,8 @@ class ProgramWriter(ExpressionWriter):
     def block(self, header: str, body: Body, node: Node, comment: str | None) -> None:
         self.line(header + ":", node, comment)
         outer, self.indent = self.indent, self.indent + "    "
-        items = self.items
         for statement in body or (Pass(),):
-            items[type(statement)](self, statement)
+            self.item(statement)
         self.indent = outer
 
     def closed(self, header: str, node: Any) -> None:
