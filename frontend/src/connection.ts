@@ -6,7 +6,8 @@ import type { FromPage, ToPage } from "./messages";
 
 type Listener = (message: ToPage) => void;
 type FrameListener = (jpeg: Blob) => void;
-export type ConnectionState = "connecting" | "open" | "lost";
+/** `refused` is for good: the server knows another token, as after it was started anew. */
+export type ConnectionState = "connecting" | "open" | "lost" | "refused";
 
 const FIRST_DELAY = 250;
 const LONGEST_DELAY = 4000;
@@ -72,7 +73,7 @@ export class Connection {
   }
 
   private closed(code: number): void {
-    this.state.value = "lost";
+    this.state.value = code === FORBIDDEN ? "refused" : "lost";
     if (code === FORBIDDEN) return;
     setTimeout(() => this.open(), this.delay);
     this.delay = Math.min(this.delay * 2, LONGEST_DELAY);

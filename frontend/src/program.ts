@@ -31,6 +31,16 @@ const EMPTY: ProgramState = {
   canRedo: false,
 };
 
+/** A view's content as its user left it. */
+interface Edit {
+  readonly view: View;
+  readonly content: string | Workspace;
+}
+
+function field(view: View): Notation | "workspace" {
+  return view === "blocks" ? "workspace" : view;
+}
+
 /**
  * The three views' common ground.
  *
@@ -40,6 +50,9 @@ const EMPTY: ProgramState = {
  */
 export class Program {
   readonly state = signal<ProgramState>(EMPTY);
+  /** The last edit, until it is on disk: said again when the connection was lost before that. */
+  readonly unsaved = signal<Edit | null>(null);
+  private project = "";
   private latest = EMPTY;
   private edits = 0;
   private answered = 0;
@@ -47,8 +60,11 @@ export class Program {
   private frame = 0;
 
   constructor(private readonly connection: Connection) {
-    connection.on("Opened", () => this.reset());
+    connection.on("Opened", (opened) => this.opened(opened.name));
     connection.on("Document", (document) => this.receive(document));
+    connection.on("Saved", (saved) => {
+      if (saved.edit >= this.edits) this.unsaved.value = null;
+    });
   }
 
   /** Whether the server has seen, and answered, everything that was edited. */
@@ -58,20 +74,12 @@ export class Program {
 
   /** The workspace has been edited; `read` is called once a frame at most. */
   editedBlocks(read: () => Workspace): void {
-    this.schedule("blocks", () => {
-      const workspace = read();
-      this.latest = { ...this.latest, workspace };
-      this.connection.send({ kind: "EditBlocks", edit: ++this.edits, workspace });
-    });
+    this.schedule("blocks", () => this.edited({ view: "blocks", content: read() }));
   }
 
   /** A text has been edited; `read` is called once a frame at most. */
   editedText(notation: Notation, read: () => string): void {
-    this.schedule(notation, () => {
-      const text = read();
-      this.latest = { ...this.latest, [notation]: text };
-      this.connection.send({ kind: "EditText", edit: ++this.edits, notation, text });
-    });
+    this.schedule(notation, () => this.edited({ view: notation, content: read() }));
   }
 
   /** Send what is still to be sent, before a message that speaks of it. */
@@ -98,6 +106,18 @@ export class Program {
     if (!this.frame) this.frame = requestAnimationFrame(() => this.flush());
   }
 
+  private edited(edit: Edit): void {
+    this.unsaved.value = edit;
+    const { view, content } = edit;
+    this.latest = { ...this.latest, [field(view)]: content };
+    this.edits += 1;
+    if (typeof content !== "string") {
+      this.connection.send({ kind: "EditBlocks", edit: this.edits, workspace: content });
+    } else if (view !== "blocks") {
+      this.connection.send({ kind: "EditText", edit: this.edits, notation: view, text: content });
+    }
+  }
+
   private receive(document: Document): void {
     this.answered = Math.max(this.answered, document.edit);
     this.latest = {
@@ -111,12 +131,25 @@ export class Program {
       canUndo: document.can_undo ?? false,
       canRedo: document.can_redo ?? false,
     };
-    if (this.settled) this.state.value = this.latest;
+    if (!this.settled) return;
+    if (this.superseded()) this.unsaved.value = null;
+    this.state.value = this.latest;
   }
 
-  private reset(): void {
-    this.pending.clear();
+  /** Whether what the user left has been changed since, as by undoing: it is not to be said again. */
+  private superseded(): boolean {
+    const edit = this.unsaved.value;
+    return edit !== null && this.latest[field(edit.view)] !== edit.content;
+  }
+
+  /** A project is open: another one, or the same one after the connection was lost. */
+  private opened(name: string): void {
+    const unsaved = name === this.project ? this.unsaved.value : null;
+    if (name !== this.project) this.pending.clear();
+    this.project = name;
     this.edits = this.answered = 0;
     this.latest = EMPTY;
+    this.unsaved.value = null;
+    if (unsaved) this.edited(unsaved);
   }
 }
