@@ -1,12 +1,23 @@
-import { defineConfig } from "vite";
+import { defineConfig, loadEnv } from "vite";
 
-// Relative addresses throughout: the page also lives behind a proxy, at whatever path.
-export default defineConfig({
-  base: "./",
-  build: {
-    outDir: "../src/learnblock/server/static",
-    emptyOutDir: true,
-    // Blockly alone is larger than Vite's idea of a large file.
-    chunkSizeWarningLimit: 1500,
-  },
+export default defineConfig(({ mode }) => {
+  // `learnblock dev` starts Vite beside a server and says where that is.
+  const env = loadEnv(mode, ".", "LEARNBLOCK_");
+  const target = env["LEARNBLOCK_SERVER"] ?? "http://127.0.0.1:8421";
+  // To the server a page that Vite serves looks like its own.
+  const headers = { origin: target, cookie: `learnblock_token=${env["LEARNBLOCK_TOKEN"] ?? ""}` };
+  const own = { target, changeOrigin: true, headers };
+  return {
+    // Relative addresses throughout: the page also lives behind a proxy, at whatever path.
+    base: "./",
+    build: {
+      outDir: "../src/learnblock/server/static",
+      emptyOutDir: true,
+      // Blockly alone is larger than Vite's idea of a large file.
+      chunkSizeWarningLimit: 1500,
+    },
+    server: {
+      proxy: { "/ws": { ...own, ws: true }, "/palette": own, "/textures": own, "/worlds": own },
+    },
+  };
 });
