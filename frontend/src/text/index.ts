@@ -1,0 +1,133 @@
+/** A text view: the program as Block-Text or as Python. */
+
+import "./text.css";
+
+import { computed, effect, type ReadonlySignal } from "@preact/signals";
+import { Compartment, EditorState } from "@codemirror/state";
+import { EditorView } from "@codemirror/view";
+
+import type { Context } from "../context";
+import type { Island } from "../island";
+import type { Notation } from "../messages";
+import type { ProgramState } from "../program";
+import { Actions } from "./actions";
+import { showBreakpoints } from "./breakpoints";
+import { extensions } from "./editor";
+import { Outline } from "./outline";
+import { words } from "./phrases";
+import { positionOf, scrollTo, selectAt } from "./places";
+import { showProblems } from "./problems";
+import { Requests } from "./requests";
+import { showRunning } from "./runningline";
+import { showText, tellEdits } from "./sync";
+import { createToolbar } from "./toolbar";
+
+export interface TextIsland extends Island {
+  focus(): void;
+  /** Show a statement: the block's id. */
+  reveal(block: string): void;
+  /** Go to a line and column, from 1; column 0 is the line's first word. */
+  goTo(line: number, column: number): void;
+}
+
+class TextView implements TextIsland {
+  readonly dom = document.createElement("section");
+  private readonly requests: Requests;
+  private readonly outline: ReadonlySignal<Outline>;
+  private readonly view: EditorView;
+  private readonly toolbar: Island;
+  private readonly words = new Compartment();
+  private readonly disposers: (() => void)[];
+  private shown: ProgramState | null = null;
+  private hasProblems = false;
+  private hasBreakpoints = false;
+  private runs = false;
+
+  constructor(
+    private readonly context: Context,
+    private readonly notation: Notation,
+  ) {
+    const { program } = context;
+    this.outline = computed(() => new Outline(program.state.value.places, notation));
+    this.requests = new Requests(context, notation);
+    const actions = new Actions(context, this.requests, this.outline);
+    this.view = new EditorView({ state: this.firstState(actions) });
+    this.toolbar = createToolbar(actions, this.view);
+    this.dom.className = "text-view";
+    this.dom.append(this.toolbar.dom, this.view.dom);
+    this.disposers = [
+      effect(() => this.showProgram()),
+      effect(() => this.showBreakpoints()),
+      effect(() => this.showRunning()),
+      effect(() => this.view.dispatch({ effects: this.words.reconfigure(words(notation)) })),
+    ];
+  }
+
+  focus(): void {
+    this.view.focus();
+  }
+
+  reveal(block: string): void {
+    const lines = this.outline.value.head(block);
+    if (lines) this.goTo(lines.first, 0);
+  }
+
+  goTo(line: number, column: number): void {
+    selectAt(this.view, positionOf(this.view.state, line, column));
+  }
+
+  destroy(): void {
+    for (const dispose of this.disposers) dispose();
+    this.toolbar.destroy();
+    this.requests.destroy();
+    this.view.destroy();
+  }
+
+  private firstState(actions: Actions): EditorState {
+    return EditorState.create({
+      extensions: [
+        this.words.of([]),
+        extensions(this.notation, actions, this.requests),
+        tellEdits(this.context.program, this.notation),
+      ],
+    });
+  }
+
+  /** Every effect begins here: lines mean nothing before their text is shown. */
+  private showProgram(): void {
+    const state = this.context.program.state.value;
+    if (state === this.shown) return;
+    this.shown = state;
+    showText(this.view, state[this.notation]);
+    this.dom.classList.toggle("stale", state.stale.includes(this.notation));
+    const problems = state.problems.filter(({ view }) => view === this.notation);
+    if (problems.length > 0 || this.hasProblems) showProblems(this.view, problems);
+    this.hasProblems = problems.length > 0;
+  }
+
+  private showBreakpoints(): void {
+    this.showProgram();
+    const outline = this.outline.value;
+    const heads = [...this.context.running.breakpoints.value].map((block) => outline.head(block));
+    const lines = heads.flatMap((head) => (head ? [head.first] : []));
+    if (lines.length > 0 || this.hasBreakpoints) showBreakpoints(this.view, lines);
+    this.hasBreakpoints = lines.length > 0;
+  }
+
+  private showRunning(): void {
+    this.showProgram();
+    const { running } = this.context;
+    const block = running.block.value;
+    const lines = block ? this.outline.value.head(block) : null;
+    const held = running.state.value.state === "held";
+    if (lines || this.runs) showRunning(this.view, lines, held);
+    this.runs = lines !== null;
+    // Whoever types elsewhere while the program runs is not carried off.
+    if (lines && (held || !this.view.hasFocus)) scrollTo(this.view, positionOf(this.view.state, lines.first, 0));
+  }
+}
+
+/** A view of the program in one notation. */
+export function createText(context: Context, notation: Notation): TextIsland {
+  return new TextView(context, notation);
+}

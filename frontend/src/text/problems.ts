@@ -1,0 +1,37 @@
+/** The program's problems, underlined in the text and marked beside it. */
+
+import { lintGutter, lintKeymap, previousDiagnostic, setDiagnostics, type Diagnostic } from "@codemirror/lint";
+import { Prec, type EditorState, type Extension } from "@codemirror/state";
+import { keymap, type EditorView } from "@codemirror/view";
+
+import type { Problem } from "../messages";
+import { positionOf } from "./places";
+
+function endOf(state: EditorState, problem: Problem, from: number): number {
+  const line = problem.line ?? 0;
+  const end = problem.end_column ?? 0;
+  if (end > 0) return Math.max(from, positionOf(state, line, end));
+  const column = problem.column ?? 0;
+  const word = column > 0 ? state.wordAt(from) : null;
+  return word ? word.to : state.doc.lineAt(from).to;
+}
+
+function diagnostic(state: EditorState, problem: Problem): Diagnostic {
+  const from = positionOf(state, problem.line ?? 0, problem.column ?? 0);
+  const to = endOf(state, problem, from);
+  return { from, to, severity: problem.severity, message: problem.message };
+}
+
+/** Show the problems of one text. */
+export function showProblems(view: EditorView, problems: readonly Problem[]): void {
+  const { state } = view;
+  const diagnostics = problems.map((problem) => diagnostic(state, problem));
+  diagnostics.sort((a, b) => a.from - b.from);
+  view.dispatch(setDiagnostics(state, diagnostics));
+}
+
+/** F8 goes to the next problem, Shift+F8 to the one before. */
+export function problemMarks(): Extension {
+  const keys = [...lintKeymap, { key: "Shift-F8", run: previousDiagnostic }];
+  return [lintGutter(), Prec.high(keymap.of(keys))];
+}
