@@ -49,6 +49,9 @@ class Witness(Protocol):
     def pose(self, time: float, pose: Pose) -> None:
         """Where the robot is at that time; told every 0.1 s."""
 
+    def placed(self, time: float, pose: Pose) -> None:
+        """Somebody lifted the robot at that time and set it down there."""
+
     def goal(self, time: float, name: str, state: str) -> None:
         """A goal of the world was ``reached`` or ``failed``."""
 

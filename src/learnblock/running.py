@@ -142,17 +142,24 @@ class Options:
         seed: of all noise.
         pace: ``free``, ``real`` or a factor.
         seconds: the robot's time after which the run ends.
+        start: (x mm, y mm, heading in degrees) where a simulated robot begins.
     """
 
     world: str | None = None
     seed: int | None = None
     pace: str | None = None
     seconds: float | None = None
+    start: Pose | None = None
 
     @property
     def wishes(self) -> dict[str, Any]:
         """What only a simulated robot understands."""
-        given = {"world": self.world, "seed": self.seed, "pace": self.pace}
+        given = {
+            "world": self.world,
+            "seed": self.seed,
+            "pace": self.pace,
+            "start": self.start,
+        }
         return {name: value for name, value in given.items() if value is not None}
 
 

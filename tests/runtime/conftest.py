@@ -3,6 +3,7 @@
 import io
 import json
 import subprocess
+import threading
 from dataclasses import dataclass, field
 
 import pytest
@@ -26,7 +27,7 @@ class TinyWorld:
 
     def __init__(self, dt=0.01, seed=7):
         self.dt, self.seed, self.steps = dt, seed, 0
-        self.pacing = Pacing()
+        self.pacing, self.lock = Pacing(), threading.RLock()
 
     def advance(self, step):
         while self.steps < step:

@@ -1,8 +1,10 @@
 """Robots of the embedded simulator: the twins, which run wherever LearnBlock is installed."""
 
+import math
 import os
 import random
-from collections.abc import Callable, Iterator, Mapping
+import threading
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, ClassVar, Self
@@ -66,8 +68,11 @@ class Simulation:
         self.pacing = pacing or Pacing()
         self.dt = world.dt
         self.seed = world.seed
+        #: Held while the world changes: who looks at it from another thread takes it as well.
+        self.lock = threading.RLock()
         #: Are told where a robot is, by its name, and of the world's goals.
         self.witnesses: dict[str, Witness] = {}
+        self._placed: list[tuple[str, float, Pose]] = []
 
     @property
     def steps(self) -> int:
@@ -82,10 +87,26 @@ class Simulation:
         """Make steps, no faster than the pace allows, until `steps` is `step`."""
         while self.world.steps < step:
             self.pacing.wait(self.world.time)
-            self.world.step()
-            self._report()
+            with self.lock:
+                self.world.step()
+                self._report()
+
+    def place(self, name: str, x: float, y: float, heading: float) -> None:
+        """Lift a robot and set it down elsewhere (mm, mm, degrees); from any thread.
+
+        Raises:
+            ValueError: one of them is no finite number.
+        """
+        with self.lock:
+            self.world.robots[name].place(x, y, heading)
+            # Told with the next step: a trace is written by one thread alone.
+            self._placed.append((name, self.world.time, (x, y, heading)))
 
     def _report(self) -> None:
+        for name, time, pose in self._placed:
+            if name in self.witnesses:
+                self.witnesses[name].placed(time, pose)
+        self._placed.clear()
         for event in self.world.take_events():
             self._report_goal(event)
         if self.world.steps % STEPS_PER_POSE == 0:
@@ -139,6 +160,8 @@ class SimulatedRobot(Client):
             else the robot's own default.
         seed: of all noise; ``LEARNBLOCK_SEED`` or else 0.
         pace: ``"free"``, ``"real"`` or a factor of real time; ``LEARNBLOCK_PACE`` or else free.
+        start: (x mm, y mm, heading in degrees) where it is put; by default a start pose of the
+            world.
         simulation: the world of a host that advances it itself.
         name: the robot's among those of the world.
 
@@ -158,10 +181,12 @@ class SimulatedRobot(Client):
         world: str | None = None,
         seed: int | None = None,
         pace: str | float | None = None,
+        start: Pose | None = None,
         simulation: Simulation | None = None,
         name: str = "robot",
     ) -> None:
         self.name = name
+        self.start = _start(start)
         self._restore_time: Callable[[], None] | None = None
         self._end_trace: Callable[[], None] | None = None
         self.simulation = simulation or self.make_simulation(world=world, seed=seed, pace=pace)
@@ -195,19 +220,29 @@ class SimulatedRobot(Client):
     @cached_property
     def body(self) -> RobotBody:
         """The robot in its world."""
-        return self.simulation.world.add_robot(self.description(), name=self.name)
+        world = self.simulation.world
+        return world.add_robot(self.description(), name=self.name, start=self.start)
 
     @classmethod
     def check_wishes(cls, wishes: Mapping[str, Any]) -> None:
-        cls.make_simulation(**wishes)
+        cls._prepared(wishes)
 
     @classmethod
     def hosted(cls, arguments: Mapping[str, Any], wishes: Mapping[str, Any]) -> Self:
-        return cls(simulation=cls.make_simulation(**{**arguments, **wishes}))
+        simulation, start = cls._prepared({**arguments, **wishes})
+        return cls(simulation=simulation, start=start)
+
+    @classmethod
+    def _prepared(cls, wishes: Mapping[str, Any]) -> tuple[Simulation, Pose | None]:
+        others = {name: wish for name, wish in wishes.items() if name != "start"}
+        return cls.make_simulation(**others), _start(wishes.get("start"))
 
     def conditions(self) -> dict[str, object]:
         world = self.simulation.world
-        return {**super().conditions(), "world": world.description.name, "seed": world.seed}
+        named = {"world": world.description.name, "seed": world.seed}
+        # Only where it was chosen: else the world says where it is.
+        start = {} if self.start is None else {"start": list(self.start)}
+        return {**super().conditions(), **named, **start}
 
     def where(self) -> Pose:
         return self.body.pose
@@ -221,7 +256,7 @@ class SimulatedRobot(Client):
         return Outcome(
             pose=(round(x, 3), round(y, 3), round(heading, 3)),
             distance=round(self.body.distance_driven, 3),
-            goals=tuple(map(_goal, self.simulation.world.goals)),
+            goals=tuple(map(goal_of, self.simulation.world.goals)),
         )
 
     def connect(self) -> None:
@@ -260,19 +295,25 @@ def find_world(name_or_path: str) -> WorldDescription:
         WorldError: its file is wrong.
     """
     try:
-        return load_world(name_or_path, folders=(_own_worlds(),))
+        return load_world(name_or_path, folders=(own_worlds(),))
     except UnknownNameError:
         # Plugins last: to know them one has to search all that is installed.
-        return load_world(name_or_path, folders=(_own_worlds(), *_plugin_worlds()))
+        return load_world(name_or_path, folders=(own_worlds(), *_plugin_worlds()))
 
 
 def worlds() -> Iterator[WorldDescription]:
     """Every world there is: ours, the user's own and those of plugins."""
-    for name in world_names(folders=(_own_worlds(), *_plugin_worlds())):
+    for name in known_worlds():
         yield find_world(name)
 
 
-def _own_worlds() -> Path:
+def known_worlds() -> tuple[str, ...]:
+    """The names of every world there is."""
+    return world_names(folders=(own_worlds(), *_plugin_worlds()))
+
+
+def own_worlds() -> Path:
+    """The folder of the user's own worlds, which need not be there."""
     return home() / "worlds"
 
 
@@ -333,7 +374,8 @@ def pace_factor(pace: str | float) -> float | None:
     return factor
 
 
-def _goal(goal: GoalState) -> Goal:
+def goal_of(goal: GoalState) -> Goal:
+    """A goal of a world as reports tell it."""
     if goal.reached_at is not None:
         return Goal(goal.name, goal.kind, "reached", goal.reached_at)
     return Goal(
@@ -351,6 +393,18 @@ def _seed(seed: int | None) -> int:
         return int(chosen)
     except ValueError:
         raise DeviceValueError(f"`seed` must be a whole number, not {chosen!r}") from None
+
+
+def _start(start: Sequence[float] | None) -> Pose | None:
+    if start is None:
+        return None
+    try:
+        x, y, heading = (float(value) for value in start)
+    except (TypeError, ValueError):
+        raise DeviceValueError(f"`start` must be (x, y, heading), not {start!r}") from None
+    if not all(map(math.isfinite, (x, y, heading))):
+        raise DeviceValueError(f"`start` must be three finite numbers, not {start!r}")
+    return x, y, heading
 
 
 # One function for each type of device: what it is built from in the simulator.

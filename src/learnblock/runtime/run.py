@@ -2,6 +2,7 @@
 
 import signal
 from collections.abc import Callable, Collection, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from functools import partial
 from time import monotonic
@@ -35,6 +36,8 @@ class Simulation(Protocol):
     dt: float
     seed: int
     pacing: Pacing
+    #: Held during each step and each call of a device: others may look at the world meanwhile.
+    lock: AbstractContextManager[object]
 
     @property
     def steps(self) -> int:
@@ -116,6 +119,11 @@ class Run:
     def simulation(self) -> Simulation | None:
         """The world of a simulated robot; None on a real one, and before there is a robot."""
         return self._simulation
+
+    @property
+    def _exclusive(self) -> AbstractContextManager[object]:
+        """Within it nobody else touches the world of a simulated robot."""
+        return self._simulation.lock if self._simulation else nullcontext()
 
     @property
     def _awaits_us(self) -> bool:
@@ -291,7 +299,8 @@ class Run:
     def _stop_robot(self) -> None:
         if self.client:
             try:
-                self.client.stop()
+                with self._exclusive:
+                    self.client.stop()
             except Exception as error:  # noqa: BLE001 - a driver may raise whatever it likes
                 self._not_stopped = f"the robot could not be stopped: {_told(error)}"
 
@@ -345,7 +354,8 @@ class Run:
                 "the robot has been stopped: nothing can be asked of it any more"
             )
         try:
-            return self._functions[message.device][message.function](*message.args)
+            with self._exclusive:
+                return self._functions[message.device][message.function](*message.args)
         except LearnBlockError:
             raise
         except Exception as error:

@@ -117,6 +117,9 @@ class Recorder:
         self.path.append((time, pose))
         self._write_at(time, "pose", _rounded(pose))
 
+    def placed(self, time: float, pose: Pose) -> None:
+        self._write_at(time, "placed", _rounded(pose))
+
     def goal(self, time: float, name: str, state: str) -> None:
         self._mark(time, "goal", f"{name}: {state}")
         self._write_at(time, "goal", name, state=state)

@@ -7,12 +7,19 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from learnblock.simulator.camera import CameraModel, CameraPose, Surface, render
+    from learnblock.simulator.camera import CameraModel, CameraPose, Surface, View, render
     from learnblock.simulator.goals import GoalState
     from learnblock.simulator.robot_body import LogEntry, RobotBody
     from learnblock.simulator.robot_description import RobotDescription, load_robot, robot_names
     from learnblock.simulator.world import World, WorldEvent
-    from learnblock.simulator.world_description import WorldDescription, load_world, world_names
+    from learnblock.simulator.world_description import (
+        WorldDescription,
+        WorldFile,
+        load_world,
+        read_world,
+        world_names,
+        write_world,
+    )
 
 __all__ = [
     "CameraModel",
@@ -22,23 +29,34 @@ __all__ = [
     "RobotBody",
     "RobotDescription",
     "Surface",
+    "View",
     "World",
     "WorldDescription",
     "WorldEvent",
+    "WorldFile",
     "load_robot",
     "load_world",
+    "read_world",
     "render",
     "robot_names",
     "world_names",
+    "write_world",
 ]
 
 _MODULES = {
-    "camera": ("CameraModel", "CameraPose", "Surface", "render"),
+    "camera": ("CameraModel", "CameraPose", "Surface", "View", "render"),
     "goals": ("GoalState",),
     "robot_body": ("LogEntry", "RobotBody"),
     "robot_description": ("RobotDescription", "load_robot", "robot_names"),
     "world": ("World", "WorldEvent"),
-    "world_description": ("WorldDescription", "load_world", "world_names"),
+    "world_description": (
+        "WorldDescription",
+        "WorldFile",
+        "load_world",
+        "read_world",
+        "world_names",
+        "write_world",
+    ),
 }
 
 

@@ -140,6 +140,20 @@ class Surface:
         return self._levels[number]
 
 
+@dataclass(frozen=True, slots=True)
+class View:
+    """A picture about to be drawn: see `render`."""
+
+    surfaces: tuple[Surface, ...]
+    model: CameraModel
+    pose: CameraPose
+    noise: tuple[np.random.Generator, float] | None = None
+
+    def picture(self) -> Image:
+        """Draw it, once: the noise is used up by it."""
+        return render(self.surfaces, self.model, self.pose, noise=self.noise)
+
+
 def render(
     surfaces: Iterable[Surface],
     model: CameraModel,

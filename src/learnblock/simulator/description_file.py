@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import msgspec
+import tomli_w
 from msgspec import inspect
 
 from learnblock.errors import Diagnostic, FileError, UnknownNameError, did_you_mean
@@ -50,16 +51,65 @@ def read(
         check: finds what `struct`'s types let through.
     """
     source = _text(file, error)
-    document = _document(file, source, error)
+    return convert(
+        _document(file, source, error), struct, error, check, name=file.name, source=source
+    )
+
+
+def convert(
+    document: Mapping[str, Any],
+    struct: type[StructT],
+    error: type[FileError],
+    check: Callable[[StructT], Iterable[Finding]],
+    *,
+    name: str,
+    source: str = "",
+) -> StructT:
+    """The values of a file as a `struct`.
+
+    Args:
+        document: the values by their keys.
+        struct: what they must be.
+        error: what to raise, with the diagnostics and the text.
+        check: finds what `struct`'s types let through.
+        name: of the file.
+        source: the file's text, in which the lines are counted.
+    """
     try:
         described = msgspec.convert(document, struct)
     except msgspec.ValidationError as refusal:
         finding = _explain(str(refusal), document, inspect.type_info(struct))
-        raise error(file.name, [_diagnostic(finding, source)], source) from None
+        raise error(name, [_diagnostic(finding, source)], source) from None
     findings = [_diagnostic(finding, source) for finding in check(described)]
     if findings:
-        raise error(file.name, sorted(findings, key=lambda d: (d.line, d.column)), source)
+        raise error(name, sorted(findings, key=lambda d: (d.line, d.column)), source)
     return described
+
+
+def write(struct: msgspec.Struct, name: str, error: type[FileError]) -> str:
+    """The text of a file that `read` makes the same `struct` of, without what is as by default.
+
+    Args:
+        struct: what the file shall hold.
+        name: of the file.
+        error: what to raise when the text is larger than `read` accepts.
+    """
+    text = tomli_w.dumps(_document_of(struct))
+    size = len(text.encode())
+    if size > MAXIMUM_FILE_SIZE:
+        message = f"the file would have {size} bytes; at most {MAXIMUM_FILE_SIZE} are read"
+        raise error(name, [Diagnostic("too-large", message)])
+    return text
+
+
+def _document_of(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return [_document_of(item) for item in value]
+    if not isinstance(value, msgspec.Struct):
+        return value
+    fields = msgspec.structs.fields(value)
+    values = ((field, getattr(value, field.name)) for field in fields)
+    return {field.name: _document_of(given) for field, given in values if given != field.default}
 
 
 def locate(kind: str, name_or_path: str | Path, folders: Sequence[Path]) -> Path:

@@ -19,7 +19,7 @@ from learnblock.simulator.physics import DT, Physics
 from learnblock.simulator.robot_description import NOTHING_SEEN, RobotDescription
 
 if TYPE_CHECKING:
-    from learnblock.simulator.camera import Surface
+    from learnblock.simulator.camera import Surface, View
 
 PartT = TypeVar("PartT")
 
@@ -113,6 +113,8 @@ class RobotBody:
         self.chassis = Chassis(world.physics, description, name, group, errors)
         self.chassis.place(pose)
         self._log: deque[LogEntry] = deque(maxlen=LOG_LENGTH)
+        #: Commands that were ever noted, also those the log has forgotten.
+        self.noted = 0
         self._gyroscope_zero = (self.chassis.turned, world.steps)
         self._joints = {
             joint.key: _JointState(rest, rest, world.steps)
@@ -278,10 +280,33 @@ class RobotBody:
         camera = self._camera(key)
         taken, picture = self._frames.get(key, (0, None))
         if picture is None or self._world.steps - taken >= camera.period:
-            picture = self._rendered(camera)
+            picture = self.view(key).picture()
             picture.flags.writeable = False
             self._frames[key] = (self._world.steps, picture)
         return picture
+
+    def view(self, key: str = "ROBOT") -> "View":
+        """What a camera sees now, to be drawn later: for those who look over the robot's shoulder.
+
+        No frame is taken: the robot's own newest one stays what it is.
+
+        Raises:
+            UnknownNameError: the robot has no such camera.
+        """
+        # Here and not above: a world without a camera does without OpenCV.
+        from learnblock.simulator.camera import (  # noqa: PLC0415 - see the line above
+            CameraModel,
+            CameraPose,
+            View,
+        )
+
+        camera = self._camera(key)
+        tilt = self.joint(camera.joint) if camera.joint is not None else 0.0
+        heading = self.chassis.pose.heading
+        pose = CameraPose(*self._at(camera.x, 0.0), camera.z, heading, camera.pitch + tilt)
+        model = CameraModel(camera.width, camera.height, camera.focal)
+        surfaces = tuple(self._world.surfaces(without=self.name))
+        return View(surfaces, model, pose, self._camera_noise(camera))
 
     def show_emotion(self, name: str) -> None:
         """Show an emotion on the screen, or as the colour of the LEDs.
@@ -317,6 +342,7 @@ class RobotBody:
             values: what it was told.
         """
         self._log.append(LogEntry(self._world.time, device, action, values))
+        self.noted += 1
 
     def _wheel_error(self, wheel: str, deviation: float) -> float:
         error = deviation * self._noise.normal(f"{wheel} wheel")
@@ -375,21 +401,6 @@ class RobotBody:
         if key not in cameras:
             raise UnknownNameError("camera", key, cameras)
         return cameras[key]
-
-    def _rendered(self, camera: robot_description.Camera) -> NDArray[np.uint8]:
-        # Here and not above: a world without a camera does without OpenCV.
-        from learnblock.simulator.camera import (  # noqa: PLC0415 - see the line above
-            CameraModel,
-            CameraPose,
-            render,
-        )
-
-        tilt = self.joint(camera.joint) if camera.joint is not None else 0.0
-        heading = self.chassis.pose.heading
-        pose = CameraPose(*self._at(camera.x, 0.0), camera.z, heading, camera.pitch + tilt)
-        model = CameraModel(camera.width, camera.height, camera.focal)
-        surfaces = self._world.surfaces(without=self.name)
-        return render(surfaces, model, pose, noise=self._camera_noise(camera))
 
     def _camera_noise(
         self, camera: robot_description.Camera

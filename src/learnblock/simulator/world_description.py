@@ -7,9 +7,9 @@ middle of the floor; headings are degrees clockwise, 0 looks east.
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
 from msgspec import Meta, Struct
 
@@ -301,6 +301,26 @@ def load_world(name_or_path: str | Path, folders: Sequence[Path] = ()) -> WorldD
     world = description_file.read(file, WorldFile, WorldError, lambda w: _check(w, file.parent))
     values = {field: getattr(world, field) for field in WorldFile.__struct_fields__}
     return WorldDescription(name=file.stem, folder=str(file.parent), **values)
+
+
+def read_world(values: Mapping[str, Any], folder: Path) -> WorldFile:
+    """A world of values such as an editor makes, whose floor's picture lies in `folder`.
+
+    Raises:
+        WorldError: they are wrong.
+    """
+    return description_file.convert(
+        values, WorldFile, WorldError, lambda world: _check(world, folder), name="world.toml"
+    )
+
+
+def write_world(world: WorldFile, name: str) -> str:
+    """The text of a world's file.
+
+    Raises:
+        WorldError: it would be larger than `load_world` accepts.
+    """
+    return description_file.write(world, f"{name}.toml", WorldError)
 
 
 def world_names(folders: Sequence[Path] = ()) -> tuple[str, ...]:

@@ -1,0 +1,115 @@
+"""Worlds as the page edits and draws them: values, pictures, and files in the user's folder."""
+
+import os
+import re
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from learnblock.errors import Diagnostic, WorldError
+from learnblock.robots.picture import png
+from learnblock.robots.simulated import find_world, own_worlds
+from learnblock.simulator import WorldFile, read_world, write_world
+
+Lines = tuple[tuple[tuple[float, float], ...], ...]
+
+_NAME = re.compile(r"\w(?:[\w -]{0,38}\w)?")
+
+
+def world_values(world: WorldFile) -> dict[str, Any]:
+    """A world as its file says, with every default, and without the folder it lies in."""
+    values = msgspec.to_builtins(world)
+    return {field: values[field] for field in WorldFile.__struct_fields__}
+
+
+def world_lines(world: WorldFile) -> Lines:
+    """For each painted line the corners of its middle, mm."""
+    return tuple(
+        tuple((float(x), float(y)) for x, y in line.polyline().points) for line in world.line
+    )
+
+
+def world_from_values(values: Mapping[str, Any]) -> WorldFile:
+    """The world that the page has edited.
+
+    Raises:
+        WorldError: it is wrong; the diagnostics say where.
+    """
+    return read_world(values, own_worlds())
+
+
+def check_world(values: Mapping[str, Any]) -> tuple[str, ...]:
+    """What is wrong with a world that the page has edited, in sentences."""
+    try:
+        world_from_values(values)
+    except WorldError as error:
+        return tuple(diagnostic.message for diagnostic in error.diagnostics)
+    return ()
+
+
+def save_world(name: str, values: Mapping[str, Any]) -> Path:
+    """Write a world into the user's folder: as a whole or not at all.
+
+    Raises:
+        WorldError: the world or its name is wrong.
+        OSError: the file cannot be written.
+    """
+    if not _NAME.fullmatch(name):
+        message = (
+            f"a world cannot be called {name!r}: use up to 40 letters, digits, `-`, `_` and blanks"
+        )
+        raise WorldError(name, [Diagnostic("wrong-name", message)])
+    text = write_world(world_from_values(values), name)
+    folder = own_worlds()
+    folder.mkdir(parents=True, exist_ok=True)
+    return _write(folder / f"{name}.toml", text)
+
+
+def tag_picture(number: int) -> bytes:
+    """The tag of that number, with its white margin, as PNG.
+
+    Raises:
+        TextureError: there is no such tag.
+    """
+    from learnblock.simulator import textures  # noqa: PLC0415 - it brings OpenCV
+
+    return png(textures.tag(number, 160))
+
+
+def face_picture(emotion: str) -> bytes:
+    """The drawn face that shows an emotion, as PNG.
+
+    Raises:
+        UnknownNameError: there is no such face.
+    """
+    from learnblock.simulator import textures  # noqa: PLC0415 - as above
+
+    return png(textures.face(emotion, 400))
+
+
+def floor_picture(name: str) -> bytes | None:
+    """The PNG file that is stretched over a world's ground, or None if it has none.
+
+    Raises:
+        UnknownNameError: there is no such world.
+        WorldError: its file is wrong.
+    """
+    world = find_world(name)
+    return Path(world.folder, world.floor.picture).read_bytes() if world.floor.picture else None
+
+
+def _write(path: Path, text: str) -> Path:
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}.")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        Path(name).replace(path)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+    return path
