@@ -1,0 +1,201 @@
+/** From where one looks: round about, from above, or along with the robot. */
+
+import { MOUSE, PerspectiveCamera, TOUCH, Vector3 } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+
+import type { XY } from "./description";
+import { between } from "./geometry";
+
+export type CameraMode = "orbit" | "follow" | "top";
+
+/** ms in which it moves to another place. */
+const MOVE = 350;
+const UP = new Vector3(0, 0, 1);
+const FROM_SOUTH = new Vector3(0, -0.8, 1).normalize();
+// A trace to the south, so that north is up on the screen.
+const FROM_ABOVE = new Vector3(0, -0.001, 1).normalize();
+const STEEPEST = 0.001;
+const FLATTEST = 1.5;
+const FOLLOW_DISTANCE = 900;
+/** The world fills so much of the picture. */
+const FILLED = 0.94;
+
+interface Look {
+  readonly place: Vector3;
+  readonly target: Vector3;
+}
+
+interface Move {
+  readonly from: Look;
+  readonly to: Look;
+  readonly start: number;
+}
+
+export class Cameras {
+  readonly camera = new PerspectiveCamera(38, 1, 20, 30000);
+  mode: CameraMode = "orbit";
+  private readonly controls: OrbitControls;
+  private readonly calm = matchMedia("(prefers-reduced-motion: reduce)");
+  private size: XY = [2000, 2000];
+  private followed: XY = [0, 0];
+  private move: Move | null = null;
+
+  /** @param changed is called when another picture is to be drawn. */
+  constructor(
+    canvas: HTMLElement,
+    private readonly changed: () => void,
+  ) {
+    this.camera.up.copy(UP);
+    this.camera.position.copy(FROM_SOUTH).multiplyScalar(3000);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.minDistance = 150;
+    this.controls.maxDistance = 14000;
+    this.controls.addEventListener("change", () => this.changed());
+    this.controls.addEventListener("start", () => (this.move = null));
+    this.apply("orbit");
+  }
+
+  /** The floor's size: what there is to see. */
+  floor(size: XY): void {
+    this.size = size;
+  }
+
+  choose(mode: CameraMode): void {
+    this.apply(mode);
+    if (mode === "follow") this.go(this.behind());
+    else this.whole();
+  }
+
+  /** Show all of the world. */
+  whole(): void {
+    if (this.mode === "follow") this.apply("orbit");
+    const from = this.mode === "top" ? FROM_ABOVE : FROM_SOUTH;
+    this.go({ target: new Vector3(), place: from.clone().multiplyScalar(this.distanceFrom(from)) });
+  }
+
+  /** As `whole`, but at once: for the first picture. */
+  reset(): void {
+    this.whole();
+    this.arrive();
+  }
+
+  /** Look at a place on the floor. */
+  centre([x, y]: XY): void {
+    const { place, target } = this.now();
+    const shift = new Vector3(x, y, 0).sub(target);
+    this.go({ place: place.add(shift), target: target.add(shift) });
+  }
+
+  /** Come nearer by a factor below 1, go farther by one above it. */
+  zoom(factor: number): void {
+    const { place, target } = this.now();
+    const offset = place.sub(target);
+    const distance = between(offset.length() * factor, this.controls.minDistance, this.controls.maxDistance);
+    this.go({ place: offset.setLength(distance).add(target), target });
+  }
+
+  /** Go round what one looks at by degrees: to the right, and upwards. */
+  turn(right: number, up: number): void {
+    if (this.mode === "top") return this.slide(right, up);
+    const { place, target } = this.now();
+    const offset = place.sub(target).applyAxisAngle(UP, (right * Math.PI) / 180);
+    const side = new Vector3().crossVectors(UP, offset).normalize();
+    const polar = offset.angleTo(UP);
+    offset.applyAxisAngle(side, between(polar - (up * Math.PI) / 180, 0.05, FLATTEST) - polar);
+    this.go({ place: offset.add(target), target });
+  }
+
+  /** The robot is here now; a camera that follows goes with it. */
+  follow(x: number, y: number): void {
+    const shift = new Vector3(x - this.followed[0], y - this.followed[1], 0);
+    this.followed = [x, y];
+    if (this.mode !== "follow") return;
+    for (const look of this.move ? [this.move.from, this.move.to] : []) {
+      look.place.add(shift);
+      look.target.add(shift);
+    }
+    this.camera.position.add(shift);
+    this.controls.target.add(shift);
+    this.controls.update();
+  }
+
+  /** Move on towards where it was sent; tells whether it is still on its way. */
+  step(now: number): boolean {
+    if (!this.move) return false;
+    const part = between((now - this.move.start) / MOVE, 0, 1);
+    const { from, to } = this.move;
+    const eased = part * part * (3 - 2 * part);
+    this.camera.position.lerpVectors(from.place, to.place, eased);
+    this.controls.target.lerpVectors(from.target, to.target, eased);
+    if (part === 1) this.move = null;
+    this.controls.update();
+    return part < 1;
+  }
+
+  dispose(): void {
+    this.controls.dispose();
+  }
+
+  private apply(mode: CameraMode): void {
+    this.mode = mode;
+    const top = mode === "top";
+    this.controls.minPolarAngle = top ? STEEPEST : 0.02;
+    this.controls.maxPolarAngle = top ? STEEPEST : FLATTEST;
+    this.controls.enableRotate = !top;
+    this.controls.mouseButtons = { LEFT: top ? MOUSE.PAN : MOUSE.ROTATE, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN };
+    this.controls.touches = { ONE: top ? TOUCH.PAN : TOUCH.ROTATE, TWO: TOUCH.DOLLY_PAN };
+  }
+
+  /** Where it stands, or is on its way to. */
+  private now(): Look {
+    const { place, target } = this.move?.to ?? { place: this.camera.position, target: this.controls.target };
+    return { place: place.clone(), target: target.clone() };
+  }
+
+  private go(to: Look): void {
+    const from = { place: this.camera.position.clone(), target: this.controls.target.clone() };
+    this.move = { from, to, start: performance.now() };
+    if (this.calm.matches) this.arrive();
+    this.changed();
+  }
+
+  private arrive(): void {
+    this.step(Number.POSITIVE_INFINITY);
+  }
+
+  private slide(right: number, up: number): void {
+    const { place, target } = this.now();
+    const shift = new Vector3(-right, up, 0).multiplyScalar(place.distanceTo(target) / 150);
+    this.go({ place: place.add(shift), target: target.add(shift) });
+  }
+
+  /** Near enough to see the robot's face, from the side from which one looks already. */
+  private behind(): Look {
+    const target = new Vector3(...this.followed, 40);
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const steep = offset.angleTo(UP) < 0.3;
+    return { target, place: (steep ? FROM_SOUTH.clone() : offset).setLength(FOLLOW_DISTANCE).add(target) };
+  }
+
+  /** The least distance from which all of the floor can be seen. */
+  private distanceFrom(direction: Vector3): number {
+    const eye = this.camera.clone();
+    let distance = 300;
+    do {
+      distance *= 1.04;
+      eye.position.copy(direction).multiplyScalar(distance);
+      eye.lookAt(0, 0, 0);
+      eye.updateMatrixWorld();
+    } while (distance < this.controls.maxDistance && !this.seesFloor(eye));
+    return distance;
+  }
+
+  private seesFloor(eye: PerspectiveCamera): boolean {
+    const [x, y] = [this.size[0] / 2, this.size[1] / 2];
+    const corners: XY[] = [[x, y], [x, -y], [-x, y], [-x, -y]];
+    return corners.every(([east, north]) => {
+      const point = new Vector3(east, north, 0).project(eye);
+      return Math.max(Math.abs(point.x), Math.abs(point.y)) < FILLED;
+    });
+  }
+}

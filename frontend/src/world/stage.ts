@@ -1,0 +1,95 @@
+/** Everything that is drawn of one scene, and how telemetry changes it. */
+
+import { BufferGeometry, Group, Material, Mesh, type Object3D } from "three";
+
+import { beams, type Beams } from "./beams";
+import type { RobotValues, WorldValues } from "./description";
+import { floor, LINE_PAINT } from "./floor";
+import type { Pose } from "./geometry";
+import { type GoalMark, goalMarks, Signs, startMark } from "./marks";
+import type { Moment } from "./motion";
+import { Pictures } from "./pictures";
+import { type RobotModel, robotModel } from "./robots";
+import { SHADE } from "./shadows";
+import { PAINT } from "./solids";
+import { glow, place, things } from "./things";
+import type { GoalNow, Scene } from "../messages";
+
+/** Materials that all scenes share. */
+const SHARED: ReadonlySet<Material> = new Set([PAINT, SHADE, LINE_PAINT]);
+
+export class Stage {
+  readonly object = new Group();
+  readonly world: WorldValues;
+  readonly robots: readonly RobotModel[];
+  readonly beams: Beams | null;
+  private readonly pushed: readonly Object3D[];
+  private readonly goals: readonly GoalMark[];
+  private readonly signs = new Signs();
+  private readonly pictures: Pictures;
+  private start: Object3D | null = null;
+
+  /** @param changed is called when a picture has come. */
+  constructor(scene: Scene, changed: () => void) {
+    this.world = scene.world as unknown as WorldValues;
+    this.pictures = new Pictures(changed);
+    const { fixed, pushed } = things(this.world, this.pictures);
+    this.pushed = pushed;
+    this.goals = goalMarks(this.world, scene.lines, this.signs);
+    const descriptions = scene.robots.map(([, values]) => values as unknown as RobotValues);
+    this.robots = descriptions.map(robotModel);
+    this.beams = descriptions[0] ? beams(descriptions[0]) : null;
+    this.object.add(floor(scene.name, this.world, scene.lines, this.pictures), fixed, ...pushed);
+    this.object.add(...this.goals.map(({ object }) => object), ...this.world.light.map(glow));
+    this.object.add(...this.robots.map(({ object }) => object), ...this.otherStarts(scene).map(startMark));
+    this.showStarts(scene);
+    if (this.robots[0] && this.beams) this.robots[0].object.add(this.beams.object);
+    this.startAt(scene.start);
+  }
+
+  /** The next run starts there. */
+  startAt(start: Scene["start"]): void {
+    this.start?.removeFromParent();
+    if (!start) return;
+    const [x, y, heading] = start;
+    this.start = startMark({ x, y, heading });
+    this.object.add(this.start);
+  }
+
+  show({ robots, pushed }: Moment): void {
+    robots.forEach((robot, i) => this.robots[i]?.show(robot));
+    pushed.forEach((pose, i) => this.pushed[i] && place(this.pushed[i], pose));
+  }
+
+  /** Show how the goals stand; those of which that is news. */
+  showGoals(goals: readonly GoalNow[]): GoalNow[] {
+    return goals.filter((goal, i) => this.goals[i]?.show(goal.state));
+  }
+
+  dispose(): void {
+    this.pictures.dispose();
+    this.signs.dispose();
+    for (const robot of this.robots) robot.dispose();
+    this.object.removeFromParent();
+    this.object.traverse((part) => part instanceof Mesh && release(part));
+  }
+
+  /** Until telemetry tells where they are. */
+  private showStarts(scene: Scene): void {
+    scene.robots.forEach(([name], i) => {
+      const [x, y, heading] = (i === 0 && scene.start) || [0, 0, 0];
+      const start = i > 0 || !scene.start ? this.world.start[i] : undefined;
+      this.robots[i]?.show({ name, ...(start ?? { x, y, heading }) });
+    });
+  }
+
+  /** The places of the other robots; the first one's is where the next run starts. */
+  private otherStarts(scene: Scene): Pose[] {
+    return this.world.start.slice(scene.start ? 1 : 0);
+  }
+}
+
+function release(mesh: Mesh<BufferGeometry, Material | Material[]>): void {
+  mesh.geometry.dispose();
+  for (const material of [mesh.material].flat()) if (!SHARED.has(material)) material.dispose();
+}

@@ -1,0 +1,61 @@
+/** The canvas that a world is drawn on, and when: only while something in it changes. */
+
+import { Color, DirectionalLight, HemisphereLight, type PerspectiveCamera, Scene, WebGLRenderer } from "three";
+
+/** Sharper than this nobody sees, and every step costs. */
+const SHARPEST = 2;
+
+export class View {
+  readonly scene = new Scene();
+  /** How many pictures have been drawn, for measuring. */
+  framesDrawn = 0;
+  private readonly renderer: WebGLRenderer;
+  private frame = 0;
+
+  /**
+   * @param before is called before each picture; true asks for another one after it.
+   * @throws Error where the browser cannot draw in 3D.
+   */
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    private readonly camera: PerspectiveCamera,
+    private readonly before: (now: number) => boolean,
+  ) {
+    // Small pixels need no smoothing, which is what costs most without a graphics card.
+    this.renderer = new WebGLRenderer({ canvas, alpha: true, antialias: devicePixelRatio <= 1 });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, SHARPEST));
+    const sun = new DirectionalLight(0xffffff, 1.5);
+    sun.position.set(-0.45, -0.6, 1.2);
+    this.scene.add(new HemisphereLight(0xffffff, new Color("#b9b4aa"), 1.85), sun);
+    canvas.addEventListener("webglcontextrestored", () => this.invalidate());
+  }
+
+  /** Have it drawn anew with the display's next picture. */
+  invalidate(): void {
+    this.frame ||= requestAnimationFrame((now) => this.draw(now));
+  }
+
+  resize(width: number, height: number): void {
+    if (width === 0 || height === 0) return;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    // At once: a canvas of a new size is empty.
+    this.draw(performance.now());
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.frame);
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
+  private draw(now: number): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    const again = this.before(now);
+    this.renderer.render(this.scene, this.camera);
+    this.framesDrawn += 1;
+    if (again) this.invalidate();
+  }
+}
