@@ -1,0 +1,159 @@
+"""The definitions of the blocks that Blockly does not have, as its JSON has them.
+
+A block whose shape varies names the extension or the mutator that the page gives it:
+``lb_when_mutator``, ``lb_arguments_mutator``, ``lb_compare_mutator``, ``lb_when_names``,
+``lb_code_field``. An extension that adds a field finds its place in the dummy input ``PLACE``.
+"""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.toolbox import SKILL, is_skill_block
+
+Definition = dict[str, Any]
+
+CHANGES = ("-=", "*=", "/=", "//=", "%=", "**=")
+
+_STATEMENT: Definition = {"previousStatement": None, "nextStatement": None}
+_DO: Definition = {"message1": "%1", "args1": [{"type": "input_statement", "name": "DO"}]}
+_PLACE: Definition = {"type": "input_dummy", "name": "PLACE"}
+_CHECKS = {"float": "Number", "int": "Number", "boolean": "Boolean", "list": "Array"}
+
+
+def definitions(
+    configurations: Iterable[BlockConfiguration], language: str
+) -> list[dict[str, Any]]:
+    """Every block of ours, the skills with their words in a language such as ``es``."""
+    skills = [_skill(one, language) for one in configurations if is_skill_block(one)]
+    return [*_hats(), *_statements(), *_values(), *skills]
+
+
+def translated(texts: Mapping[str, str], language: str, otherwise: str) -> str:
+    """A text of a configuration in a language, or else in English, or else `otherwise`."""
+    code = language.upper()
+    return texts.get(code) or texts.get(code.partition("-")[0]) or texts.get("EN") or otherwise
+
+
+def _block(kind: str, style: str, args: Iterable[Definition] = (), **rest: Any) -> Definition:
+    name = kind.upper()
+    return {
+        "type": kind,
+        "style": style,
+        "message0": f"%{{BKY_{name}}}",
+        "args0": list(args),
+        "tooltip": f"%{{BKY_{name}_TOOLTIP}}",
+        **rest,
+    }
+
+
+def _value(name: str, check: str | None = None) -> Definition:
+    return {"type": "input_value", "name": name, **({"check": check} if check else {})}
+
+
+def _text(name: str, text: str = "") -> Definition:
+    return {"type": "field_input", "name": name, "text": text}
+
+
+def _choice(name: str, choices: Iterable[str]) -> Definition:
+    return {"type": "field_dropdown", "name": name, "options": [[one, one] for one in choices]}
+
+
+def _hats() -> list[Definition]:
+    when = _block(
+        "lb_when", "lb_event", [_text("NAME", "start"), _PLACE], mutator="lb_when_mutator"
+    )
+    return [
+        _block("lb_main", "lb_event", **_DO),
+        _block("lb_start", "lb_event", **_DO),
+        # Its mutator adds CONDITION above DO.
+        {**when, **_DO},
+    ]
+
+
+def _statements() -> list[Definition]:
+    change = [
+        {"type": "field_variable", "name": "VAR", "variable": "x"},
+        _choice("OP", CHANGES),
+        _value("VALUE"),
+    ]
+    change_index = [
+        _value("LIST"),
+        _value("INDEX"),
+        _choice("OP", ("+=", *CHANGES)),
+        _value("VALUE"),
+    ]
+    names, arguments = ["lb_when_names"], "lb_arguments_mutator"
+    found = [
+        _block("lb_activate", "lb_event", [_PLACE], extensions=names),
+        _block("lb_deactivate", "lb_event", [_PLACE], extensions=names),
+        _block("lb_return", "procedure_blocks", [_value("VALUE")]),
+        _block("lb_pass", "lb_control"),
+        _block("lb_import", "lb_others", [_text("MODULE", "dance")]),
+        _block("lb_setup", "lb_others", [_PLACE], mutator=arguments),
+        _block("lb_change", "variable_blocks", change, inputsInline=True),
+        _block("lb_change_index", "list_blocks", change_index, inputsInline=True),
+        _block("lb_do", "lb_control", [_value("VALUE")], inputsInline=True),
+        _block("lb_call", "procedure_blocks", [_PLACE], mutator=arguments),
+        _block("lb_python", "lb_python", [_PLACE], extensions=["lb_code_field"]),
+        _block("lb_comment", "lb_python", [_text("TEXT")]),
+    ]
+    return [{**one, **_STATEMENT} for one in found]
+
+
+def _values() -> list[Definition]:
+    names, pair = ["lb_when_names"], {"inputsInline": True}
+    numbers = [_value("A", "Number"), _value("B", "Number")]
+    membership = [_value("A"), _choice("OP", ("in", "not in")), _value("B")]
+    seconds = [_value("SECONDS", "Number")]
+    return [
+        _block("lb_state", "lb_event", [_PLACE], output="Boolean", extensions=names),
+        _block("lb_time", "lb_event", [_PLACE], output="Number", extensions=names),
+        _block("lb_elapsed_time", "lb_event", seconds, output="Boolean", **pair),
+        _block("lb_floor_divide", "math_blocks", numbers, output="Number", **pair),
+        _block("lb_positive", "math_blocks", [_value("NUM", "Number")], output="Number", **pair),
+        _block("lb_in", "logic_blocks", membership, output="Boolean", **pair),
+        _block(
+            "lb_compare_chain",
+            "logic_blocks",
+            [_PLACE],
+            output="Boolean",
+            mutator="lb_compare_mutator",
+            **pair,
+        ),
+        _block(
+            "lb_call_value",
+            "procedure_blocks",
+            [_PLACE],
+            output=None,
+            mutator="lb_arguments_mutator",
+            **pair,
+        ),
+        _block("lb_python_value", "lb_python", [_PLACE], output=None, extensions=["lb_code_field"]),
+    ]
+
+
+def _skill(configuration: BlockConfiguration, language: str) -> Definition:
+    parts = [_plain(translated(configuration.languages, language, configuration.name))]
+    for index, parameter in enumerate(configuration.parameters, 1):
+        name = translated(parameter.translations, language, parameter.name)
+        parts.append(f"{_plain(name)} %{index}")
+    shape = {"output": None} if configuration.returns_value else _STATEMENT
+    return {
+        "type": SKILL + configuration.name,
+        "style": f"lb_{configuration.type}",
+        "message0": " ".join(parts),
+        "args0": [_parameter(one) for one in configuration.parameters],
+        "inputsInline": True,
+        "tooltip": _plain(translated(configuration.tooltip, language, "")),
+        **shape,
+    }
+
+
+def _parameter(parameter: Parameter) -> Definition:
+    return _value(parameter.name, _CHECKS.get(parameter.type))
+
+
+def _plain(text: str) -> str:
+    """A text in which Blockly finds no places to fill."""
+    return text.replace("%", "%%")

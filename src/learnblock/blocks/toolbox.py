@@ -1,0 +1,262 @@
+"""The toolbox: the blocks of each tab, and what they hold before anyone has touched them."""
+
+from collections.abc import Iterable, Mapping
+from itertools import groupby
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from learnblock.blocks.configuration import BlockConfiguration, Parameter
+
+#: Begins the type of the block of a skill; the skill's name follows.
+SKILL = "lb_skill_"
+
+
+class Shadow(NamedTuple):
+    """What stands in an input until a block is put over it.
+
+    Args:
+        type: of the block: math_number, text or logic_boolean.
+        field: where its value stands.
+        value: a number, a text, or ``TRUE`` or ``FALSE``.
+    """
+
+    type: str
+    field: str
+    value: float | str
+
+    def block(self) -> dict[str, Any]:
+        """The shadow as Blockly writes it."""
+        return {"type": self.type, "fields": {self.field: self.value}}
+
+
+def _number(value: float) -> Shadow:
+    return Shadow("math_number", "NUM", value)
+
+
+def _text(value: str) -> Shadow:
+    return Shadow("text", "TEXT", value)
+
+
+_ZERO, _ONE = _number(0), _number(1)
+
+#: The shadows of all blocks that are no skills, by type and input.
+SHADOWS: Mapping[str, Mapping[str, Shadow]] = MappingProxyType(
+    {
+        "controls_repeat_ext": {"TIMES": _number(10)},
+        "controls_for": {"FROM": _ONE, "TO": _number(10), "BY": _ONE},
+        "math_arithmetic": {"A": _ONE, "B": _ONE},
+        "math_modulo": {"DIVIDEND": _number(64), "DIVISOR": _number(10)},
+        "math_single": {"NUM": _number(9)},
+        "math_trig": {"NUM": _number(45)},
+        "math_round": {"NUM": _number(3.1)},
+        "math_constrain": {"VALUE": _number(50), "LOW": _ONE, "HIGH": _number(100)},
+        "math_random_int": {"FROM": _ONE, "TO": _number(100)},
+        "math_atan2": {"X": _ONE, "Y": _ONE},
+        "math_change": {"DELTA": _ONE},
+        "text_print": {"TEXT": _text("abc")},
+        "text_prompt_ext": {"TEXT": _text("abc")},
+        "text_changeCase": {"TEXT": _text("abc")},
+        "text_trim": {"TEXT": _text("abc")},
+        "text_indexOf": {"FIND": _text("abc")},
+        "text_replace": {"FROM": _text("a"), "TO": _text("b")},
+        "lists_getIndex": {"AT": _ZERO},
+        "lists_setIndex": {"AT": _ZERO},
+        "lists_split": {"DELIM": _text(",")},
+        "lb_elapsed_time": {"SECONDS": _ONE},
+        "lb_floor_divide": {"A": _number(64), "B": _number(10)},
+        "lb_positive": {"NUM": _ONE},
+        "lb_change": {"VALUE": _ONE},
+        "lb_change_index": {"INDEX": _ZERO, "VALUE": _ONE},
+    }
+)
+
+
+def parameter_shadow(parameter: Parameter) -> Shadow | None:
+    """What stands in the input of a skill's parameter: its default, in what its type accepts."""
+    default = parameter.default
+    match parameter.type:
+        case "float" | "int":
+            return _number(default) if isinstance(default, int | float) else _ZERO
+        case "string" | "apriltext":
+            return _text("" if default is None else str(default))
+        case "boolean":
+            return Shadow("logic_boolean", "BOOL", "TRUE" if default else "FALSE")
+        case "list":
+            return None
+
+
+# The tabs that are no skills: their words in the translations, the style of the tab, and the types
+# of the blocks, with fields where the block's own are not meant and an extra state where it needs
+# one.
+_TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
+    (
+        "LB_CATEGORY_EVENTS",
+        "lb_event_category",
+        (("lb_main", {}), ("lb_start", {}), ("lb_elapsed_time", {})),
+    ),
+    (
+        "LB_CATEGORY_CONTROL",
+        "loop_category",
+        (
+            ("controls_if", {}),
+            ("controls_if", {"extraState": {"hasElse": True}}),
+            ("controls_whileUntil", {"fields": {"MODE": "WHILE"}}),
+            ("controls_repeat_ext", {}),
+            ("controls_for", {"fields": {"VAR": {"name": "i"}}}),
+            ("controls_forEach", {"fields": {"VAR": {"name": "x"}}}),
+            ("controls_flow_statements", {"fields": {"FLOW": "BREAK"}}),
+            ("lb_return", {}),
+            ("lb_pass", {}),
+            ("lb_comment", {}),
+            ("lb_do", {}),
+            ("lb_import", {}),
+            ("lb_setup", {"extraState": {"arguments": 0, "keywords": ["world"]}}),
+            ("lb_python", {}),
+            ("lb_python_value", {}),
+        ),
+    ),
+    (
+        "LB_CATEGORY_LOGIC",
+        "logic_category",
+        (
+            ("logic_compare", {"fields": {"OP": "EQ"}}),
+            ("logic_operation", {"fields": {"OP": "AND"}}),
+            ("logic_negate", {}),
+            ("logic_boolean", {"fields": {"BOOL": "TRUE"}}),
+            ("logic_null", {}),
+            ("lb_in", {}),
+            ("lb_compare_chain", {"extraState": {"operators": ["<", "<"]}}),
+        ),
+    ),
+    (
+        "LB_CATEGORY_MATHS",
+        "math_category",
+        (
+            ("math_number", {"fields": {"NUM": 123}}),
+            ("math_arithmetic", {"fields": {"OP": "ADD"}}),
+            ("lb_floor_divide", {}),
+            ("math_modulo", {}),
+            ("math_single", {"fields": {"OP": "ROOT"}}),
+            ("math_trig", {"fields": {"OP": "SIN"}}),
+            ("math_atan2", {}),
+            ("math_constant", {"fields": {"CONSTANT": "PI"}}),
+            ("math_round", {"fields": {"OP": "ROUND"}}),
+            ("math_constrain", {}),
+            ("math_random_int", {}),
+            ("math_random_float", {}),
+        ),
+    ),
+    (
+        "LB_CATEGORY_TEXT",
+        "text_category",
+        (
+            ("text", {"fields": {"TEXT": ""}}),
+            ("text_print", {}),
+            ("lb_call", {"extraState": {"name": "print", "arguments": 2, "keywords": []}}),
+            ("text_prompt_ext", {"fields": {"TYPE": "TEXT"}}),
+            ("text_changeCase", {"fields": {"CASE": "UPPERCASE"}}),
+            ("text_trim", {"fields": {"MODE": "BOTH"}}),
+            ("text_indexOf", {"fields": {"END": "FIRST"}}),
+            ("text_replace", {}),
+            ("lb_call_value", {"extraState": {"name": "str", "arguments": 1, "keywords": []}}),
+            ("lb_call_value", {"extraState": {"name": "int", "arguments": 1, "keywords": []}}),
+            ("lb_call_value", {"extraState": {"name": "float", "arguments": 1, "keywords": []}}),
+        ),
+    ),
+    (
+        "LB_CATEGORY_LISTS",
+        "list_category",
+        (
+            ("lists_create_with", {"extraState": {"itemCount": 0}}),
+            ("lists_create_with", {"extraState": {"itemCount": 3}}),
+            ("lists_length", {}),
+            ("lists_getIndex", {"fields": {"MODE": "GET", "WHERE": "FROM_START"}}),
+            ("lists_setIndex", {"fields": {"MODE": "SET", "WHERE": "FROM_START"}}),
+            ("lists_setIndex", {"fields": {"MODE": "INSERT", "WHERE": "LAST"}}),
+            ("lb_change_index", {}),
+            ("math_on_list", {"fields": {"OP": "SUM"}}),
+            ("lists_split", {"fields": {"MODE": "SPLIT"}, "extraState": {"mode": "SPLIT"}}),
+            ("lb_call_value", {"extraState": {"name": "sorted", "arguments": 1, "keywords": []}}),
+            ("lb_call_value", {"extraState": {"name": "index", "arguments": 2, "keywords": []}}),
+            ("lb_call_value", {"extraState": {"name": "sublist", "arguments": 3, "keywords": []}}),
+            ("lb_call", {"extraState": {"name": "remove", "arguments": 2, "keywords": []}}),
+        ),
+    ),
+)
+# Those that Blockly or the page fills.
+_CUSTOM = (
+    ("LB_CATEGORY_WHENS", "lb_event_category", "WHEN"),
+    ("LB_CATEGORY_VARIABLES", "variable_category", "VARIABLE"),
+    ("LB_CATEGORY_FUNCTIONS", "procedure_category", "PROCEDURE"),
+)
+
+
+def toolbox(
+    configurations: Mapping[str, BlockConfiguration], words: Mapping[str, str]
+) -> dict[str, Any]:
+    """Blockly's toolbox, with a tab for each category of skills.
+
+    Args:
+        configurations: of the skills, by name.
+        words: the names of the tabs.
+    """
+    tabs = [_tab(words[name], style, blocks) for name, style, blocks in _TABS]
+    custom = [
+        {"kind": "category", "name": words[name], "categorystyle": style, "custom": kind}
+        for name, style, kind in _CUSTOM
+    ]
+    events, *others = tabs
+    skills = _skill_tabs(configurations.values(), words)
+    return {
+        "kind": "categoryToolbox",
+        "contents": [*skills, events, custom[0], *others, *custom[1:]],
+    }
+
+
+def is_skill_block(configuration: BlockConfiguration) -> bool:
+    """Whether a configuration gives a block of its own; `elapsedTime` has one in the language."""
+    return configuration.name != "elapsedTime"
+
+
+def category_word(category: str) -> str:
+    """What the translations call the name of a category of skills."""
+    return "LB_SKILLS_" + "_".join(category.upper().split())
+
+
+def _tab(name: str, style: str, blocks: Iterable[tuple[str, dict[str, Any]]]) -> dict[str, Any]:
+    contents = [{"kind": "block", "type": kind, **state, **_inputs(kind)} for kind, state in blocks]
+    return {"kind": "category", "name": name, "categorystyle": style, "contents": contents}
+
+
+def _inputs(kind: str) -> dict[str, Any]:
+    shadows = SHADOWS.get(kind, {})
+    if not shadows:
+        return {}
+    return {"inputs": {name: {"shadow": shadow.block()} for name, shadow in shadows.items()}}
+
+
+def _skill_tabs(
+    configurations: Iterable[BlockConfiguration], words: Mapping[str, str]
+) -> list[dict[str, Any]]:
+    found = sorted(filter(is_skill_block, configurations), key=lambda one: one.category)
+    by_category = {name: list(blocks) for name, blocks in groupby(found, lambda one: one.category)}
+    order = dict.fromkeys(one.category for one in configurations if is_skill_block(one))
+    return [
+        {
+            "kind": "category",
+            "name": words.get(category_word(category), category),
+            "categorystyle": f"lb_{by_category[category][0].type}_category",
+            "contents": [_skill(one) for one in by_category[category]],
+        }
+        for category in order
+    ]
+
+
+def _skill(configuration: BlockConfiguration) -> dict[str, Any]:
+    shadows = {one.name: parameter_shadow(one) for one in configuration.parameters}
+    inputs = {name: {"shadow": one.block()} for name, one in shadows.items() if one is not None}
+    return {
+        "kind": "block",
+        "type": SKILL + configuration.name,
+        **({"inputs": inputs} if inputs else {}),
+    }
