@@ -60,6 +60,7 @@ export interface Complete {
   notation: "blocktext" | "python";
   line: number;
   column: number;
+  language?: string;
 }
 
 export interface Completion {
@@ -88,6 +89,7 @@ export interface Describe {
   notation: "blocktext" | "python";
   line: number;
   column: number;
+  language?: string;
 }
 
 export interface Description {

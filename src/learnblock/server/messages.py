@@ -142,6 +142,7 @@ class Complete(Message, frozen=True):
     notation: Notation
     line: int
     column: int
+    language: Name = "en"
 
 
 class Describe(Message, frozen=True):
@@ -151,6 +152,7 @@ class Describe(Message, frozen=True):
     notation: Notation
     line: int
     column: int
+    language: Name = "en"
 
 
 class SetBreakpoints(Message, frozen=True):
