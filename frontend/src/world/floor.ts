@@ -7,7 +7,6 @@ import {
   Group,
   Mesh,
   MeshBasicMaterial,
-  MeshLambertMaterial,
   type Object3D,
   PlaneGeometry,
 } from "three";
@@ -26,6 +25,8 @@ const LINE_HEIGHT = 0.4;
 /** The painted lines lie flat: they need no light, and the floor must not hide them. */
 export const LINE_PAINT = new MeshBasicMaterial({
   vertexColors: true,
+  // Drawn among the translucent marks, in their order: a goal's halo lies beneath its line.
+  transparent: true,
   depthWrite: false,
   polygonOffset: true,
   polygonOffsetFactor: -1,
@@ -45,7 +46,8 @@ export function floor(name: string, world: WorldValues, lines: readonly XY[][], 
 }
 
 function ground(name: string, floor: FloorValues, pictures: Pictures): Mesh {
-  const material = new MeshLambertMaterial({ color: css(floor.colour) });
+  // Evenly lit whatever its colour: the largest surface is the cheapest.
+  const material = new MeshBasicMaterial({ color: css(floor.colour) });
   if (floor.picture) pictures.on(material, `worlds/${encodeURIComponent(name)}/floor.png`);
   return new Mesh(new PlaneGeometry(...floor.size), material);
 }

@@ -135,10 +135,7 @@ function region(x: number, y: number, radius: number): Mesh<BufferGeometry, Mesh
 function followMark(points: readonly XY[], width: number, signs: Signs): GoalMark {
   // Without its colours, so that the mark's own holds.
   const geometry = ribbons([{ points, width, colour: "#fff" }], 0).deleteAttribute("color");
-  const halo = flat(geometry, MARKS.open, 1);
-  // One drawn beneath the line, opaque: where its pieces overlap, a translucent one would be darker.
-  halo.material.transparent = false;
-  halo.material.polygonOffset = false;
+  const halo = flat(geometry, MARKS.open, 0.35);
   halo.position.z = 0.2;
   halo.renderOrder = 0.5;
   return new GoalMark([halo], points.at(-1) ?? [0, 0], signs);

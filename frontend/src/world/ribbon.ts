@@ -4,7 +4,7 @@ import { BufferGeometry, Color, Float32BufferAttribute } from "three";
 
 import type { XY } from "./description";
 
-/** Degrees between the points of a round end or joint. */
+/** Points of half a round end or joint. */
 const ROUND_STEPS = 8;
 
 /** A ribbon of a colour and a width in mm. */
@@ -30,24 +30,49 @@ export function ribbons(all: readonly Ribbon[], height: number): BufferGeometry 
   return geometry;
 }
 
-function strip({ points, width }: Ribbon, height: number, into: number[]): void {
+/** A joint that turns by more than this gets a disc, others are cut at an angle: fewer pixels twice. */
+const SHARP = Math.cos(Math.PI / 6);
+
+function strip({ points: all, width }: Ribbon, height: number, into: number[]): void {
+  const points = all.filter((point, i) => i === 0 || point[0] !== all[i - 1]?.[0] || point[1] !== all[i - 1]?.[1]);
   const half = width / 2;
+  const sides = points.map((point, i) => sideAt(points[i - 1], point, points[i + 1]));
   points.forEach((point, i) => {
-    disc(point, half, height, into);
-    const next = points[i + 1];
-    if (next) piece(point, next, half, height, into);
+    const [side, next, nextSide] = [sides[i], points[i + 1], sides[i + 1]];
+    if (!side || isSharp(points[i - 1], point, next)) disc(point, half, height, into);
+    if (next) piece(point, next, [side ?? null, nextSide ?? null], half, height, into);
   });
 }
 
-function piece([x, y]: XY, [endX, endY]: XY, half: number, z: number, into: number[]): void {
-  const length = Math.hypot(endX - x, endY - y);
-  if (length === 0) return;
-  const [sideX, sideY] = [(-half * (endY - y)) / length, (half * (endX - x)) / length];
-  const corners = [
-    [x - sideX, y - sideY], [endX - sideX, endY - sideY], [endX + sideX, endY + sideY],
-    [x - sideX, y - sideY], [endX + sideX, endY + sideY], [x + sideX, y + sideY],
-  ] as const;
-  for (const [cornerX, cornerY] of corners) into.push(cornerX, cornerY, z);
+function direction([x, y]: XY, [endX, endY]: XY): XY {
+  const length = Math.hypot(endX - x, endY - y) || 1;
+  return [(endX - x) / length, (endY - y) / length];
+}
+
+function isSharp(before: XY | undefined, point: XY, after: XY | undefined): boolean {
+  if (!before || !after) return true;
+  const [a, b] = [direction(before, point), direction(point, after)];
+  return a[0] * b[0] + a[1] * b[1] < SHARP;
+}
+
+/** Where the ribbon's left edge lies at a soft joint, from its middle, in halves of its width. */
+function sideAt(before: XY | undefined, point: XY, after: XY | undefined): XY | null {
+  if (!before || !after || isSharp(before, point, after)) return null;
+  const [a, b] = [direction(before, point), direction(point, after)];
+  const scale = 1 / (1 + a[0] * b[0] + a[1] * b[1]);
+  return [-(a[1] + b[1]) * scale, (a[0] + b[0]) * scale];
+}
+
+type Sides = readonly [XY | null, XY | null];
+
+function piece(start: XY, end: XY, [first, last]: Sides, half: number, z: number, into: number[]): void {
+  const [dx, dy] = direction(start, end);
+  const edge = ([x, y]: XY, side: XY | null, sign: number): XY => {
+    const [sideX, sideY] = side ?? [-dy, dx];
+    return [x + sign * half * sideX, y + sign * half * sideY];
+  };
+  const [a, b, c, d] = [edge(start, first, -1), edge(end, last, -1), edge(end, last, 1), edge(start, first, 1)];
+  for (const corner of [a, b, c, a, c, d]) into.push(...corner, z);
 }
 
 function disc([x, y]: XY, radius: number, z: number, into: number[]): void {

@@ -54,14 +54,16 @@ export function shadows(outlines: readonly (readonly XY[])[]): Mesh {
 
 function shade(outline: readonly XY[], add: (point: XY, dark: number) => void): void {
   const middle = middleOf(outline);
-  const outer = outline.map((point) => beyond(middle, point));
-  outline.forEach((point, i) => {
-    const next = (i + 1) % outline.length;
-    const [a, b, farA, farB] = [point, outline[next], outer[i], outer[next]];
-    if (!b || !farA || !farB) return;
-    add(middle, DARKNESS), add(a, DARKNESS), add(b, DARKNESS);
+  const count = outline.length;
+  const at = (i: number): XY => outline[(i + count) % count] as XY;
+  outline.forEach((a, i) => {
+    const b = at(i + 1);
+    const [before, side] = [outwards(at(i - 1), a), outwards(a, b)];
+    const [farA, farB] = [away(a, side), away(b, side)];
+    for (const point of [middle, a, b]) add(point, DARKNESS);
     add(a, DARKNESS), add(farA, 0), add(farB, 0);
     add(a, DARKNESS), add(farB, 0), add(b, DARKNESS);
+    add(a, DARKNESS), add(away(a, before), 0), add(farA, 0);
   });
 }
 
@@ -70,8 +72,12 @@ function middleOf(outline: readonly XY[]): XY {
   return [sum[0] / outline.length, sum[1] / outline.length];
 }
 
-function beyond(middle: XY, [x, y]: XY): XY {
-  const [dx, dy] = [x - middle[0], y - middle[1]];
-  const far = Math.hypot(dx, dy) || 1;
-  return [x + (FADE * dx) / far, y + (FADE * dy) / far];
+/** The direction in which a side looks. */
+function outwards([x, y]: XY, [endX, endY]: XY): XY {
+  const length = Math.hypot(endX - x, endY - y) || 1;
+  return [(endY - y) / length, (x - endX) / length];
+}
+
+function away([x, y]: XY, [dx, dy]: XY): XY {
+  return [x + FADE * dx, y + FADE * dy];
 }

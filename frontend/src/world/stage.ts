@@ -39,9 +39,10 @@ export class Stage {
     const descriptions = scene.robots.map(([, values]) => values as unknown as RobotValues);
     this.robots = descriptions.map(robotModel);
     this.beams = descriptions[0] ? beams(descriptions[0]) : null;
-    this.object.add(floor(scene.name, this.world, scene.lines, this.pictures), fixed, ...pushed);
-    this.object.add(...this.goals.map(({ object }) => object), ...this.world.light.map(glow));
-    this.object.add(...this.robots.map(({ object }) => object), ...this.otherStarts(scene).map(startMark));
+    const marks = [...this.world.light.map(glow), ...this.otherStarts(scene).map(startMark)];
+    const models = [...this.goals, ...this.robots].map(({ object }) => object);
+    this.object.add(floor(scene.name, this.world, scene.lines, this.pictures), fixed);
+    for (const part of [...pushed, ...marks, ...models]) this.object.add(part);
     this.showStarts(scene);
     if (this.robots[0] && this.beams) this.robots[0].object.add(this.beams.object);
     this.startAt(scene.start);

@@ -38,8 +38,8 @@ export class RobotModel {
     private readonly values: RobotValues,
   ) {
     const { body, wheels, joints } = look;
-    this.object.add(body, ...wheels.map((wheel) => wheel.object), ...Object.values(joints));
-    this.object.add(shadows([look.outline]));
+    const moving = [...wheels.map((wheel) => wheel.object), ...Object.values(joints)];
+    for (const part of [body, shadows([look.outline]), ...moving]) this.object.add(part);
     this.reach = Math.max(...look.outline.map(([x, y]) => Math.hypot(x, y)));
     for (const lights of Object.values(look.lights)) {
       for (const light of lights) light.material = new MeshBasicMaterial({ color: LED_OFF });

@@ -12,11 +12,11 @@ import { Wheel } from "./wheel";
 const GREY = "#c3c9d1";
 const DARK = "#3a404a";
 /** How far before its front end the round part begins. */
-const ROUNDING = 34;
+const ROUNDING = 28;
 
 export function thymio(robot: RobotValues): Look {
   const { radius, track } = robot.wheels;
-  const wheels = [track / 2 + 5, -track / 2 - 5].map((y) => new Wheel(y, radius, 11, { tyre: DARK, hub: "#f2f4f7" }));
+  const wheels = [track / 2 + 6, -track / 2 - 6].map((y) => new Wheel(y, radius, 8, { tyre: DARK, hub: "#f2f4f7" }));
   const lights = lightsOf(robot);
   const body = new Group();
   body.add(hull(robot), ...Object.values(lights).flat());
@@ -39,7 +39,7 @@ function shapeOf({ back, front, side }: Extent, inset = 0): Shape {
   const [b, f, s] = [back + inset, front - inset, side - inset];
   const shape = new Shape();
   shape.moveTo(b, -s).lineTo(f - ROUNDING, -s);
-  shape.quadraticCurveTo(f, -s * 0.72, f, 0).quadraticCurveTo(f, s * 0.72, f - ROUNDING, s);
+  shape.bezierCurveTo(f - 9, -s * 0.72, f, -s * 0.4, f, 0).bezierCurveTo(f, s * 0.4, f - 9, s * 0.72, f - ROUNDING, s);
   shape.lineTo(b, s).closePath();
   return shape;
 }
@@ -47,6 +47,7 @@ function shapeOf({ back, front, side }: Extent, inset = 0): Shape {
 function outlineOf(robot: RobotValues): XY[] {
   return shapeOf(extentOf(robot))
     .getPoints(6)
+    .slice(0, -1)
     .map(({ x, y }): XY => [x, y]);
 }
 
@@ -54,8 +55,8 @@ function hull(robot: RobotValues): Mesh {
   const extent = extentOf(robot);
   const { height } = robot.body;
   const parts = new Parts().add(plate(shapeOf(extent, 8), 14), DARK, 0, 0, 4);
-  parts.add(plate(shapeOf({ ...extent, side: extent.side - 9 }), height - 15, 7), css(robot.body.colour), 0, 0, 15);
-  addWindows(parts, robot, 30, 13, 8);
+  parts.add(plate(shapeOf({ ...extent, side: extent.side - 5 }), height - 15, 7), css(robot.body.colour), 0, 0, 15);
+  addWindows(parts, robot, 34, 13, 8);
   addButtons(parts, height);
   return parts.mesh();
 }
@@ -90,6 +91,6 @@ function ring({ back, front, side }: Extent, height: number): Mesh {
 
 function strip({ back, front, side }: Extent, sign: number): Mesh {
   const mesh = new Mesh(roundedBox((front - back) * 0.5, 3, 7, 1));
-  mesh.position.set(back + (front - back) * 0.48, sign * (side - 8), 37);
+  mesh.position.set(back + (front - back) * 0.48, sign * (side - 4.5), 37);
   return mesh;
 }
