@@ -1,0 +1,59 @@
+/** The line in which one answers what a program asks. */
+
+import { t } from "../i18n";
+import { element } from "./elements";
+
+export interface Question {
+  readonly dom: HTMLElement;
+  readonly open: boolean;
+  readonly prompt: string;
+  ask(prompt: string): void;
+  close(): void;
+  focus(): void;
+}
+
+/** Longer answers are refused by the server. */
+const LONGEST = "10000";
+
+/** `answer` is given the line when Enter is pressed. */
+export function createQuestion(answer: (text: string) => void): Question {
+  const label = element("label", { class: "prompt" });
+  const input = element("input", { type: "text", autocomplete: "off", maxlength: LONGEST });
+  const send = element("button", { type: "submit", class: "tool" });
+  const dom = element("form", { class: "question" }, label, send);
+  let before: Element | null = null;
+
+  function close(): void {
+    const focused = dom.contains(document.activeElement);
+    dom.hidden = true;
+    if (focused && before instanceof HTMLElement) before.focus();
+  }
+
+  function ask(prompt: string): void {
+    before = document.activeElement;
+    label.replaceChildren(element("span", {}, prompt), input);
+    send.textContent = t("console.answer");
+    input.value = "";
+    dom.hidden = false;
+    input.focus();
+  }
+
+  dom.hidden = true;
+  dom.onsubmit = (event) => {
+    event.preventDefault();
+    answer(input.value);
+    close();
+  };
+  return {
+    dom,
+    ask,
+    close,
+    focus: () => input.focus(),
+    get open() {
+      return !dom.hidden;
+    },
+    get prompt() {
+      return label.firstChild?.textContent ?? "";
+    },
+  };
+}
