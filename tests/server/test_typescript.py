@@ -1,0 +1,24 @@
+"""The page's types are those of the conversation."""
+
+from pathlib import Path
+
+from learnblock.server.typescript import typescript
+
+WRITTEN = Path(__file__).parents[2] / "frontend" / "src" / "messages.ts"
+
+
+def test_the_page_has_the_types_of_the_present_conversation():
+    # Otherwise: python -m learnblock.server.typescript > frontend/src/messages.ts
+    assert typescript() == WRITTEN.read_text(encoding="utf-8")
+
+
+def test_a_field_with_a_default_may_be_absent():
+    assert "  paused?: boolean;" in typescript()
+
+
+def test_a_message_is_told_by_its_kind():
+    assert '  kind: "EditText";' in typescript()
+
+
+def test_a_message_sent_as_an_array_is_a_tuple():
+    assert "export type Place = [block: string, blocktext: number," in typescript()
