@@ -1,0 +1,121 @@
+/** Gives Blockly's blocks what a flat block says of them, without what hangs on them. */
+
+import * as Blockly from "blockly/core";
+
+import type { Block, BlockComment } from "../messages";
+import type { Node } from "./flat";
+import { shadowOf } from "./flat";
+import { toState } from "./read";
+import { ensureDefined, shapeUnknown } from "./unknown";
+
+const { MANUALLY_DISABLED } = Blockly.constants;
+
+/** A new block without its children; its shadows stand in their inputs. */
+export function build(workspace: Blockly.WorkspaceSvg, node: Node): Blockly.BlockSvg {
+  const flat = node.block;
+  ensureDefined(flat);
+  const block = workspace.newBlock(flat.type, flat.id);
+  shapeUnknown(block, node);
+  if (flat.extraState != null) block.loadExtraState?.(flat.extraState);
+  loadFields(block, flat.fields);
+  setAttributes(block, flat);
+  setComment(block, flat.comment ?? null);
+  block.initSvg();
+  setShadows(block, flat, undefined);
+  block.queueRender();
+  return block;
+}
+
+/** Changes a block from what `shown` says to what `wanted` says; false if they say the same. */
+export function update(block: Blockly.BlockSvg, shown: Block, wanted: Block): boolean {
+  const fields = changedFields(shown, wanted);
+  if (fields) loadFields(block, fields);
+  const attributes = !sameAttributes(shown, wanted);
+  if (attributes) setAttributes(block, wanted);
+  const comment = !same(shown.comment, wanted.comment);
+  if (comment) setComment(block, wanted.comment ?? null);
+  return setShadows(block, wanted, shown) || fields !== null || attributes || comment;
+}
+
+function changedFields(shown: Block, wanted: Block): Block["fields"] | null {
+  const changed = Object.entries(wanted.fields ?? {}).filter(
+    ([name, value]) => !same(value, shown.fields?.[name]),
+  );
+  return changed.length ? Object.fromEntries(changed) : null;
+}
+
+/** Whether a change from one to the other needs another block. */
+export function differsInShape(shown: Block, wanted: Block): boolean {
+  return shown.type !== wanted.type || !same(shown.extraState, wanted.extraState);
+}
+
+/** Whether two values of JSON say the same. */
+export function same(one: unknown, other: unknown): boolean {
+  return one === other || (one ?? null) === (other ?? null) || JSON.stringify(one) === JSON.stringify(other);
+}
+
+function sameAttributes(one: Block, other: Block): boolean {
+  return (
+    (one.data ?? null) === (other.data ?? null) &&
+    (one.collapsed ?? false) === (other.collapsed ?? false) &&
+    (one.inline ?? null) === (other.inline ?? null) &&
+    isDisabled(one) === isDisabled(other)
+  );
+}
+
+function isDisabled(flat: Block): boolean {
+  return flat.disabledReasons?.includes(MANUALLY_DISABLED) ?? false;
+}
+
+function loadFields(block: Blockly.BlockSvg, fields: Block["fields"]): void {
+  for (const [name, value] of Object.entries(fields ?? {})) {
+    const field = block.getField(name);
+    if (field) quietly(field, () => field.loadState(value));
+  }
+}
+
+// A name's validator renames its uses, or the name itself where another has it at this moment; what
+// the server says is consistent already.
+function quietly(field: Blockly.Field, load: () => void): void {
+  const validator = field.name === "NAME" ? field.getValidator() : null;
+  if (validator) field.setValidator((value) => value);
+  load();
+  if (validator) field.setValidator(validator);
+}
+
+function setAttributes(block: Blockly.BlockSvg, flat: Block): void {
+  block.data = flat.data ?? null;
+  if (flat.inline != null && block.getInputsInline() !== flat.inline) block.setInputsInline(flat.inline);
+  if (block.isCollapsed() !== (flat.collapsed ?? false)) block.setCollapsed(flat.collapsed ?? false);
+  block.setDisabledReason(isDisabled(flat), MANUALLY_DISABLED);
+}
+
+function setComment(block: Blockly.BlockSvg, comment: BlockComment | null): void {
+  block.setCommentText(comment ? comment.text : null);
+  const icon = block.getIcon(Blockly.icons.CommentIcon.TYPE);
+  if (!comment || !icon) return;
+  const { width, height, pinned = false } = comment;
+  if (width && height) icon.setBubbleSize(new Blockly.utils.Size(width, height));
+  if (icon.bubbleIsVisible() !== pinned) void icon.setBubbleVisible(pinned);
+}
+
+function setShadows(block: Blockly.BlockSvg, wanted: Block, shown: Block | undefined): boolean {
+  let changed = false;
+  for (const { connection, name } of block.inputList) {
+    const shadow = shadowOf(wanted, name);
+    if (!connection || same(shadow, shadowOf(shown, name))) continue;
+    if (!updateShadow(connection.targetBlock(), shadow, shadowOf(shown, name))) {
+      connection.setShadowState(shadow && toState(shadow));
+    }
+    changed = true;
+  }
+  return changed;
+}
+
+/** Changes a shadow in place, so that an editor on it stays open; false where that is not enough. */
+function updateShadow(target: Blockly.Block | null, wanted: Block | null, shown: Block | null): boolean {
+  if (!wanted || !shown || !target?.isShadow() || target.id !== wanted.id) return false;
+  if (!same({ ...wanted, fields: null }, { ...shown, fields: null })) return false;
+  loadFields(target as Blockly.BlockSvg, wanted.fields);
+  return true;
+}

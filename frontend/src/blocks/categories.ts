@@ -1,0 +1,73 @@
+/** The palette's categories whose blocks depend on the program: `when`s and functions. */
+
+import * as Blockly from "blockly/core";
+
+import { t } from "../i18n";
+import { freeWhenName, whenNames } from "./when_block";
+
+type Items = Blockly.utils.toolbox.FlyoutItemInfo[];
+type Item = Blockly.utils.toolbox.FlyoutItemInfo;
+
+const NEW_WHEN = "LB_NEW_WHEN";
+
+export function registerCategories(workspace: Blockly.WorkspaceSvg): void {
+  workspace.registerToolboxCategoryCallback("WHEN", whenItems);
+  workspace.registerToolboxCategoryCallback("PROCEDURE", procedureItems);
+  workspace.registerButtonCallback(NEW_WHEN, () => askForWhen(workspace));
+}
+
+function whenItems(workspace: Blockly.WorkspaceSvg): Items {
+  const name = freeWhenName(workspace, t("blocks.when_name"));
+  const templates = [false, true].map((condition) =>
+    block("lb_when", { fields: { NAME: name }, extraState: { condition } }),
+  );
+  const uses = whenNames(workspace).flatMap((when) =>
+    ["lb_activate", "lb_deactivate", "lb_state", "lb_time"].map((type) => block(type, { fields: { WHEN: when } })),
+  );
+  return [button(), ...templates, ...uses];
+}
+
+function block(type: string, state: object): Item {
+  return { kind: "block", type, ...state } as Item;
+}
+
+function button(): Item {
+  return { kind: "button", text: t("blocks.new_when"), callbackkey: NEW_WHEN } as Item;
+}
+
+function procedureItems(workspace: Blockly.WorkspaceSvg): Items {
+  return [...Blockly.Procedures.flyoutCategory(workspace), ...answeringCalls(workspace), block("lb_return", {})];
+}
+
+// A function that answers from within its body is a block without a result to Blockly; its calls may
+// stand for a value all the same.
+function answeringCalls(workspace: Blockly.WorkspaceSvg): Items {
+  const definitions = workspace.getBlocksByType("procedures_defnoreturn", false).filter(answers);
+  return definitions.map((definition) => {
+    const params = definition.getVarModels().map((variable) => variable.getName());
+    return block("procedures_callreturn", { extraState: { name: definition.getFieldValue("NAME"), params } });
+  });
+}
+
+function answers(definition: Blockly.Block): boolean {
+  return definition
+    .getDescendants(false)
+    .some((inner) => inner.type === "lb_return" && inner.getInputTargetBlock("VALUE") !== null);
+}
+
+function askForWhen(workspace: Blockly.WorkspaceSvg): void {
+  const target = workspace.targetWorkspace ?? workspace;
+  const wish = freeWhenName(target, t("blocks.when_name"));
+  Blockly.dialog.prompt(t("blocks.when_prompt"), wish, (answer) => {
+    const name = answer?.trim();
+    if (name) addWhen(target, freeWhenName(target, name));
+  });
+}
+
+function addWhen(workspace: Blockly.WorkspaceSvg, name: string): void {
+  const view = workspace.getMetricsManager().getViewMetrics(true);
+  const state = { type: "lb_when", fields: { NAME: name }, x: view.left + 40, y: view.top + 40 };
+  const block = Blockly.serialization.blocks.append(state, workspace) as Blockly.BlockSvg;
+  block.bumpNeighbours();
+  Blockly.getFocusManager().focusNode(block);
+}

@@ -1,0 +1,130 @@
+/** Blockly's workspace on the page, in one language. */
+
+import { ScrollBlockDragger, ScrollMetricsManager, ScrollOptions } from "@blockly/plugin-scroll-options";
+import * as Blockly from "blockly/core";
+
+import type { Workspace } from "../messages";
+import type { ThemeName } from "../preferences";
+import { registerCategories } from "./categories";
+import { Checker } from "./checker";
+import { Marks, visible } from "./marks";
+import { MEDIA } from "./media";
+import type { Actions } from "./menus";
+import { setActions } from "./menus";
+import type { Palette } from "./palette";
+import { ProgramSearch, searchTab } from "./search";
+import { Sync } from "./sync";
+import { themeOf } from "./themes";
+
+/** What of an editor the next one, in another language, takes over. */
+interface View {
+  readonly workspace: Workspace;
+  readonly scale: number;
+  readonly x: number;
+  readonly y: number;
+}
+
+/** A workspace with what is shown in it; an edit of the user's calls `edited`. */
+export class Editor {
+  readonly marks: Marks;
+  private readonly workspace: Blockly.WorkspaceSvg;
+  private readonly sync: Sync;
+  private readonly search: ProgramSearch;
+
+  constructor(
+    host: HTMLElement,
+    palette: Palette,
+    theme: ThemeName,
+    actions: Actions,
+    private readonly edited: () => void,
+  ) {
+    this.workspace = Blockly.inject(host, options(palette, theme));
+    // Undo is the server's, across all views.
+    this.workspace.MAX_UNDO = 0;
+    this.sync = new Sync(this.workspace, this.workspace.connectionChecker as Checker);
+    this.marks = new Marks(this.workspace, (block) => actions.toggleBreakpoint(block));
+    this.search = new ProgramSearch(this.workspace);
+    this.search.init();
+    new ScrollOptions(this.workspace).init();
+    registerCategories(this.workspace);
+    setActions(this.workspace, actions);
+    this.workspace.addChangeListener((event) => this.hear(event));
+  }
+
+  destroy(): void {
+    this.search.dispose();
+    this.workspace.dispose();
+  }
+
+  /** Show a program; not under the user's hand: what a drag leads to is sent, and answered, when it ends. */
+  show(wanted: Workspace): void {
+    if (!this.workspace.isDragging() && this.sync.show(wanted)) this.workspace.refreshToolboxSelection();
+  }
+
+  read(): Workspace {
+    return this.sync.read();
+  }
+
+  setTheme(theme: ThemeName): void {
+    this.workspace.setTheme(themeOf(theme));
+  }
+
+  resize(): void {
+    Blockly.svgResize(this.workspace);
+  }
+
+  focus(): void {
+    Blockly.getFocusManager().focusTree(this.workspace);
+  }
+
+  /** Bring a block into sight and point at it, leaving the focus where it is. */
+  reveal(id: string): void {
+    const block = visible(this.workspace.getBlockById(id));
+    if (!block) return;
+    this.scrollTo(block);
+    block.removeClass("lbRevealed");
+    block.addClass("lbRevealed");
+    block.getSvgRoot().addEventListener("animationend", () => block.removeClass("lbRevealed"), { once: true });
+  }
+
+  scrollTo(block: Blockly.BlockSvg): void {
+    this.workspace.scrollBoundsIntoView(block.getBoundingRectangleWithoutChildren());
+  }
+
+  /** What a successor takes over. */
+  get view(): View {
+    const { scale, scrollX, scrollY } = this.workspace;
+    return { workspace: this.read(), scale, x: scrollX, y: scrollY };
+  }
+
+  takeOver({ workspace, scale, x, y }: View): void {
+    this.show(workspace);
+    this.workspace.setScale(scale);
+    this.workspace.scroll(x, y);
+  }
+
+  private hear(event: Blockly.Events.Abstract): void {
+    const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart;
+    if (dropped || (!event.isUiEvent && !this.workspace.isDragging())) this.edited();
+  }
+}
+
+function options(palette: Palette, theme: ThemeName): Blockly.BlocklyOptions {
+  return {
+    renderer: "zelos",
+    theme: themeOf(theme),
+    media: MEDIA,
+    toolbox: { ...palette.toolbox, contents: [searchTab(), ...palette.toolbox.contents] },
+    oneBasedIndex: false,
+    trashcan: true,
+    sounds: false,
+    grid: { spacing: 24, length: 2, colour: "var(--border)", snap: false },
+    zoom: { controls: true, wheel: false, pinch: true, startScale: 0.8, maxScale: 2.5, minScale: 0.25 },
+    move: { scrollbars: true, drag: true, wheel: true },
+    plugins: {
+      blockDragger: ScrollBlockDragger,
+      metricsManager: ScrollMetricsManager,
+      connectionChecker: Checker,
+    },
+  };
+}

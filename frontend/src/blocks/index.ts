@@ -1,0 +1,183 @@
+/** The program as blocks. */
+
+import { effect, untracked } from "@preact/signals";
+
+import type { Context } from "../context";
+import { language, t } from "../i18n";
+import type { Island } from "../island";
+import type { ThemeName } from "../preferences";
+import { theme } from "../preferences";
+import "./blocks.css";
+import { Editor } from "./editor";
+import type { Actions } from "./menus";
+import { registerMenus } from "./menus";
+import { fetchPalette, installPalette, prepareBlockly } from "./palette";
+import type { Palette } from "./palette";
+import { registerSearchTab } from "./search";
+
+export interface BlocksIsland extends Island {
+  focus(): void;
+  /** Bring a block into sight and point at it. */
+  reveal(block: string): void;
+  resize(): void;
+}
+
+let prepared = false;
+
+/** Make the blocks view; it fills `dom` once that has a place in the page and the palette is there. */
+export function createBlocks(context: Context): BlocksIsland {
+  if (!prepared) prepare();
+  return new Blocks(context);
+}
+
+// Blockly keeps its registries for the whole page.
+function prepare(): void {
+  prepared = true;
+  prepareBlockly();
+  registerMenus();
+  registerSearchTab();
+}
+
+/** A running program that jumps to and fro is followed this often at most, in ms. */
+const FOLLOWING = 400;
+
+class Blocks implements BlocksIsland {
+  readonly dom = document.createElement("div");
+  private editor: Editor | null = null;
+  private palette: Palette | null = null;
+  private wanted = "";
+  private followed = 0;
+  private readonly ends: (() => void)[];
+
+  constructor(private readonly context: Context) {
+    this.dom.className = "blocks";
+    const watcher = new ResizeObserver(() => this.resize());
+    watcher.observe(this.dom);
+    this.ends = [
+      () => watcher.disconnect(),
+      effect(() => this.dom.setAttribute("aria-label", t("blocks.label"))),
+      effect(() => void this.load(language.value)),
+      effect(() => this.showTheme(theme.value)),
+      effect(() => this.showProgram()),
+      effect(() => this.showBreakpoints()),
+      effect(() => this.showRunning()),
+    ];
+  }
+
+  destroy(): void {
+    for (const end of this.ends) end();
+    this.editor?.destroy();
+    this.editor = null;
+    this.wanted = "";
+  }
+
+  focus(): void {
+    this.editor?.focus();
+  }
+
+  reveal(block: string): void {
+    if (this.isShown) this.editor?.reveal(block);
+  }
+
+  resize(): void {
+    if (!this.isShown) return;
+    if (this.editor) this.editor.resize();
+    else this.open();
+    this.showAll();
+  }
+
+  private get isShown(): boolean {
+    return this.dom.clientWidth > 0 && this.dom.clientHeight > 0;
+  }
+
+  private async load(code: string): Promise<void> {
+    this.wanted = code;
+    try {
+      const palette = await fetchPalette(code);
+      // Another language may have been chosen meanwhile, or the page left.
+      if (this.wanted === code) this.install(palette);
+    } catch (error) {
+      if (this.wanted === code) this.fail(error);
+    }
+  }
+
+  private fail(error: unknown): void {
+    console.error(error);
+    if (!this.editor) this.dom.textContent = t("blocks.failed");
+  }
+
+  private install(palette: Palette): void {
+    this.palette = palette;
+    installPalette(palette);
+    if (this.isShown) this.open();
+  }
+
+  private open(): void {
+    if (!this.palette) return;
+    const view = this.editor?.view;
+    this.editor?.destroy();
+    this.dom.textContent = "";
+    this.editor = new Editor(this.dom, this.palette, theme.peek(), this.actions(), () => this.edited());
+    if (view) this.editor.takeOver(view);
+    this.showAll();
+  }
+
+  private actions(): Actions {
+    const { program, running } = this.context;
+    return {
+      undo: () => program.undo(),
+      redo: () => program.redo(),
+      canUndo: () => program.state.peek().canUndo,
+      canRedo: () => program.state.peek().canRedo,
+      toggleBreakpoint: (block) => running.toggleBreakpoint(block),
+      hasBreakpoint: (block) => running.breakpoints.peek().has(block),
+      show: (block) => this.context.reveal(block),
+    };
+  }
+
+  private edited(): void {
+    const { editor } = this;
+    if (editor) this.context.program.editedBlocks(() => editor.read());
+  }
+
+  private showAll(): void {
+    untracked(() => {
+      this.showProgram();
+      this.showBreakpoints();
+      this.showRunning();
+    });
+  }
+
+  private showProgram(): void {
+    const { workspace, problems, stale } = this.context.program.state.value;
+    this.dom.classList.toggle("stale", stale.includes("blocks"));
+    if (!this.editor || !this.isShown) return;
+    this.editor.show(workspace);
+    this.editor.marks.showProblems(problems);
+    untracked(() => this.showBreakpoints());
+    untracked(() => this.showRunning());
+  }
+
+  // Signals are read before the editor is there: an effect hears only of those that it has read.
+  private showTheme(name: ThemeName): void {
+    this.editor?.setTheme(name);
+  }
+
+  private showBreakpoints(): void {
+    const blocks = this.context.running.breakpoints.value;
+    this.editor?.marks.showBreakpoints(blocks);
+  }
+
+  private showRunning(): void {
+    const [block, { state }] = [this.context.running.block.value, this.context.running.state.value];
+    const shown = this.editor?.marks.showRunning(block);
+    if (shown) this.follow(shown, state === "held");
+  }
+
+  private follow(block: Parameters<Editor["scrollTo"]>[0], atOnce: boolean): void {
+    const now = performance.now();
+    if (!atOnce && now - this.followed < FOLLOWING) return;
+    this.followed = now;
+    this.editor?.scrollTo(block);
+  }
+}

@@ -1,0 +1,70 @@
+/** The palette of a language: the blocks there are and how they are arranged. */
+
+import * as Blockly from "blockly/core";
+import "blockly/blocks";
+import * as english from "blockly/msg/en";
+
+import { registerCodeField } from "./code_field";
+import { registerMutators } from "./mutators";
+import { compareNamesExactly } from "./variables";
+import { registerWhen } from "./when_block";
+
+type Messages = Record<string, string>;
+type Toolbox = Blockly.utils.toolbox.ToolboxInfo;
+
+/** What the server makes of the block configurations. */
+export interface Palette {
+  readonly language: string;
+  readonly definitions: readonly { type: string }[];
+  readonly toolbox: Toolbox;
+  readonly messages: Messages;
+}
+
+// Blockly brings its words in a hundred languages, 9 MB; a new language of the page is named here too.
+const locales: Record<string, () => Promise<object>> = {
+  es: () => import("blockly/msg/es"),
+};
+
+/** Fetch what the palette needs in a language; English words where Blockly has none. */
+export async function fetchPalette(language: string): Promise<Palette> {
+  const [palette, words] = await Promise.all([fetchOwn(language), fetchWords(language)]);
+  const messages: object = { ...english, ...words, ...palette.messages };
+  return { ...palette, messages: messages as Messages };
+}
+
+async function fetchOwn(language: string): Promise<Palette> {
+  const response = await fetch(`palette/${encodeURIComponent(language)}.json`);
+  if (!response.ok) throw new Error(`the palette did not come: ${response.status} ${response.statusText}`);
+  return (await response.json()) as Palette;
+}
+
+async function fetchWords(language: string): Promise<object> {
+  return (await locales[language]?.()) ?? {};
+}
+
+/** Make Blockly speak the palette's language and know its blocks. */
+export function installPalette(palette: Palette): void {
+  Blockly.setLocale(palette.messages);
+  // Defining a type again is how its words change; Blockly would warn of each.
+  for (const { type } of palette.definitions) delete Blockly.Blocks[type];
+  Blockly.common.defineBlocksWithJsonArray([...palette.definitions]);
+}
+
+/** Teach Blockly, once, what is the same in every language. */
+export function prepareBlockly(): void {
+  compareNamesExactly();
+  registerMutators();
+  registerWhen();
+  registerCodeField();
+  leaveChecksToServer();
+}
+
+// The server says what is wrong with a program, the same in all three views. Blockly would disable a
+// `break` outside a loop, and delete calls of a function that is defined nowhere.
+function leaveChecksToServer(): void {
+  Blockly.Extensions.unregister("controls_flow_in_loop_check");
+  Blockly.Extensions.register("controls_flow_in_loop_check", () => undefined);
+  delete Blockly.Blocks["procedures_callnoreturn"].onchange;
+  delete Blockly.Blocks["procedures_callreturn"].onchange;
+  delete Blockly.Blocks["procedures_ifreturn"];
+}

@@ -1,0 +1,138 @@
+/** Blockly's workspace as our flat one. */
+
+import * as Blockly from "blockly/core";
+
+import type { Block, BlockComment, Input, Workspace } from "../messages";
+
+type State = Blockly.serialization.blocks.State;
+
+const OWN_ONLY = { addInputBlocks: false, addNextBlocks: false, doFullSerialization: false };
+
+/** The whole workspace, its stacks in the order of `order` (ids of first blocks), new ones last. */
+export function readWorkspace(workspace: Blockly.WorkspaceSvg, order: readonly string[]): Workspace {
+  return {
+    stacks: inOrder(workspace.getTopBlocks(false), order).map(readStack),
+    variables: workspace
+      .getVariableMap()
+      .getAllVariables()
+      .map((variable) => ({ name: variable.getName(), id: variable.getId() })),
+  };
+}
+
+function inOrder(tops: Blockly.BlockSvg[], order: readonly string[]): Blockly.BlockSvg[] {
+  const places = new Map(order.map((id, place) => [id, place]));
+  const place = (block: Blockly.BlockSvg) => places.get(block.id) ?? order.length;
+  return tops.filter((block) => !block.isInsertionMarker()).sort((a, b) => place(a) - place(b));
+}
+
+function readStack(top: Blockly.BlockSvg): Block[] {
+  const chain = readChain(top);
+  const place = top.getRelativeToSurfaceXY();
+  Object.assign(chain[0]!, { x: Math.round(place.x), y: Math.round(place.y) });
+  return chain;
+}
+
+// A loop and not Blockly's own recursion: a chain of some thousand blocks ends the call stack.
+function readChain(first: Blockly.Block): Block[] {
+  const chain: Block[] = [];
+  for (let block: Blockly.Block | null = first; block; block = block.getNextBlock()) {
+    if (!block.isInsertionMarker()) chain.push(readBlock(block));
+  }
+  return chain;
+}
+
+function readBlock(block: Blockly.Block): Block {
+  const flat = readOwn(block);
+  const inputs = readInputs(block);
+  if (inputs) flat.inputs = inputs;
+  return flat;
+}
+
+/** A block without what is plugged into it. */
+export function readOwn(block: Blockly.Block): Block {
+  const state = Blockly.serialization.blocks.save(block, OWN_ONLY);
+  if (!state) throw new Error(`a block of type ${block.type} is only a mark of a drag`);
+  return fromState(state);
+}
+
+function readInputs(block: Blockly.Block): Record<string, Input> | null {
+  let inputs: Record<string, Input> | null = null;
+  for (const { connection, name, type } of block.inputList) {
+    if (!connection) continue;
+    const input = readConnection(connection, type === Blockly.inputs.inputTypes.STATEMENT);
+    if (input) (inputs ??= {})[name] = input;
+  }
+  return inputs;
+}
+
+function readConnection(connection: Blockly.Connection, statements: boolean): Input | null {
+  const input: Input = {};
+  const shadow = connection.getShadowState(true);
+  if (shadow) input.shadow = fromState(shadow);
+  const target = connection.targetBlock();
+  if (target && !target.isShadow() && !target.isInsertionMarker()) {
+    if (statements) input.stack = readChain(target);
+    else input.block = readBlock(target);
+  }
+  return input.shadow || input.block || input.stack ? input : null;
+}
+
+/** A flat block of one that Blockly has written; what is plugged in are shadows, if anything. */
+export function fromState(state: State): Block {
+  const { type, id, fields, extraState, data, collapsed, disabledReasons, inline, icons, inputs } = state;
+  const flat: Block = { type, id: id ?? "" };
+  if (fields) flat.fields = fields;
+  if (extraState !== undefined) flat.extraState = extraState;
+  if (data !== undefined) flat.data = data;
+  if (collapsed) flat.collapsed = true;
+  if (disabledReasons?.length) flat.disabledReasons = disabledReasons;
+  if (inline !== undefined) flat.inline = inline;
+  if (icons?.["comment"]) flat.comment = fromComment(icons["comment"]);
+  if (inputs) flat.inputs = fromInputs(inputs);
+  return flat;
+}
+
+function fromComment(icon: { text?: string; pinned?: boolean; width?: number; height?: number }): BlockComment {
+  const { text = "", pinned, width, height } = icon;
+  return {
+    text,
+    ...(pinned ? { pinned } : {}),
+    ...(width === undefined ? {} : { width }),
+    ...(height === undefined ? {} : { height }),
+  };
+}
+
+function fromInputs(inputs: NonNullable<State["inputs"]>): Record<string, Input> {
+  const found: Record<string, Input> = {};
+  for (const [name, { shadow, block }] of Object.entries(inputs)) {
+    found[name] = {
+      ...(shadow ? { shadow: fromState(shadow) } : {}),
+      ...(block ? { block: fromState(block) } : {}),
+    };
+  }
+  return found;
+}
+
+/** What Blockly calls the state of a shadow. */
+export function toState(flat: Block): State {
+  const { type, id, fields, extraState, data, inputs } = flat;
+  return {
+    type,
+    id,
+    ...(fields ? { fields } : {}),
+    ...(extraState == null ? {} : { extraState }),
+    ...(data == null ? {} : { data }),
+    ...(inputs ? { inputs: toInputs(inputs) } : {}),
+  };
+}
+
+function toInputs(inputs: Record<string, Input>): NonNullable<State["inputs"]> {
+  const written: NonNullable<State["inputs"]> = {};
+  for (const [name, { shadow, block }] of Object.entries(inputs)) {
+    written[name] = {
+      ...(shadow ? { shadow: toState(shadow) } : {}),
+      ...(block ? { block: toState(block) } : {}),
+    };
+  }
+  return written;
+}

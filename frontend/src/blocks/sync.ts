@@ -1,0 +1,181 @@
+/** Shows a workspace by touching only the blocks that differ from those shown. */
+
+import * as Blockly from "blockly/core";
+
+import type { Block, Workspace } from "../messages";
+import { build, differsInShape, update } from "./build";
+import type { Link, Node } from "./flat";
+import { index } from "./flat";
+import { covered, makeRoom, moveTo, placeBelow } from "./places";
+import { readOwn, readWorkspace } from "./read";
+import { removeVariables, setVariables } from "./variables";
+
+type Svg = Blockly.BlockSvg;
+const NOTHING: Workspace = { stacks: [], variables: [] };
+
+/** Blockly's workspace kept equal to ours, in both directions. */
+export class Sync {
+  /** What is shown, as far as it was ours: what Blockly has made of it may differ in spelling. */
+  private shown = NOTHING;
+
+  constructor(
+    private readonly workspace: Blockly.WorkspaceSvg,
+    private readonly checker: { lenient: boolean },
+  ) {}
+
+  /** What the user has made of it. */
+  read(): Workspace {
+    this.shown = readWorkspace(this.workspace, this.order());
+    return this.shown;
+  }
+
+  /** Show this; true if a block was touched. */
+  show(wanted: Workspace): boolean {
+    if (wanted === this.shown) return false;
+    const change = new Change(this.workspace, index(this.shown), wanted);
+    this.shown = wanted;
+    return this.silently(() => change.apply());
+  }
+
+  private order(): string[] {
+    return this.shown.stacks.map((stack) => stack[0]!.id);
+  }
+
+  // What we do is no edit of the user's, and the program is right even where Blockly would not let
+  // one block into another.
+  private silently(change: () => boolean): boolean {
+    Blockly.Events.disable();
+    this.checker.lenient = true;
+    this.workspace.setResizesEnabled(false);
+    try {
+      return change();
+    } finally {
+      this.workspace.setResizesEnabled(true);
+      this.checker.lenient = false;
+      Blockly.Events.enable();
+    }
+  }
+}
+
+/** One change of what is shown. */
+class Change {
+  private readonly nodes: Map<string, Node>;
+  private readonly before;
+  private readonly made: Svg[] = [];
+  private touched = false;
+
+  constructor(
+    private readonly workspace: Blockly.WorkspaceSvg,
+    private readonly shown: ReadonlyMap<string, Node>,
+    private readonly wanted: Workspace,
+  ) {
+    this.nodes = index(wanted);
+    this.before = covered(workspace);
+  }
+
+  apply(): boolean {
+    const focused = focusedBlock(this.workspace);
+    setVariables(this.workspace, this.wanted.variables);
+    this.removeOld();
+    for (const node of this.nodes.values()) this.makeOrUpdate(node);
+    this.connect();
+    removeVariables(this.workspace, this.wanted.variables);
+    if (this.touched) Blockly.renderManagement.triggerQueuedRenders(this.workspace);
+    this.place();
+    if (focused) this.focusAgain(focused);
+    return this.touched;
+  }
+
+  private removeOld(): void {
+    const blocks = this.workspace.getAllBlocks(false).filter((block) => !block.isShadow());
+    const old = new Set(blocks.filter((block) => !this.stays(block)));
+    for (const block of blocks) if (!old.has(block)) this.loosen(block, old);
+    // From the end, so that none is disposed of with a chain below it: that would recurse.
+    for (const block of [...old].reverse()) block.dispose(false);
+    this.touched ||= old.size > 0;
+  }
+
+  private stays(block: Svg): boolean {
+    const node = this.nodes.get(block.id);
+    return !!node && !differsInShape(this.shownOwn(block), node.block);
+  }
+
+  private shownOwn(block: Svg): Block {
+    return this.shown.get(block.id)?.block ?? readOwn(block);
+  }
+
+  private loosen(block: Svg, old: ReadonlySet<Svg>): void {
+    const parent = block.getParent();
+    if (!parent) return;
+    if (!old.has(parent) && sameLink(linkOf(block, parent), this.nodes.get(block.id)!.link)) return;
+    block.unplug(false);
+    this.touched = true;
+  }
+
+  private makeOrUpdate(node: Node): void {
+    const block = this.workspace.getBlockById(node.block.id);
+    if (!block) {
+      this.made.push(build(this.workspace, node));
+      this.touched = true;
+      return;
+    }
+    const own = this.shownOwn(block);
+    if (own === node.block) return;
+    this.touched = update(block, own, node.block) || this.touched;
+  }
+
+  // From the end: each block then takes up a finished chain, and nothing above it is to be told.
+  private connect(): void {
+    for (const { block, link } of [...this.nodes.values()].reverse()) {
+      if (link) this.hang(this.workspace.getBlockById(block.id)!, link);
+    }
+  }
+
+  private hang(block: Svg, link: Link): void {
+    const parent = this.workspace.getBlockById(link.parent)!;
+    const connection = link.input ? parent.getInput(link.input)?.connection : parent.nextConnection;
+    const own = block.outputConnection ?? block.previousConnection;
+    if (!connection || !own || connection.targetConnection === own) return;
+    connection.connect(own);
+    this.touched = true;
+  }
+
+  private place(): void {
+    const unplaced: Svg[] = [];
+    for (const [first] of this.wanted.stacks) {
+      const block = this.workspace.getBlockById(first!.id)!;
+      if (first!.x == null || first!.y == null) {
+        if (!this.before.has(block.id)) unplaced.push(block);
+      } else if (this.isElsewhere(first!)) {
+        moveTo(block, first!.x, first!.y);
+      }
+    }
+    if (unplaced.length) placeBelow(this.workspace, unplaced);
+    if (this.touched) makeRoom(this.workspace, this.before);
+  }
+
+  private isElsewhere(first: Block): boolean {
+    const shown = this.shown.get(first.id)?.block;
+    return !this.before.has(first.id) || shown?.x !== first.x || shown?.y !== first.y;
+  }
+
+  private focusAgain(id: string): void {
+    const again = this.made.find((block) => block.id === id);
+    if (again) Blockly.getFocusManager().focusNode(again);
+  }
+}
+
+function linkOf(block: Svg, parent: Svg): Link {
+  const connection = (block.outputConnection ?? block.previousConnection)?.targetConnection;
+  if (connection === parent.nextConnection) return { parent: parent.id, input: "" };
+  return { parent: parent.id, input: connection?.getParentInput()?.name ?? "" };
+}
+
+function sameLink(one: Link, other: Link | null): boolean {
+  return other !== null && one.parent === other.parent && one.input === other.input;
+}
+
+function focusedBlock(workspace: Blockly.WorkspaceSvg): string | null {
+  const node = Blockly.getFocusManager().getFocusedNode();
+  return node instanceof Blockly.BlockSvg && node.workspace === workspace ? node.id : null;
+}

@@ -1,0 +1,61 @@
+/** Blocks whose type the palette does not know: shown by name, so that nothing is lost. */
+
+import * as Blockly from "blockly/core";
+
+import type { Block } from "../messages";
+import type { Node } from "./flat";
+
+type Unknown = Blockly.Block & { kept?: unknown };
+
+const unknownTypes = new Set<string>();
+
+/** Defines the type of a block, and those of its shadows, if nobody has. */
+export function ensureDefined(flat: Block): void {
+  if (!Blockly.Blocks[flat.type]) define(flat.type);
+  for (const { shadow } of Object.values(flat.inputs ?? {})) if (shadow) ensureDefined(shadow);
+}
+
+function define(type: string): void {
+  unknownTypes.add(type);
+  Blockly.Blocks[type] = {
+    init(this: Unknown) {
+      this.setStyle("lb_python");
+      this.appendDummyInput("TITLE").appendField(type);
+      this.setOutput(true);
+    },
+    // Nobody knows what it means; it is given back as it came.
+    saveExtraState(this: Unknown) {
+      return this.kept ?? null;
+    },
+    loadExtraState(this: Unknown, state: unknown) {
+      this.kept = state;
+    },
+  };
+}
+
+/** Gives a block of an unknown type the shape of what it carries and of where it stands. */
+export function shapeUnknown(block: Blockly.Block, { block: flat, statement }: Node): void {
+  if (!unknownTypes.has(flat.type)) return;
+  if (statement) makeStatement(block);
+  addFields(block, flat);
+  addInputs(block, flat);
+}
+
+function makeStatement(block: Blockly.Block): void {
+  block.setOutput(false);
+  block.setPreviousStatement(true);
+  block.setNextStatement(true);
+}
+
+function addFields(block: Blockly.Block, flat: Block): void {
+  for (const [name, value] of Object.entries(flat.fields ?? {})) {
+    block.getInput("TITLE")?.appendField(new Blockly.FieldLabelSerializable(String(value)), name);
+  }
+}
+
+function addInputs(block: Blockly.Block, flat: Block): void {
+  for (const [name, input] of Object.entries(flat.inputs ?? {})) {
+    if (input.stack?.length) block.appendStatementInput(name);
+    else block.appendValueInput(name).appendField(name);
+  }
+}

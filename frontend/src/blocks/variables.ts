@@ -1,0 +1,42 @@
+/** The workspace's variables are ours: names that differ in case are different. */
+
+import * as Blockly from "blockly/core";
+
+import type { Variable } from "../messages";
+
+type Model = Blockly.IVariableModel<Blockly.IVariableState>;
+
+/** Makes Blockly compare names of variables and functions as Python does. */
+export function compareNamesExactly(): void {
+  Blockly.Names.equals = (one: string, other: string) => one === other;
+}
+
+/** Makes and renames variables; those that are to go stay until `removeVariables`. */
+export function setVariables(workspace: Blockly.WorkspaceSvg, wanted: readonly Variable[]): void {
+  const names = new Map(wanted.map(({ id, name }) => [id, name]));
+  const map = workspace.getVariableMap();
+  const changed = map.getAllVariables().filter((variable) => variable.getName() !== names.get(variable.getId()));
+  // Two names may change places, so all are out of the way before any is given.
+  for (const variable of changed) variable.setName(`\0${variable.getId()}`);
+  for (const { name, id } of wanted) nameVariable(map, name, id);
+  for (const variable of changed) showName(workspace, variable);
+}
+
+function nameVariable(map: Blockly.IVariableMap<Model>, name: string, id: string): void {
+  const variable = map.getVariableById(id);
+  if (variable) variable.setName(name);
+  else map.createVariable(name, "", id);
+}
+
+function showName(workspace: Blockly.WorkspaceSvg, variable: Model): void {
+  for (const block of workspace.getAllBlocks(false)) block.updateVarName(variable);
+}
+
+/** Removes the variables that are not wanted; no block uses them any more. */
+export function removeVariables(workspace: Blockly.WorkspaceSvg, wanted: readonly Variable[]): void {
+  const ids = new Set(wanted.map(({ id }) => id));
+  const map = workspace.getVariableMap();
+  for (const variable of map.getAllVariables()) {
+    if (!ids.has(variable.getId())) map.deleteVariable(variable);
+  }
+}
