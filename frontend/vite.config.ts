@@ -15,6 +15,15 @@ export default defineConfig(({ mode }) => {
       emptyOutDir: true,
       // Blockly alone is larger than Vite's idea of a large file.
       chunkSizeWarningLimit: 1500,
+      rolldownOptions: {
+        output: {
+          // Blockly asks for its pictures and sounds by name, in one folder.
+          assetFileNames: ({ originalFileNames }) =>
+            originalFileNames.some((name) => name.includes("blockly/media/"))
+              ? "media/[name][extname]"
+              : "assets/[name]-[hash][extname]",
+        },
+      },
     },
     server: {
       proxy: { "/ws": { ...own, ws: true }, "/palette": own, "/textures": own, "/worlds": own },
