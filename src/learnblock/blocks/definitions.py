@@ -90,11 +90,11 @@ def _statements() -> list[Definition]:
         _block("lb_return", "procedure_blocks", [_value("VALUE")]),
         _block("lb_pass", "lb_control"),
         _block("lb_import", "lb_others", [_text("MODULE", "dance")]),
-        _block("lb_setup", "lb_others", [_PLACE], mutator=arguments),
+        _block("lb_setup", "lb_others", [_PLACE], mutator=arguments, inputsInline=True),
         _block("lb_change", "variable_blocks", change, inputsInline=True),
         _block("lb_change_index", "list_blocks", change_index, inputsInline=True),
         _block("lb_do", "lb_control", [_value("VALUE")], inputsInline=True),
-        _block("lb_call", "procedure_blocks", [_PLACE], mutator=arguments),
+        _block("lb_call", "procedure_blocks", [_PLACE], mutator=arguments, inputsInline=True),
         _block("lb_python", "lb_python", [_PLACE], extensions=["lb_code_field"]),
         _block("lb_comment", "lb_python", [_text("TEXT")]),
     ]
