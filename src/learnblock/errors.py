@@ -90,6 +90,10 @@ class BlockConfigurationError(FileError):
     """A block configuration is wrong."""
 
 
+class ProjectError(FileError):
+    """A project's file or name is wrong, or it cannot be saved."""
+
+
 class UnknownNameError(LearnBlockError, LookupError):
     """No robot, world, skill or example has this name."""
 
