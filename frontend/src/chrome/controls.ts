@@ -1,0 +1,71 @@
+/** What the buttons and keys for running do. */
+
+import type { Context } from "../context";
+
+export class Controls {
+  constructor(private readonly context: Context) {}
+
+  /** Run from the beginning; where the program is held or paused, go on. */
+  run(): void {
+    const { running } = this.context;
+    if (!running.active.value) this.start(false);
+    else if (this.waiting) this.resume();
+  }
+
+  stop(): void {
+    this.context.connection.send({ kind: "Stop" });
+  }
+
+  restart(): void {
+    const { running } = this.context;
+    if (!running.active.value) return this.start(false);
+    this.stop();
+    const unsubscribe = running.active.subscribe((active) => {
+      if (active) return;
+      // The first call comes before there is anything to unsubscribe from, but then it is active.
+      unsubscribe();
+      this.start(false);
+    });
+  }
+
+  pauseOrResume(): void {
+    if (!this.context.running.active.value) return;
+    if (this.waiting) this.resume();
+    else this.context.connection.send({ kind: "Pause" });
+  }
+
+  /** To the next line; from standing still, to the first one. */
+  step(over: boolean): void {
+    if (this.context.running.active.value) this.context.connection.send({ kind: "Step", over });
+    else this.start(true);
+  }
+
+  setSpeed(factor: number | null): void {
+    this.context.connection.send({ kind: "SetSpeed", factor });
+  }
+
+  chooseRobot(name: string): void {
+    this.context.connection.send({ kind: "ChooseRobot", name });
+  }
+
+  chooseWorld(name: string): void {
+    this.context.connection.send({ kind: "ChooseWorld", name });
+  }
+
+  resetWorld(): void {
+    this.context.connection.send({ kind: "ResetWorld" });
+  }
+
+  private get waiting(): boolean {
+    return ["paused", "held"].includes(this.context.running.state.value.state);
+  }
+
+  private resume(): void {
+    this.context.connection.send({ kind: "Resume" });
+  }
+
+  private start(paused: boolean): void {
+    this.context.program.flush();
+    this.context.connection.send({ kind: "Run", paused });
+  }
+}

@@ -1,0 +1,54 @@
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+
+import { t } from "../../i18n";
+import type { ProjectEntry } from "../../messages";
+import { IconButton } from "../widgets/button";
+import { date } from "./dates";
+import { Dialog } from "../widgets/dialog";
+import { usePage } from "../page";
+
+/** Every project, the last changed first. */
+export function OpenDialog() {
+  const { dialogs, project } = usePage();
+  const search = useSignal("");
+  useEffect(() => project.list(), []);
+  const entries = project.entries.value ?? [];
+  const found = entries.filter(({ name }) => name.toLowerCase().includes(search.value.toLowerCase()));
+  return (
+    <Dialog title={t("project.openTitle")} close={() => dialogs.close()}>
+      <label class="field">
+        {t("project.search")}
+        <input type="search" autofocus value={search.value} onInput={({ currentTarget }) => (search.value = currentTarget.value)} />
+      </label>
+      {found.length === 0 && <p role="status">{t("project.noneFound")}</p>}
+      <ul class="rows">
+        {found.map((entry) => (
+          <Entry key={entry.name} entry={entry} />
+        ))}
+      </ul>
+    </Dialog>
+  );
+}
+
+function Entry({ entry: { name, changed } }: { entry: ProjectEntry }) {
+  const { dialogs, project } = usePage();
+  const open = () => {
+    dialogs.close();
+    project.open(name);
+  };
+  return (
+    <li>
+      <button type="button" class="row-main" onClick={open}>
+        <strong>{name}</strong>
+        <span class="dim">
+          {date(changed)}
+          {name === project.name.value && ` · ${t("project.isOpen")}`}
+        </span>
+      </button>
+      <span title={t("project.deleteNamed", { name })}>
+        <IconButton icon="trash" word="project.delete" onClick={() => dialogs.show({ delete: name })} />
+      </span>
+    </li>
+  );
+}

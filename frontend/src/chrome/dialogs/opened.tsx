@@ -1,0 +1,42 @@
+/** The dialog that is open, if any. */
+
+import { t } from "../../i18n";
+import { Dialog } from "../widgets/dialog";
+import { ExamplesDialog } from "./examples";
+import { HistoryDialog } from "./history";
+import { IslandPlace } from "../widgets/island";
+import { OpenDialog } from "./open";
+import { usePage } from "../page";
+import { DeleteDialog, SaveAsDialog } from "./project";
+import { SettingsDialog, ShortcutsDialog } from "./settings";
+
+const DIALOGS = {
+  open: OpenDialog,
+  examples: ExamplesDialog,
+  saveAs: SaveAsDialog,
+  history: HistoryDialog,
+  shortcuts: ShortcutsDialog,
+  settings: SettingsDialog,
+  worldEditor: WorldEditorDialog,
+} as const;
+
+export function OpenedDialog() {
+  const name = usePage().dialogs.open.value;
+  if (name === null) return null;
+  if (typeof name === "object") return <DeleteDialog name={name.delete} />;
+  const Shown = DIALOGS[name];
+  return <Shown />;
+}
+
+function WorldEditorDialog() {
+  const { context, dialogs } = usePage();
+  const load = async () => {
+    const { createWorldEditor } = await import("../../world/editor");
+    return createWorldEditor(context, () => dialogs.close());
+  };
+  return (
+    <Dialog title={t("bar.editWorld")} close={() => dialogs.close()} size="whole">
+      <IslandPlace load={load} />
+    </Dialog>
+  );
+}

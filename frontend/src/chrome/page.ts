@@ -1,0 +1,30 @@
+/** What every component of the chrome is given. */
+
+import { createContext } from "preact";
+import { useContext } from "preact/hooks";
+
+import type { Context } from "../context";
+import type { Announcer } from "./notes/announcer";
+import type { Controls } from "./controls";
+import type { Dialogs } from "./dialogs/dialogs";
+import type { Project } from "./project";
+import type { Toasts } from "./notes/toasts";
+import type { Views } from "./views";
+
+export interface Page {
+  readonly context: Context;
+  readonly project: Project;
+  readonly controls: Controls;
+  readonly views: Views;
+  readonly dialogs: Dialogs;
+  readonly toasts: Toasts;
+  readonly announcer: Announcer;
+}
+
+export const PageContext = createContext<Page | null>(null);
+
+export function usePage(): Page {
+  const page = useContext(PageContext);
+  if (!page) throw new Error("a component of the page stands outside it");
+  return page;
+}

@@ -1,0 +1,83 @@
+/** Everything that is wrong with the program, and the last run's error. */
+
+import { t } from "../../i18n";
+import type { Problem } from "../../messages";
+import { findings, type Finding } from "./findings";
+import { Icon } from "../widgets/icons";
+import { usePage } from "../page";
+import { sentence } from "../result";
+import "./problems.css";
+
+export function Problems() {
+  const { context } = usePage();
+  const found = findings(context.program.state.value.problems);
+  const ended = context.running.ended.value;
+  const failed = ended?.ended === "error";
+  return (
+    <div class="problems">
+      {found.length === 0 && !failed && <p class="dim">{t("problems.none")}</p>}
+      {failed && <RunError />}
+      <Group title={t("problems.errors")} found={found.filter((one) => one.severity === "error")} />
+      <Group title={t("problems.warnings")} found={found.filter((one) => one.severity === "warning")} />
+    </div>
+  );
+}
+
+function Group({ title, found }: { title: string; found: readonly Finding[] }) {
+  if (found.length === 0) return null;
+  return (
+    <section>
+      <h3>
+        {title} <span class="dim">({found.length})</span>
+      </h3>
+      <ul>
+        {found.map((one) => (
+          <Row key={one.key} finding={one} />
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function Row({ finding: { message, severity, places } }: { finding: Finding }) {
+  const { context, views } = usePage();
+  const { origin } = context.program.state.value;
+  const go = () => {
+    const best = places.find((one) => one.view === origin) ?? places.find((one) => views.shows(one.view)) ?? places[0];
+    if (best) views.goTo(best);
+  };
+  return (
+    <li>
+      <button type="button" class={`problem ${severity}`} onClick={go}>
+        <Icon name={severity} />
+        <span>{message}</span>
+        <span class="dim">{places.map(placeText).filter(Boolean).join(" · ")}</span>
+      </button>
+    </li>
+  );
+}
+
+export function placeText({ view, line = 0 }: Problem): string {
+  const name = t(`chrome.${view}`);
+  return line > 0 ? t("problems.place", { view: name, line }) : name;
+}
+
+function RunError() {
+  const { context } = usePage();
+  const ended = context.running.ended.value;
+  if (!ended) return null;
+  const go = () => ended.block && context.reveal(ended.block);
+  return (
+    <section>
+      <h3>{t("problems.lastRun")}</h3>
+      <ul>
+        <li>
+          <button type="button" class="problem error" onClick={go}>
+            <Icon name="error" />
+            <span>{sentence(ended)}</span>
+          </button>
+        </li>
+      </ul>
+    </section>
+  );
+}

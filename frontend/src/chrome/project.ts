@@ -1,0 +1,155 @@
+/** The open project, and the others there are. */
+
+import { computed, effect, signal } from "@preact/signals";
+
+import type { Connection } from "../connection";
+import { t } from "../i18n";
+import type { Export, File as Download, History, ProjectEntry, Welcome, WorldChoice } from "../messages";
+import type { Program } from "../program";
+import { addressedProject, nameProject } from "./address";
+import type { Toasts } from "./notes/toasts";
+
+/** What a newcomer sees. */
+const FIRST_EXAMPLE = "square";
+/** As long as the server takes. */
+const LONGEST_TEXT = 1_000_000;
+const IMPORTED = [".learnblock", ".bt", ".py"];
+
+export class Project {
+  readonly name = signal("");
+  readonly welcome = signal<Welcome | null>(null);
+  readonly worlds = signal<readonly WorldChoice[]>([]);
+  /** Null until the server has told. */
+  readonly entries = signal<readonly ProjectEntry[] | null>(null);
+  readonly history = signal<History | null>(null);
+  readonly saved = computed(() => this.program.unsaved.value === null);
+  /** Choose a project as soon as we hear which there are. */
+  private choosing = false;
+  /** To be deleted as soon as another one is open. */
+  private doomed: string | null = null;
+
+  constructor(
+    private readonly connection: Connection,
+    private readonly program: Program,
+    private readonly toasts: Toasts,
+  ) {
+    connection.on("Welcome", (welcome) => this.begin(welcome));
+    connection.on("Projects", ({ projects }) => this.listed(projects));
+    connection.on("Opened", ({ name, recovered }) => this.opened(name, recovered ?? false));
+    connection.on("Worlds", ({ worlds }) => (this.worlds.value = worlds));
+    connection.on("History", (history) => (this.history.value = history));
+    connection.on("File", download);
+    connection.on("Failed", ({ message, request }) => this.failed(message, request ?? ""));
+    effect(() => {
+      document.title = this.name.value ? `${this.name.value} – LearnBlock` : "LearnBlock";
+    });
+    addEventListener("popstate", () => this.followAddress());
+  }
+
+  open(name: string): void {
+    this.program.flush();
+    this.connection.send({ kind: "Open", name });
+  }
+
+  create(name: string, example: string | null = null): void {
+    this.program.flush();
+    this.connection.send({ kind: "New", name, example });
+  }
+
+  saveAs(name: string): void {
+    this.program.flush();
+    this.connection.send({ kind: "SaveAs", name });
+  }
+
+  export(format: Export["format"]): void {
+    this.program.flush();
+    this.connection.send({ kind: "Export", format });
+  }
+
+  restore(version: string): void {
+    this.program.flush();
+    this.connection.send({ kind: "Restore", version });
+  }
+
+  list(): void {
+    this.connection.send({ kind: "ListProjects" });
+  }
+
+  listHistory(): void {
+    this.history.value = null;
+    this.connection.send({ kind: "ListHistory" });
+  }
+
+  /** Delete a project; if it is the open one, another one is opened first. */
+  delete(name: string): void {
+    if (name === this.name.value) {
+      this.doomed = name;
+      this.choosing = true;
+    } else {
+      this.connection.send({ kind: "Delete", name });
+    }
+    this.list();
+  }
+
+  async import(file: File): Promise<void> {
+    if (!IMPORTED.some((ending) => file.name.endsWith(ending))) {
+      return this.toasts.error(t("project.wrongFile", { name: file.name }));
+    }
+    if (file.size > LONGEST_TEXT) {
+      return this.toasts.error(t("project.largeFile", { name: file.name }));
+    }
+    this.program.flush();
+    this.connection.send({ kind: "Import", filename: file.name, text: await file.text() });
+  }
+
+  /** The connection is there, for the first time or again. */
+  private begin(welcome: Welcome): void {
+    this.welcome.value = welcome;
+    this.worlds.value = welcome.worlds;
+    const name = this.name.value || addressedProject();
+    if (name) return this.open(name);
+    this.choosing = true;
+    this.list();
+  }
+
+  private listed(projects: readonly ProjectEntry[]): void {
+    this.entries.value = projects;
+    if (!this.choosing) return;
+    this.choosing = false;
+    const last = projects.find((one) => one.name !== this.doomed);
+    if (last) this.open(last.name);
+    else this.create(FIRST_EXAMPLE, FIRST_EXAMPLE);
+  }
+
+  private opened(name: string, recovered: boolean): void {
+    this.name.value = name;
+    nameProject(name);
+    if (recovered) this.toasts.note(t("project.recovered"));
+    if (this.doomed && this.doomed !== name) this.connection.send({ kind: "Delete", name: this.doomed });
+    this.doomed = null;
+    this.list();
+  }
+
+  private failed(message: string, request: string): void {
+    this.toasts.error(message);
+    this.doomed = null;
+    // The address named a project that is not there, or no longer.
+    if (request !== "Open" || this.name.value) return;
+    this.choosing = true;
+    this.list();
+  }
+
+  private followAddress(): void {
+    const name = addressedProject();
+    if (name && name !== this.name.value) this.open(name);
+  }
+}
+
+function download({ filename, text }: Download): void {
+  const address = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = filename;
+  link.click();
+  URL.revokeObjectURL(address);
+}

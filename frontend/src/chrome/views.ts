@@ -1,0 +1,83 @@
+/** Which parts of the page are shown, and the three views of the program among them. */
+
+import { signal } from "@preact/signals";
+
+import type { Island } from "../island";
+import type { Problem, View } from "../messages";
+import { arrange, preferences } from "../preferences";
+import { room } from "./screen";
+
+export const VIEWS: readonly View[] = ["blocks", "blocktext", "python"];
+export type Area = View | "world" | "panel";
+export type PanelName = "console" | "variables" | "sensors" | "problems" | "result";
+
+/** A view of the program. */
+export interface ViewIsland extends Island {
+  focus(): void;
+  reveal(block: string): void;
+  goTo?(line: number, column: number): void;
+}
+
+export class Views {
+  /** What a narrow screen shows. */
+  readonly area = signal<Area>(preferences.value.layout.view);
+  readonly panel = signal<PanelName>("console");
+  private readonly islands = new Map<View, ViewIsland>();
+
+  /** A view is there, or gone. */
+  put(view: View, island: ViewIsland | null): void {
+    if (island) this.islands.set(view, island);
+    else this.islands.delete(view);
+  }
+
+  shows(area: Area): boolean {
+    if (room.value === "narrow") return area === this.area.value;
+    if (area === "world" || area === "panel") return true;
+    const { views, view } = preferences.value.layout;
+    return room.value === "medium" ? area === view : views.includes(area);
+  }
+
+  show(area: Area): void {
+    this.area.value = area;
+    if (area === "world" || area === "panel") return;
+    const { views } = preferences.value.layout;
+    const shown = VIEWS.filter((one) => one === area || views.includes(one));
+    arrange({ view: area, views: shown });
+  }
+
+  /** Show or hide one where there is room for several; the last one stays. */
+  toggle(area: Area): void {
+    const { views } = preferences.value.layout;
+    if (room.value !== "wide" || !views.some((one) => one === area)) return this.show(area);
+    if (views.length > 1) arrange({ views: views.filter((one) => one !== area) });
+  }
+
+  showPanel(panel: PanelName): void {
+    this.panel.value = panel;
+    this.show("panel");
+  }
+
+  focus(view: View): void {
+    this.islands.get(view)?.focus();
+  }
+
+  /** Show a statement in every view that is shown. */
+  reveal(block: string): void {
+    for (const view of VIEWS) if (this.shows(view)) this.islands.get(view)?.reveal(block);
+  }
+
+  /** Go to a problem, in its own view above all. */
+  goTo(problem: Problem): void {
+    this.show(problem.view);
+    if (problem.block) this.reveal(problem.block);
+    // A view that was hidden has its size only with the next frame.
+    requestAnimationFrame(() => this.enter(problem));
+  }
+
+  private enter({ view, line = 0, column = 0, block }: Problem): void {
+    const island = this.islands.get(view);
+    if (block) island?.reveal(block);
+    if (line > 0) island?.goTo?.(line, Math.max(column, 1));
+    island?.focus();
+  }
+}

@@ -1,0 +1,64 @@
+/** A modal dialog: the browser's own, which keeps the focus in it and gives it back. */
+
+import type { ComponentChildren } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+
+import { t } from "../../i18n";
+import { IconButton } from "./button";
+import "./dialog.css";
+
+interface Props {
+  readonly title: string;
+  readonly close: () => void;
+  readonly size?: "small" | "large" | "whole";
+  readonly children: ComponentChildren;
+}
+
+export function Dialog({ title, close, size = "small", children }: Props) {
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => (dialog.current ? hold(dialog.current, close) : undefined), []);
+  return (
+    <dialog
+      ref={dialog}
+      class={`dialog ${size}`}
+      aria-labelledby="dialog-title"
+      onClick={({ target }) => target === dialog.current && dialog.current?.close()}
+    >
+      <div class="dialog-inside">
+        <header>
+          <h2 id="dialog-title">{title}</h2>
+          <IconButton icon="close" word="chrome.close" onClick={() => dialog.current?.close()} />
+        </header>
+        {children}
+      </div>
+    </dialog>
+  );
+}
+
+/** Show it until what is returned is called; closing gives the focus back to where it was. */
+function hold(dialog: HTMLDialogElement, close: () => void): () => void {
+  dialog.showModal();
+  dialog.addEventListener("close", close);
+  return () => {
+    // The event comes later, when another dialog may be open.
+    dialog.removeEventListener("close", close);
+    dialog.close();
+  };
+}
+
+interface ActionsProps {
+  readonly cancel: () => void;
+  readonly children: ComponentChildren;
+}
+
+/** The buttons at a dialog's end; the one that does it comes last. */
+export function Actions({ cancel, children }: ActionsProps) {
+  return (
+    <div class="actions">
+      <button type="button" class="button bordered" onClick={cancel}>
+        {t("chrome.cancel")}
+      </button>
+      {children}
+    </div>
+  );
+}

@@ -1,0 +1,65 @@
+/** The page begins. */
+
+import { effect } from "@preact/signals";
+import { render } from "preact";
+
+import { socketAddress, takeToken } from "./chrome/address";
+import { Announcer } from "./chrome/notes/announcer";
+import { App } from "./chrome/app";
+import { Controls } from "./chrome/controls";
+import { Dialogs } from "./chrome/dialogs/dialogs";
+import { PageContext, type Page } from "./chrome/page";
+import { Project } from "./chrome/project";
+import { listen } from "./chrome/shortcuts";
+import { Toasts } from "./chrome/notes/toasts";
+import { Views } from "./chrome/views";
+import { Connection } from "./connection";
+import type { Context } from "./context";
+import { language } from "./i18n";
+import { theme } from "./preferences";
+import { Program } from "./program";
+import { Running } from "./running";
+
+function assemble(): Page {
+  const connection = new Connection(socketAddress(), takeToken());
+  const program = new Program(connection);
+  const running = new Running(connection);
+  const views = new Views();
+  const context: Context = { connection, program, running, reveal: (block) => views.reveal(block) };
+  const toasts = new Toasts();
+  return {
+    context,
+    views,
+    toasts,
+    project: new Project(connection, program, toasts),
+    controls: new Controls(context),
+    dialogs: new Dialogs(),
+    announcer: new Announcer(context),
+  };
+}
+
+async function sound({ context }: Page): Promise<void> {
+  const { startSound } = await import("./robot/sound");
+  startSound(context);
+}
+
+function begin(root: HTMLElement): void {
+  const page = assemble();
+  effect(() => {
+    document.documentElement.lang = language.value;
+    document.documentElement.dataset.theme = theme.value;
+  });
+  addEventListener("pagehide", () => page.context.program.flush());
+  listen(page);
+  render(
+    <PageContext.Provider value={page}>
+      <App />
+    </PageContext.Provider>,
+    root,
+  );
+  page.context.connection.open();
+  void sound(page);
+}
+
+const root = document.getElementById("page");
+if (root) begin(root);
