@@ -40,8 +40,7 @@ export class Recording {
   /** Times, and the readings of each sensor, of the last `seconds`. */
   last(seconds: number, names: readonly string[]): { times: number[]; readings: Reading[][] } {
     const end = this.times.at(-1) ?? 0;
-    const start = this.times.findIndex((time) => time >= end - seconds);
-    const from = Math.max(0, start);
+    const from = this.times.findLastIndex((time) => time < end - seconds) + 1;
     return { times: this.times.slice(from), readings: names.map((name) => this.columns.get(name)?.slice(from) ?? []) };
   }
 

@@ -45,8 +45,12 @@ class Sensors implements SensorsIsland {
   private readonly known = signal<readonly string[]>([]);
   private readonly chosen = signal<ReadonlySet<string>>(new Set());
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly themeChanged = () => this.choosePlot();
+  private readonly replot = () => {
+    this.outdated = true;
+    this.schedule();
+  };
   private readonly disposers: (() => void)[];
+  private outdated = true;
   private frame = 0;
   private drawn = 0;
   private summarised = 0;
@@ -55,14 +59,11 @@ class Sensors implements SensorsIsland {
     const details = element("details", {}, this.summaryTitle, this.summary.dom);
     const tools = element("div", { class: "tools" }, this.save);
     this.dom.append(this.nothing, this.readings.dom, this.picture, details, tools);
-    this.dark.addEventListener("change", this.themeChanged);
+    this.dark.addEventListener("change", this.replot);
     this.disposers = [
       effect(() => this.record(context.running.telemetry.value)),
       effect(() => this.nameAll()),
-      effect(() => this.choosePlot()),
-      effect(() => {
-        if (this.visibility.visible.value) this.schedule();
-      }),
+      effect(() => this.followPlot()),
     ];
   }
 
@@ -72,7 +73,7 @@ class Sensors implements SensorsIsland {
 
   destroy(): void {
     for (const dispose of this.disposers) dispose();
-    this.dark.removeEventListener("change", this.themeChanged);
+    this.dark.removeEventListener("change", this.replot);
     this.visibility.destroy();
     cancelAnimationFrame(this.frame);
     this.plot.destroy();
@@ -88,10 +89,10 @@ class Sensors implements SensorsIsland {
   /** Another robot has other sensors. */
   private learn(sensors: readonly string[]): void {
     if (sensors.join() === this.known.peek().join()) return;
-    this.known.value = sensors;
     const kept = [...this.chosen.peek()].filter((sensor) => sensors.includes(sensor));
     const first = PLOTTED_AT_FIRST.find((sensor) => sensors.includes(sensor)) ?? sensors[0];
     this.chosen.value = new Set(kept.length > 0 || !first ? kept : [first]);
+    this.known.value = sensors;
   }
 
   private nameAll(): void {
@@ -117,14 +118,18 @@ class Sensors implements SensorsIsland {
     return this.known.value.filter((sensor) => this.chosen.value.has(sensor));
   }
 
-  /** The plot is made anew for other sensors, another language and other colours. */
-  private choosePlot(): void {
-    void [language.value, preferences.value.theme, this.visibility.visible.value];
-    const names = this.plotted();
+  /** Other sensors, another language and other colours need another plot. */
+  private followPlot(): void {
+    void [this.known.value, this.chosen.value, language.value, preferences.value.theme];
+    // A plot made while it is hidden has no size.
+    if (this.visibility.visible.value) this.replot();
+  }
+
+  private makePlot(names: readonly string[]): void {
+    this.outdated = false;
+    this.summarised = 0;
     this.plot.choose(names);
     this.picture.setAttribute("aria-label", t("sensors.plot", { sensors: names.map(sensorName).join(", ") }));
-    this.summarised = 0;
-    this.schedule();
   }
 
   private schedule(): void {
@@ -137,6 +142,7 @@ class Sensors implements SensorsIsland {
     this.drawn = now;
     this.readings.show(this.context.running.telemetry.peek()?.sensors ?? {});
     const names = this.plotted();
+    if (this.outdated) this.makePlot(names);
     const { times, readings } = this.recording.last(SHOWN_SECONDS, names);
     this.plot.draw(times, readings);
     if (now - this.summarised < SUMMARY_PERIOD) return;
