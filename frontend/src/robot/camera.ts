@@ -8,17 +8,12 @@ import { computed, effect } from "@preact/signals";
 import type { Context } from "../context";
 import { t } from "../i18n";
 import type { Island } from "../island";
-import type { CameraFrame, Seen } from "../messages";
+import type { CameraFrame } from "../messages";
 import { element } from "./elements";
+import { findingName } from "./findings";
 import { drawFrame } from "./picture";
 import { createShown } from "./shown";
 import { watchVisibility } from "./visibility";
-
-const SORTS: Record<Seen["sort"], string> = { tag: "robot.tag", face: "robot.face", line: "robot.line" };
-
-function nameOf({ sort, label }: Seen): string {
-  return `${t(SORTS[sort])} ${label}`.trim();
-}
 
 class Camera implements Island {
   readonly dom = element("section", { class: "robot-panel camera" });
@@ -30,6 +25,7 @@ class Camera implements Island {
   private readonly disposers: (() => void)[];
   private frame: CameraFrame | null = null;
   private decoding = false;
+  private watched = false;
 
   constructor(private readonly context: Context) {
     this.shown = createShown(context);
@@ -55,6 +51,8 @@ class Camera implements Island {
   }
 
   private watch(on: boolean): void {
+    if (!on && !this.watched) return;
+    this.watched = on;
     this.context.connection.send({ kind: "WatchCamera", on });
   }
 
@@ -75,9 +73,9 @@ class Camera implements Island {
     this.decoding = true;
     try {
       const image = await createImageBitmap(jpeg);
-      drawFrame(this.canvas, image, frame, nameOf);
+      drawFrame(this.canvas, image, frame, findingName);
       image.close();
-      this.list((frame.seen ?? []).map(nameOf));
+      this.list((frame.seen ?? []).map(findingName));
     } catch (error) {
       console.warn("a camera frame could not be read", error);
     } finally {

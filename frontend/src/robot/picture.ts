@@ -4,10 +4,10 @@ import type { CameraFrame, Seen } from "../messages";
 
 const COLOURS: Record<Seen["sort"], string> = { tag: "#ffe900", face: "#5dff93", line: "#5ad1ff" };
 
-function trace(pen: CanvasRenderingContext2D, { corners, sort }: Seen): void {
+function trace(pen: CanvasRenderingContext2D, { corners }: Seen): void {
   pen.beginPath();
   for (const [x, y] of corners) pen.lineTo(x, y);
-  if (sort !== "line") pen.closePath();
+  pen.closePath();
 }
 
 /** Bright on dark, so that it is seen before any background. */

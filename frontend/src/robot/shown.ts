@@ -6,19 +6,10 @@ import type { Context } from "../context";
 import { t } from "../i18n";
 import type { Island } from "../island";
 import { element } from "./elements";
+import { emotionName } from "./emotions";
 import { face } from "./face";
 
 type Led = readonly [name: string, colour: readonly [number, number, number]];
-
-const EMOTIONS: Record<string, string> = {
-  fear: "robot.fear",
-  surprise: "robot.surprise",
-  anger: "robot.anger",
-  sadness: "robot.sadness",
-  disgust: "robot.disgust",
-  joy: "robot.joy",
-  neutral: "robot.neutral",
-};
 
 function lamp([name, [red, green, blue]]: Led): HTMLElement {
   const light = element("span", { class: "lamp", "aria-hidden": "true" });
@@ -36,8 +27,8 @@ export function createShown(context: Context): Island {
 
   function show(): void {
     const [emotion, leds] = JSON.parse(content.value) as [string, Led[]];
-    const word = EMOTIONS[emotion];
-    const shown = word ? [face(emotion), element("span", {}, t(word))] : [];
+    const name = emotionName(emotion);
+    const shown = name ? [face(emotion), element("span", {}, name)] : [];
     const lamps = leds.length > 0 ? [element("ul", { "aria-label": t("robot.lamps") }, ...leds.map(lamp))] : [];
     dom.replaceChildren(...shown, ...lamps);
     dom.hidden = dom.childElementCount === 0;

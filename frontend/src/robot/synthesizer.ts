@@ -10,7 +10,7 @@ export interface Tone {
 }
 
 /** At full speed a program can play thousands of tones at once: the rest is not heard anyway. */
-const MOST_AT_ONCE = 24;
+const MOST_AT_ONCE = 48;
 const LONGEST_SECONDS = 10;
 /** Within this time, in seconds, a tone swells and fades, so that it does not click. */
 const FADE = 0.01;

@@ -4,6 +4,7 @@ import { effect } from "@preact/signals";
 import type { EditorState } from "@codemirror/state";
 
 import type { Context } from "../context";
+import { language } from "../i18n";
 import type { Completions, Description, Notation } from "../messages";
 
 type Answered = Completions | Description;
@@ -60,8 +61,8 @@ export class Requests {
     this.context.program.flush();
     return new Promise((resolve) => {
       this.open.set(answer, { request, answer: resolve });
-      const { notation } = this;
-      const sent = this.context.connection.send({ kind, request, notation, line: line.number, column });
+      const place = { notation: this.notation, line: line.number, column };
+      const sent = this.context.connection.send({ kind, request, ...place, language: language.peek() });
       if (!sent) resolve(null);
     });
   }
