@@ -52,7 +52,7 @@ _LEVELS = {
 OPERATORS = frozenset(_LEVELS)
 _NOT, _COMPARE, _SIGN, _POWER = 3, 4, 7, 8
 _CONSTANTS = {"True": True, "False": False, "None": None}
-_NUMBER = re.compile(
+NUMBER = re.compile(
     r"0[xX](?:_?[0-9a-fA-F])+|0[bB](?:_?[01])+|0[oO](?:_?[0-7])+"
     r"|0(?:_?0)*|[1-9](?:_?[0-9])*"
     r"|(?:[0-9](?:_?[0-9])*)?\.[0-9](?:_?[0-9])*(?:[eE][-+]?[0-9](?:_?[0-9])*)?"
@@ -309,7 +309,7 @@ class ExpressionParser(TokenReader):
         if len(text) >= MAX_DIGITS:
             message = f"a number of {len(text)} digits is too long: at most {MAX_DIGITS}"
             raise self.slip("bad-number", message, token)
-        if not _NUMBER.fullmatch(text):
+        if not NUMBER.fullmatch(text):
             plain = text.lstrip("0_")
             advice = f": write `{plain}`" if text[0] == "0" and plain.isdecimal() else ""
             raise self.slip("bad-number", f"`{text}` is no number{advice}", token)

@@ -30,7 +30,7 @@ from learnblock.language.statement_parser import ASSIGNMENTS, StatementParser
 
 MAX_DIAGNOSTICS = 100
 
-_MODULE = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)*")
+MODULE = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)*")
 
 
 def parse(text: str, filename: str = "program.bt") -> Program:
@@ -102,9 +102,9 @@ class _Parser(StatementParser):
         name = self.expect("string", 'the name of a file in quotes, such as "dance",')
         # In the form in which Python compares names, as the lexer gives all others.
         module = unicodedata.normalize("NFKC", self.unquoted(name))
-        if not _MODULE.fullmatch(module):
+        if not MODULE.fullmatch(module):
             hint = module.replace("\\", "/").rpartition("/")[2].removesuffix(".py")
-            advice = f' such as "{hint}"' if _MODULE.fullmatch(hint) else ""
+            advice = f' such as "{hint}"' if MODULE.fullmatch(hint) else ""
             message = f"`import` takes the name of a Python file without folder and .py{advice}"
             raise self.slip("import-name", message, name)
         return Import(module, *self.line_end(token))

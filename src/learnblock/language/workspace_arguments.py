@@ -1,0 +1,117 @@
+"""The arguments of skills: every parameter has an input on the block, but not all are given.
+
+A parameter whose input still shows the default is left out of the program, those behind it are
+given by name. What a program says otherwise is noted at its block.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.toolbox import Shadow, parameter_shadow
+from learnblock.language.expression_parser import NUMBER
+from learnblock.language.nodes import Call, Expression, Number, SkillCall, String
+from learnblock.language.strings import quote
+from learnblock.language.workspace import Block
+from learnblock.language.workspace_literals import Literal, literal
+from learnblock.language.workspace_notes import NO_NOTES, Notes
+
+
+class Given(NamedTuple):
+    """The names of the parameters that are given by their place, and of those by name."""
+
+    arguments: tuple[str, ...]
+    keywords: tuple[str, ...]
+
+
+def given(names: Sequence[str], present: Mapping[str, bool], notes: Notes) -> Given:
+    """Which parameters a call gives how.
+
+    Args:
+        names: of all parameters.
+        present: which of them hold something else than their default.
+        notes: of the block.
+    """
+    by_name = [name for name in notes.keywords if name in present]
+    said = {*names[: max(notes.given, 0)], *by_name}
+    found = [name for name in names if present[name] or name in said]
+    places = 0
+    while places < len(found) and found[places] == names[places] and names[places] not in by_name:
+        places += 1
+    rest = [name for name in found[places:] if name not in by_name]
+    return Given(tuple(found[:places]), tuple(dict.fromkeys([*by_name, *rest])))
+
+
+def given_by(call: Call | SkillCall, configuration: BlockConfiguration) -> Given | None:
+    """How a call gives its arguments; None if the skill's block cannot hold them all."""
+    names = [parameter.name for parameter in configuration.parameters]
+    count = len(call.arguments)
+    keywords = [keyword.name for keyword in call.keywords]
+    held = {*names[:count], *keywords}
+    if count > len(names) or len(held) < count + len(keywords) or not held <= set(names):
+        return None
+    if any(one.required and one.name not in held for one in configuration.parameters):
+        return None
+    return Given(tuple(names[:count]), tuple(keywords))
+
+
+def noted(
+    call: Call | SkillCall, configuration: BlockConfiguration, values: Mapping[str, Expression]
+) -> Notes:
+    """What must be noted so that a block gives its arguments as the call does."""
+    said = Given(
+        tuple(one.name for one in configuration.parameters[: len(call.arguments)]),
+        tuple(keyword.name for keyword in call.keywords),
+    )
+    names = [parameter.name for parameter in configuration.parameters]
+    present = {
+        one.name: one.required or (one.name in values and not _is_default(values[one.name], one))
+        for one in configuration.parameters
+    }
+    if given(names, present, NO_NOTES) == said:
+        return NO_NOTES
+    return Notes(given=len(said.arguments), keywords=said.keywords)
+
+
+def differs(shadow: Block, parameter: Parameter) -> bool:
+    """Whether a shadow shows something else than the parameter's default."""
+    default = parameter_shadow(parameter)
+    return (
+        default is None
+        or shadow.type != default.type
+        or shadow.fields.get(default.field) != default.value
+    )
+
+
+def shadow_literal(node: Expression, shadow: Shadow, parameter: Parameter | None) -> Literal | None:
+    """How a shadow shows an argument; None if it takes a block."""
+    found = _tag(node) if parameter is not None and parameter.type == "apriltext" else literal(node)
+    return None if found is None or found.type != shadow.type else found
+
+
+def tag(node: Expression, shadow: Block) -> Expression:
+    """The tag that the text of a shadow names: by its number, if that is one."""
+    if isinstance(node, String) and shadow.data is None and _is_number(node.value):
+        return Number(node.value)
+    return node
+
+
+def _tag(node: Expression) -> Literal | None:
+    if isinstance(node, Number):
+        return Literal("text", "TEXT", node.text) if _is_number(node.text) else None
+    found = literal(node)
+    if isinstance(node, String) and _is_number(node.value):
+        return Literal("text", "TEXT", node.value, Notes(quoted=(node.value, quote(node.value))))
+    return found
+
+
+def _is_number(text: str) -> bool:
+    return text.isascii() and text.isdecimal() and bool(NUMBER.fullmatch(text))
+
+
+def _is_default(node: Expression, parameter: Parameter) -> bool:
+    shadow = parameter_shadow(parameter)
+    if shadow is None:
+        return False
+    found = shadow_literal(node, shadow, parameter)
+    return found is not None and found.value == shadow.value

@@ -1,0 +1,264 @@
+"""Expressions into value blocks, which stay the blocks that they were."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import count
+
+from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.toolbox import SHADOWS, SKILL, Shadow, parameter_shadow
+from learnblock.language.nodes import (
+    Call,
+    Expression,
+    Index,
+    Item,
+    Main,
+    Name,
+    Node,
+    Program,
+    Unary,
+    expressions,
+    statements,
+    within,
+)
+from learnblock.language.workspace import Block, FieldValue, Input, Variable, Workspace
+from learnblock.language.workspace_arguments import shadow_literal
+from learnblock.language.workspace_notes import NO_NOTES, Notes
+from learnblock.language.workspace_reader import WorkspaceReader
+from learnblock.language.workspace_shapes import Shape
+from learnblock.language.workspace_statement_shapes import StatementShaper
+
+# How much is within a value of which not all must have a block of its own.
+_OPERANDS: Mapping[type[Expression], int] = {Unary: 1, Index: 2}
+_NO_INPUTS: Mapping[str, Input] = {}
+
+
+class ValueWriter:
+    """Writes values.
+
+    Args:
+        program: the tree.
+        configurations: of the skills, by name.
+        before: the workspace to keep all that can be kept of, as it was read.
+        previous: the workspace itself.
+    """
+
+    def __init__(
+        self,
+        program: Program,
+        configurations: Mapping[str, BlockConfiguration],
+        before: WorkspaceReader,
+        previous: Workspace,
+    ) -> None:
+        self.shaper = StatementShaper(program, configurations)
+        self.configurations = configurations
+        self.before = before
+        self.ids: dict[int, str] = {}
+        self.taken: set[str] = set()
+        used = {block.id for block in blocks_of(previous)}
+        self.new_ids = (name for number in count(1) if (name := f"b{number}") not in used)
+        self.variables = {one.name: one for one in previous.variables}
+        known = {one.id for one in previous.variables}
+        self.new_variables = (name for number in count(1) if (name := f"v{number}") not in known)
+        self.changed = _changed(self.shaper, StatementShaper(before.program, configurations))
+
+    # What stays as it is.
+
+    def stays(self, node: Expression, old: Block) -> bool:
+        """Whether a block says this value already; if so it is kept, with all that is in it."""
+        said = self.before.nodes.get(old.id)
+        if old.id in self.taken or type(said) is not type(node) or said != node:
+            return False
+        if self.changed and self.has_changed(within(node)):
+            return False
+        self.taken.add(old.id)
+        self.keep_values(node, said)
+        return True
+
+    def keep_values(self, node: Expression, said: Expression) -> None:
+        """The blocks of an equal value are those of this one."""
+        ids, before = self.ids, self.before.ids
+        for one, other in zip(within(node), within(said), strict=True):
+            ids[id(one)] = before[id(other)]
+
+    def has_changed(self, nodes: Iterable[Node]) -> bool:
+        """Whether nodes name something for which there are other blocks now."""
+        return any(isinstance(one, Name | Call) and one.name in self.changed for one in nodes)
+
+    def has_changed_within(self, statement: Item | Main) -> bool:
+        return any(
+            self.has_changed(within(value))
+            for one in statements((statement,))  # type: ignore[arg-type]
+            for value in expressions(one)
+        )
+
+    # What is written.
+
+    def value(self, node: Expression, old: Block | None) -> Block:
+        """A block for a value.
+
+        Args:
+            node: the value.
+            old: the block that may have been this one, or have been within it.
+        """
+        if old is not None and self.stays(node, old):
+            return old
+        shape = self.shaper.value(node)
+        block = self.block(shape, old, {})
+        self.ids[id(node)] = block.id
+        if len(shape.values) < _OPERANDS.get(type(node), 0):
+            self.note_parts(node, block)
+        return block
+
+    def note_parts(self, node: Expression, block: Block) -> None:
+        """What is within a value and has no block of its own belongs to the value's block."""
+        for one in within(node):
+            self.ids.setdefault(id(one), block.id)
+
+    def block(self, shape: Shape, old: Block | None, inputs: dict[str, Input]) -> Block:
+        """A block of a shape, without comment, as far as possible the old one.
+
+        Args:
+            shape: what it says.
+            old: the block that may have been this one.
+            inputs: those that hold statements.
+        """
+        same = old is not None and old.type == shape.type and old.id not in self.taken
+        block = Block(shape.type, old.id if same and old is not None else next(self.new_ids))
+        self.taken.add(block.id)
+        block.fields = self.fields(shape.fields)
+        block.inputs = self.inputs(shape, old, same=same) | inputs
+        block.extraState = shape.extra
+        if shape.notes is not NO_NOTES:
+            block.data = shape.notes.data()
+        if same and old is not None:
+            _keep_looks(block, old)
+        return block
+
+    def fields(self, fields: Mapping[str, FieldValue | Name]) -> dict[str, FieldValue]:
+        return {
+            name: {"id": self.variable(value.name)} if isinstance(value, Name) else value
+            for name, value in fields.items()
+        }
+
+    def variable(self, name: str) -> str:
+        """The id of a variable."""
+        found = self.variables.get(name)
+        if found is None:
+            found = self.variables[name] = Variable(name, next(self.new_variables))
+        return found.id
+
+    # Inputs.
+
+    def inputs(self, shape: Shape, old: Block | None, *, same: bool) -> dict[str, Input]:
+        """What is plugged into a block, and the shadows where nothing is."""
+        shadows = self.shadows(shape.type)
+        before = old.inputs if same and old is not None else _NO_INPUTS
+        wrapped = None if same else old
+        inputs: dict[str, Input] = {}
+        for name, node in shape.values.items():
+            if same and old is not None and self.before.missing.get((old.id, name)) == node:
+                self.keep_missing(node, old, name, inputs)
+                continue
+            inputs[name] = self.input(node, shadows.get(name), before.get(name), wrapped)
+        for name in shadows.keys() - shape.values.keys() - {"AT"}:
+            inputs[name] = self.untouched(shadows[name][0], before.get(name))
+        return inputs
+
+    def keep_missing(
+        self, node: Expression, old: Block, name: str, inputs: dict[str, Input]
+    ) -> None:
+        """An input stays as empty as it was."""
+        self.ids[id(node)] = old.id
+        if name in old.inputs:
+            inputs[name] = old.inputs[name]
+
+    def input(
+        self,
+        node: Expression,
+        shadow: tuple[Shadow, Parameter | None] | None,
+        old: Input | None,
+        wrapped: Block | None,
+    ) -> Input:
+        """A value plugged in: in the shadow if that can show it, and else in a block over it.
+
+        Args:
+            node: the value.
+            shadow: of the input, if it has one, and the parameter that it is for.
+            old: what was in the input.
+            wrapped: a block that may be within this input now.
+        """
+        inner = None if old is None else old.block
+        under = None if old is None else old.shadow
+        if shadow is None:
+            return Input(self.value(node, inner or wrapped), under)
+        found = shadow_literal(node, *shadow)
+        if found is not None and inner is None:
+            block = self.shadow(found.type, {found.field: found.value}, found.notes, under)
+            for one in within(node):
+                self.ids[id(one)] = block.id
+            return Input(shadow=block)
+        return Input(self.value(node, inner or wrapped), under or self.default(shadow[0]))
+
+    def untouched(self, shadow: Shadow, old: Input | None) -> Input:
+        """An input that shows its default."""
+        under = None if old is None else old.shadow
+        return Input(shadow=self.shadow(shadow.type, {shadow.field: shadow.value}, NO_NOTES, under))
+
+    def default(self, shadow: Shadow) -> Block:
+        return Block(shadow.type, next(self.new_ids), fields={shadow.field: shadow.value})
+
+    def shadow(
+        self, kind: str, fields: dict[str, FieldValue], notes: Notes, old: Block | None
+    ) -> Block:
+        data = None if notes is NO_NOTES else notes.data()
+        if old is None or old.type != kind:
+            return Block(kind, next(self.new_ids), fields=fields, data=data)
+        if old.fields == fields and old.data == data:
+            return old
+        return Block(kind, old.id, fields=fields, data=data)
+
+    def shadows(self, kind: str) -> Mapping[str, tuple[Shadow, Parameter | None]]:
+        """The shadows of a type of block, with the parameters that they are for."""
+        configuration = self.configurations.get(kind.removeprefix(SKILL))
+        if configuration is None or not kind.startswith(SKILL):
+            return _LANGUAGE.get(kind, {})
+        return {
+            one.name: (shadow, one)
+            for one in configuration.parameters
+            if (shadow := parameter_shadow(one)) is not None
+        }
+
+
+_LANGUAGE: Mapping[str, Mapping[str, tuple[Shadow, Parameter | None]]] = {
+    kind: {name: (shadow, None) for name, shadow in shadows.items()}
+    for kind, shadows in SHADOWS.items()
+}
+
+
+def blocks_of(workspace: Workspace) -> Iterator[Block]:
+    """Every block of a workspace, shadows too."""
+    ahead = [block for stack in workspace.stacks for block in stack]
+    while ahead:
+        block = ahead.pop()
+        yield block
+        for found in block.inputs.values():
+            ahead.extend(found.stack)
+            ahead.extend(one for one in (found.block, found.shadow) if one is not None)
+
+
+def _keep_looks(block: Block, old: Block) -> None:
+    """What the user has chosen for a block, besides what it says."""
+    block.x, block.y = old.x, old.y
+    block.collapsed, block.inline = old.collapsed, old.inline
+    block.disabledReasons = old.disabledReasons
+
+
+def _changed(new: StatementShaper, old: StatementShaper) -> frozenset[str]:
+    """The names for which there are other blocks than before."""
+    whens = new.whens ^ old.whens
+    functions = {
+        name
+        for name in new.functions.keys() | old.functions.keys()
+        if new.functions.get(name) != old.functions.get(name)
+    }
+    states = {prefix + name for name in whens for prefix in ("state_", "time_")}
+    return frozenset(functions | states)

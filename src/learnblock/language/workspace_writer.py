@@ -1,0 +1,307 @@
+"""A program into a workspace: its stacks, and what was in the workspace besides the program."""
+
+from collections.abc import Mapping, Sequence
+
+import msgspec
+
+from learnblock.blocks.configuration import BlockConfiguration
+from learnblock.language.nodes import (
+    Blank,
+    Body,
+    Comment,
+    Def,
+    If,
+    Item,
+    Main,
+    Node,
+    Program,
+    When,
+    bodies,
+    expressions,
+    statements,
+)
+from learnblock.language.workspace import Block, Input, Variable, Workspace
+from learnblock.language.workspace_alignment import aligned
+from learnblock.language.workspace_notes import Lead, comment_of
+from learnblock.language.workspace_reader import WorkspaceReader, is_part, statements_of
+from learnblock.language.workspace_shapes import Shape
+from learnblock.language.workspace_statement_reader import Group
+from learnblock.language.workspace_types import ANSWERING_FUNCTION, FUNCTION, START
+from learnblock.language.workspace_value_writer import ValueWriter, blocks_of
+
+_HATTED = (Def, When, Main)
+
+
+class WorkspaceWriter(ValueWriter):
+    """Writes the workspace of a program, with all that can be kept of the one before."""
+
+    def __init__(
+        self,
+        program: Program,
+        configurations: Mapping[str, BlockConfiguration],
+        before: WorkspaceReader,
+        previous: Workspace,
+    ) -> None:
+        super().__init__(program, configurations, before, previous)
+        self.previous = previous
+        # What hangs below hats, where nothing should.
+        self.tails = {stack[0].id: stack[1:] for stack in previous.stacks if len(stack) > 1}
+        self.stacks: list[list[Block]] = []
+        self.hats: set[str] = set()
+        self.top(program)
+        self.stacks += self.rest()
+        self.workspace = Workspace(self.stacks, self.known_variables())
+
+    # The top level.
+
+    def top(self, program: Program) -> None:
+        main = () if program.main is None else (program.main,)
+        groups = grouped((*program.items, *main, *program.ending))
+        old = self.before.entries
+        places = _with_moved(groups, old, aligned(groups, [group for group, _, _ in old]))
+        run: list[tuple[Block, Block | None]] = []
+        for group, place in zip(groups, places, strict=True):
+            _, block, hat = (None, None, None) if place is None else old[place]
+            if isinstance(group.statement, _HATTED):
+                self.starts(run)
+                run = []
+                self.definition(group, block)
+            else:
+                run.append((self.statement(group, block), hat))
+        self.starts(run)
+
+    def definition(self, group: Group, old: Block | None) -> None:
+        block = self.statement(group, old)
+        self.hats.add(block.id)
+        self.stacks.append([block, *self.tails.get(block.id, [])])
+
+    def starts(self, run: Sequence[tuple[Block, Block | None]]) -> None:
+        """The stacks of consecutive statements: each stays under the hat that it was under."""
+        home = next((hat for _, hat in run if hat is not None), None)
+        blocks: list[Block] = []
+        for block, hat in run:
+            if (
+                hat is not None
+                and home is not None
+                and hat.id != home.id
+                and hat.id not in self.hats
+            ):
+                self.start(blocks, home)
+                home, blocks = hat, []
+            blocks.append(block)
+        if blocks:
+            self.start(blocks, home)
+
+    def start(self, blocks: list[Block], hat: Block | None) -> None:
+        if hat is None or hat.id in self.hats:
+            self.stacks.append(
+                [Block(START, next(self.new_ids), inputs={"DO": Input(stack=blocks)})]
+            )
+            return
+        self.hats.add(hat.id)
+        blocks = self.with_silent(blocks, statements_of(hat))
+        inputs = {**hat.inputs, "DO": Input(stack=blocks)}
+        self.stacks.append(
+            [msgspec.structs.replace(hat, inputs=inputs), *self.tails.get(hat.id, [])]
+        )
+
+    def rest(self) -> list[list[Block]]:
+        """The stacks that are no part of the program, and hats with nothing to say under them."""
+        kept: list[list[Block]] = []
+        for stack in self.previous.stacks:
+            if not stack or stack[0].id in self.hats:
+                continue
+            if not is_part(stack) or self.says_nothing(stack[0]):
+                kept.append(stack)
+            elif stack[0].type == START and (silent := self.silent(statements_of(stack[0]))):
+                hat = msgspec.structs.replace(stack[0], inputs={"DO": Input(stack=silent)})
+                kept.append([hat, *stack[1:]])
+        return kept
+
+    def says_nothing(self, hat: Block) -> bool:
+        if hat.type == START:
+            return not statements_of(hat)
+        return hat.id not in self.before.groups
+
+    # Statements.
+
+    def statement(self, group: Group, old: Block | None) -> Block:
+        """A block for a statement and what stands above it."""
+        if old is not None and self.stays_so(group, old):
+            return old
+        node = group.statement
+        shape = self.shaper.statement(node)
+        same = old if old is not None and old.type == shape.type else None
+        inner_bodies = {
+            name: inner
+            for name, body in shape.bodies.items()
+            if (inner := self.body(body, same.inputs.get(name) if same else None)).stack
+        }
+        comment, notes = comment_of(group.lead, shape.ends, shape.notes, same)
+        block = self.block(self.parametrized(shape._replace(notes=notes)), old, inner_bodies)
+        block.comment = comment
+        self.note_statement(group, block)
+        return block
+
+    def stays_so(self, group: Group, old: Block) -> bool:
+        """Whether a block says this already; if so it is kept, with all that is in it."""
+        said = self.before.groups[old.id]
+        if old.id in self.taken or said != group:
+            return False
+        if self.changed and self.has_changed_within(group.statement):
+            return False
+        self.taken.add(old.id)
+        self.keep(group, said)
+        return True
+
+    def keep(self, group: Group, said: Group) -> None:
+        """The blocks of an equal statement are those of this one."""
+        ids, before = self.ids, self.before.ids
+        for note, other in zip(group.lead, said.lead, strict=True):
+            ids[id(note)] = before[id(other)]
+        new, old = statements((group.statement,)), statements((said.statement,))  # type: ignore[arg-type]
+        for one, was in zip(new, old, strict=True):
+            if id(was) in before:
+                ids[id(one)] = before[id(was)]
+            for part, part_was in zip(_parts(one), _parts(was), strict=True):
+                ids[id(part)] = before[id(part_was)]
+            for value, value_was in zip(expressions(one), expressions(was), strict=True):
+                self.keep_values(value, value_was)
+
+    def note_statement(self, group: Group, block: Block) -> None:
+        """All that has no block of its own belongs to the statement's."""
+        for note in (*group.lead, group.statement, *_parts(group.statement)):
+            self.ids[id(note)] = block.id
+        for value in expressions(group.statement):
+            self.note_parts(value, block)
+        for body in bodies(group.statement):
+            for one in body[-2:]:
+                self.ids.setdefault(id(one), block.id)
+
+    def parametrized(self, shape: Shape) -> Shape:
+        """The shape of a function, with the variables that its parameters are."""
+        if shape.type not in {FUNCTION, ANSWERING_FUNCTION} or shape.extra is None:
+            return shape
+        parameters = [
+            {"name": one["name"], "id": self.variable(one["name"])} for one in shape.extra["params"]
+        ]
+        return shape._replace(extra={"params": parameters})
+
+    def body(self, body: Body, old: Input | None) -> Input:
+        """The blocks of a body, with those of the stack before that say nothing."""
+        chain = [] if old is None else old.stack
+        said = [block for block in chain if block.id in self.before.groups]
+        groups = grouped(body)
+        places = aligned(groups, [self.before.groups[block.id] for block in said])
+        blocks = [
+            self.statement(group, None if place is None else said[place])
+            for group, place in zip(groups, places, strict=True)
+        ]
+        return Input(stack=self.with_silent(blocks, chain))
+
+    # Blocks that say nothing: switched off, or of a type that nobody knows.
+
+    def silent(self, chain: Sequence[Block]) -> list[Block]:
+        return [block for block in chain if block.id not in self.before.groups]
+
+    def with_silent(self, blocks: list[Block], chain: Sequence[Block]) -> list[Block]:
+        """A stack, with the silent blocks of the one before below those that they were below."""
+        if not self.silent(chain):
+            return blocks
+        below: dict[str | None, list[Block]] = {}
+        here = {block.id for block in blocks}
+        above: str | None = None
+        for block in chain:
+            if block.id in self.before.groups:
+                above = block.id if block.id in here else above
+            else:
+                below.setdefault(above, []).append(block)
+        result = below.get(None, [])
+        for block in blocks:
+            result += [block, *below.get(block.id, [])]
+        return result
+
+    def known_variables(self) -> list[Variable]:
+        """The variables in use, and those that the user has made for later."""
+        used, were = _used(self.workspace_so_far()), _used(self.previous)
+        old = {one.id for one in self.previous.variables}
+        return [
+            one
+            for one in self.variables.values()
+            if one.id in used or (one.id in old and one.id not in were)
+        ]
+
+    def workspace_so_far(self) -> Workspace:
+        return Workspace(self.stacks)
+
+
+def grouped(items: Sequence[Item | Main]) -> list[Group]:
+    """Statements with the comments right above them; a comment with nothing below it by itself."""
+    groups: list[Group] = []
+    lead: Lead = ()
+    for item in items:
+        if isinstance(item, Blank):
+            groups += _alone(lead)
+            lead = (item,)
+        elif isinstance(item, Comment):
+            lead = (*lead, item)
+        else:
+            groups.append(Group(lead, item))
+            lead = ()
+    return groups + _alone(lead)
+
+
+def _alone(lead: Lead) -> list[Group]:
+    """Comments that stand above no statement."""
+    comments = [one for one in lead if isinstance(one, Comment)]
+    blank = tuple(one for one in lead if isinstance(one, Blank))
+    return [Group(() if place else blank, one) for place, one in enumerate(comments)]
+
+
+def _with_moved(
+    groups: Sequence[Group],
+    old: Sequence[tuple[Group, Block, Block]],
+    places: list[int | None],
+) -> list[int | None]:
+    """The places, and those of functions and whens that have been moved past others."""
+    free = {
+        key: place
+        for place in set(range(len(old))).difference(places)
+        if (key := _key(old[place][0])) is not None
+    }
+    return [
+        free.pop(key, None) if place is None and (key := _key(group)) is not None else place
+        for group, place in zip(groups, places, strict=True)
+    ]
+
+
+def _key(group: Group) -> tuple[type, str] | None:
+    statement = group.statement
+    return (type(statement), statement.name) if isinstance(statement, Def | When) else None
+
+
+def _parts(node: Item | Main) -> tuple[Node, ...]:
+    """The parts of an `if`."""
+    if not isinstance(node, If):
+        return ()
+    return node.branches if node.otherwise is None else (*node.branches, node.otherwise)
+
+
+def _used(workspace: Workspace) -> set[str]:
+    """The ids of the variables that blocks speak of."""
+    found: set[str] = set()
+    for block in blocks_of(workspace):
+        chosen = block.fields.get("VAR")
+        if isinstance(chosen, dict):
+            found.add(chosen.get("id", ""))
+        if isinstance(block.extraState, dict):
+            found.update(_parameter_ids(block.extraState.get("params")))
+    return found
+
+
+def _parameter_ids(parameters: object) -> set[str]:
+    if not isinstance(parameters, list):
+        return set()
+    return {
+        one["id"] for one in parameters if isinstance(one, dict) and isinstance(one.get("id"), str)
+    }
