@@ -1,9 +1,10 @@
-"""The command line: `learnblock run`, `check`, `format`, `convert`, `robots`, `worlds`, `skills`.
+"""The command line: the page, and `run`, `check`, `format`, `convert`, `robots`, `worlds`, `skills`.
 
 Each command imports what it needs when it is called, so that `learnblock --help` answers at once.
 """
 
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -39,21 +40,70 @@ class _Commands(click.Group):
             ctx.exit(ExitCode.INTERRUPTED)
 
 
+def _page_options(command: Callable[..., None]) -> Callable[..., None]:
+    """The options of whatever opens the page."""
+    for option in reversed(_PAGE_OPTIONS):
+        command = option(command)
+    return command
+
+
+_PAGE_OPTIONS = (
+    click.option(
+        "--port",
+        type=click.IntRange(0, 65535),
+        help="Listen at this port  [default: 8421, or a free one where that is taken]",
+    ),
+    click.option("--host", metavar="ADDRESS", help="Listen at this address  [default: 127.0.0.1]"),
+    click.option("--no-browser", is_flag=True, help="Only print the address of the page."),
+    click.option("--window", is_flag=True, help="Show the page in a window of its own."),
+    click.option("--base-url", metavar="/PATH/", help="The path of the page behind a proxy."),
+    click.option(
+        "--allow-host",
+        "allowed_hosts",
+        metavar="NAME",
+        multiple=True,
+        help="A name by which a proxy, or the network, calls this machine.",
+    ),
+    click.option(
+        "--unix-socket",
+        type=click.Path(path_type=Path, dir_okay=False),
+        help="Listen at this socket instead, for a proxy.",
+    ),
+    click.option(
+        "--projects",
+        type=click.Path(path_type=Path, file_okay=False),
+        help="The folder of the projects.",
+    ),
+)
+
+
 @click.group(
     cls=_Commands,
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    epilog="Start with: learnblock demo",
+    epilog="Start with: learnblock",
 )
 @click.version_option(package_name="learnblock-studio", prog_name="learnblock")
+@_page_options
 @click.pass_context
-def main(ctx: click.Context) -> None:
-    """Program any robot in Block-Text or Python, and run it in a simulated world.
+def main(ctx: click.Context, /, **choices: Any) -> None:
+    """Program any robot in blocks, Block-Text or Python, and run it in a simulated world.
 
-    Without a command it shows the demonstration.
+    Without a command it opens the page, with a token in its address that keeps others out.
     """
     if ctx.invoked_subcommand is None:
-        ctx.invoke(demo)
+        _open_page(None, **choices)
+
+
+@main.command("open")
+@_PROGRAM
+@_page_options
+def open_command(file: Path, **choices: Any) -> None:
+    """Open a program (.learnblock, .bt or .py) in the page.
+
+    A file from elsewhere becomes a project in the folder of projects; the file stays as it is.
+    """
+    _open_page(file, **choices)
 
 
 @main.command()
@@ -216,6 +266,40 @@ def skills(name: str | None, as_json: bool) -> None:  # noqa: FBT001
     from learnblock.listing import skill_list  # noqa: PLC0415
 
     skill_list(name, as_json=as_json)
+
+
+def _open_page(
+    file: Path | None,
+    *,
+    projects: Path | None,
+    no_browser: bool,
+    window: bool,
+    **place: Any,
+) -> None:
+    from learnblock.home import home  # noqa: PLC0415 - `--help` needs none of it
+    from learnblock.server import serve  # noqa: PLC0415
+
+    folder = projects or home() / "projects"
+    project = _project(folder, file) if file else None
+    chosen = {name: value for name, value in place.items() if value is not None}
+    service = serve.Service(folder, project=project, **chosen)
+    if window:
+        serve.serve_in_window(service)
+    else:
+        serve.serve(service, show=None if no_browser else serve.show_in_browser)
+
+
+def _project(folder: Path, file: Path) -> str:
+    """The project of a file; one from elsewhere is copied."""
+    from learnblock import running  # noqa: PLC0415
+    from learnblock.server.projects import ProjectFolder  # noqa: PLC0415
+
+    projects = ProjectFolder(folder)
+    if file.suffix == ".learnblock" and file.resolve().parent == folder.resolve():
+        return projects.read(file.stem).name
+    project = projects.import_file(file.name, running.read_text(file))
+    projects.write(project)
+    return project.name
 
 
 def _diagnose(file: Path, robot: str | None) -> tuple[list[Diagnostic], str]:

@@ -17,6 +17,7 @@ MOST_BREAKPOINTS = 1000
 
 Notation = Literal["blocktext", "python"]
 View = Literal["blocks", "blocktext", "python"]
+StateName = Literal["idle", "starting", "running", "paused", "held", "input", "ended"]
 Text = Annotated[str, Meta(max_length=LONGEST_TEXT)]
 Name = Annotated[str, Meta(min_length=1, max_length=100)]
 #: Of a block.
@@ -568,7 +569,7 @@ class RunState(Message, frozen=True):
         block: the block before which it is held.
     """
 
-    state: Literal["idle", "starting", "running", "paused", "held", "input", "ended"]
+    state: StateName
     block: str | None = None
     speed: float | None = 1.0
 

@@ -1,0 +1,146 @@
+"""The server: the page's files, what it draws with, and its websocket."""
+
+import asyncio
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
+from contextlib import asynccontextmanager
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from anyio import to_thread
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.middleware.gzip import GZipMiddleware
+from starlette.requests import Request
+from starlette.responses import RedirectResponse, Response
+from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
+from starlette.websockets import WebSocket
+
+from learnblock.server import static_files
+from learnblock.server.palette import palette
+from learnblock.server.pictures import face, floor, tag
+from learnblock.server.protection import (
+    COOKIE,
+    SUBPROTOCOL,
+    Guard,
+    Protection,
+    offered_token,
+)
+
+if TYPE_CHECKING:
+    from learnblock.server.lobby import Lobby
+
+#: The page knows this close code: trying again with the same token is vain.
+FORBIDDEN = 4403
+#: Seconds for which a project stays open without a page.
+GRACE = 60.0
+_GZIP = Middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
+
+Endpoint = Callable[[Request], Awaitable[Response]]
+
+
+def create_app(
+    folder: Path,
+    *,
+    token: str,
+    hosts: Iterable[str] = (),
+    origins: Iterable[str] = (),
+    base_url: str = "/",
+    static: Path = static_files.BUILT,
+    grace: float = GRACE,
+) -> Starlette:
+    """The server as an ASGI application.
+
+    Args:
+        folder: where the projects are; need not exist yet.
+        token: whoever knows it may use the server.
+        hosts: names by which it may be called besides those of the machine itself; ``*`` is any
+            address in numbers.
+        origins: hosts of pages that may speak to it besides its own.
+        base_url: the path under which everything is.
+        static: the built page.
+        grace: seconds for which a project stays open without a page.
+    """
+    protection = Protection.of(token, hosts, origins)
+    lobby = _LateLobby(folder, grace)
+    routes = _routes(protection, static, lobby)
+    base = "/" + base_url.strip("/")
+    if base != "/":
+        # Relative addresses of the page need the slash at the end.
+        routes = [Route(base, _to_folder), Mount(base, routes=routes)]
+    return Starlette(
+        routes=routes,
+        middleware=[Middleware(Guard, protection=protection)],
+        lifespan=lobby.lifespan,
+    )
+
+
+def _routes(protection: Protection, static: Path, lobby: "_LateLobby") -> list[BaseRoute]:
+    private = partial(_private, protection)
+    return [
+        Route("/", private(partial(_index, static, protection))),
+        Route("/palette/{language}.json", private(palette), middleware=[_GZIP]),
+        Route("/textures/tag/{number:int}.png", private(tag)),
+        Route("/textures/face/{name}.png", private(face)),
+        Route("/worlds/{name}/floor.png", private(floor)),
+        WebSocketRoute("/ws", partial(_websocket, protection, lobby)),
+        Mount("/", static_files.PageFiles(directory=static, check_dir=False), middleware=[_GZIP]),
+    ]
+
+
+def _private(protection: Protection, endpoint: Endpoint) -> Endpoint:
+    """An endpoint for those who have the token."""
+
+    async def answer(request: Request) -> Response:
+        return await endpoint(request) if protection.trusts(request) else static_files.no_token()
+
+    return answer
+
+
+async def _index(static: Path, protection: Protection, request: Request) -> Response:
+    response = static_files.index(static)
+    # One name for each port: cookies do not tell the servers of a machine apart.
+    name = f"{COOKIE}_{request.url.port or 'page'}"
+    path = request.url.path
+    response.set_cookie(name, protection.token, path=path, httponly=True, samesite="strict")
+    return response
+
+
+async def _to_folder(request: Request) -> Response:
+    return RedirectResponse(request.url.replace(path=request.url.path + "/"))
+
+
+async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSocket) -> None:
+    trusted = protection.knows(offered_token(socket.scope["subprotocols"]))
+    # Accepted in any case: a browser tells its page no reason why a handshake failed.
+    await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
+    if trusted:
+        await (await lobby.get()).serve(socket)
+    else:
+        await socket.close(FORBIDDEN, "the token is wrong")
+
+
+class _LateLobby:
+    """The lobby; all that it needs is imported after the server has begun to answer."""
+
+    def __init__(self, folder: Path, grace: float) -> None:
+        self._folder = folder
+        self._grace = grace
+        self._making: asyncio.Task[Lobby] | None = None
+
+    @asynccontextmanager
+    async def lifespan(self, _: Starlette) -> AsyncIterator[None]:
+        """Make it at the beginning, and close it at the end."""
+        self._making = asyncio.create_task(to_thread.run_sync(self._made))
+        yield
+        await (await self._making).close()
+
+    async def get(self) -> "Lobby":
+        """The lobby, as soon as it is there."""
+        assert self._making is not None  # noqa: S101 - the server begins before it serves
+        return await asyncio.shield(self._making)
+
+    def _made(self) -> "Lobby":
+        from learnblock.server.lobby import Lobby  # noqa: PLC0415
+
+        return Lobby(self._folder, self._grace)

@@ -1,0 +1,86 @@
+"""The projects that are open."""
+
+import asyncio
+from collections.abc import Callable
+from dataclasses import replace
+
+from anyio import to_thread
+
+from learnblock.server.prepared import prepare
+from learnblock.server.project_file import Project, checked_name
+from learnblock.server.projects import ProjectFolder
+from learnblock.server.session import Session
+
+
+class Sessions:
+    """The projects that are open, by name.
+
+    Args:
+        folder: where projects are.
+        grace: seconds for which a project stays open without a page: a page that is loaded again
+            finds its program still running.
+    """
+
+    def __init__(self, folder: ProjectFolder, grace: float) -> None:
+        self.folder = folder
+        self._grace = grace
+        self._open: dict[str, Session] = {}
+        self._ending: dict[str, asyncio.Task[None]] = {}
+        #: So that two pages that open the same project at once share it.
+        self._opening = asyncio.Lock()
+
+    async def open(self, name: str) -> Session:
+        """The project of that name.
+
+        Raises:
+            LearnBlockError: there is none, or it cannot be read.
+            OSError: likewise.
+        """
+        name = checked_name(name)
+        return await self._opened(name, lambda: self.folder.read(name))
+
+    async def start(self, project: Project) -> Session:
+        """A new project, which is saved under a name that is free."""
+        async with self._opening:
+            project = await to_thread.run_sync(self._written, project)
+        return await self._opened(project.name, lambda: project)
+
+    def is_open(self, name: str) -> bool:
+        return name in self._open
+
+    def left(self, session: Session) -> None:
+        """A page has left; if it was the last, the project is closed after a while."""
+        if not session.pages and session.name not in self._ending:
+            self._ending[session.name] = asyncio.create_task(self._end_later(session))
+
+    async def close(self) -> None:
+        """Close them all: their programs end, and they are saved."""
+        async with self._opening:
+            for task in self._ending.values():
+                task.cancel()
+            await asyncio.gather(*(session.close() for session in self._open.values()))
+            self._open.clear()
+
+    async def _opened(self, name: str, read: Callable[[], Project]) -> Session:
+        async with self._opening:
+            if ending := self._ending.pop(name, None):
+                ending.cancel()
+            if name not in self._open:
+                prepared = await to_thread.run_sync(lambda: prepare(read()))
+                session = Session(self.folder, prepared)
+                await session.player.set_the_stage(session.robot, session.world)
+                self._open[name] = session
+            return self._open[name]
+
+    def _written(self, project: Project) -> Project:
+        named = replace(project, name=self.folder.free_name(project.name))
+        self.folder.write(named)
+        return named
+
+    async def _end_later(self, session: Session) -> None:
+        await asyncio.sleep(self._grace)
+        async with self._opening:
+            del self._ending[session.name]
+            if not session.pages:
+                del self._open[session.name]
+                await session.close()
