@@ -33,6 +33,7 @@ export interface Action {
 /** The actions of one text. */
 export class Actions {
   readonly all: readonly Action[];
+  private restoring = false;
 
   constructor(
     private readonly context: Context,
@@ -41,8 +42,8 @@ export class Actions {
   ) {
     const { program, connection } = context;
     this.all = [
-      { name: "undo", keys: ["Mod-z"], run: () => program.undo() },
-      { name: "redo", keys: ["Mod-y", "Mod-Shift-z"], run: () => program.redo() },
+      { name: "undo", keys: ["Mod-z"], run: () => this.restore(program.state.value.canUndo, () => program.undo()) },
+      { name: "redo", keys: ["Mod-y", "Mod-Shift-z"], run: () => this.restore(program.state.value.canRedo, () => program.redo()) },
       { name: "find", keys: ["Mod-f"], run: openSearchPanel },
       {
         name: "format",
@@ -66,6 +67,13 @@ export class Actions {
     );
   }
 
+  /** Whether the change that comes was undone or redone here; asking once is enough. */
+  takeRestoring(): boolean {
+    const { restoring } = this;
+    this.restoring = false;
+    return restoring;
+  }
+
   /** Set or clear a breakpoint before the statement that begins on a line. */
   toggleBreakpoint(view: EditorView, line: number): void {
     const block = this.outline.value.beginningAt(line);
@@ -80,6 +88,11 @@ export class Actions {
     if (!found?.line) return say(view, t("text.noDefinition"));
     selectAt(view, positionOf(view.state, found.line, found.column ?? 0));
     view.focus();
+  }
+
+  private restore(possible: boolean, act: () => void): void {
+    this.restoring = possible;
+    act();
   }
 
   private async rename(view: EditorView): Promise<void> {

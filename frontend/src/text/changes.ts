@@ -1,9 +1,8 @@
 /** What differs between two texts, as changes for CodeMirror. */
 
 import { diff } from "@codemirror/merge";
-import type { ChangeSpec } from "@codemirror/state";
 
-interface Change {
+export interface Change {
   readonly from: number;
   readonly to: number;
   readonly insert: string;
@@ -41,7 +40,7 @@ function changedLines(before: readonly string[], after: readonly string[]): Chan
 }
 
 /** The smallest changes that make `after` of `before`, so that cursors and marks keep their places. */
-export function changesBetween(before: string, after: string): ChangeSpec[] {
+export function changesBetween(before: string, after: string): Change[] {
   const [oldLines, newLines] = [before.split("\n"), after.split("\n")];
   if (oldLines.length === newLines.length) return changedLines(oldLines, newLines);
   return diff(before, after, LIMITS).map(({ fromA, toA, fromB, toB }) => ({

@@ -34,6 +34,7 @@ class TextView implements TextIsland {
   readonly dom = document.createElement("section");
   private readonly requests: Requests;
   private readonly outline: ReadonlySignal<Outline>;
+  private readonly actions: Actions;
   private readonly view: EditorView;
   private readonly toolbar: Island;
   private readonly words = new Compartment();
@@ -50,9 +51,9 @@ class TextView implements TextIsland {
     const { program } = context;
     this.outline = computed(() => new Outline(program.state.value.places, notation));
     this.requests = new Requests(context, notation);
-    const actions = new Actions(context, this.requests, this.outline);
-    this.view = new EditorView({ state: this.firstState(actions) });
-    this.toolbar = createToolbar(actions, this.view);
+    this.actions = new Actions(context, this.requests, this.outline);
+    this.view = new EditorView({ state: this.firstState() });
+    this.toolbar = createToolbar(this.actions, this.view);
     this.dom.className = "text-view";
     this.dom.append(this.toolbar.dom, this.view.dom);
     this.disposers = [
@@ -83,11 +84,11 @@ class TextView implements TextIsland {
     this.view.destroy();
   }
 
-  private firstState(actions: Actions): EditorState {
+  private firstState(): EditorState {
     return EditorState.create({
       extensions: [
         this.words.of([]),
-        extensions(this.notation, actions, this.requests),
+        extensions(this.notation, this.actions, this.requests),
         tellEdits(this.context.program, this.notation),
       ],
     });
@@ -98,7 +99,7 @@ class TextView implements TextIsland {
     const state = this.context.program.state.value;
     if (state === this.shown) return;
     this.shown = state;
-    showText(this.view, state[this.notation]);
+    showText(this.view, state[this.notation], this.actions.takeRestoring());
     this.dom.classList.toggle("stale", state.stale.includes(this.notation));
     const problems = state.problems.filter(({ view }) => view === this.notation);
     if (problems.length > 0 || this.hasProblems) showProblems(this.view, problems);
