@@ -1,0 +1,139 @@
+"""What stands round a place in a line of a text, whether or not the text can be read."""
+
+import re
+from dataclasses import dataclass, field
+from functools import cached_property
+
+_TOKEN = re.compile(
+    r"""
+    (?P<text>"(?:[^"\\]|\\.)*(?:"|$)|'(?:[^'\\]|\\.)*(?:'|$)|`[^`]*(?:`|$))
+    |(?P<comment>\#.*)
+    |(?P<name>[^\W\d]\w*(?:\s*\.\s*[^\W\d]\w*)*)
+    |(?P<sign>[=!<>]=|\S)
+    """,
+    re.VERBOSE,
+)
+_OPENING, _CLOSING = frozenset("([{"), frozenset(")]}")
+_TYPED = re.compile(r"[^\W\d]\w*$")
+_DOTTED = re.compile(r"([^\W\d]\w*)\s*\.\s*$")
+_REST = re.compile(r"\w*")
+_ARGUMENT = re.compile(r"\s*=(?!=)")
+
+
+@dataclass
+class OpenCall:
+    """A call whose bracket is not closed before the place.
+
+    Args:
+        name: what is called, with what stands before its dot; empty for a bracket of another kind.
+        start: where the name begins, from 0.
+        given: the arguments before the place that are given by name.
+        commas: how many arguments stand before the place.
+    """
+
+    name: str
+    start: int = 0
+    given: set[str] = field(default_factory=set)
+    commas: int = 0
+
+
+@dataclass(frozen=True)
+class Cursor:
+    """A place in a line.
+
+    Args:
+        before: the line up to there.
+        after: the rest of it.
+    """
+
+    before: str
+    after: str
+
+    @classmethod
+    def at(cls, text: str, line: int, column: int) -> "Cursor":
+        """The place in a text, both from 1; one that is not there is the end of the last line."""
+        lines = text.split("\n")
+        written = lines[min(max(line, 1), len(lines)) - 1]
+        return cls(written[: max(column - 1, 0)], written[max(column - 1, 0) :])
+
+    @property
+    def typed(self) -> str:
+        """The part of a word right before the place."""
+        found = _TYPED.search(self.before)
+        return found[0] if found else ""
+
+    @property
+    def word(self) -> str:
+        """The word in which the place is."""
+        rest = _REST.match(self.after)
+        return self.typed + (rest[0] if rest and (self.typed or not rest[0][:1].isdigit()) else "")
+
+    @property
+    def start(self) -> int:
+        """Where the word begins, from 0."""
+        return len(self.before) - len(self.typed)
+
+    @property
+    def behind(self) -> str:
+        """What follows the word."""
+        return (self.before + self.after)[self.start + len(self.word) :]
+
+    @cached_property
+    def owner(self) -> str:
+        """The name before the dot before the word, or nothing."""
+        found = _DOTTED.search(self.before[: self.start])
+        return found[1] if found else ""
+
+    @property
+    def begins_line(self) -> bool:
+        """Whether nothing stands before the word."""
+        return not self.before[: self.start].strip()
+
+    @property
+    def word_before(self) -> str:
+        """The word before this one, if only blanks are between them."""
+        found = _TYPED.search(self.before[: self.start].rstrip())
+        return found[0] if found else ""
+
+    @property
+    def is_argument_name(self) -> bool:
+        """Whether the word is the name of an argument."""
+        return self.call is not None and _ARGUMENT.match(self.behind) is not None
+
+    @cached_property
+    def is_in_text(self) -> bool:
+        """Whether it is in a comment, or in a text or raw Python that goes on."""
+        tokens = [*_TOKEN.finditer(self.before)]
+        if not tokens or tokens[-1].end() < len(self.before):
+            return False
+        last = tokens[-1]
+        is_closed = len(last[0]) > 1 and last[0][-1] == last[0][0]
+        return last.lastgroup == "comment" or (last.lastgroup == "text" and not is_closed)
+
+    @cached_property
+    def call(self) -> OpenCall | None:
+        """The innermost call whose arguments are being written, if any."""
+        opened = _open_calls(self.before)
+        return opened[-1] if opened and opened[-1].name else None
+
+
+def _open_calls(before: str) -> list[OpenCall]:
+    opened: list[OpenCall] = []
+    name: re.Match[str] | None = None
+    for token in _TOKEN.finditer(before):
+        sign = token["sign"]
+        if sign in _OPENING:
+            called = name if sign == "(" else None
+            opened.append(OpenCall(_plain(called[0]), called.start()) if called else OpenCall(""))
+        elif sign in _CLOSING:
+            del opened[-1:]
+        elif opened and sign == ",":
+            opened[-1].commas += 1
+        elif opened and sign == "=" and name is not None:
+            opened[-1].given.add(name[0])
+        name = token if token.lastgroup == "name" else None
+    return opened
+
+
+def _plain(dotted: str) -> str:
+    return re.sub(r"\s", "", dotted)
