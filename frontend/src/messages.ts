@@ -485,6 +485,7 @@ export interface WorldToEdit {
   name: string;
   world: Record<string, unknown>;
   lines: [number, number][][];
+  save_as: string;
 }
 
 export interface Worlds {

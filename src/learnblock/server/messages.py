@@ -732,11 +732,16 @@ class Scene(Message, frozen=True):
 
 
 class WorldToEdit(Message, frozen=True):
-    """A world as its file says (`WorldFile`), and the corners of its lines, mm."""
+    """A world as its file says (`WorldFile`), and the corners of its lines, mm.
+
+    Args:
+        save_as: its own name where it is the user's; else a free one, so that none is replaced.
+    """
 
     name: str
     world: dict[str, Any]
     lines: tuple[tuple[tuple[float, float], ...], ...]
+    save_as: str
 
 
 class WorldChecked(Message, frozen=True):

@@ -1,6 +1,7 @@
 """What is done when a page edits worlds."""
 
 from collections.abc import Mapping
+from itertools import count
 from typing import Any
 
 from anyio import to_thread
@@ -37,7 +38,19 @@ def _to_edit(name: str) -> messages.WorldToEdit:
 
     catalog.check_world_name(name)
     world = find_world(name)
-    return messages.WorldToEdit(name, worlds.world_values(world), worlds.world_lines(world))
+    return messages.WorldToEdit(
+        name, worlds.world_values(world), worlds.world_lines(world), _save_as(name)
+    )
+
+
+def _save_as(name: str) -> str:
+    """The world's own name if it is the user's, else a free one."""
+    from learnblock.robots.simulated import known_worlds, own_worlds  # noqa: PLC0415
+
+    if (own_worlds() / f"{name}.toml").is_file():
+        return name
+    known = known_worlds()
+    return next(free for n in count(2) if (free := f"{name}-{n}") not in known)
 
 
 def _checked(values: dict[str, Any]) -> messages.WorldChecked:
