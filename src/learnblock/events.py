@@ -111,6 +111,10 @@ class Events:
         """Whether the robot has been stopped, which ends the cycle."""
         return False
 
+    def when_states(self) -> dict[str, tuple[bool, float]]:
+        """Of each `when`, by name, whether it is active and since how many seconds."""
+        return {when.name: (when.active, when.time) for when in self._whens}
+
     def when(self, function: Body | Condition) -> When:
         """Decorate a function that runs in every cycle while active: ``@robot.when(condition)``.
 

@@ -1,19 +1,20 @@
 """From a file to a finished run: what the command line and the page do alike."""
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from learnblock import language, robots
 from learnblock.blocks import all_configurations
 from learnblock.client import Client, Goal, Outcome
 from learnblock.devices import Pose
-from learnblock.errors import Diagnostic, ProgramError, UnknownNameError
+from learnblock.errors import Diagnostic, LearnBlockError, ProgramError, UnknownNameError
 from learnblock.language.nodes import Program as Tree
 from learnblock.robots import RobotEntry
+from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.host import Host
 from learnblock.runtime.limits import Limits
@@ -21,6 +22,9 @@ from learnblock.runtime.process import ProcessWorker, Worker, one_processor
 from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run, Watcher
 from learnblock.runtime.trace import Recorder, Trace, record
+
+if TYPE_CHECKING:
+    from learnblock.robots.stage import Stage
 
 DEFAULT_ROBOT = "sim-ebo"
 #: A program larger than this is none that a person wrote.
@@ -201,6 +205,7 @@ class Session:
         watcher: is told what happens while it happens.
         limits: what the program may use.
         worker: makes what runs the program: a process unless said otherwise.
+        debugger: lets the program be paused, stepped and held at breakpoints.
     """
 
     def __init__(
@@ -213,17 +218,22 @@ class Session:
         watcher: Watcher | None = None,
         limits: Limits | None = None,
         worker: Callable[[], Worker] = ProcessWorker,
+        debugger: Debugger | None = None,
     ) -> None:
         self.program = program
         self.robot = robot
         self.options = options or Options()
         self.trace = Trace(trace)
+        #: Where the robot is, if it is a simulated one, once the program has made it.
+        self.stage: Stage | None = None
+        self._debugger = debugger
         self._run = Run(
             program,
             self._make_robot,
             self._make_recorder,
             watcher=watcher,
             limits=limits,
+            debugger=debugger,
             worker=worker,
             robots=tuple(entry.module for entry in robots.entries().values()),
         )
@@ -245,14 +255,53 @@ class Session:
             self._host.run()
         return self._report()
 
+    # What follows may be called from any thread at any time.
+
     def stop(self) -> None:
-        """End the run within a second; may be called from any thread."""
+        """End the run within a second, also while it is paused or waits for input."""
         self._host.stop()
+
+    def pause(self) -> None:
+        """Hold the world at once, and the program at its next line."""
+        self._control.pause()
+
+    def resume(self) -> None:
+        """Go on after a pause or at a breakpoint."""
+        self._control.resume()
+
+    def step(self) -> None:
+        """Run to the next line, into functions."""
+        self._control.step()
+
+    def step_over(self) -> None:
+        """Run to the next line of the same function, or of one that called it."""
+        self._control.step_over()
+
+    def set_breakpoints(self, lines: Collection[int]) -> None:
+        """Hold the program before these lines of its Python, and before no others."""
+        self._control.set_breakpoints(lines)
+
+    def set_speed(self, factor: float | None) -> None:
+        """How fast a simulated world runs, times real time; None is as fast as it goes."""
+        self._run.set_speed(factor)
+
+    def tell_variables(self, tell: bool) -> None:  # noqa: FBT001 - it is told or it is not
+        """Tell the watcher the program's variables some times a second, or no more."""
+        self._run.tells_variables = tell
+
+    @property
+    def _control(self) -> Debugger:
+        if self._debugger is None:
+            raise LearnBlockError("only a run with a debugger can be paused; give `Session` one")
+        return self._debugger
 
     def _make_robot(self, module: str, arguments: dict[str, Any]) -> Client:
         # The robot is the one chosen for this run, whichever the program's own line names.
         del module
-        return self.robot.load().hosted(arguments, self.options.wishes)
+        client = self.robot.load().hosted(arguments, self.options.wishes)
+        if client.lockstep:
+            self.stage = _stage(client)
+        return client
 
     def _make_recorder(self, client: Client) -> Recorder:
         return record(client, self.program.identity, self.trace)
@@ -281,6 +330,12 @@ class Session:
             "line": line,
             "text": self.program.quote(line),
         }
+
+
+def _stage(client: Client) -> "Stage | None":
+    from learnblock.robots.stage import Stage  # noqa: PLC0415 - the simulator takes its time
+
+    return Stage.of(client)
 
 
 def _no_effect(recorder: Recorder) -> tuple[Mapping[str, object], ...]:

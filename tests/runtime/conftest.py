@@ -16,8 +16,9 @@ from learnblock.runtime.limits import Limits
 from learnblock.runtime.pacing import Pacing
 from learnblock.runtime.process import ProcessWorker
 from learnblock.runtime.program import Program
-from learnblock.runtime.run import Run, Watcher
+from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Trace, record
+from listener import Listener
 
 HEADER = "from learnblock.robots.tiny import Robot\nrobot = Robot()\n"
 
@@ -133,23 +134,6 @@ def alive(group):
         state.split()[0] == str(group) and not state.split()[1].startswith("Z")
         for state in states.splitlines()
     )
-
-
-class Listener(Watcher):
-    """Notes what is printed, and answers questions from a list."""
-
-    def __init__(self, answers=()):
-        self.text, self.numbers, self.answers = [], [], list(answers)
-
-    def printed(self, text):
-        self.text.append(text)
-
-    def line(self, number):
-        self.numbers.append(number)
-
-    def input(self, prompt):
-        self.text.append(prompt)
-        return self.answers.pop(0) if self.answers else None
 
 
 class Stage:

@@ -6,6 +6,7 @@ from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.ending import How
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
+from listener import Listener
 
 # The header has two lines.
 PROGRAM = """
@@ -20,29 +21,25 @@ print(total)
 """
 
 
-class Script:
+class Script(Listener):
     """Answers each hold of a program with the next command of a list."""
 
     def __init__(self, *commands, **options):
+        super().__init__()
         self.commands = list(commands)
-        self.held = []
-        self.debugger = Debugger(on_held=self.answer, **options)
+        self.lines, self.variables_held = [], []
+        self.debugger = Debugger(**options)
 
-    def answer(self, held):
-        if held is None:
-            return
-        self.held.append(held)
+    def held(self, line, variables):
+        self.lines.append(line)
+        self.variables_held.append(variables)
         getattr(self.debugger, self.commands.pop(0) if self.commands else "resume")()
-
-    @property
-    def lines(self):
-        return [held.line for held in self.held]
 
 
 @pytest.fixture(params=[ProcessWorker, ThreadWorker])
 def debug(run, request):
     def debug(script, source=PROGRAM):
-        return run(source, debugger=script.debugger, worker=request.param)
+        return run(source, debugger=script.debugger, watcher=script, worker=request.param)
 
     return debug
 
@@ -57,16 +54,16 @@ def test_a_program_is_held_at_its_breakpoints(debug):
 def test_the_variables_are_those_before_the_line(debug):
     script = Script(breakpoints=[6])
     debug(script)
-    first, second = script.held
-    assert first.variables.local == {"n": "0", "result": "0"}
-    assert second.variables.local == {"n": "1", "result": "2"}
-    assert second.variables.shared == {"total": "0", "i": "1"}
+    first, second = script.variables_held
+    assert first.local == {"n": "0", "result": "0"}
+    assert second.local == {"n": "1", "result": "2"}
+    assert second.shared == {"total": "0", "i": "1"}
 
 
 def test_outside_functions_all_variables_are_the_programs(debug):
     script = Script(breakpoints=[11])
     debug(script)
-    assert script.held[0].variables == Variables({}, {"total": "2", "i": "1"})
+    assert script.variables_held[0] == Variables({}, {"total": "2", "i": "1"})
 
 
 def test_paused_from_the_start_a_program_goes_line_by_line(debug):
@@ -102,29 +99,25 @@ def test_a_command_while_nothing_is_held_changes_nothing(debug):
 
 
 def test_a_pause_holds_at_the_next_line(run):
-    script = Script()
+    class Pausing(Script):
+        def input(self, prompt):
+            self.debugger.pause()
+            return ""
 
-    class Pausing:
-        text, numbers = [], []
-
-        def line(self, number):
-            if number == 7:
-                script.debugger.pause()
-
-        def tick(self):
-            pass
-
-        def printed(self, text):
-            pass
-
-    run(PROGRAM.strip(), debugger=script.debugger, watcher=Pausing())
-    assert script.lines == [7]
+    script = Pausing()
+    run("input()\nrobot.sleep(1)\npass\n", debugger=script.debugger, watcher=script)
+    assert script.lines == [4]
 
 
 def test_a_stop_while_held_ends_the_program_at_once(stage):
-    held = threading.Event()
-    debugger = Debugger(breakpoints=[3], on_held=lambda where: where and held.set())
-    run = stage.add("print('never')", debugger=debugger)
+    class Held(Listener):
+        at = threading.Event()
+
+        def held(self, line, variables):
+            self.at.set()
+
+    held = Held.at
+    run = stage.add("print('never')", debugger=Debugger(breakpoints=[3]), watcher=Held())
     host = stage.host()
     thread = threading.Thread(target=host.run)
     thread.start()
@@ -143,7 +136,7 @@ def test_a_variable_that_cannot_be_shown_does_not_end_the_program(debug):
     )
     script = Script(breakpoints=[9])
     assert debug(script, source).how == How.FINISHED
-    assert script.held[0].variables.shared == {
+    assert script.variables_held[0].shared == {
         "shy": "<ValueError in its own description>",
         "long": "'" + 199 * "x" + "...",
         "odd": "'\\ud800'",
@@ -151,7 +144,8 @@ def test_a_variable_that_cannot_be_shown_does_not_end_the_program(debug):
 
 
 def test_a_run_that_is_debugged_has_the_trace_of_one_that_is_not(stage, run):
-    debugged = run(PROGRAM, debugger=Script(breakpoints=[9]).debugger)
+    script = Script(breakpoints=[9])
+    debugged = run(PROGRAM, debugger=script.debugger, watcher=script)
     fresh = type(stage)()
     fresh.add(PROGRAM)
     fresh.host().run()

@@ -54,8 +54,13 @@ def values_of(kind):
         messages.Any: values,
         tuple[int, ...]: st.lists(integers, max_size=9).map(tuple),
         tuple[str, ...]: st.lists(texts, max_size=9).map(tuple),
-        dict[str, str]: st.dictionaries(texts, texts, max_size=3),
+        dict[str, str]: described,
         Limits: of_limits,
+        frozenset[int]: st.frozensets(integers, max_size=9),
+        messages.Mode: st.sampled_from(messages.Mode),
+        messages.Control | None: st.none() | controls,
+        dict[str, tuple[bool, float]]: whens,
+        messages.Variables: st.builds(messages.Variables, described, described, whens),
         tuple[messages.Any, ...]: st.lists(values, max_size=3).map(tuple),
         dict[str, messages.Any]: st.dictionaries(texts, values, max_size=3),
         messages.Fault | None: st.none() | st.builds(
@@ -68,6 +73,14 @@ def values_of(kind):
     return special[kind]
 
 
+described = st.dictionaries(texts, texts, max_size=3)
+whens = st.dictionaries(texts, st.tuples(st.booleans(), st.floats(allow_nan=False)), max_size=3)
+controls = st.builds(
+    messages.Control,
+    st.frozensets(integers, max_size=9),
+    st.sampled_from(messages.Mode),
+    integers,
+)
 of_limits = st.builds(Limits, memory=integers, silence=st.floats(0, 100))
 EVERY_KIND = [
     kind

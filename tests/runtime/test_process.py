@@ -17,7 +17,7 @@ def setup(source):
         folder="",
         skills=(),
         robots=(),
-        debug=False,
+        debug=None,
         limits=Limits(),
     )
 
@@ -95,7 +95,7 @@ def test_a_process_dies_with_its_host():
         "from learnblock.runtime.messages import Setup\n"
         "import os\n"
         "w = ProcessWorker()\n"
-        "w.link.send(Setup('print(1)\\nwhile True: pass', 'p', '', (), (), False, Limits()))\n"
+        "w.link.send(Setup('print(1)\\nwhile True: pass', 'p', '', (), (), None, Limits()))\n"
         "w.link.receive(10)\n"
         "print(w._process.pid, flush=True)\n"
         "os.kill(os.getpid(), 9)\n"

@@ -14,21 +14,20 @@ from typing import Any, NoReturn
 from learnblock.client import Client
 from learnblock.errors import LearnBlockError, ProgramStopped, did_you_mean
 from learnblock.runtime import remote
+from learnblock.runtime.gate import Gate, unless_shown
 from learnblock.runtime.limits import Limits, contain
 from learnblock.runtime.lines import (
     LineBudget,
-    depth,
-    line_events,
     program_frame,
     start_line_events,
 )
 from learnblock.runtime.link import Link
 from learnblock.runtime.messages import (
+    Control,
     Ended,
     Fault,
     FromHost,
     Input,
-    Line,
     Printed,
     Setup,
     Variables,
@@ -67,7 +66,7 @@ def run(link: Link[FromHost], fence: Callable[[Limits], None] | None = None) -> 
         raise TypeError(f"expected Setup, got {type(setup).__name__}")
     if fence:
         fence(setup.limits)
-    program = _Program(remote.Wire(link), setup, owns_process=fence is not None)
+    program = _Program(link, setup, owns_process=fence is not None)
     try:
         ended = program.run()
     except ProgramStopped:
@@ -83,13 +82,14 @@ def run(link: Link[FromHost], fence: Callable[[Limits], None] | None = None) -> 
 class _Program:
     """One program while it runs."""
 
-    def __init__(self, wire: remote.Wire, setup: Setup, *, owns_process: bool) -> None:
-        self._wire = wire
+    def __init__(self, link: Link[FromHost], setup: Setup, *, owns_process: bool) -> None:
+        self._wire = remote.Wire(link, self._variables)
         self._setup = setup
         self._owns_process = owns_process
         self._robot: remote.RemoteRobot | None = None
         self._cleanup = ExitStack()
         self._end_lines: Callable[[], object] = bool
+        self._gate: Gate | None = None
         self._output = LineWriter(self._printed)
 
     def run(self) -> Ended:
@@ -117,7 +117,7 @@ class _Program:
         self._cleanup.callback(self._stop_robot)
         self._code = code
         if self._setup.debug:
-            self._cleanup.enter_context(line_events(code, self._hold_at_line))
+            self._watch_gate(self._setup.debug)
         exec(code, namespace)  # noqa: S102 - running the user's program is what we are for
 
     def _interrupt(self, number: int, frame: FrameType | None) -> NoReturn:  # noqa: ARG002
@@ -168,16 +168,24 @@ class _Program:
             random.seed(robot.seed)
             self._cleanup.callback(use_robot_time(robot.clock))
         self._robot = robot
-        if not self._setup.debug:
-            self._begin_lines(robot)
+        self._begin_lines(LineBudget(robot.clock, self._wire.note_line))
         return robot
 
-    def _begin_lines(self, robot: Client) -> None:
+    def _watch_gate(self, control: Control) -> None:
+        """Ask at every line from the first on whether the program is held."""
+        self._wire.control = control
+        self._gate = Gate(self._wire, self._setup.filename)
+        self._end_lines = start_line_events(self._code, unless_shown(self._wire, self._gate))
+
+    def _begin_lines(self, budget: LineBudget) -> None:
         # Not earlier: without a robot there is no time to say that a line ran at.
+        if self._gate:
+            self._gate.on_line = budget
+            return
         self._end_lines()
-        budget = LineBudget(robot.clock, self._wire.note_line)
         frame = sys._getframe()  # noqa: SLF001 - the documented way to walk the stack
-        self._end_lines = start_line_events(self._code, budget, frame)
+        on_line = unless_shown(self._wire, budget)
+        self._end_lines = start_line_events(self._code, on_line, frame)
 
     def _input(self, prompt: object = "") -> str:
         self._output.finish()
@@ -191,11 +199,14 @@ class _Program:
     def _printed(self, text: str) -> None:
         self._wire.note_soon(Printed(encodable(text)))
 
-    def _hold_at_line(self, number: int) -> None:
-        filename = self._setup.filename
-        frame = program_frame(filename, sys._getframe())  # noqa: SLF001 - the documented way
-        assert frame is not None  # noqa: S101 - it is the program that calls us
-        self._wire.hold(Line(number, depth(filename)), partial(_variables, frame))
+    def _variables(self) -> Variables:
+        whens = self._robot.when_states() if self._robot else {}
+        frame = program_frame(self._setup.filename, sys._getframe())  # noqa: SLF001 - as above
+        if frame is None:
+            # A thread that runs none of the program's own code.
+            return Variables({}, {}, whens)
+        local = {} if frame.f_locals is frame.f_globals else _described(frame.f_locals)
+        return Variables(local, _described(frame.f_globals), whens)
 
     def _fault(self, error: BaseException) -> Fault:
         text = shortened(encodable(_message(error)), LONGEST_ERROR)
@@ -257,11 +268,6 @@ def _visible(step: TracebackType | None) -> Collection[str]:
         step = step.tb_next
     frame = step.tb_frame if step else None
     return {*vars(builtins), *frame.f_globals, *frame.f_locals} if frame else ()
-
-
-def _variables(frame: FrameType) -> Variables:
-    local = {} if frame.f_locals is frame.f_globals else _described(frame.f_locals)
-    return Variables(local, _described(frame.f_globals))
 
 
 def _described(variables: Any) -> dict[str, str]:

@@ -1,83 +1,87 @@
-"""Pause, step and breakpoints: what holds a program at a line."""
+"""Pause, step and breakpoints: what holds a program at a line, and its world with it."""
 
 import threading
-from collections.abc import Callable, Collection
-from dataclasses import dataclass
-from enum import Enum, auto
+from collections.abc import Collection
 
-from learnblock.runtime.messages import Variables
-
-
-class Mode(Enum):
-    """What a debugger waits for."""
-
-    RUN = auto()
-    STEP = auto()
-    STEP_OVER = auto()
-
-
-@dataclass(frozen=True, slots=True)
-class Held:
-    """A program held at a line of its Python."""
-
-    line: int
-    variables: Variables
+from learnblock.runtime.messages import Control, Mode
+from learnblock.runtime.pacing import Pacing
+from learnblock.runtime.status import State, Status
 
 
 class Debugger:
     """Holds a program at breakpoints and when paused; its methods may be called from any thread.
 
-    `resume`, `step` and `step_over` speak to a program that is held, and change nothing otherwise.
+    `resume`, `step` and `step_over` speak to a program that is held or paused, and change nothing
+    otherwise. The program itself looks for its breakpoints (see `learnblock.runtime.gate`); this is
+    where it learns of them, and waits.
 
     Args:
         breakpoints: lines of the program's Python.
         paused: hold it at its first line.
-        on_held: is told, in the host's thread, whenever the program is held, and with None when it
-            goes on; by default nobody is.
     """
 
-    def __init__(
-        self,
-        breakpoints: Collection[int] = (),
-        *,
-        paused: bool = False,
-        on_held: Callable[[Held | None], object] = bool,
-    ) -> None:
-        self.breakpoints = frozenset(breakpoints)
-        self._on_held = on_held
-        self._mode = Mode.STEP if paused else Mode.RUN
-        self._depth = 0
-        self._ended = False
+    def __init__(self, breakpoints: Collection[int] = (), *, paused: bool = False) -> None:
+        #: What the program is to know; a new value with every change.
+        self.control = Control(frozenset(breakpoints), Mode.STEP if paused else Mode.RUN)
         self._commands = threading.Condition()
-        self._held = False
+        self._held = self._paused = self._ended = False
+        self._depth = 0
+        self._status: Status | None = None
+        self._pacing: Pacing | None = None
 
-    def reached(self, line: int, depth: int, variables: Callable[[], Variables]) -> None:
-        """Return when the program may run the line it has reached."""
-        if not self._holds(line, depth):
-            return
-        held = Held(line, variables())
-        self._depth, self._held = depth, True
-        self._on_held(held)
+    def report_to(self, status: Status) -> None:
+        """Tell `status` when the world is paused and when it goes on."""
+        with self._commands:
+            self._status = status
+            self._tell_pause()
+
+    def govern(self, pacing: Pacing) -> None:
+        """Hold the world of this pacing as well, now that the program has made its robot."""
+        with self._commands:
+            self._pacing = pacing
+            if self._paused:
+                pacing.pause()
+
+    def holds(self, line: int, depth: int) -> bool:
+        """Whether the program, which has reached `line`, is held there; then `wait`."""
+        with self._commands:
+            # What the program knew when it stopped may be out of date.
+            self._held = not self._ended and self.control.holds(line, depth)
+            self._depth = depth
+            return self._held
+
+    def wait(self) -> None:
+        """Return when the program may go on."""
         with self._commands:
             self._commands.wait_for(lambda: not self._held or self._ended)
             self._held = False
-        self._on_held(None)
+
+    def set_breakpoints(self, lines: Collection[int]) -> None:
+        """Hold the program before these lines from now on, and before no others."""
+        with self._commands:
+            self.control = Control(frozenset(lines), self.control.mode, self.control.depth)
 
     def pause(self) -> None:
-        """Hold the program at its next line."""
+        """Hold the world at once, and the program at its next line."""
         with self._commands:
-            self._mode = Mode.STEP
+            self._paused = True
+            self.control = Control(self.control.breakpoints, Mode.STEP)
+            if self._pacing:
+                self._pacing.pause()
+            self._tell_pause()
 
     def resume(self) -> None:
-        self._give(Mode.RUN)
+        """Run on, to the next breakpoint."""
+        self._go_on(Mode.RUN)
 
     def step(self) -> None:
         """Run to the next line, into functions."""
-        self._give(Mode.STEP)
+        self._go_on(Mode.STEP)
 
     def step_over(self) -> None:
         """Run to the next line of the same function, or of one that called it."""
-        self._give(Mode.STEP_OVER)
+        # A program that is not held yet has no line to step over.
+        self._go_on(Mode.STEP_OVER if self._held else Mode.STEP)
 
     def end(self) -> None:
         """Never hold the program again: it is being stopped."""
@@ -85,17 +89,19 @@ class Debugger:
             self._ended = True
             self._commands.notify_all()
 
-    def _holds(self, line: int, depth: int) -> bool:
-        if self._ended:
-            return False
-        return (
-            line in self.breakpoints
-            or self._mode is Mode.STEP
-            or (self._mode is Mode.STEP_OVER and depth <= self._depth)
-        )
-
-    def _give(self, command: Mode) -> None:
+    def _go_on(self, mode: Mode) -> None:
         with self._commands:
-            if self._held:
-                self._mode, self._held = command, False
-                self._commands.notify_all()
+            if not self._held and self.control.mode is Mode.RUN:
+                return
+            self.control = Control(self.control.breakpoints, mode, self._depth)
+            self._held = self._paused = False
+            if self._pacing:
+                # Also after a breakpoint: the time it was held is none that the world is late by.
+                self._pacing.resume()
+            self._tell_pause()
+            self._commands.notify_all()
+
+    def _tell_pause(self) -> None:
+        if self._status:
+            change = self._status.enter if self._paused else self._status.leave
+            change(State.PAUSED)

@@ -10,8 +10,8 @@ from contextlib import ExitStack
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.run import Run, Simulation
 
-#: So many steps are made between two looks at who watches.
-STRIDE = 10
+#: So many steps are made between two looks at who watches: 25 looks a second in real time.
+STRIDE = 4
 
 
 class Host:
@@ -73,7 +73,7 @@ class Host:
         while simulation.steps < step and not any(run.stopping for run in self._runs if run.wake):
             simulation.advance(min(step, simulation.steps + STRIDE))
             for run in self._runs:
-                run.watcher.tick()
+                run.look()
 
     def _last_step(self, simulation: Simulation) -> int | None:
         return None if self._seconds is None else round(self._seconds / simulation.dt)

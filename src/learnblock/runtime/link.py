@@ -103,6 +103,23 @@ class Link(Generic[Incoming]):
                 return None
         return self._messages.popleft()
 
+    def receive_now(self) -> Incoming | None:
+        """The next message if it is there already, else None.
+
+        Raises:
+            EOFError: the other end is gone.
+            RobotConnectionError: what arrived is no message of this conversation.
+        """
+        if not self._messages:
+            self._connection.settimeout(0)
+            try:
+                self._accept(self._connection.recv(_CHUNK))
+            except BlockingIOError:
+                return None
+            except OSError as error:
+                raise EOFError("the other end of the link is gone") from error
+        return self._messages.popleft() if self._messages else None
+
     def close(self) -> None:
         self._connection.close()
 
@@ -116,11 +133,14 @@ class Link(Generic[Incoming]):
             return False
         except OSError as error:
             raise EOFError("the other end of the link is gone") from error
+        self._accept(received)
+        return True
+
+    def _accept(self, received: bytes) -> None:
         if not received:
             raise EOFError("the other end of the link is gone")
         self._received += received
         self._split()
-        return True
 
     def _look(self) -> bytes | None:
         """What has arrived or is about to; None when nothing has after some looks."""

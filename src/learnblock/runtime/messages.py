@@ -5,6 +5,7 @@ for each other. Everything is sent in order, which is what lets the host put a p
 lines and calls at their right place in the trace.
 """
 
+from enum import IntEnum
 from typing import Any
 
 import msgspec
@@ -19,6 +20,36 @@ class Message(msgspec.Struct, frozen=True, array_like=True, tag=True):
 # The host speaks.
 
 
+class Mode(IntEnum):
+    """Where a program is held besides its breakpoints."""
+
+    RUN = 0
+    STEP = 1
+    STEP_OVER = 2
+
+
+class Control(Message, frozen=True):
+    """Where to hold the program; it may be told at any time.
+
+    Args:
+        breakpoints: lines of its Python.
+        mode: nowhere else, at the next line, or at the next one in no deeper a call.
+        depth: of the calls, for the last.
+    """
+
+    breakpoints: frozenset[int] = frozenset()
+    mode: Mode = Mode.RUN
+    depth: int = 0
+
+    def holds(self, line: int, depth: int) -> bool:
+        """Whether a program at this line, in so many calls, is held."""
+        return (
+            line in self.breakpoints
+            or self.mode is Mode.STEP
+            or (self.mode is Mode.STEP_OVER and depth <= self.depth)
+        )
+
+
 class Setup(Message, frozen=True):
     """What to run; the first message.
 
@@ -28,7 +59,7 @@ class Setup(Message, frozen=True):
         folder: where its own modules are imported from; "" for nowhere.
         skills: the names of the skills it may use.
         robots: the modules besides ours that are robots when it imports ``Robot`` from them.
-        debug: every line is asked for and waits for its answer, so that it can be paused.
+        debug: where to hold it at first; None when it is not debugged.
         limits: what it may use.
     """
 
@@ -37,7 +68,7 @@ class Setup(Message, frozen=True):
     folder: str
     skills: tuple[str, ...]
     robots: tuple[str, ...]
-    debug: bool
+    debug: Control | None
     limits: Limits
 
 
@@ -85,11 +116,11 @@ class Stop(Message, frozen=True):
 
 
 class Continue(Message, frozen=True):
-    """Go on with the line that was announced."""
+    """Go on with the line at which the program is held."""
 
 
 class ShowVariables(Message, frozen=True):
-    """Send `Variables`, and wait on."""
+    """Send `Variables`, and go on as before; it may be asked at any time."""
 
 
 # The child speaks.
@@ -134,19 +165,9 @@ class Disconnect(Message, frozen=True):
 
 
 class Lines(Message, frozen=True):
-    """The lines that ran since the message before; not sent when debugging."""
+    """The lines that ran since the message before."""
 
     numbers: tuple[int, ...]
-
-
-class Line(Message, frozen=True):
-    """When debugging, a line that is about to run; `depth` counts the calls it is in.
-
-    It is answered by `Continue`, after any number of `ShowVariables`.
-    """
-
-    number: int
-    depth: int
 
 
 class Called(Message, frozen=True):
@@ -177,10 +198,31 @@ class Input(Message, frozen=True):
 
 
 class Variables(Message, frozen=True):
-    """The program's variables as text: those of the function, then those of the program."""
+    """The program's variables as text: those of the function, then those of the program.
+
+    Args:
+        local: those of the function that runs.
+        shared: the program's own.
+        whens: of each `when` whether it is active, and since how many seconds.
+    """
 
     local: dict[str, str]
     shared: dict[str, str]
+    whens: dict[str, tuple[bool, float]] = {}
+
+
+class Line(Message, frozen=True):
+    """The program is held before a line; it is answered by `Continue`.
+
+    Args:
+        number: the line.
+        depth: how many calls it is in.
+        variables: as they are there.
+    """
+
+    number: int
+    depth: int
+    variables: Variables
 
 
 class Fault(msgspec.Struct, frozen=True, array_like=True):
@@ -211,7 +253,7 @@ class Ended(Message, frozen=True):
     lines: tuple[int, ...] = ()
 
 
-FromHost = Setup | Connected | Answer | Failed | Stop | Continue | ShowVariables
+FromHost = Setup | Connected | Answer | Failed | Stop | Control | Continue | ShowVariables
 FromChild = (
     Connect
     | Ask

@@ -4,6 +4,7 @@ import threading
 from collections.abc import Callable, Collection
 from contextlib import suppress
 from functools import partial
+from threading import get_ident
 from time import monotonic
 from typing import Any
 
@@ -23,6 +24,7 @@ from learnblock.runtime.messages import (
     Connect,
     Connected,
     Continue,
+    Control,
     DeviceOffer,
     Disconnect,
     Failed,
@@ -46,11 +48,19 @@ LONGEST_WAIT = 0.05
 
 
 class Wire:
-    """The child's side of the conversation; several threads of a program may use it."""
+    """The child's side of the conversation; several threads of a program may use it.
 
-    def __init__(self, link: Link[FromHost]) -> None:
+    Args:
+        link: our end of the link.
+        show: makes the program's variables as text.
+    """
+
+    def __init__(self, link: Link[FromHost], show: Callable[[], Variables]) -> None:
         self._link = link
-        self._lock = threading.Lock()
+        self._show = show
+        self._lock = _Turn()
+        #: Where the program is to be held.
+        self.control = Control()
         self._flushed = 0.0
         self._lines: list[int] = []
         #: The devices read since the program last slept, in order.
@@ -125,20 +135,28 @@ class Wire:
                 self._put_lines()
                 self._flush_now()
 
-    def hold(self, line: Line, show: Callable[[], Variables]) -> None:
-        """Announce a line, and return when the program may run it.
+    @property
+    def shows(self) -> bool:
+        """Whether this thread is making the variables' text, for which their own code may run."""
+        return self._lock.forbidden_to == get_ident()
 
-        Args:
-            line: the line.
-            show: makes the program's variables as text.
-        """
+    def hold(self, number: int, depth: int) -> None:
+        """Announce a line, and return when the program may run it."""
         with self._lock:
-            self._put(line)
+            self._put(Line(number, depth, self._variables()))
             self._flush()
-            while not isinstance(message := self._receive(), Continue):
-                if isinstance(message, ShowVariables):
-                    self._put(show())
-                    self._flush()
+            while not isinstance(self._receive(), Continue):
+                # Nothing else is said to a program that is held.
+                continue
+
+    def listen(self) -> None:
+        """Hear what the host has said unasked, without waiting for it."""
+        if self._lock.acquire(blocking=False):
+            try:
+                while message := self._heard():
+                    self._obey(message)
+            finally:
+                self._lock.release()
 
     def interrupted(self, line: int) -> None:
         """Say where a signal found the program, unless it was in the middle of a message."""
@@ -161,13 +179,44 @@ class Wire:
         self._link.put(Lines(tuple(lines)))
 
     def _receive(self) -> FromHost:
+        """The answer to what was asked."""
+        while True:
+            try:
+                message = self._link.receive()
+            except EOFError as error:
+                raise ProgramStopped("the robot's host is gone") from error
+            if message is None:
+                raise ProgramStopped("the link is silent")
+            if type(message) is Answer or not self._obey(message):
+                return message
+
+    def _heard(self) -> FromHost | None:
         try:
-            message = self._link.receive()
+            return self._link.receive_now()
         except EOFError as error:
             raise ProgramStopped("the robot's host is gone") from error
-        if message is None or isinstance(message, Stop):
-            raise ProgramStopped(message.reason if message else "the link is silent")
-        return message
+
+    def _obey(self, message: FromHost) -> bool:
+        """Do what the host may say at any time; whether it was that."""
+        match message:
+            case Stop(reason):
+                raise ProgramStopped(reason)
+            case Control():
+                self.control = message
+            case ShowVariables():
+                self._put(self._variables())
+                self._flush()
+            case _:
+                return False
+        return True
+
+    def _variables(self) -> Variables:
+        """The variables, whose own code may do nothing that others would notice."""
+        self._lock.forbidden_to = get_ident()
+        try:
+            return self._show()
+        finally:
+            self._lock.forbidden_to = None
 
     def _flush_now(self) -> None:
         self._flushed = monotonic()
@@ -181,6 +230,24 @@ class Wire:
 
     def _is_late(self) -> bool:
         return monotonic() - self._flushed > LONGEST_WAIT
+
+
+class _Turn:
+    """A lock that refuses a thread to whom it is forbidden."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self.acquire, self.release = self._lock.acquire, self._lock.release
+        #: The thread that may not even wait for it.
+        self.forbidden_to: int | None = None
+
+    def __enter__(self) -> None:
+        if self.forbidden_to is not None and self.forbidden_to == get_ident():
+            raise LearnBlockError("a variable's description cannot ask the robot or print")
+        self._lock.acquire()
+
+    def __exit__(self, *error: object) -> None:
+        self._lock.release()
 
 
 class RemoteRobot(Client):

@@ -1,8 +1,9 @@
 """One program on one robot: what its child asks for, and how it ends."""
 
 import signal
-from collections.abc import Callable, Collection, Mapping
-from contextlib import AbstractContextManager, nullcontext
+import threading
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import replace
 from functools import partial
 from time import monotonic
@@ -20,10 +21,15 @@ from learnblock.runtime.messages import Fault
 from learnblock.runtime.pacing import Pacing
 from learnblock.runtime.process import ProcessWorker, Worker
 from learnblock.runtime.program import Program
+from learnblock.runtime.status import State, Status
 from learnblock.runtime.trace import Recorder
 
 #: How long, in seconds of the wall clock, a silent program waits to be looked after.
 TICK = 0.05
+#: Variables are told no more often than every so many seconds of the wall clock, and a program that
+#: waits for its world is given so many to tell them.
+VARIABLES_PERIOD = 0.2
+VARIABLES_PATIENCE = 0.2
 #: How long a program that is told to stop may take for its own `finally`.
 GRACE = 0.4
 
@@ -59,6 +65,21 @@ class Watcher:
     def input(self, prompt: str) -> str | None:  # noqa: ARG002 - for those who have someone to ask
         """The program asks for a line; None when there is no one to answer."""
         return None
+
+    def cancel_input(self) -> None:
+        """The run is being stopped: `input` returns at once, now and later; from any thread."""
+
+    def state(self, state: State) -> None:
+        """What the run is doing has changed; from any thread, and never to wait for another."""
+
+    def held(self, line: int, variables: messages.Variables) -> None:
+        """The program is held before a line of its Python, its world with it."""
+
+    def resumed(self) -> None:
+        """The program goes on after it was held."""
+
+    def variables(self, variables: messages.Variables) -> None:
+        """The program's variables now; told only while `Run.tells_variables`."""
 
     def tick(self) -> None:
         """Some time has passed: a good moment to draw."""
@@ -97,7 +118,8 @@ class Run:
         self.wake: int | None = None
         #: The devices whose readings it then wants.
         self._reads: tuple[int, ...] = ()
-        self._held = False
+        #: Whether it waits for something else that we have to say.
+        self._waits = False
         #: How it is to end, once that has been asked for.
         self.stopping: Ending | None = None
         self._make_robot = make_robot
@@ -110,7 +132,19 @@ class Run:
         self._functions: list[dict[str, Callable[..., Any]]] = []
         #: Seconds of a real robot's time after which the run ends; None for no limit.
         self.seconds: float | None = None
+        #: Whether the watcher is told the variables some times a second; may be set by any thread.
+        self.tells_variables = False
+        self._asked_variables = False
+        self._last_variables = 0.0
         self._simulation: Simulation | None = None
+        self._connecting = threading.Lock()
+        self._speed: tuple[float | None] | None = None
+        self._heard = False
+        self._status = Status(self.watcher.state)
+        self._control = messages.Control()
+        if debugger:
+            self._control = debugger.control
+            debugger.report_to(self._status)
         self._not_stopped = ""
         self._printed = 0
         self._last_call = self._last_look = 0.0
@@ -128,10 +162,11 @@ class Run:
     @property
     def _awaits_us(self) -> bool:
         """Whether the program waits for an answer: that its time has come, or its line."""
-        return self.wake is not None or self._held
+        return self.wake is not None or self._waits
 
     def start(self) -> None:
         """Start the program; it goes nowhere until served."""
+        self._status.enter(State.STARTING)
         # First: it takes its time to begin, in which we look for the skills.
         self._worker = self._make_worker()
         self._link = self._worker.link
@@ -142,7 +177,7 @@ class Run:
                 folder=self.program.folder,
                 skills=_skills(self.program.names),
                 robots=self._robots,
-                debug=self._debugger is not None,
+                debug=self._control if self._debugger else None,
                 limits=self._limits,
             )
         )
@@ -150,26 +185,42 @@ class Run:
     def serve(self) -> None:
         """Do what the program asks until it waits for its world's time, or ends."""
         self._last_call = monotonic()
-        try:
+        with self._ending_in_words():
             while self.wake is None and self.ending is None:
                 message = self._next()
                 if message is not None:
                     self._handle(message)
-        except EOFError:
-            self._finish(self.stopping or self._death())
-        except LearnBlockError as error:
-            self._finish(Ending(How.ERROR, str(error)))
 
     def release(self) -> None:
         """Wake the program at its world's present step; it then wants to be served."""
         assert self.simulation is not None  # noqa: S101 - only a simulated program parks
         self.wake = None
-        try:
-            readings = [self._call(messages.Ask(index, "read", ())) for index in self._reads]
-        except LearnBlockError as error:
-            self._link.send(_failure(error))
-        else:
-            self._answer((self.simulation.steps, readings))
+        with self._ending_in_words():
+            try:
+                readings = [self._call(messages.Ask(index, "read", ())) for index in self._reads]
+            except LearnBlockError as error:
+                self._send(_failure(error))
+            else:
+                self._answer((self.simulation.steps, readings))
+
+    def look(self) -> None:
+        """See to those who watch and control, while the program waits for its world."""
+        self.watcher.tick()
+        with self._ending_in_words():
+            self._tell_control()
+            if self._wants_variables():
+                self._ask_variables()
+                self._await_variables()
+
+    def set_speed(self, factor: float | None) -> None:
+        """How fast the world runs, times real time, None for as fast as it goes; from any thread.
+
+        Before there is a world, it is how fast that one will.
+        """
+        with self._connecting:
+            self._speed = (factor,)
+            if self._simulation:
+                self._simulation.pacing.set_factor(factor)
 
     def stop(self, ending: Ending) -> None:
         """Ask for the end; it may be called from any thread, and returns at once."""
@@ -178,11 +229,53 @@ class Run:
             self._debugger.end()
         if self.simulation:
             self.simulation.pacing.end()
+        self.watcher.cancel_input()
 
     def end(self) -> None:
         """End it now if it has not ended by itself; nothing of it is left then."""
         if self.ending is None and hasattr(self, "_worker"):
             self._dismiss(self.stopping or Ending(How.STOPPED, "the program was stopped"))
+
+    @contextmanager
+    def _ending_in_words(self) -> Iterator[None]:
+        """Whatever goes wrong within it ends the run with a sentence."""
+        try:
+            yield
+        except EOFError:
+            self._finish(self.stopping or self._death())
+        except LearnBlockError as error:
+            self._finish(Ending(How.ERROR, str(error)))
+
+    # Sending.
+
+    def _send(self, message: messages.Message) -> None:
+        self._tell_control()
+        self._link.send(message)
+
+    def _answer(self, value: Any) -> None:
+        self._send(messages.Answer(value))
+
+    def _tell_control(self) -> None:
+        """Tell the program where it is to be held, if that has changed."""
+        if self._debugger and self._debugger.control is not self._control:
+            self._control = self._debugger.control
+            self._link.send(self._control)
+
+    def _wants_variables(self) -> bool:
+        return self.tells_variables and monotonic() - self._last_variables > VARIABLES_PERIOD
+
+    def _ask_variables(self) -> None:
+        self._last_variables = monotonic()
+        if not self._asked_variables:
+            self._asked_variables = True
+            self._link.send(messages.ShowVariables())
+
+    def _await_variables(self) -> None:
+        deadline = monotonic() + VARIABLES_PATIENCE
+        while self._asked_variables and (left := deadline - monotonic()) > 0:
+            message = self._link.receive(left)
+            if message is not None:
+                self._handle(message)
 
     # Receiving.
 
@@ -190,13 +283,19 @@ class Run:
         if self.stopping:
             self._dismiss(self.stopping)
             return None
+        self._tell_control()
         message = self._link.receive(TICK)
         if message is None:
             self.watcher.tick()
             if self._worker.wait(0) is not None:
                 raise EOFError("the program's process is gone")
+        elif not self._heard:
+            self._heard = True
+            self._status.enter(State.RUNNING)
         if monotonic() - self._last_look > TICK:
             self._look_after_time()
+            if self._wants_variables():
+                self._ask_variables()
         return message
 
     def _handle(self, message: Any) -> None:
@@ -295,6 +394,7 @@ class Run:
         self.ending = ending
         if self.recorder:
             self.recorder.end(ending.how)
+        self._status.enter(State.ENDED)
 
     def _stop_robot(self) -> None:
         if self.client:
@@ -304,9 +404,6 @@ class Run:
             except Exception as error:  # noqa: BLE001 - a driver may raise whatever it likes
                 self._not_stopped = f"the robot could not be stopped: {_told(error)}"
 
-    def _answer(self, value: Any) -> None:
-        self._link.send(messages.Answer(value))
-
     # One method for each message of the child.
 
     def _on_connect(self, message: messages.Connect) -> None:
@@ -315,16 +412,26 @@ class Run:
         try:
             self.client = self._make_robot(message.module, message.arguments)
         except Exception as error:  # noqa: BLE001 - a driver may raise whatever it likes
-            self._link.send(_failure(error))
+            self._send(_failure(error))
             return
-        self._simulation = vars(self.client).get("simulation")
+        self._enter_world(vars(self.client).get("simulation"))
         self.recorder = self._make_recorder(self.client)
         # Only now: the recorder has put itself between the devices and their functions.
         self._functions = [
             _functions(self.client, key, device) for key, device in self.client.devices()
         ]
-        self._link.send(self._offer(self.client))
+        self._send(self._offer(self.client))
         self._last_call = monotonic()
+
+    def _enter_world(self, simulation: Simulation | None) -> None:
+        with self._connecting:
+            self._simulation = simulation
+            if simulation is None:
+                return
+            if self._speed:
+                simulation.pacing.set_factor(*self._speed)
+            if self._debugger:
+                self._debugger.govern(simulation.pacing)
 
     def _offer(self, client: Client) -> messages.Connected:
         devices = tuple(
@@ -340,7 +447,7 @@ class Run:
         try:
             self._answer(self._call(message))
         except LearnBlockError as error:
-            self._link.send(_failure(error))
+            self._send(_failure(error))
         self._last_call = monotonic()
 
     def _on_tell(self, message: messages.Tell) -> None:
@@ -385,26 +492,26 @@ class Run:
             self.watcher.line(number)
 
     def _on_line(self, message: messages.Line) -> None:
-        self._on_lines(messages.Lines((message.number,)))
-        if self._debugger:
-            reached = monotonic()
-            self._held = True
-            self._debugger.reached(message.number, message.depth, self._variables)
-            # While it was held the program could make no call.
-            self._last_call += monotonic() - reached
-            if not self.stopping:
-                # Else it hears that instead, and does not run another line.
-                self._held = False
-                self._link.send(messages.Continue())
+        reached = monotonic()
+        self._waits = True
+        if self._debugger and self._debugger.holds(message.number, message.depth):
+            self._hold(self._debugger, message)
+        # While it was held the program could make no call.
+        self._last_call += monotonic() - reached
+        self._go_on(messages.Continue())
 
-    def _variables(self) -> messages.Variables:
-        self._link.send(messages.ShowVariables())
-        while True:
-            message = self._link.receive()
-            if isinstance(message, messages.Variables):
-                return message
-            # Another thread of the program speaks.
-            self._handle(message)
+    def _hold(self, debugger: Debugger, message: messages.Line) -> None:
+        self._status.enter(State.HELD)
+        self.watcher.held(message.number, message.variables)
+        debugger.wait()
+        self.watcher.resumed()
+        self._status.leave(State.HELD)
+
+    def _go_on(self, message: messages.Message) -> None:
+        """Let a program that waits go on; one that is being stopped hears that instead."""
+        if not self.stopping:
+            self._waits = False
+            self._send(message)
 
     def _on_called(self, message: messages.Called) -> None:
         if self._recording:
@@ -428,14 +535,20 @@ class Run:
         self.watcher.printed(message.text)
 
     def _on_input(self, message: messages.Input) -> None:
-        self._answer(self.watcher.input(message.prompt))
+        self._waits = True
+        self._status.enter(State.INPUT)
+        answer = None if self.stopping else self.watcher.input(message.prompt)
+        self._status.leave(State.INPUT)
         self._last_call = monotonic()
+        self._go_on(messages.Answer(answer))
 
     def _on_interrupted(self, message: messages.Interrupted) -> None:
         """A signal from outside; its last message tells the rest."""
 
     def _on_variables(self, message: messages.Variables) -> None:
-        """Nobody asked for them."""
+        self._asked_variables, self._last_variables = False, monotonic()
+        if self.tells_variables:
+            self.watcher.variables(message)
 
     def _on_ended(self, message: messages.Ended) -> None:
         if message.fault:

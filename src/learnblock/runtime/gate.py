@@ -1,0 +1,54 @@
+"""The program's side of the debugger: asked at each line whether the program goes on."""
+
+from collections.abc import Callable
+from time import monotonic
+
+from learnblock.runtime.lines import OnLine, depth
+from learnblock.runtime.messages import Mode
+from learnblock.runtime.remote import Wire
+
+#: Seconds of the wall clock between two looks at whether the host has said something: a program
+#: that computes hears of a pause within that time.
+LISTENING_PERIOD = 0.01
+
+
+class Gate:
+    """Lets a program's lines pass, or holds them.
+
+    Breakpoints and steps are decided here: asking the host at every line would make a program many
+    times slower.
+
+    Args:
+        wire: the way to the host, which says where to hold.
+        filename: of the program.
+    """
+
+    def __init__(self, wire: Wire, filename: str) -> None:
+        self._wire = wire
+        self._filename = filename
+        self._listened = monotonic()
+        #: Is called with each line before it may be held; there is nobody before there is a robot.
+        self.on_line: OnLine = bool
+
+    def __call__(self, number: int) -> None:
+        if monotonic() - self._listened > LISTENING_PERIOD:
+            self._wire.listen()
+            self._listened = monotonic()
+        self.on_line(number)
+        control = self._wire.control
+        if control.mode is not Mode.RUN or number in control.breakpoints:
+            self._hold(number, depth(self._filename))
+
+    def _hold(self, number: int, depth: int) -> None:
+        if self._wire.control.holds(number, depth):
+            self._wire.hold(number, depth)
+
+
+def unless_shown(wire: Wire, on_line: OnLine) -> Callable[[int], None]:
+    """`on_line`, but not for lines that run only because somebody looks at a variable."""
+
+    def line(number: int) -> None:
+        if not wire.shows:
+            on_line(number)
+
+    return line
