@@ -1,4 +1,4 @@
-"""The command line: the page, and `run`, `check`, `format`, `convert`, `robots`, `worlds`, `skills`.
+"""The command line: the page, and the commands that need none, such as `learnblock run`.
 
 Each command imports what it needs when it is called, so that `learnblock --help` answers at once.
 """

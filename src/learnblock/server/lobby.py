@@ -6,6 +6,7 @@ from anyio import to_thread
 from starlette.websockets import WebSocket
 
 from learnblock.server import (
+    asking,
     catalog,
     controlling,
     editing,
@@ -21,6 +22,7 @@ HANDLERS = {
     **projecting.HANDLERS,
     **past.HANDLERS,
     **editing.HANDLERS,
+    **asking.HANDLERS,
     **controlling.HANDLERS,
     **world_editing.HANDLERS,
 }

@@ -8,7 +8,6 @@ from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
 
 from learnblock.errors import LearnBlockError
-from learnblock.server import catalog
 
 #: Tags and faces are what they are.
 _WEEK = "private, max-age=604800"
@@ -56,6 +55,7 @@ def _face(name: str) -> bytes:
 
 def _floor(name: str) -> bytes | None:
     from learnblock.robots.worlds import floor_picture  # noqa: PLC0415
+    from learnblock.server import catalog  # noqa: PLC0415
 
     catalog.check_world_name(name)
     return floor_picture(name)
