@@ -230,8 +230,9 @@ export class World implements WorldIsland {
     this.motion.receive(telemetry, performance.now());
     if (robot) this.placing.told(robot);
     const news = this.stage?.showGoals(telemetry.goals ?? []) ?? [];
-    const decided = news.filter(({ state }) => state !== "open");
-    if (decided.length) this.announcer.say(decided.map(goalInWords).join(" "));
+    // Of goals that were reached the page itself tells.
+    const failed = news.filter(({ state }) => state === "failed");
+    if (failed.length) this.announcer.say(failed.map(goalInWords).join(" "));
     if (this.showsBeams.peek()) this.stage?.beams?.show(telemetry);
     this.label();
     this.view.invalidate();

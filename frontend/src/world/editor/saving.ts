@@ -1,0 +1,98 @@
+/** Under which name a world is saved, and what became of it. */
+
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+
+import type { Draft } from "./drafts";
+import { drop } from "./unsaved";
+import type { Connection } from "../../connection";
+import { t } from "../../i18n";
+import type { Island } from "../../island";
+
+type Outcome = { readonly word: string; readonly name: string } | { readonly text: string };
+
+export class Saving implements Island {
+  readonly dom = document.createElement("form");
+  private readonly name = document.createElement("input");
+  private readonly label = document.createElement("label");
+  private readonly button = document.createElement("button");
+  private readonly status = document.createElement("span");
+  private readonly outcome = signal<Outcome | null>(null);
+  private saving = "";
+  private readonly endings: (() => void)[];
+
+  /** @param problems what the server found wrong: such a world is not saved. */
+  constructor(
+    private readonly draft: Draft,
+    private readonly connection: Connection,
+    private readonly problems: ReadonlySignal<readonly string[]>,
+  ) {
+    this.build();
+    const wrong = computed(() => problems.value.length > 0);
+    this.endings = [
+      effect(() => this.show(wrong.value)),
+      connection.on("Worlds", () => this.saved()),
+      connection.on("WorldChecked", ({ problems: found }) => found.length > 0 && this.refused(t("editor.wrong"))),
+      connection.on("Failed", ({ message, request }) => request === "SaveWorld" && this.refused(message)),
+    ];
+  }
+
+  /** Propose a name. */
+  propose(name: string): void {
+    this.name.value = name;
+    this.outcome.value = null;
+  }
+
+  /** Say something about what is being edited. */
+  say(word: string): void {
+    this.outcome.value = { word, name: this.name.value };
+  }
+
+  destroy(): void {
+    for (const end of this.endings) end();
+    this.dom.remove();
+  }
+
+  private build(): void {
+    this.dom.className = "editor-saving";
+    this.name.required = true;
+    this.name.maxLength = 40;
+    this.name.pattern = "[\\p{L}\\p{N}_]([\\p{L}\\p{N}_ \\-]*[\\p{L}\\p{N}_])?";
+    this.status.role = "status";
+    this.label.append(document.createElement("span"), this.name);
+    this.dom.append(this.label, this.button, this.status);
+    this.dom.addEventListener("submit", (event) => {
+      event.preventDefault();
+      this.save();
+    });
+  }
+
+  private show(wrong: boolean): void {
+    const outcome = this.outcome.value;
+    (this.label.firstChild as HTMLElement).textContent = t("editor.name");
+    this.name.title = t("editor.nameRule");
+    this.button.textContent = t("editor.save");
+    this.button.disabled = wrong;
+    this.status.textContent = !outcome ? "" : "text" in outcome ? outcome.text : t(outcome.word, { name: outcome.name });
+  }
+
+  private save(): void {
+    const world = this.draft.world.peek();
+    if (!world || this.problems.peek().length) return;
+    this.saving = this.name.value;
+    const sent = this.connection.send({ kind: "SaveWorld", name: this.saving, world: { ...world } });
+    if (!sent) this.refused(t("editor.offline"));
+  }
+
+  private saved(): void {
+    if (!this.saving) return;
+    this.outcome.value = { word: "editor.saved", name: this.saving };
+    this.saving = "";
+    drop();
+  }
+
+  private refused(text: string): void {
+    if (!this.saving) return;
+    this.saving = "";
+    this.outcome.value = { text };
+  }
+}
