@@ -107,8 +107,8 @@ def _values() -> list[Definition]:
     membership = [_value("A"), _choice("OP", ("in", "not in")), _value("B")]
     seconds = [_value("SECONDS", "Number")]
     return [
-        _block("lb_state", "lb_event", [_PLACE], output="Boolean", extensions=names),
-        _block("lb_time", "lb_event", [_PLACE], output="Number", extensions=names),
+        _block("lb_state", "lb_event", [_PLACE], output="Boolean", extensions=names, **pair),
+        _block("lb_time", "lb_event", [_PLACE], output="Number", extensions=names, **pair),
         _block("lb_elapsed_time", "lb_event", seconds, output="Boolean", **pair),
         _block("lb_floor_divide", "math_blocks", numbers, output="Number", **pair),
         _block("lb_positive", "math_blocks", [_value("NUM", "Number")], output="Number", **pair),
