@@ -26,8 +26,13 @@ def extents(program: Program, written: Mapping[int, Extent] | None = None) -> tu
             spans tell where its author wrote it.
     """
     if written is None:
-        return tuple((node.span.line, node.span.end_line) for node in every(program))
+        return tuple(map(_of_span, every(program)))
     return tuple(written.get(id(node), NOWHERE) for node in every(program))
+
+
+def _of_span(node: Item | Main) -> Extent:
+    # Of some comments it is known only where they begin.
+    return node.span.line, max(node.span.line, node.span.end_line)
 
 
 def moved(lines: Iterable[Extent], before: str, after: str) -> tuple[Extent, ...]:

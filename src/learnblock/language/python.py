@@ -72,7 +72,7 @@ def _kept(program: Program, text: str, robot_module: str | None) -> PythonText:
             sources[line - 1], nodes[line - 1] = source, node
     written = {id(node): (node.span.line, node.span.end_line) for node in every(program)}
     if raw_only:
-        written = {id(program.items[0]): (1, lines)}
+        written = {id(program.items[0]): (1, text.count("\n") + 1)}
     return PythonText(text, SourceMap(tuple(sources), tuple(nodes)), written)
 
 
