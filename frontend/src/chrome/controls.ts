@@ -16,16 +16,9 @@ export class Controls {
     this.context.connection.send({ kind: "Stop" });
   }
 
+  /** Run from the beginning, whatever runs now. */
   restart(): void {
-    const { running } = this.context;
-    if (!running.active.value) return this.start(false);
-    this.stop();
-    const unsubscribe = running.active.subscribe((active) => {
-      if (active) return;
-      // The first call comes before there is anything to unsubscribe from, but then it is active.
-      unsubscribe();
-      this.start(false);
-    });
+    this.start(false);
   }
 
   pauseOrResume(): void {

@@ -3,7 +3,7 @@
 import { computed, effect, signal } from "@preact/signals";
 
 import type { Connection } from "../connection";
-import { t } from "../i18n";
+import { t, translated } from "../i18n";
 import type { Export, File as Download, History, ProjectEntry, Welcome, WorldChoice } from "../messages";
 import type { Program } from "../program";
 import { addressedProject, nameProject } from "./address";
@@ -100,6 +100,17 @@ export class Project {
     }
     this.program.flush();
     this.connection.send({ kind: "Import", filename: file.name, text: await file.text() });
+  }
+
+  /** A robot's name for a person. */
+  robotTitle(name: string): string {
+    return this.welcome.value?.robots.find((one) => one.name === name)?.title ?? name;
+  }
+
+  /** A world's name for a person; the user named their own. */
+  worldTitle(name: string): string {
+    const world = this.worlds.value.find((one) => one.name === name);
+    return world?.own ? world.title : translated(`catalog.world_${name}`, world?.title ?? name);
   }
 
   /** The connection is there, for the first time or again. */

@@ -25,3 +25,8 @@ export function enterRegion(views: Views, region: HTMLElement): void {
   const first = [...region.querySelectorAll<HTMLElement>(FOCUSABLE)].find((one) => one.offsetParent);
   (first ?? region).focus();
 }
+
+/** The page's one button to begin with. */
+export function focusRun(): void {
+  document.querySelector<HTMLElement>(".run-group button")?.focus();
+}

@@ -17,9 +17,9 @@ export function sentence({ ended, message = "", goals = [], time = 0 }: Ended): 
   if (goals.length > 0) {
     parts.push(t("problems.goalsReached", { reached: reachedOf(goals), all: goals.length }));
   }
-  return parts.join(" ");
+  return parts.map((part) => (/[.!?]$/.test(part) ? part : `${part}.`)).join(" ");
 }
 
-export function reachedOf(goals: readonly GoalNow[]): number {
+function reachedOf(goals: readonly GoalNow[]): number {
   return goals.filter((goal) => goal.state === "reached").length;
 }

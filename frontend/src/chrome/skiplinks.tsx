@@ -1,6 +1,6 @@
 import { t } from "../i18n";
 import { usePage } from "./page";
-import { enterRegion } from "./regions";
+import { enterRegion, focusRun } from "./regions";
 
 const TARGETS = ["run", "blocks", "blocktext", "python", "world", "panel"] as const;
 
@@ -19,7 +19,7 @@ function SkipLink({ target }: { target: (typeof TARGETS)[number] }) {
   const { views } = usePage();
   const go = (event: Event) => {
     event.preventDefault();
-    if (target === "run") return document.querySelector<HTMLElement>(".run-group button")?.focus();
+    if (target === "run") return focusRun();
     views.show(target);
     // What was hidden can have the focus only with the next frame.
     requestAnimationFrame(() => {

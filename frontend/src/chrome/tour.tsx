@@ -6,6 +6,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { t } from "../i18n";
 import { prefer } from "../preferences";
 import { usePage } from "./page";
+import { focusRun } from "./regions";
 import type { Area } from "./views";
 import "./tour.css";
 
@@ -40,6 +41,8 @@ function Steps() {
   const end = () => {
     dialogs.tour.value = false;
     prefer({ tourDone: true });
+    // The offer that it was begun from is gone.
+    focusRun();
   };
   useEffect(() => dialog.current?.showModal(), []);
   useEffect(() => {

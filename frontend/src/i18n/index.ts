@@ -32,6 +32,11 @@ export const language = computed(() =>
   texts.has(preferences.value.language) ? preferences.value.language : "en",
 );
 
+/** What the server names in English, in the user's language where we have words for it. */
+export function translated(key: string, english: string): string {
+  return texts.get(language.value)?.get(key) ?? texts.get("en")?.get(key) ?? english;
+}
+
 /**
  * A text in the user's language, or in English where it has none; `{name}` in it is replaced by the
  * value of that name. Within a component or an effect it follows the language when that changes.

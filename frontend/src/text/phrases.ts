@@ -51,6 +51,8 @@ export function words(notation: Notation): Extension {
     EditorView.contentAttributes.of({
       "aria-label": title(notation),
       "aria-description": t("text.leaving"),
+      // Checkers of accessibility know a place for the keyboard by this alone.
+      tabindex: "0",
       spellcheck: "false",
       translate: "no",
     }),

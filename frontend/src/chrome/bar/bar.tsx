@@ -59,7 +59,7 @@ function RunButtons() {
     views.area.value = "world";
   };
   return (
-    <div class="bar-group run-group" role="group" aria-label={t("bar.running")} data-tour="run">
+    <div id="run" class="bar-group run-group" role="group" aria-label={t("bar.running")} data-tour="run">
       <IconButton icon="run" word="bar.run" look="go" named off={active && !waiting} onClick={run} />
       <IconButton icon="stop" word="bar.stop" look="halt" named off={!active} onClick={() => controls.stop()} />
       <IconButton

@@ -78,12 +78,13 @@ export function WorldChoice() {
 }
 
 function WorldOptions({ label, worlds }: { label: string; worlds: readonly World[] }) {
+  const { project } = usePage();
   if (worlds.length === 0) return null;
   return (
     <optgroup label={label}>
       {worlds.map(({ name, title }) => (
-        <option key={name} value={name}>
-          {title}
+        <option key={name} value={name} title={title}>
+          {project.worldTitle(name)}
         </option>
       ))}
     </optgroup>

@@ -1,4 +1,4 @@
-import { t } from "../../i18n";
+import { t, translated } from "../../i18n";
 import type { ExampleChoice } from "../../messages";
 import { Dialog } from "../widgets/dialog";
 import { usePage } from "../page";
@@ -21,9 +21,6 @@ export function ExamplesDialog() {
 
 function Card({ example: { name, title, description, robot, world } }: { example: ExampleChoice }) {
   const { dialogs, project } = usePage();
-  const welcome = project.welcome.value;
-  const robotTitle = welcome?.robots.find((one) => one.name === robot)?.title ?? robot;
-  const worldTitle = welcome?.worlds.find((one) => one.name === world)?.title ?? world;
   const open = () => {
     dialogs.close();
     project.create(name, name);
@@ -31,9 +28,9 @@ function Card({ example: { name, title, description, robot, world } }: { example
   return (
     <li>
       <button type="button" class="card" onClick={open}>
-        <strong>{title}</strong>
-        <span>{description}</span>
-        <span class="dim">{t("project.onIn", { robot: robotTitle, world: worldTitle })}</span>
+        <strong>{translated(`catalog.example_${name}`, title)}</strong>
+        <span>{translated(`catalog.exampleText_${name}`, description)}</span>
+        <span class="dim">{t("project.onIn", { robot: project.robotTitle(robot), world: project.worldTitle(world) })}</span>
       </button>
     </li>
   );

@@ -58,13 +58,14 @@ function VersionRow({ version: { id, time, reason, lines } }: { version: Version
 }
 
 function RunRow({ run }: { run: PastRun }) {
+  const { project } = usePage();
   const parts = [ending(run.ended), `${run.seconds.toFixed(1)} s`, ...run.goals];
   return (
     <li>
       <div class="row-main">
         <strong>{date(run.time)}</strong>
         <span>{parts.join(" · ")}</span>
-        <span class="dim">{t("project.onIn", { robot: run.robot, world: run.world })}</span>
+        <span class="dim">{t("project.onIn", { robot: project.robotTitle(run.robot), world: project.worldTitle(run.world) })}</span>
         <span class="dim hash" title={run.trace_sha256}>
           {t("problems.trace")} {run.trace_sha256.slice(0, 12)}
         </span>

@@ -46,9 +46,12 @@ function Entry({ entry: { name, changed } }: { entry: ProjectEntry }) {
           {name === project.name.value && ` · ${t("project.isOpen")}`}
         </span>
       </button>
-      <span title={t("project.deleteNamed", { name })}>
-        <IconButton icon="trash" word="project.delete" onClick={() => dialogs.show({ delete: name })} />
-      </span>
+      <IconButton
+        icon="trash"
+        word="project.deleteOne"
+        values={{ name }}
+        onClick={() => dialogs.show({ delete: name })}
+      />
     </li>
   );
 }

@@ -13,6 +13,7 @@ export function Panel({ weight }: { weight: number }) {
   const { views } = page;
   return (
     <section
+      id="panel"
       class="pane panel-pane"
       style={{ flexGrow: weight }}
       hidden={!views.shows("panel")}

@@ -65,6 +65,7 @@ function ViewPane({ view }: { view: View }) {
   const { weights } = preferences.value.layout;
   return (
     <section
+      id={view}
       class="pane"
       style={{ flexGrow: weights[view] }}
       hidden={!page.views.shows(view)}

@@ -10,6 +10,7 @@ export function WorldPane({ weight }: { weight: number }) {
   const page = usePage();
   return (
     <section
+      id="world"
       class="pane world-pane"
       style={{ flexGrow: weight }}
       hidden={!page.views.shows("world")}

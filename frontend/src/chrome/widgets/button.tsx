@@ -6,6 +6,8 @@ interface Props {
   readonly icon: IconName;
   /** A key of the translations: the button's name. */
   readonly word: string;
+  /** What the name speaks of. */
+  readonly values?: Readonly<Record<string, string>>;
   /** Whether the name stands beside the icon where there is room. */
   readonly named?: boolean;
   readonly look?: "go" | "halt";
@@ -16,8 +18,8 @@ interface Props {
 }
 
 /** A button with an icon, its name as a tooltip, and the keys that do the same. */
-export function IconButton({ icon, word, named, look, off, pressed, onClick }: Props) {
-  const name = t(word);
+export function IconButton({ icon, word, values, named, look, off, pressed, onClick }: Props) {
+  const name = t(word, values);
   const keys = keysFor(word);
   return (
     <button
