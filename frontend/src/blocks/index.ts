@@ -1,10 +1,12 @@
 /** The program as blocks. */
 
 import { effect, untracked } from "@preact/signals";
+import * as Blockly from "blockly/core";
 
 import type { Context } from "../context";
 import { language, t } from "../i18n";
 import type { Island } from "../island";
+import type { Workspace } from "../messages";
 import type { ThemeName } from "../preferences";
 import { theme } from "../preferences";
 import "./blocks.css";
@@ -36,6 +38,8 @@ function prepare(): void {
   prepareBlockly();
   registerMenus();
   registerSearchTab();
+  // Never stopped: a program uses few words again and again, and measuring one lays out the page.
+  Blockly.utils.dom.startTextWidthCache();
 }
 
 /** A running program that jumps to and fro is followed this often at most, in ms. */
@@ -47,10 +51,13 @@ class Blocks implements BlocksIsland {
   private palette: Palette | null = null;
   private wanted = "";
   private followed = 0;
+  /** The program shown last: while the user's own edits are on their way it is older than the blocks. */
+  private shown: Workspace | null = null;
   private readonly ends: (() => void)[];
 
   constructor(private readonly context: Context) {
     this.dom.className = "blocks";
+    this.dom.setAttribute("role", "group");
     const watcher = new ResizeObserver(() => this.resize());
     watcher.observe(this.dom);
     this.ends = [
@@ -115,6 +122,7 @@ class Blocks implements BlocksIsland {
   private open(): void {
     if (!this.palette) return;
     const view = this.editor?.view;
+    if (!view) this.shown = null;
     this.editor?.destroy();
     this.dom.textContent = "";
     this.editor = new Editor(this.dom, this.palette, theme.peek(), this.actions(), () => this.edited());
@@ -152,7 +160,8 @@ class Blocks implements BlocksIsland {
     const { workspace, problems, stale } = this.context.program.state.value;
     this.dom.classList.toggle("stale", stale.includes("blocks"));
     if (!this.editor || !this.isShown) return;
-    this.editor.show(workspace);
+    if (workspace !== this.shown) this.editor.show(workspace);
+    this.shown = workspace;
     this.editor.marks.showProblems(problems);
     untracked(() => this.showBreakpoints());
     untracked(() => this.showRunning());

@@ -29,19 +29,37 @@ export function moveTo(block: Blockly.BlockSvg, x: number, y: number): void {
   block.moveBy(x - place.x, y - place.y);
 }
 
-/** Push down what has come to lie under a stack that has grown. */
+/** Push down what has come to lie under a stack that has grown where it stood. */
 export function makeRoom(workspace: Blockly.WorkspaceSvg, before: Covered): void {
   const stacks = workspace.getTopBlocks(false).filter((block) => before.has(block.id));
   stacks.sort((a, b) => before.get(a.id)!.top - before.get(b.id)!.top);
+  const pushed = new Set<Blockly.BlockSvg>();
   stacks.forEach((upper, place) => {
-    for (const lower of stacks.slice(place + 1)) pushBelow(upper, lower, before);
+    if (!pushed.has(upper) && !hasGrown(upper, before)) return;
+    for (const lower of stacks.slice(place + 1)) {
+      if (!wasUnder(lower, upper, before) || (!pushed.has(lower) && hasMoved(lower, before))) continue;
+      if (pushBelow(upper, lower)) pushed.add(lower);
+    }
   });
 }
 
-function pushBelow(upper: Blockly.BlockSvg, lower: Blockly.BlockSvg, before: Covered): void {
-  const [above, below] = [before.get(upper.id)!, before.get(lower.id)!];
-  // Whoever laid one on the other wants it so.
-  if (above.intersects(below) || below.top < above.bottom) return;
-  const [now, next] = [upper.getBoundingRectangle(), lower.getBoundingRectangle()];
-  if (now.intersects(next)) lower.moveBy(0, now.bottom + GAP - next.top);
+function hasMoved(block: Blockly.BlockSvg, before: Covered): boolean {
+  const [old, now] = [before.get(block.id)!, block.getBoundingRectangle()];
+  return now.top !== old.top || now.left !== old.left;
+}
+
+function hasGrown(block: Blockly.BlockSvg, before: Covered): boolean {
+  return !hasMoved(block, before) && block.getBoundingRectangle().bottom > before.get(block.id)!.bottom;
+}
+
+// Whoever has laid one stack on another wants it so.
+function wasUnder(lower: Blockly.BlockSvg, upper: Blockly.BlockSvg, before: Covered): boolean {
+  return before.get(lower.id)!.top >= before.get(upper.id)!.bottom;
+}
+
+function pushBelow(upper: Blockly.BlockSvg, lower: Blockly.BlockSvg): boolean {
+  const [above, below] = [upper.getBoundingRectangle(), lower.getBoundingRectangle()];
+  if (!above.intersects(below)) return false;
+  lower.moveBy(0, above.bottom + GAP - below.top);
+  return true;
 }

@@ -6,6 +6,7 @@ import type { Block, Workspace } from "../messages";
 import { build, differsInShape, update } from "./build";
 import type { Link, Node } from "./flat";
 import { index } from "./flat";
+import type { Covered } from "./places";
 import { covered, makeRoom, moveTo, placeBelow } from "./places";
 import { readOwn, readWorkspace } from "./read";
 import { removeVariables, setVariables } from "./variables";
@@ -17,14 +18,20 @@ const NOTHING: Workspace = { stacks: [], variables: [] };
 export class Sync {
   /** What is shown, as far as it was ours: what Blockly has made of it may differ in spelling. */
   private shown = NOTHING;
+  /** What each stack covered when it was shown or read last. */
+  private covered: Covered = new Map();
 
   constructor(
     private readonly workspace: Blockly.WorkspaceSvg,
     private readonly checker: { lenient: boolean },
   ) {}
 
-  /** What the user has made of it. */
+  /** What the user has made of it; in the middle of a drag, what it was before. */
   read(): Workspace {
+    if (this.workspace.isDragging()) return this.shown;
+    Blockly.renderManagement.triggerQueuedRenders(this.workspace);
+    this.silently(() => makeRoom(this.workspace, this.covered));
+    this.covered = covered(this.workspace);
     this.shown = readWorkspace(this.workspace, this.order());
     return this.shown;
   }
@@ -34,7 +41,9 @@ export class Sync {
     if (wanted === this.shown) return false;
     const change = new Change(this.workspace, index(this.shown), wanted);
     this.shown = wanted;
-    return this.silently(() => change.apply());
+    const touched = this.silently(() => change.apply());
+    this.covered = covered(this.workspace);
+    return touched;
   }
 
   private order(): string[] {
@@ -43,7 +52,7 @@ export class Sync {
 
   // What we do is no edit of the user's, and the program is right even where Blockly would not let
   // one block into another.
-  private silently(change: () => boolean): boolean {
+  private silently<T>(change: () => T): T {
     Blockly.Events.disable();
     this.checker.lenient = true;
     this.workspace.setResizesEnabled(false);
@@ -91,7 +100,7 @@ class Change {
     const old = new Set(blocks.filter((block) => !this.stays(block)));
     for (const block of blocks) if (!old.has(block)) this.loosen(block, old);
     // From the end, so that none is disposed of with a chain below it: that would recurse.
-    for (const block of [...old].reverse()) block.dispose(false);
+    for (const block of [...old].reverse()) if (!goesWithParent(block, old)) block.dispose(false);
     this.touched ||= old.size > 0;
   }
 
@@ -124,9 +133,9 @@ class Change {
     this.touched = update(block, own, node.block) || this.touched;
   }
 
-  // From the end: each block then takes up a finished chain, and nothing above it is to be told.
+  // Parents first: Blockly goes through all that hangs on a block whenever it is connected.
   private connect(): void {
-    for (const { block, link } of [...this.nodes.values()].reverse()) {
+    for (const { block, link } of this.nodes.values()) {
       if (link) this.hang(this.workspace.getBlockById(block.id)!, link);
     }
   }
@@ -163,6 +172,11 @@ class Change {
     const again = this.made.find((block) => block.id === id);
     if (again) Blockly.getFocusManager().focusNode(again);
   }
+}
+
+function goesWithParent(block: Svg, old: ReadonlySet<Svg>): boolean {
+  const parent = block.outputConnection && block.getParent();
+  return !!parent && old.has(parent);
 }
 
 function linkOf(block: Svg, parent: Svg): Link {
