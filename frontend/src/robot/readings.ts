@@ -19,7 +19,7 @@ function makeRow(sensor: string, chosen: boolean, choose: (on: boolean) => void)
   const fill = element("div", { class: "fill" });
   const text = element("td", { class: "reading" });
   const label = element("label", {}, box, sensorName(sensor));
-  const bar = element("td", { class: "bar", "aria-hidden": "true" }, fill);
+  const bar = element("td", { class: "gauge", "aria-hidden": "true" }, fill);
   const dom = element("tr", {}, element("th", { scope: "row" }, label), text, bar);
   const show = (value: Sensors[string]) => {
     text.textContent = readingText(sensor, value);
