@@ -4,7 +4,7 @@ import "./text.css";
 
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
 import { Compartment, EditorState } from "@codemirror/state";
-import { EditorView } from "@codemirror/view";
+import { EditorView, tooltips } from "@codemirror/view";
 
 import type { Context } from "../context";
 import type { Island } from "../island";
@@ -32,6 +32,8 @@ export interface TextIsland extends Island {
 
 class TextView implements TextIsland {
   readonly dom = document.createElement("section");
+  /** Help and suggestions: outside the view, which would cut them off. */
+  private readonly boxes = document.createElement("div");
   private readonly requests: Requests;
   private readonly outline: ReadonlySignal<Outline>;
   private readonly actions: Actions;
@@ -52,6 +54,8 @@ class TextView implements TextIsland {
     this.outline = computed(() => new Outline(program.state.value.places, notation));
     this.requests = new Requests(context, notation);
     this.actions = new Actions(context, this.requests, this.outline);
+    this.boxes.className = "text-boxes";
+    document.body.append(this.boxes);
     this.view = new EditorView({ state: this.firstState() });
     this.toolbar = createToolbar(this.actions, this.view);
     this.dom.className = "text-view";
@@ -82,6 +86,7 @@ class TextView implements TextIsland {
     this.toolbar.destroy();
     this.requests.destroy();
     this.view.destroy();
+    this.boxes.remove();
   }
 
   private firstState(): EditorState {
@@ -89,6 +94,7 @@ class TextView implements TextIsland {
       extensions: [
         this.words.of([]),
         extensions(this.notation, this.actions, this.requests),
+        tooltips({ parent: this.boxes }),
         tellEdits(this.context.program, this.notation),
       ],
     });
