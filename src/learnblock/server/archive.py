@@ -13,6 +13,7 @@ from learnblock.server.messages import PastRun
 from learnblock.server.project_file import Project
 from learnblock.server.projects import ProjectFolder
 from learnblock.server.saver import Saver
+from learnblock.server.sentences import sentence
 
 #: Seconds of changes after which a version is kept.
 VERSION_PERIOD = 300.0
@@ -80,5 +81,5 @@ class Archive:
         try:
             return await to_thread.run_sync(action, *args)
         except (LearnBlockError, OSError) as error:
-            self._failed(str(error))
+            self._failed(sentence(error))
             return None

@@ -13,6 +13,7 @@ from learnblock.errors import LearnBlockError
 from learnblock.server import messages
 from learnblock.server.inbox import Inbox
 from learnblock.server.outbox import Outbox, OutboxFullError
+from learnblock.server.sentences import sentence
 from learnblock.server.shown import Shown
 
 if TYPE_CHECKING:
@@ -125,7 +126,7 @@ class Page:
             async with self._turn():
                 await self._handlers[type(message)](self, message)
         except (LearnBlockError, OSError, ValueError) as error:
-            self.tell(messages.Failed(str(error), kind))
+            self.tell(messages.Failed(sentence(error), kind))
         except RecursionError:
             self.tell(messages.Failed("this is nested too deeply", kind))
         except Exception as error:  # noqa: BLE001 - see below

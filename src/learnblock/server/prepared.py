@@ -9,6 +9,7 @@ from learnblock.robots import RobotEntry
 from learnblock.server import catalog
 from learnblock.server.document import Document
 from learnblock.server.project_file import Project
+from learnblock.server.sentences import sentence
 
 #: Where there is neither the world that a project names nor one that its robot likes.
 DEFAULT_WORLD = "empty"
@@ -75,7 +76,7 @@ def _robot(name: str) -> tuple[RobotEntry, tuple[str, ...]]:
         return loaded(name), ()
     except LearnBlockError as error:
         default = running.DEFAULT_ROBOT
-        return loaded(default), (f"{error}; the project now uses {default}",)
+        return loaded(default), (f"{sentence(error)}; the project now uses {default}",)
 
 
 def _world(name: str, robot: RobotEntry) -> tuple[str, tuple[str, ...]]:
@@ -84,5 +85,5 @@ def _world(name: str, robot: RobotEntry) -> tuple[str, tuple[str, ...]]:
     try:
         catalog.check_world_name(name)
     except LearnBlockError as error:
-        return DEFAULT_WORLD, (f"{error}; the project now uses {DEFAULT_WORLD}",)
+        return DEFAULT_WORLD, (f"{sentence(error)}; the project now uses {DEFAULT_WORLD}",)
     return name, ()

@@ -6,7 +6,6 @@ from dataclasses import replace
 from anyio import to_thread
 
 from learnblock import running
-from learnblock.errors import LearnBlockError
 from learnblock.server import catalog, messages
 from learnblock.server.page import Handler, Page
 from learnblock.server.prepared import DEFAULT_WORLD
@@ -35,9 +34,7 @@ async def _save_as(page: Page, message: messages.SaveAs) -> None:
 
 
 async def _delete(page: Page, message: messages.Delete) -> None:
-    if page.sessions.is_open(message.name):
-        raise LearnBlockError(f"the project {message.name} is open: close its pages first")
-    await to_thread.run_sync(page.sessions.folder.delete, message.name)
+    await page.sessions.delete(message.name)
     await _list(page, messages.ListProjects())
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from anyio import to_thread
 
+from learnblock.errors import LearnBlockError
 from learnblock.server.prepared import prepare
 from learnblock.server.project_file import Project, checked_name
 from learnblock.server.projects import ProjectFolder
@@ -45,8 +46,20 @@ class Sessions:
             project = await to_thread.run_sync(self._written, project)
         return await self._opened(project.name, lambda: project)
 
-    def is_open(self, name: str) -> bool:
-        return name in self._open
+    async def delete(self, name: str) -> None:
+        """Delete a project that no page shows.
+
+        Raises:
+            LearnBlockError: a page shows it, or there is none of that name.
+        """
+        name = checked_name(name)
+        async with self._opening:
+            session = self._open.get(name)
+            if session and session.pages:
+                raise LearnBlockError(f"the project {name} is open: close its pages first")
+            if session:
+                await self._close(session)
+            await to_thread.run_sync(self.folder.delete, name)
 
     def left(self, session: Session) -> None:
         """A page has left; if it was the last, the project is closed after a while."""
@@ -63,8 +76,7 @@ class Sessions:
 
     async def _opened(self, name: str, read: Callable[[], Project]) -> Session:
         async with self._opening:
-            if ending := self._ending.pop(name, None):
-                ending.cancel()
+            self._keep_open(name)
             if name not in self._open:
                 prepared = await to_thread.run_sync(lambda: prepare(read()))
                 session = Session(self.folder, prepared)
@@ -82,5 +94,14 @@ class Sessions:
         async with self._opening:
             del self._ending[session.name]
             if not session.pages:
-                del self._open[session.name]
-                await session.close()
+                await self._close(session)
+
+    async def _close(self, session: Session) -> None:
+        self._keep_open(session.name)
+        del self._open[session.name]
+        await session.close()
+
+    def _keep_open(self, name: str) -> None:
+        """It is not to be closed any more."""
+        if ending := self._ending.pop(name, None):
+            ending.cancel()

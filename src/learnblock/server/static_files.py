@@ -29,6 +29,9 @@ _INCOMPLETE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Lea
 class PageFiles(StaticFiles):
     """Static files of which the hashed ones are kept for good, and the others asked for again."""
 
+    async def check_config(self) -> None:
+        """The folder may come later: the page can be built while the server runs."""
+
     def file_response(
         self,
         full_path: str | os.PathLike[str],
