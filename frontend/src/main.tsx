@@ -51,13 +51,13 @@ function begin(root: HTMLElement): void {
   });
   addEventListener("pagehide", () => page.context.program.flush());
   listen(page);
+  page.context.connection.open();
   render(
     <PageContext.Provider value={page}>
       <App />
     </PageContext.Provider>,
     root,
   );
-  page.context.connection.open();
   void sound(page);
 }
 

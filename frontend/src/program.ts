@@ -56,6 +56,8 @@ export class Program {
   private latest = EMPTY;
   private edits = 0;
   private answered = 0;
+  /** Of each view the number of its last edit. */
+  private edited = new Map<View, number>();
   private pending = new Map<View, () => void>();
   private frame = 0;
 
@@ -74,12 +76,12 @@ export class Program {
 
   /** The workspace has been edited; `read` is called once a frame at most. */
   editedBlocks(read: () => Workspace): void {
-    this.schedule("blocks", () => this.edited({ view: "blocks", content: read() }));
+    this.schedule("blocks", () => this.send({ view: "blocks", content: read() }));
   }
 
   /** A text has been edited; `read` is called once a frame at most. */
   editedText(notation: Notation, read: () => string): void {
-    this.schedule(notation, () => this.edited({ view: notation, content: read() }));
+    this.schedule(notation, () => this.send({ view: notation, content: read() }));
   }
 
   /** Send what is still to be sent, before a message that speaks of it. */
@@ -106,11 +108,12 @@ export class Program {
     if (!this.frame) this.frame = requestAnimationFrame(() => this.flush());
   }
 
-  private edited(edit: Edit): void {
+  private send(edit: Edit): void {
     this.unsaved.value = edit;
     const { view, content } = edit;
     this.latest = { ...this.latest, [field(view)]: content };
     this.edits += 1;
+    this.edited.set(view, this.edits);
     if (typeof content !== "string") {
       this.connection.send({ kind: "EditBlocks", edit: this.edits, workspace: content });
     } else if (view !== "blocks") {
@@ -121,9 +124,7 @@ export class Program {
   private receive(document: Document): void {
     this.answered = Math.max(this.answered, document.edit);
     this.latest = {
-      blocktext: document.blocktext ?? this.latest.blocktext,
-      python: document.python ?? this.latest.python,
-      workspace: document.workspace ?? this.latest.workspace,
+      ...this.contents(document),
       places: document.places ?? [],
       problems: document.problems ?? [],
       stale: document.stale ?? [],
@@ -134,6 +135,17 @@ export class Program {
     if (!this.settled) return;
     if (this.superseded()) this.unsaved.value = null;
     this.state.value = this.latest;
+  }
+
+  /** The views' contents: an answer to an earlier edit does not undo a later one. */
+  private contents(told: Document): Pick<ProgramState, Notation | "workspace"> {
+    const older = (view: View) => (this.edited.get(view) ?? 0) > told.edit;
+    const { blocktext, python, workspace } = this.latest;
+    return {
+      blocktext: older("blocktext") ? blocktext : (told.blocktext ?? blocktext),
+      python: older("python") ? python : (told.python ?? python),
+      workspace: older("blocks") ? workspace : (told.workspace ?? workspace),
+    };
   }
 
   /** Whether what the user left has been changed since, as by undoing: it is not to be said again. */
@@ -148,8 +160,9 @@ export class Program {
     if (name !== this.project) this.pending.clear();
     this.project = name;
     this.edits = this.answered = 0;
+    this.edited.clear();
     this.latest = EMPTY;
     this.unsaved.value = null;
-    if (unsaved) this.edited(unsaved);
+    if (unsaved) this.send(unsaved);
   }
 }

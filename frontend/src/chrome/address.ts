@@ -37,8 +37,15 @@ export function addressedProject(): string | null {
 /** Name the open project in the address, for reloads, bookmarks and the way back. */
 export function nameProject(name: string): void {
   const before = addressedProject();
-  if (before === name) return;
-  const address = `#${new URLSearchParams({ project: name })}`;
-  if (before === null) history.replaceState(null, "", address);
-  else history.pushState(null, "", address);
+  if (before === null) renameProject(name);
+  else if (before !== name) history.pushState(null, "", hashOf(name));
+}
+
+/** Name it instead of what the address names, which is no way back. */
+export function renameProject(name: string): void {
+  history.replaceState(null, "", hashOf(name));
+}
+
+function hashOf(name: string): string {
+  return `#${new URLSearchParams({ project: name })}`;
 }

@@ -6,7 +6,7 @@ import type { Connection } from "../connection";
 import { t, translated } from "../i18n";
 import type { Export, File as Download, History, ProjectEntry, Welcome, WorldChoice } from "../messages";
 import type { Program } from "../program";
-import { addressedProject, nameProject } from "./address";
+import { addressedProject, nameProject, renameProject } from "./address";
 import type { Toasts } from "./notes/toasts";
 
 /** What a newcomer sees. */
@@ -145,7 +145,8 @@ export class Project {
     this.toasts.error(message);
     this.doomed = null;
     // The address named a project that is not there, or no longer.
-    if (request !== "Open" || this.name.value) return;
+    if (request !== "Open") return;
+    if (this.name.value) return renameProject(this.name.value);
     this.choosing = true;
     this.list();
   }

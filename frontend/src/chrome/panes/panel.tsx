@@ -33,12 +33,14 @@ export function Panel({ weight }: { weight: number }) {
 function tabs(page: Page) {
   const { context } = page;
   const failed = context.running.ended.value?.ended === "error" ? 1 : 0;
-  const count = findings(context.program.state.value.problems).length + failed;
+  const found = findings(context.program.state.value.problems);
+  const count = found.length + failed;
+  const serious = failed > 0 || found.some((one) => one.severity === "error");
   return [
     { name: "console", text: t("chrome.console"), panel: <IslandPlace load={() => loadConsole(page)} /> },
     { name: "variables", text: t("chrome.variables"), panel: <IslandPlace load={() => loadVariables(page)} /> },
     { name: "sensors", text: t("chrome.sensors"), panel: <IslandPlace load={() => loadSensors(page)} /> },
-    { name: "problems", text: t("chrome.problems"), count, panel: <Problems /> },
+    { name: "problems", text: t("chrome.problems"), count, serious, panel: <Problems /> },
     { name: "result", text: t("chrome.result"), panel: <Result /> },
   ] as const;
 }

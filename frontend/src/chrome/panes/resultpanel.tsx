@@ -70,7 +70,7 @@ function NoEffect({ skills }: { skills: readonly (readonly [string, string])[] }
   return (
     <ul>
       {skills.map(([skill, device]) => (
-        <li key={`${skill} ${device}`}>{t("problems.missing", { skill, device })}</li>
+        <li key={`${skill} ${device}`}>{t("problems.missing", { skill, device: device.replace(":", " ") })}</li>
       ))}
     </ul>
   );

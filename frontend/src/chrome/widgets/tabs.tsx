@@ -9,6 +9,8 @@ export interface Tab<Name extends string> {
   readonly text: string;
   /** A number on the tab, such as of problems; none is shown for 0. */
   readonly count?: number;
+  /** Whether that number is of something serious. */
+  readonly serious?: boolean;
   readonly panel: ComponentChildren;
 }
 
@@ -36,7 +38,7 @@ export function Tabs<Name extends string>({ label, tabs, selected, select }: Pro
             onClick={() => select(tab.name)}
           >
             {tab.text}
-            {!!tab.count && <span class="count">{tab.count}</span>}
+            {!!tab.count && <span class={tab.serious ? "count serious" : "count"}>{tab.count}</span>}
           </button>
         ))}
       </div>
