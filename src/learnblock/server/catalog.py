@@ -10,7 +10,7 @@ from learnblock.server.messages import ExampleChoice, RobotChoice, Welcome, Worl
 
 #: For each example a title, what it does, and the robot and world that suit it. The simplest first.
 _EXAMPLES = (
-    ("square", "Square", "Drives a square.", "sim-ebo", "empty"),
+    ("square", "Square", "Drives a square.", "sim-cozmo", "empty"),
     ("dance", "Dance", "Dances with feelings.", "sim-cozmo", "empty"),
     (
         "polygons",
