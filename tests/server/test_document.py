@@ -151,6 +151,16 @@ def test_editing_another_view_goes_on_from_the_last_good_program():
     assert one.stale == ()
 
 
+def test_a_block_moved_while_a_text_has_mistakes_leaves_that_text():
+    broken = document().with_text("blocktext", SQUARE + "if (\n")
+    moved = document().workspace
+    moved.stacks[0][0].x = 300.0
+    one = broken.with_blocks(moved)
+    assert one.blocktext == broken.blocktext
+    assert one.problems == broken.problems
+    assert one.workspace.stacks[0][0].x == 300.0
+
+
 def test_a_block_without_its_value_keeps_the_texts():
     before = document()
     body = before.workspace.stacks[0][0].inputs["DO"].stack

@@ -107,10 +107,13 @@ class Document:
         said = tuple(problem(one, "blocks", block) for block, one in read.problems)
         if any(one.severity == "error" for one in said):
             return self._unreadable(workspace, said)
-        if read.program == self.good.tree:
-            good = self.good.with_blocks(read.program, read.block_ids, workspace)
-        else:
+        if read.program != self.good.tree:
             good = Notations.of_blocks(read.program, read.block_ids, workspace, self.target)
+            return replace(self, origin="blocks", good=good, unread=None, remarks=said)
+        good = self.good.with_blocks(read.program, read.block_ids, workspace)
+        if self.unread and self.unread.view != "blocks":
+            # Who moves a block while a text has mistakes does not want to lose that text.
+            return replace(self, good=good)
         return replace(self, origin="blocks", good=good, unread=None, remarks=said)
 
     def with_robot(self, module: str, devices: frozenset[str] | None = None) -> "Document":

@@ -11,7 +11,7 @@ from learnblock.server.page import Handler, Page
 from learnblock.server.prepared import DEFAULT_WORLD
 from learnblock.server.project_file import Project
 
-_EMPTY = "main:\nend\n"
+_EMPTY = "main:\n    pass\nend\n"
 
 
 async def _open(page: Page, message: messages.Open) -> None:
