@@ -62,6 +62,7 @@ class Console implements ConsoleIsland {
   destroy(): void {
     for (const dispose of this.disposers) dispose();
     this.lines.destroy();
+    this.question.destroy();
   }
 
   private listen(): (() => void)[] {

@@ -10,6 +10,7 @@ export interface Question {
   ask(prompt: string): void;
   close(): void;
   focus(): void;
+  destroy(): void;
 }
 
 /** Longer answers are refused by the server. */
@@ -22,6 +23,16 @@ export function createQuestion(answer: (text: string) => void): Question {
   const send = element("button", { type: "submit", class: "tool" });
   const dom = element("form", { class: "question" }, label, send);
   let before: Element | null = null;
+  // The panel may be hidden behind another when the program asks: the line is focused when it is seen.
+  const seen = new IntersectionObserver((entries) => {
+    if (entries.at(-1)?.isIntersecting) focus();
+  });
+  seen.observe(dom);
+
+  function focus(): void {
+    if (!dom.contains(document.activeElement)) before = document.activeElement;
+    input.focus();
+  }
 
   function close(): void {
     const focused = dom.contains(document.activeElement);
@@ -30,12 +41,10 @@ export function createQuestion(answer: (text: string) => void): Question {
   }
 
   function ask(prompt: string): void {
-    before = document.activeElement;
-    label.replaceChildren(element("span", {}, prompt), input);
+    label.replaceChildren(element("span", {}, prompt.trim()), input);
     send.textContent = t("console.answer");
     input.value = "";
     dom.hidden = false;
-    input.focus();
   }
 
   dom.hidden = true;
@@ -48,7 +57,8 @@ export function createQuestion(answer: (text: string) => void): Question {
     dom,
     ask,
     close,
-    focus: () => input.focus(),
+    focus,
+    destroy: () => seen.disconnect(),
     get open() {
       return !dom.hidden;
     },
