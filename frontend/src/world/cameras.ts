@@ -17,6 +17,10 @@ const FROM_ABOVE = new Vector3(0, -0.001, 1).normalize();
 const STEEPEST = 0.001;
 const FLATTEST = 1.5;
 const FOLLOW_DISTANCE = 900;
+/** Buttons cover so much of a small picture's height at most, in parts of it. */
+const MOST_COVERED = 0.35;
+/** How far before the floor's middle one may look, in parts of its depth: what is near is larger. */
+const SHIFTS = [0, -0.03, -0.06, -0.09, -0.12, -0.15];
 /** The world fills so much of the picture. */
 const FILLED = 0.94;
 
@@ -36,9 +40,11 @@ export class Cameras {
   mode: CameraMode = "orbit";
   private readonly controls: OrbitControls;
   private readonly calm = matchMedia("(prefers-reduced-motion: reduce)");
-  private size: XY = [2000, 2000];
+  private floorSize: XY = [2000, 2000];
   private followed: XY = [0, 0];
   private move: Move | null = null;
+  /** Whether it shows all of the world: then it goes on to do so in a picture of another size. */
+  private whole = false;
 
   /** @param changed is called when another picture is to be drawn. */
   constructor(
@@ -51,31 +57,46 @@ export class Cameras {
     this.controls.minDistance = 150;
     this.controls.maxDistance = 14000;
     this.controls.addEventListener("change", () => this.changed());
-    this.controls.addEventListener("start", () => (this.move = null));
+    this.controls.addEventListener("start", () => this.taken());
     this.apply("orbit");
+  }
+
+  /**
+   * The picture's size in pixels.
+   *
+   * @param covered by buttons at its upper edge: what is looked at stands in the middle of the rest.
+   */
+  size(width: number, height: number, covered: number): void {
+    const hidden = Math.min(covered, MOST_COVERED * height);
+    this.camera.aspect = width / Math.max(1, height - hidden);
+    this.camera.setViewOffset(width, height - hidden, 0, -hidden, width, height);
+    if (this.whole) this.reset();
   }
 
   /** The floor's size: what there is to see. */
   floor(size: XY): void {
-    this.size = size;
+    this.floorSize = size;
   }
 
   choose(mode: CameraMode): void {
     this.apply(mode);
     if (mode === "follow") this.go(this.behind());
-    else this.whole();
+    else this.showWhole();
   }
 
   /** Show all of the world. */
-  whole(): void {
+  showWhole(): void {
     if (this.mode === "follow") this.apply("orbit");
     const from = this.mode === "top" ? FROM_ABOVE : FROM_SOUTH;
-    this.go({ target: new Vector3(), place: from.clone().multiplyScalar(this.distanceFrom(from)) });
+    const shifts = this.mode === "top" ? [0] : SHIFTS;
+    const looks = shifts.map((shift) => this.lookFrom(from, new Vector3(0, shift * this.floorSize[1], 0)));
+    this.go(looks.reduce((best, look) => (distance(look) < distance(best) ? look : best)));
+    this.whole = true;
   }
 
-  /** As `whole`, but at once: for the first picture. */
+  /** As `showWhole`, but at once: for the first picture. */
   reset(): void {
-    this.whole();
+    this.showWhole();
     this.arrive();
   }
 
@@ -155,8 +176,15 @@ export class Cameras {
   private go(to: Look): void {
     const from = { place: this.camera.position.clone(), target: this.controls.target.clone() };
     this.move = { from, to, start: performance.now() };
+    this.whole = false;
     if (this.calm.matches) this.arrive();
     this.changed();
+  }
+
+  /** The user's pointer has taken it over. */
+  private taken(): void {
+    this.move = null;
+    this.whole = false;
   }
 
   private arrive(): void {
@@ -177,25 +205,30 @@ export class Cameras {
     return { target, place: (steep ? FROM_SOUTH.clone() : offset).setLength(FOLLOW_DISTANCE).add(target) };
   }
 
-  /** The least distance from which all of the floor can be seen. */
-  private distanceFrom(direction: Vector3): number {
+  /** From the least distance from which all of the floor can be seen. */
+  private lookFrom(direction: Vector3, target: Vector3): Look {
     const eye = this.camera.clone();
+    eye.clearViewOffset();
     let distance = 300;
     do {
       distance *= 1.04;
-      eye.position.copy(direction).multiplyScalar(distance);
-      eye.lookAt(0, 0, 0);
+      eye.position.copy(direction).multiplyScalar(distance).add(target);
+      eye.lookAt(target);
       eye.updateMatrixWorld();
     } while (distance < this.controls.maxDistance && !this.seesFloor(eye));
-    return distance;
+    return { place: eye.position.clone(), target };
   }
 
   private seesFloor(eye: PerspectiveCamera): boolean {
-    const [x, y] = [this.size[0] / 2, this.size[1] / 2];
+    const [x, y] = [this.floorSize[0] / 2, this.floorSize[1] / 2];
     const corners: XY[] = [[x, y], [x, -y], [-x, y], [-x, -y]];
     return corners.every(([east, north]) => {
       const point = new Vector3(east, north, 0).project(eye);
       return Math.max(Math.abs(point.x), Math.abs(point.y)) < FILLED;
     });
   }
+}
+
+function distance({ place, target }: Look): number {
+  return place.distanceTo(target);
 }

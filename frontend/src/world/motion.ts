@@ -42,6 +42,11 @@ export class Motion {
     this.from = this.to = NOTHING;
   }
 
+  /** What was told last. */
+  get newest(): Moment {
+    return this.to;
+  }
+
   /** What to draw at `now`, in ms. */
   at(now: number): Moment {
     const part = between((now - this.arrived) / this.period, 0, 1);

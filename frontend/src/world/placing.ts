@@ -115,10 +115,14 @@ export class Placing {
     if (!robot || !this.ground.allowed()) return null;
     const { pose, reach } = robot;
     if (this.selected && this.pointing.pixelsFrom(event, this.handle.at(pose)) < TOUCH_PIXELS) return { what: "knob" };
-    const middle = new Vector3(pose.x, pose.y, GRIP);
-    const hit = this.pointing.missBy(event, middle) < reach || this.pointing.pixelsFrom(event, middle) < TOUCH_PIXELS;
     const place = this.pointing.floor(event, GRIP);
-    return hit && place ? { what: "robot", offset: [pose.x - place[0], pose.y - place[1]] } : null;
+    return place && this.isOver(event, pose, reach) ? { what: "robot", offset: [pose.x - place[0], pose.y - place[1]] } : null;
+  }
+
+  /** On the robot, or as near as a finger can tell. */
+  private isOver(event: MouseEvent, { x, y }: Pose, reach: number): boolean {
+    const middle = new Vector3(x, y, GRIP);
+    return this.pointing.missBy(event, middle) < reach || this.pointing.pixelsFrom(event, middle) < TOUCH_PIXELS;
   }
 
   private moved(event: PointerEvent): void {
@@ -139,7 +143,7 @@ export class Placing {
 
   private hover(event: PointerEvent): void {
     const robot = this.ground.robot();
-    const over = robot && this.pointing.missBy(event, new Vector3(robot.pose.x, robot.pose.y, GRIP)) < robot.reach;
+    const over = robot && this.isOver(event, robot.pose, robot.reach);
     const knob = this.selected && robot && this.pointing.pixelsFrom(event, this.handle.at(robot.pose)) < TOUCH_PIXELS;
     this.canvas.style.cursor = !over && !knob ? "" : this.ground.allowed() ? "grab" : "not-allowed";
   }
@@ -163,7 +167,7 @@ export class Placing {
 
   private underWheel(event: WheelEvent): boolean {
     const robot = this.ground.robot();
-    return !!robot && this.pointing.missBy(event, new Vector3(robot.pose.x, robot.pose.y, GRIP)) < robot.reach;
+    return !!robot && this.isOver(event, robot.pose, robot.reach);
   }
 
   private put({ x, y, heading }: Pose): void {

@@ -27,7 +27,7 @@ export function ahead(robot: RobotValues, sensors: Sensors): { nearest: number |
   const front = robot.distance
     .map((sensor, i) => ({ sensor, i }))
     .filter(({ sensor }) => sensor.sides.includes("front"));
-  if (!front.length) return null;
+  if (!front.length || !Object.keys(sensors).some((name) => name.startsWith("Distance front"))) return null;
   const readings = distances(robot, sensors);
   const near = front.map(({ i }) => readings[i] ?? null).filter((reading) => reading !== null);
   const range = Math.min(...front.map(({ sensor }) => sensor.maximum));

@@ -30,18 +30,28 @@ export function ribbons(all: readonly Ribbon[], height: number): BufferGeometry 
   return geometry;
 }
 
+/** mm between the ends of a closed line: what the simulator takes for a rounding error. */
+const CLOSED = 5;
 /** A joint that turns by more than this gets a disc, others are cut at an angle: fewer pixels twice. */
 const SHARP = Math.cos(Math.PI / 6);
 
 function strip({ points: all, width }: Ribbon, height: number, into: number[]): void {
-  const points = all.filter((point, i) => i === 0 || point[0] !== all[i - 1]?.[0] || point[1] !== all[i - 1]?.[1]);
+  const way = all.filter((point, i) => i === 0 || gap(point, all[i - 1]) > 0);
   const half = width / 2;
-  const sides = points.map((point, i) => sideAt(points[i - 1], point, points[i + 1]));
+  const closed = way.length > 2 && gap(way[0], way.at(-1)) < CLOSED;
+  const points = closed ? way.with(-1, way[0] as XY) : way;
+  const before = (i: number): XY | undefined => points[i - 1] ?? (closed ? points.at(-2) : undefined);
+  const after = (i: number): XY | undefined => points[i + 1] ?? (closed ? points[1] : undefined);
+  const sides = points.map((point, i) => sideAt(before(i), point, after(i)));
   points.forEach((point, i) => {
     const [side, next, nextSide] = [sides[i], points[i + 1], sides[i + 1]];
-    if (!side || isSharp(points[i - 1], point, next)) disc(point, half, height, into);
+    if (!side) disc(point, half, height, into);
     if (next) piece(point, next, [side ?? null, nextSide ?? null], half, height, into);
   });
+}
+
+function gap(a: XY | undefined, b: XY | undefined): number {
+  return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : Number.POSITIVE_INFINITY;
 }
 
 function direction([x, y]: XY, [endX, endY]: XY): XY {

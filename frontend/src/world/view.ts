@@ -21,9 +21,10 @@ export class View {
     private readonly camera: PerspectiveCamera,
     private readonly before: (now: number) => boolean,
   ) {
-    // Small pixels need no smoothing, which is what costs most without a graphics card.
-    this.renderer = new WebGLRenderer({ canvas, alpha: true, antialias: devicePixelRatio <= 1 });
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, SHARPEST));
+    const fast = drawsFast();
+    // Small pixels need no smoothing, which is what costs most where there is no graphics card.
+    this.renderer = new WebGLRenderer({ canvas, alpha: true, antialias: fast && devicePixelRatio <= 1 });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, fast ? SHARPEST : 1));
     const sun = new DirectionalLight(0xffffff, 1.5);
     sun.position.set(-0.45, -0.6, 1.2);
     this.scene.add(new HemisphereLight(0xffffff, new Color("#b9b4aa"), 1.85), sun);
@@ -38,8 +39,6 @@ export class View {
   resize(width: number, height: number): void {
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
     // At once: a canvas of a new size is empty.
     this.draw(performance.now());
   }
@@ -58,4 +57,17 @@ export class View {
     this.framesDrawn += 1;
     if (again) this.invalidate();
   }
+}
+
+/** Names under which browsers draw by the processor alone. */
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+/** Whether a graphics card draws, and not the processor. */
+function drawsFast(): boolean {
+  const probe = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+  if (!probe) return false;
+  const info = probe.getExtension("WEBGL_debug_renderer_info");
+  const renderer = String(probe.getParameter(info?.UNMASKED_RENDERER_WEBGL ?? probe.RENDERER));
+  probe.getExtension("WEBGL_lose_context")?.loseContext();
+  return !SOFTWARE.test(renderer);
 }

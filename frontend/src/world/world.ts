@@ -12,6 +12,7 @@ import { Motion } from "./motion";
 import { Placing } from "./placing";
 import { Pointing } from "./pointing";
 import { Stage } from "./stage";
+import { Throttle } from "./throttle";
 import { type Tool, Toolbar } from "./toolbar";
 import { Trail } from "./trail";
 import { View } from "./view";
@@ -40,7 +41,7 @@ export class World implements WorldIsland {
   private readonly toolbar: Toolbar;
   private stage: Stage | null = null;
   private drawnScene = "";
-  private labelled = 0;
+  private readonly labels = new Throttle(LABEL_PERIOD);
 
   private readonly mode = signal<CameraMode>("orbit");
   private readonly showsTrail = signal(true);
@@ -71,12 +72,15 @@ export class World implements WorldIsland {
   }
 
   resize(): void {
+    const bar = this.toolbar.dom.offsetTop + this.toolbar.dom.offsetHeight;
+    this.cameras.size(this.frame.clientWidth, this.frame.clientHeight, bar);
     this.view.resize(this.frame.clientWidth, this.frame.clientHeight);
   }
 
   destroy(): void {
     for (const end of this.endings) end();
     this.sizes.disconnect();
+    this.labels.cancel();
     this.placing.destroy();
     this.toolbar.destroy();
     this.cameras.dispose();
@@ -152,7 +156,7 @@ export class World implements WorldIsland {
   }
 
   private showWhole(): void {
-    this.cameras.whole();
+    this.cameras.showWhole();
     this.mode.value = this.cameras.mode;
   }
 
@@ -253,7 +257,7 @@ export class World implements WorldIsland {
   private ownRobot(): { pose: Pose; reach: number } | null {
     const model = this.stage?.robots[0];
     if (!model) return null;
-    return { pose: this.placing.pose ?? this.motion.at(performance.now()).robots[0] ?? model.pose, reach: model.reach };
+    return { pose: this.placing.pose ?? this.motion.newest.robots[0] ?? model.pose, reach: model.reach };
   }
 
   /** Bring everything to where it is now; true while it still moves. */
@@ -272,10 +276,7 @@ export class World implements WorldIsland {
   }
 
   private label(): void {
-    const now = performance.now();
-    if (this.labelled && now - this.labelled < LABEL_PERIOD) return;
-    this.labelled = now;
-    this.canvas.ariaLabel = this.inWords();
+    this.labels.do(() => (this.canvas.ariaLabel = this.inWords()));
   }
 
   private inWords(): string {

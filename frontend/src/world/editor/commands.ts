@@ -1,11 +1,15 @@
 /** What one can do to a draft, by button or by key. */
 
-import type { XY } from "../description";
+import type { WorldValues, XY } from "../description";
 import type { Draft } from "./drafts";
-import { added, created, duplicated, GRID, key, moved, type Ref, removed, replaced, snapped, type Sort, thingAt, turned } from "./things";
+import { added, allowedPlace, allThings, created, duplicated, GRID, key, moved, placeOf, type Ref, removed, replaced, snapped, type Sort, thingAt, turned } from "./things";
 
 /** Degrees by which a button or key turns. */
 export const TURN = 15;
+
+/** mm between things that are put into the world one after another. */
+const APART = 120;
+const MOST_TRIES = 20;
 
 /** Commands return the thing to go on with, or null when there was nothing to do. */
 export class Commands {
@@ -14,9 +18,7 @@ export class Commands {
   add(sort: Sort, [x, y]: XY): Ref | null {
     const world = this.draft.world.peek();
     if (!world) return null;
-    const [east, north] = world.floor.size;
-    const inside = ([snapped(x), snapped(y)] as const).map((value, i) => (Math.abs(value) <= (i ? north : east) / 2 ? value : 0));
-    const [changed, ref] = added(world, sort, created(world, sort, inside as XY));
+    const [changed, ref] = added(world, sort, created(world, sort, freePlace(world, sort, [snapped(x), snapped(y)])));
     this.draft.change(changed, "", ref);
     return ref;
   }
@@ -50,4 +52,20 @@ export class Commands {
   private selection() {
     return { world: this.draft.world.peek(), ref: this.draft.selected.peek() };
   }
+}
+
+/** A place on the floor where no other thing has its middle. */
+function freePlace(world: WorldValues, sort: Sort, wanted: XY): XY {
+  const taken = new Set(allThings(world).map((ref) => String(placeOf(world, ref))));
+  let place = onFloor(world, sort, wanted);
+  for (let tries = 0; taken.has(String(place)) && tries < MOST_TRIES; tries++) {
+    place = onFloor(world, sort, [place[0] + APART, place[1] - APART / 2]);
+  }
+  return place;
+}
+
+/** The middle of the floor, if the place is off it. */
+function onFloor(world: WorldValues, sort: Sort, place: XY): XY {
+  const [x, y] = allowedPlace(world, sort, place);
+  return Math.abs(x) > world.floor.size[0] / 2 || Math.abs(y) > world.floor.size[1] / 2 ? [0, 0] : [x, y];
 }

@@ -13,7 +13,7 @@ import { Plan } from "./plan";
 import { Properties } from "./properties";
 import { Saving } from "./saving";
 import type { Ref, Sort } from "./things";
-import { keep, unsaved } from "./unsaved";
+import { drop, keep, unsaved } from "./unsaved";
 import type { Context } from "../../context";
 import type { WorldValues } from "../description";
 import { t } from "../../i18n";
@@ -43,7 +43,7 @@ export class Editor implements WorldEditorIsland {
   ) {
     const { connection } = context;
     this.checking = new Checking(this.draft, connection);
-    this.saving = new Saving(this.draft, connection, this.checking.problems);
+    this.saving = new Saving(this.draft, connection, this.checking.problems, (name) => this.saved(name));
     this.closing.addEventListener("click", onClose);
     this.build();
     this.endings = [
@@ -106,6 +106,13 @@ export class Editor implements WorldEditorIsland {
     this.saving.propose(save_as);
     if (left) this.goOn(left);
     this.plan.fit();
+  }
+
+  /** From now on it is the saved world that is being edited. */
+  private saved(name: string): void {
+    const world = this.draft.world.peek();
+    if (world) this.opened = { name, world };
+    drop();
   }
 
   /** Go on with what was edited and not saved; undo goes back to what is in the file. */

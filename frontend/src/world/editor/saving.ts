@@ -3,7 +3,6 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 
 import type { Draft } from "./drafts";
-import { drop } from "./unsaved";
 import type { Connection } from "../../connection";
 import { t } from "../../i18n";
 import type { Island } from "../../island";
@@ -20,11 +19,15 @@ export class Saving implements Island {
   private saving = "";
   private readonly endings: (() => void)[];
 
-  /** @param problems what the server found wrong: such a world is not saved. */
+  /**
+   * @param problems what the server found wrong: such a world is not saved.
+   * @param done is called with the name under which it was saved.
+   */
   constructor(
     private readonly draft: Draft,
     private readonly connection: Connection,
     private readonly problems: ReadonlySignal<readonly string[]>,
+    private readonly done: (name: string) => void,
   ) {
     this.build();
     const wrong = computed(() => problems.value.length > 0);
@@ -86,8 +89,8 @@ export class Saving implements Island {
   private saved(): void {
     if (!this.saving) return;
     this.outcome.value = { word: "editor.saved", name: this.saving };
+    this.done(this.saving);
     this.saving = "";
-    drop();
   }
 
   private refused(text: string): void {

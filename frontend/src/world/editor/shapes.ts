@@ -64,11 +64,11 @@ function line(values: LineValues): Shapes {
 }
 
 function wall({ points, thickness, colour }: WallValues): Shapes {
-  const attributes = { points: chain(points), "stroke-linecap": "square", "stroke-linejoin": "miter" };
+  const attributes = { points: chain(points) };
   return [
     svg("polyline", { ...attributes, class: "grip", "stroke-width": thickness }),
-    svg("polyline", { ...attributes, class: "stroke outline", "stroke-width": thickness + 6 }),
-    svg("polyline", { ...attributes, class: "stroke", stroke: css(colour), "stroke-width": thickness }),
+    svg("polyline", { ...attributes, class: "wall outline", "stroke-width": thickness + 6 }),
+    svg("polyline", { ...attributes, class: "wall", stroke: css(colour), "stroke-width": thickness }),
   ];
 }
 
