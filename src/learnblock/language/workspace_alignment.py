@@ -16,6 +16,13 @@ from learnblock.language.workspace_statement_reader import Group
 Kind = Callable[[Group], Hashable]
 
 
+class Match(NamedTuple):
+    """The place of an old statement, and whether it is equal to the new one."""
+
+    place: int
+    equal: bool
+
+
 class _Gap(NamedTuple):
     """A part of the new statements, and the part of the old ones that it may come from."""
 
@@ -25,35 +32,40 @@ class _Gap(NamedTuple):
     old_end: int
 
 
-def aligned(new: Sequence[Group], old: Sequence[Group]) -> list[int | None]:
-    """For each of the new statements the place of the old one that it was, if there is one."""
-    found: list[int | None] = [None] * len(new)
+def aligned(new: Sequence[Group], old: Sequence[Group]) -> list[Match | None]:
+    """For each of the new statements the old one that it was, if there is one."""
+    found: list[Match | None] = [None] * len(new)
     gap = _grown(new, old, _Gap(0, len(new), 0, len(old)), found)
-    for inner in _between(gap, _unique(new, old, gap), found):
+    for inner in _between(gap, _unique(new, old, gap), found, equal=True):
         rest = _grown(new, old, inner, found)
-        for headed in _between(rest, _alike(new, old, rest, _header), found):
-            _between(headed, _alike(new, old, headed, _kind), found)
+        headers = _alike(new, old, rest, _header)
+        for headed in _between(rest, headers, found, equal=False):
+            _between(headed, _alike(new, old, headed, _kind), found, equal=False)
     return found
 
 
-def _grown(new: Sequence[Group], old: Sequence[Group], gap: _Gap, found: list[int | None]) -> _Gap:
+def _grown(
+    new: Sequence[Group], old: Sequence[Group], gap: _Gap, found: list[Match | None]
+) -> _Gap:
     """Take what is equal at the beginning and the end of a gap; what is left of it."""
     start, end, old_start, old_end = gap
     while start < end and old_start < old_end and new[start] == old[old_start]:
-        found[start] = old_start
+        found[start] = Match(old_start, equal=True)
         start, old_start = start + 1, old_start + 1
     while start < end and old_start < old_end and new[end - 1] == old[old_end - 1]:
         end, old_end = end - 1, old_end - 1
-        found[end] = old_end
+        found[end] = Match(old_end, equal=True)
     return _Gap(start, end, old_start, old_end)
 
 
-def _between(gap: _Gap, pairs: Sequence[tuple[int, int]], found: list[int | None]) -> list[_Gap]:
+def _between(
+    gap: _Gap, pairs: Sequence[tuple[int, int]], found: list[Match | None], *, equal: bool
+) -> list[_Gap]:
     """Take the pairs of a gap; the gaps between them."""
     gaps: list[_Gap] = []
     start, old_start = gap.start, gap.old_start
     for place, old_place in pairs:
-        found[place] = old_place
+        found[place] = Match(old_place, equal)
         gaps.append(_Gap(start, place, old_start, old_place))
         start, old_start = place + 1, old_place + 1
     gaps.append(_Gap(start, gap.end, old_start, gap.old_end))

@@ -8,6 +8,7 @@ from learnblock.errors import Diagnostic
 from learnblock.language.nodes import Program
 from learnblock.language.workspace import Workspace
 from learnblock.language.workspace_reader import read
+from learnblock.language.workspace_survey import distinct
 from learnblock.language.workspace_writer import WorkspaceWriter
 
 
@@ -57,7 +58,7 @@ def to_workspace(
     Raises:
         ProgramError: the blocks of `previous` are too many inside each other.
     """
-    before = Workspace() if previous is None else previous
+    before = Workspace() if previous is None else distinct(previous)
     writer = WorkspaceWriter(program, configurations, read(before, configurations), before)
     return WorkspaceText(writer.workspace, writer.ids)
 

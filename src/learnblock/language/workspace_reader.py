@@ -49,6 +49,7 @@ class WorkspaceReader(StatementReader):
     ) -> None:
         super().__init__(workspace, configurations)
         self.groups: dict[str, Group] = {}
+        self.silent: set[str] = set()
         self.entries: list[tuple[Group, Block, Block]] = []
         self.has_main = False
         program = [stack for stack in workspace.stacks if is_part(stack)]

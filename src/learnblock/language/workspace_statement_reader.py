@@ -66,11 +66,12 @@ class Group(NamedTuple):
 class StatementReader(ValueReader):
     """Reads statements.
 
-    `groups` has what each block says, unless it says nothing; `alone` tells whether the program is
-    but one statement; `depth` is how many blocks are open.
+    `groups` has what each block says, `silent` the blocks that say nothing; `alone` tells whether
+    the program is but one statement; `depth` is how many blocks are open.
     """
 
     groups: dict[str, Group]
+    silent: set[str]
     alone: bool
     depth = 0
 
@@ -85,12 +86,13 @@ class StatementReader(ValueReader):
             block: among others.
             read: how it is read, if it stands where not only statements may stand.
         """
-        if is_disabled(block):
-            return None
         notes = notes_of(block)
         lead, ends = comments_in(block, notes, parts(block))
-        statement = (read or self.statement)(block, notes, ends)
-        return None if statement is None else self.found(block, lead, statement)
+        statement = None if is_disabled(block) else (read or self.statement)(block, notes, ends)
+        if statement is None:
+            self.silent.add(block.id)
+            return None
+        return self.found(block, lead, statement)
 
     def found(self, block: Block, lead: Lead, statement: Item | Main) -> Group:
         """A block says this."""

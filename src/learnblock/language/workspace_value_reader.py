@@ -397,7 +397,8 @@ def _field(known: Mapping[str, tuple[str, Library]]) -> str:
 
 def _chain(reader: ValueReader, block: Block) -> Expression:
     known = {*COMPARISONS, *MEMBERSHIPS}
-    operators = tuple([one for one in extra_list(block, "operators") if one in known])
+    asked = extra_list(block, "operators")
+    operators = tuple([one for one in asked if isinstance(one, str) and one in known])
     if not operators:
         reader.report(block, "unknown-choice", "this comparison compares nothing: remove it")
         return Constant(value=False)

@@ -1,6 +1,6 @@
 """Expressions into value blocks, which stay the blocks that they were."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from itertools import count
 
 from learnblock.blocks.configuration import BlockConfiguration, Parameter
@@ -19,12 +19,14 @@ from learnblock.language.nodes import (
     statements,
     within,
 )
-from learnblock.language.workspace import Block, FieldValue, Input, Variable, Workspace
+from learnblock.language.workspace import Block, FieldValue, Input, Variable
 from learnblock.language.workspace_arguments import shadow_literal
 from learnblock.language.workspace_notes import NO_NOTES, Notes
 from learnblock.language.workspace_reader import WorkspaceReader
 from learnblock.language.workspace_shapes import Shape
 from learnblock.language.workspace_statement_shapes import StatementShaper
+from learnblock.language.workspace_survey import Survey
+from learnblock.language.workspace_value_reader import is_disabled
 
 # How much is within a value of which not all must have a block of its own.
 _OPERANDS: Mapping[type[Expression], int] = {Unary: 1, Index: 2}
@@ -38,7 +40,7 @@ class ValueWriter:
         program: the tree.
         configurations: of the skills, by name.
         before: the workspace to keep all that can be kept of, as it was read.
-        previous: the workspace itself.
+        in_use: what is in use in it.
     """
 
     def __init__(
@@ -46,17 +48,17 @@ class ValueWriter:
         program: Program,
         configurations: Mapping[str, BlockConfiguration],
         before: WorkspaceReader,
-        previous: Workspace,
+        in_use: Survey,
     ) -> None:
         self.shaper = StatementShaper(program, configurations)
         self.configurations = configurations
         self.before = before
         self.ids: dict[int, str] = {}
         self.taken: set[str] = set()
-        used = {block.id for block in blocks_of(previous)}
+        used = in_use.blocks
         self.new_ids = (name for number in count(1) if (name := f"b{number}") not in used)
-        self.variables = {one.name: one for one in previous.variables}
-        known = {one.id for one in previous.variables}
+        self.variables = {name: Variable(name, key) for key, name in before.variables.items()}
+        known = before.variables.keys() | in_use.variables
         self.new_variables = (name for number in count(1) if (name := f"v{number}") not in known)
         self.changed = _changed(self.shaper, StatementShaper(before.program, configurations))
 
@@ -121,7 +123,12 @@ class ValueWriter:
             old: the block that may have been this one.
             inputs: those that hold statements.
         """
-        same = old is not None and old.type == shape.type and old.id not in self.taken
+        same = (
+            old is not None
+            and old.type == shape.type
+            and old.id not in self.taken
+            and not is_disabled(old)
+        )
         block = Block(shape.type, old.id if same and old is not None else next(self.new_ids))
         self.taken.add(block.id)
         block.fields = self.fields(shape.fields)
@@ -232,17 +239,6 @@ _LANGUAGE: Mapping[str, Mapping[str, tuple[Shadow, Parameter | None]]] = {
     kind: {name: (shadow, None) for name, shadow in shadows.items()}
     for kind, shadows in SHADOWS.items()
 }
-
-
-def blocks_of(workspace: Workspace) -> Iterator[Block]:
-    """Every block of a workspace, shadows too."""
-    ahead = [block for stack in workspace.stacks for block in stack]
-    while ahead:
-        block = ahead.pop()
-        yield block
-        for found in block.inputs.values():
-            ahead.extend(found.stack)
-            ahead.extend(one for one in (found.block, found.shadow) if one is not None)
 
 
 def _keep_looks(block: Block, old: Block) -> None:

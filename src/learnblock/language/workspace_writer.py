@@ -21,13 +21,14 @@ from learnblock.language.nodes import (
     statements,
 )
 from learnblock.language.workspace import Block, Input, Variable, Workspace
-from learnblock.language.workspace_alignment import aligned
+from learnblock.language.workspace_alignment import Match, aligned
 from learnblock.language.workspace_notes import Lead, comment_of
 from learnblock.language.workspace_reader import WorkspaceReader, is_part, statements_of
 from learnblock.language.workspace_shapes import Shape
 from learnblock.language.workspace_statement_reader import Group
+from learnblock.language.workspace_survey import survey
 from learnblock.language.workspace_types import ANSWERING_FUNCTION, FUNCTION, START
-from learnblock.language.workspace_value_writer import ValueWriter, blocks_of
+from learnblock.language.workspace_value_writer import ValueWriter
 
 _HATTED = (Def, When, Main)
 
@@ -42,11 +43,14 @@ class WorkspaceWriter(ValueWriter):
         before: WorkspaceReader,
         previous: Workspace,
     ) -> None:
-        super().__init__(program, configurations, before, previous)
+        in_use = survey(previous)
+        super().__init__(program, configurations, before, in_use)
         self.previous = previous
+        self.set_aside = before.variables.keys() - in_use.variables
         # What hangs below hats, where nothing should.
         self.tails = {stack[0].id: stack[1:] for stack in previous.stacks if len(stack) > 1}
         self.stacks: list[list[Block]] = []
+        self.has_main = program.main is not None
         self.hats: set[str] = set()
         self.top(program)
         self.stacks += self.rest()
@@ -60,18 +64,18 @@ class WorkspaceWriter(ValueWriter):
         old = self.before.entries
         places = _with_moved(groups, old, aligned(groups, [group for group, _, _ in old]))
         run: list[tuple[Block, Block | None]] = []
-        for group, place in zip(groups, places, strict=True):
-            _, block, hat = (None, None, None) if place is None else old[place]
+        for group, match in zip(groups, places, strict=True):
+            _, old_block, hat = (None, None, None) if match is None else old[match.place]
+            block = self.statement(group, old_block, equal=match is not None and match.equal)
             if isinstance(group.statement, _HATTED):
                 self.starts(run)
                 run = []
-                self.definition(group, block)
+                self.definition(block)
             else:
-                run.append((self.statement(group, block), hat))
+                run.append((block, hat))
         self.starts(run)
 
-    def definition(self, group: Group, old: Block | None) -> None:
-        block = self.statement(group, old)
+    def definition(self, block: Block) -> None:
         self.hats.add(block.id)
         self.stacks.append([block, *self.tails.get(block.id, [])])
 
@@ -119,15 +123,22 @@ class WorkspaceWriter(ValueWriter):
         return kept
 
     def says_nothing(self, hat: Block) -> bool:
+        """Whether a hat may stay; without another `main`, a second one would be the program's."""
         if hat.type == START:
             return not statements_of(hat)
-        return hat.id not in self.before.groups
+        return hat.id not in self.before.groups and self.has_main
 
     # Statements.
 
-    def statement(self, group: Group, old: Block | None) -> Block:
-        """A block for a statement and what stands above it."""
-        if old is not None and self.stays_so(group, old):
+    def statement(self, group: Group, old: Block | None, *, equal: bool) -> Block:
+        """A block for a statement and what stands above it.
+
+        Args:
+            group: the statement.
+            old: the block that it was.
+            equal: that block says just this.
+        """
+        if old is not None and equal and self.stays_so(group, old):
             return old
         node = group.statement
         shape = self.shaper.statement(node)
@@ -144,9 +155,9 @@ class WorkspaceWriter(ValueWriter):
         return block
 
     def stays_so(self, group: Group, old: Block) -> bool:
-        """Whether a block says this already; if so it is kept, with all that is in it."""
+        """Whether a block that says this may stay; if so it is kept, with all that is in it."""
         said = self.before.groups[old.id]
-        if old.id in self.taken or said != group:
+        if old.id in self.taken:
             return False
         if self.changed and self.has_changed_within(group.statement):
             return False
@@ -194,15 +205,17 @@ class WorkspaceWriter(ValueWriter):
         groups = grouped(body)
         places = aligned(groups, [self.before.groups[block.id] for block in said])
         blocks = [
-            self.statement(group, None if place is None else said[place])
-            for group, place in zip(groups, places, strict=True)
+            self.statement(group, said[match.place], equal=match.equal)
+            if match
+            else self.statement(group, None, equal=False)
+            for group, match in zip(groups, places, strict=True)
         ]
         return Input(stack=self.with_silent(blocks, chain))
 
     # Blocks that say nothing: switched off, or of a type that nobody knows.
 
     def silent(self, chain: Sequence[Block]) -> list[Block]:
-        return [block for block in chain if block.id not in self.before.groups]
+        return [block for block in chain if block.id in self.before.silent]
 
     def with_silent(self, blocks: list[Block], chain: Sequence[Block]) -> list[Block]:
         """A stack, with the silent blocks of the one before below those that they were below."""
@@ -212,9 +225,9 @@ class WorkspaceWriter(ValueWriter):
         here = {block.id for block in blocks}
         above: str | None = None
         for block in chain:
-            if block.id in self.before.groups:
-                above = block.id if block.id in here else above
-            else:
+            if block.id in here:
+                above = block.id
+            elif block.id in self.before.silent:
                 below.setdefault(above, []).append(block)
         result = below.get(None, [])
         for block in blocks:
@@ -223,16 +236,10 @@ class WorkspaceWriter(ValueWriter):
 
     def known_variables(self) -> list[Variable]:
         """The variables in use, and those that the user has made for later."""
-        used, were = _used(self.workspace_so_far()), _used(self.previous)
-        old = {one.id for one in self.previous.variables}
-        return [
-            one
-            for one in self.variables.values()
-            if one.id in used or (one.id in old and one.id not in were)
-        ]
-
-    def workspace_so_far(self) -> Workspace:
-        return Workspace(self.stacks)
+        used = survey(Workspace(self.stacks)).variables
+        known = {key: Variable(name, key) for key, name in self.before.variables.items()}
+        known.update((one.id, one) for one in self.variables.values())
+        return [one for one in known.values() if one.id in used or one.id in self.set_aside]
 
 
 def grouped(items: Sequence[Item | Main]) -> list[Group]:
@@ -261,21 +268,25 @@ def _alone(lead: Lead) -> list[Group]:
 def _with_moved(
     groups: Sequence[Group],
     old: Sequence[tuple[Group, Block, Block]],
-    places: list[int | None],
-) -> list[int | None]:
-    """The places, and those of functions and whens that have been moved past others."""
-    free = {
+    matches: list[Match | None],
+) -> list[Match | None]:
+    """The matches, and those of functions and whens that have been moved past others."""
+    taken = {match.place for match in matches if match is not None}
+    free: dict[tuple[type, str] | None, int] = {
         key: place
-        for place in set(range(len(old))).difference(places)
-        if (key := _key(old[place][0])) is not None
+        for place, (group, _, _) in enumerate(old)
+        if place not in taken and (key := _key(group)) is not None
     }
     return [
-        free.pop(key, None) if place is None and (key := _key(group)) is not None else place
-        for group, place in zip(groups, places, strict=True)
+        Match(place, old[place][0] == group)
+        if match is None and (place := free.pop(_key(group), None)) is not None
+        else match
+        for group, match in zip(groups, matches, strict=True)
     ]
 
 
 def _key(group: Group) -> tuple[type, str] | None:
+    """What tells a function or a when from all others."""
     statement = group.statement
     return (type(statement), statement.name) if isinstance(statement, Def | When) else None
 
@@ -285,23 +296,3 @@ def _parts(node: Item | Main) -> tuple[Node, ...]:
     if not isinstance(node, If):
         return ()
     return node.branches if node.otherwise is None else (*node.branches, node.otherwise)
-
-
-def _used(workspace: Workspace) -> set[str]:
-    """The ids of the variables that blocks speak of."""
-    found: set[str] = set()
-    for block in blocks_of(workspace):
-        chosen = block.fields.get("VAR")
-        if isinstance(chosen, dict):
-            found.add(chosen.get("id", ""))
-        if isinstance(block.extraState, dict):
-            found.update(_parameter_ids(block.extraState.get("params")))
-    return found
-
-
-def _parameter_ids(parameters: object) -> set[str]:
-    if not isinstance(parameters, list):
-        return set()
-    return {
-        one["id"] for one in parameters if isinstance(one, dict) and isinstance(one.get("id"), str)
-    }

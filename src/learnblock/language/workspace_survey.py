@@ -1,0 +1,67 @@
+"""What is in use in a workspace: the ids of its blocks, and the variables that they speak of."""
+
+from collections.abc import Iterator
+from itertools import count
+from typing import NamedTuple
+
+import msgspec
+
+from learnblock.language.workspace import Block, Workspace
+
+
+class Survey(NamedTuple):
+    """The ids of all blocks, shadows too, and those of the variables that they speak of."""
+
+    blocks: set[str]
+    variables: set[str]
+
+
+def survey(workspace: Workspace) -> Survey:
+    """What is in use in a workspace, in its loose stacks too."""
+    found = Survey(set(), set())
+    for block in _blocks(workspace):
+        found.blocks.add(block.id)
+        if "VAR" in block.fields or block.extraState is not None:
+            found.variables.update(_variables(block))
+    return found
+
+
+def _blocks(workspace: Workspace) -> Iterator[Block]:
+    """Every block, shadows too."""
+    ahead = [block for stack in workspace.stacks for block in stack]
+    while ahead:
+        block = ahead.pop()
+        yield block
+        for inner in block.inputs.values():
+            if inner.block is not None:
+                ahead.append(inner.block)
+            if inner.shadow is not None:
+                ahead.append(inner.shadow)
+            if inner.stack:
+                ahead += inner.stack
+
+
+def distinct(workspace: Workspace) -> Workspace:
+    """The workspace, with another id for each block whose id another one has too."""
+    blocks = list(_blocks(workspace))
+    seen = {block.id for block in blocks}
+    if len(seen) == len(blocks):
+        return workspace
+    ids = (name for number in count(1) if (name := f"d{number}") not in seen)
+    copied = msgspec.json.decode(msgspec.json.encode(workspace), type=Workspace)
+    taken: set[str] = set()
+    for block in _blocks(copied):
+        if block.id in taken:
+            block.id = next(ids)
+        taken.add(block.id)
+    return copied
+
+
+def _variables(block: Block) -> set[str]:
+    chosen = block.fields.get("VAR")
+    found = {chosen.get("id", "")} if isinstance(chosen, dict) else set()
+    parameters = block.extraState.get("params") if isinstance(block.extraState, dict) else None
+    if isinstance(parameters, list):
+        ids = (one.get("id") for one in parameters if isinstance(one, dict))
+        found.update(one for one in ids if isinstance(one, str))
+    return found
