@@ -1,0 +1,205 @@
+"""A pupil before the page: sees what is on the screen, clicks, drags and types."""
+
+import json
+import re
+from urllib.parse import urlsplit
+
+from playwright.sync_api import expect
+
+#: What a test waits for something to appear, in ms: a busy machine takes its time.
+PATIENCE = 20_000
+WORKSPACE = "[data-region=blocks] .blocklySvg > .blocklyWorkspace"
+#: At which the workspace begins; the measures below are at 1.
+SCALE = 0.8
+#: Where the first statement within a hat or a loop begins, right of and below its corner.
+FIRST_STATEMENT = (16, 62)
+
+
+class Pupil:
+    """Somebody who opens the page in a browser of their own.
+
+    Args:
+        browser: the browser.
+        server: whose page is opened.
+        artefacts: where pictures go.
+        test: the test's name, which is the pictures'.
+        tour: whether the first-run tour is shown.
+        options: of the browser's context, such as ``viewport`` or ``has_touch``.
+    """
+
+    def __init__(
+        self,
+        browser,
+        server,
+        artefacts,
+        test,
+        *,
+        tour=False,
+        language="en",
+        theme="light",
+        **options,
+    ):
+        self.errors = []
+        self.foreign = []
+        self._pictures = artefacts / re.sub(r"[^\w-]+", "-", test)
+        options = {"viewport": {"width": 1366, "height": 768}, "locale": language, **options}
+        self.context = browser.new_context(**options)
+        self.context.set_default_timeout(PATIENCE)
+        if not tour:
+            likes = json.dumps(
+                {"tourDone": True, "language": language, "theme": theme, "sound": False}
+            )
+            self.context.add_init_script(
+                f"localStorage['learnblock.preferences'] ??= {json.dumps(likes)}"
+            )
+        self._server = server
+        self.page = self.open()
+
+    def open(self):
+        """Open the page in a new tab."""
+        page = self.context.new_page()
+        page.on("pageerror", lambda error: self.errors.append(str(error)))
+        page.on("request", self._note_foreign)
+        page.goto(self._server.address)
+        expect(
+            page.get_by_role("button", name="Run", exact=True).or_(
+                page.get_by_role("button", name="Ejecutar", exact=True)
+            )
+        ).to_be_visible()
+        return page
+
+    def picture(self, name):
+        """Keep what is on the screen."""
+        self._pictures.mkdir(parents=True, exist_ok=True)
+        self.page.screenshot(path=self._pictures / f"{name}.png")
+
+    # Projects.
+
+    def choose(self, what, name):
+        """Choose a robot, a world or a speed in the bar."""
+        self.page.get_by_role("combobox", name=what).select_option(label=name)
+
+    def begin(self):
+        """Begin an empty program."""
+        self.page.locator("header").get_by_role("button").first.click()
+        self.page.get_by_role("menuitem", name="New").click()
+        expect(self.page).to_have_url(re.compile("project=program"))
+
+    # Texts.
+
+    def editor(self, view):
+        """What a text view shows: the element with its words."""
+        return self.page.locator(f"[data-region={view}] .cm-content")
+
+    def write(self, view, text):
+        """Replace a whole text, as by pasting."""
+        self.editor(view).click()
+        self.page.keyboard.press("Control+a")
+        self.page.keyboard.insert_text(text)
+
+    def sees(self, view, *lines):
+        """Wait until a text view shows these lines, whole or in part."""
+        for line in lines:
+            expect(self.editor(view)).to_contain_text(line)
+
+    def reads(self, view):
+        """The lines that a text view shows now."""
+        return self.page.locator(f"[data-region={view}] .cm-line").all_text_contents()
+
+    # Blocks.
+
+    def blocks(self, kind):
+        """The blocks of a type in the program."""
+        return self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas .{kind}")
+
+    def open_category(self, category):
+        """Open a category of the palette."""
+        self.page.locator(".blocklyToolboxCategory", has_text=re.compile(f"^{category}$")).click()
+
+    def take(self, category, kind):
+        """Drag a block out of the palette to free ground; answer its id."""
+        self.open_category(category)
+        offered = self.page.locator(f".blocklyFlyout .{kind}").first
+        self._scroll_to(offered)
+        known = self._ids()
+        ground = self.page.locator(f"{WORKSPACE} .blocklyMainBackground").bounding_box()
+        self._drag(offered, (ground["x"] + 0.62 * ground["width"], ground["y"] + 60))
+        expect(self.page.locator(f"{WORKSPACE} .blocklyDragging")).to_have_count(0)
+        return next(one for one in self._ids() if one not in known)
+
+    def _scroll_to(self, offered):
+        """Turn the wheel over the palette until a block of it can be taken."""
+        palette = self.page.locator(".blocklyFlyout:visible").bounding_box()
+        self.page.mouse.move(palette["x"] + 20, palette["y"] + 20)
+        beyond = offered.bounding_box()["y"] - palette["y"] - 0.5 * palette["height"]
+        self.page.mouse.wheel(0, max(0, beyond))
+        self.page.wait_for_function(
+            "([block, low]) => block.getBoundingClientRect().bottom < low",
+            arg=[offered.element_handle(), palette["y"] + palette["height"]],
+        )
+
+    def block(self, block):
+        """A block by its id."""
+        return self.page.locator(f'{WORKSPACE} > .blocklyBlockCanvas [data-id="{block}"]')
+
+    def put_into(self, block, around):
+        """Put a statement first into a hat or a loop."""
+        self._drag(self.block(block), self._corner(self.block(around), *FIRST_STATEMENT))
+
+    def put_below(self, block, above):
+        """Put a statement below another one."""
+        path = self.block(above).locator("> .blocklyPath").first.bounding_box()
+        self._drag(self.block(block), (path["x"], path["y"] + path["height"] - 8 * SCALE))
+
+    def put_on(self, block, value):
+        """Plug a value in where another one, or a hole for one, is now."""
+        box = value.bounding_box()
+        self._drag(self.block(block), (box["x"] + 4, box["y"] + 4))
+
+    def fill(self, field, text):
+        """Type into a field of a block."""
+        field.click()
+        self.page.keyboard.press("Control+a")
+        self.page.keyboard.type(text)
+        self.page.keyboard.press("Enter")
+
+    def answer(self, text):
+        """Answer the question that a dialog asks."""
+        field = self.page.locator("dialog[open] input")
+        field.fill(text)
+        field.press("Enter")
+
+    def _ids(self):
+        """Of all blocks in the program, in the order of the picture."""
+        found = self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas [data-id]")
+        return found.evaluate_all("all => all.map((one) => one.dataset.id)")
+
+    def _corner(self, block, right, down):
+        box = block.locator("> .blocklyPath").first.bounding_box()
+        return box["x"] + right * SCALE, box["y"] + down * SCALE
+
+    def _drag(self, block, to):
+        """Take a block near its left edge, where it has no field, and let its corner go at `to`."""
+        box = block.locator("> .blocklyPath").first.bounding_box()
+        grip = (6 * SCALE, min(20 * SCALE, box["height"] / 2))
+        mouse = self.page.mouse
+        mouse.move(box["x"] + grip[0], box["y"] + grip[1])
+        mouse.down()
+        for part in (0.2, 0.6, 1):
+            mouse.move(
+                box["x"] + grip[0] + part * (to[0] - box["x"]),
+                box["y"] + grip[1] + part * (to[1] - box["y"]),
+                steps=4,
+            )
+        mouse.up()
+
+    # Running.
+
+    def press(self, name):
+        """Press a button by its name."""
+        self.page.get_by_role("button", name=name, exact=True).first.click()
+
+    def _note_foreign(self, request):
+        host = urlsplit(request.url).hostname
+        if host not in (None, "127.0.0.1", "localhost"):
+            self.foreign.append(request.url)
