@@ -60,10 +60,13 @@ export function prepareBlockly(): void {
 }
 
 // The server says what is wrong with a program, the same in all three views. Blockly would disable a
-// `break` outside a loop, and delete calls of a function that is defined nowhere.
+// `break` outside a loop and let nothing stand behind one, not even a comment; and it would delete
+// calls of a function that is defined nowhere.
 function leaveChecksToServer(): void {
   Blockly.Extensions.unregister("controls_flow_in_loop_check");
-  Blockly.Extensions.register("controls_flow_in_loop_check", () => undefined);
+  Blockly.Extensions.register("controls_flow_in_loop_check", function (this: Blockly.Block) {
+    this.setNextStatement(true);
+  });
   delete Blockly.Blocks["procedures_callnoreturn"].onchange;
   delete Blockly.Blocks["procedures_callreturn"].onchange;
   delete Blockly.Blocks["procedures_ifreturn"];

@@ -52,7 +52,15 @@ function readBlock(block: Blockly.Block): Block {
 export function readOwn(block: Blockly.Block): Block {
   const state = Blockly.serialization.blocks.save(block, OWN_ONLY);
   if (!state) throw new Error(`a block of type ${block.type} is only a mark of a drag`);
-  return fromState(state);
+  const flat = fromState(state);
+  if (!flat.comment && hasEmptyComment(block)) flat.comment = { text: "" };
+  return flat;
+}
+
+// Blockly drops a comment without text; a `#` that came from the text has notes in the block's data,
+// one that the user has just opened has none yet.
+function hasEmptyComment(block: Blockly.Block): boolean {
+  return block.data !== null && block.getCommentText() === "";
 }
 
 function readInputs(block: Blockly.Block): Record<string, Input> | null {
