@@ -224,15 +224,21 @@ def category_word(category: str) -> str:
 
 
 def _tab(name: str, style: str, blocks: Iterable[tuple[str, dict[str, Any]]]) -> dict[str, Any]:
-    contents = [{"kind": "block", "type": kind, **state, **_inputs(kind)} for kind, state in blocks]
+    contents = [
+        {"kind": "block", "type": kind, **state, **_inputs(kind, state)} for kind, state in blocks
+    ]
     return {"kind": "category", "name": name, "categorystyle": style, "contents": contents}
 
 
-def _inputs(kind: str) -> dict[str, Any]:
-    shadows = SHADOWS.get(kind, {})
-    if not shadows:
-        return {}
-    return {"inputs": {name: {"shadow": shadow.block()} for name, shadow in shadows.items()}}
+def _inputs(kind: str, state: Mapping[str, Any]) -> dict[str, Any]:
+    """The shadows of a block: no place has to be told where it is the last of a list."""
+    last = state.get("fields", {}).get("WHERE") == "LAST"
+    shadows = {
+        name: {"shadow": shadow.block()}
+        for name, shadow in SHADOWS.get(kind, {}).items()
+        if not (last and name == "AT")
+    }
+    return {"inputs": shadows} if shadows else {}
 
 
 def _skill_tabs(
