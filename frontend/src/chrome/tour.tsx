@@ -8,11 +8,12 @@ import { prefer } from "../preferences";
 import { usePage } from "./page";
 import { focusRun } from "./regions";
 import type { Area } from "./views";
+import { hold } from "./widgets/dialog";
 import "./tour.css";
 
 interface Step {
   readonly name: "blocks" | "texts" | "run" | "world" | "robot";
-  /** Marked by `data-tour`. */
+  /** Marked by `data-tour`; where several parts are, the first that is seen. */
   readonly target: string;
   /** What has to be shown for it. */
   readonly area?: Area;
@@ -41,10 +42,10 @@ function Steps() {
   const end = () => {
     dialogs.tour.value = false;
     prefer({ tourDone: true });
-    // The offer that it was begun from is gone.
-    focusRun();
+    // Where the focus was, in the offer or in a menu, is gone.
+    requestAnimationFrame(focusRun);
   };
-  useEffect(() => dialog.current?.showModal(), []);
+  useEffect(() => (dialog.current ? hold(dialog.current, end) : undefined), []);
   useEffect(() => {
     if (step?.area) views.show(step.area);
     return follow(step?.target ?? "", light.current, dialog.current);
@@ -52,15 +53,15 @@ function Steps() {
   if (!step) return null;
   const go = (to: number) => {
     if (to < STEPS.length) at.value = to;
-    else dialog.current?.close();
+    else end();
   };
   return (
-    <dialog ref={dialog} class="tour" aria-labelledby="tour-title" onClose={end}>
+    <dialog ref={dialog} class="tour" aria-labelledby="tour-title">
       <div class="tour-light" ref={light} />
       <div class="tour-card">
         <Card step={step} number={at.value + 1} />
         <div class="actions">
-          <button type="button" class="button" onClick={() => dialog.current?.close()}>
+          <button type="button" class="button" onClick={end}>
             {t("tour.skip")}
           </button>
           {at.value > 0 && (
@@ -90,7 +91,8 @@ function Card({ step, number }: { step: Step; number: number }) {
 /** Keep the light round a part of the page, and the card out of it. */
 function follow(target: string, light: HTMLElement | null, dialog: HTMLElement | null): () => void {
   const place = () => {
-    const part = document.querySelector(`[data-tour="${target}"]`)?.getBoundingClientRect();
+    const parts = [...document.querySelectorAll(`[data-tour="${target}"]`)];
+    const part = parts.map((one) => one.getBoundingClientRect()).find((one) => one.width > 0);
     if (!light || !dialog || !part) return;
     light.style.left = `${part.left - MARGIN}px`;
     light.style.top = `${part.top - MARGIN}px`;

@@ -29,7 +29,7 @@ export function Bar() {
         <LanguageMenu />
         <ThemeMenu />
         <HelpMenu />
-        <div class="more">
+        <div class="more" data-tour="robot">
           <IconButton icon="more" word="bar.more" pressed={more.value} onClick={() => (more.value = !more.value)} />
         </div>
       </div>

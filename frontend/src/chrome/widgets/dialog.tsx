@@ -22,12 +22,12 @@ export function Dialog({ title, close, size = "small", children }: Props) {
       ref={dialog}
       class={`dialog ${size}`}
       aria-labelledby="dialog-title"
-      onClick={({ target }) => target === dialog.current && dialog.current?.close()}
+      onClick={({ target }) => target === dialog.current && close()}
     >
       <div class="dialog-inside">
         <header>
           <h2 id="dialog-title">{title}</h2>
-          <IconButton icon="close" word="chrome.close" onClick={() => dialog.current?.close()} />
+          <IconButton icon="close" word="chrome.close" onClick={close} />
         </header>
         {children}
       </div>
@@ -35,12 +35,18 @@ export function Dialog({ title, close, size = "small", children }: Props) {
   );
 }
 
-/** Show it until what is returned is called; closing gives the focus back to where it was. */
-function hold(dialog: HTMLDialogElement, close: () => void): () => void {
+/** Show it until what is returned is called; that gives the focus back to where it was. */
+export function hold(dialog: HTMLDialogElement, close: () => void): () => void {
+  const cancel = (event: Event) => {
+    // The browser would tell only with its next frame that it has closed it.
+    event.preventDefault();
+    close();
+  };
   dialog.showModal();
+  dialog.addEventListener("cancel", cancel);
+  // Some browsers do not let a page prevent the second Escape.
   dialog.addEventListener("close", close);
   return () => {
-    // The event comes later, when another dialog may be open.
     dialog.removeEventListener("close", close);
     dialog.close();
   };
