@@ -9,9 +9,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Error, sync_playwright
+from playwright.sync_api import Browser, Error, expect, sync_playwright
 
-from browser.pupil import Pupil
+from browser.pupil import PATIENCE, Pupil
 
 ROOT = Path(__file__).parents[2]
 #: Screenshots are kept there, for whoever wants to see what a test saw.
@@ -87,6 +87,7 @@ def own_server(tmp_path):
 
 @pytest.fixture(scope="session")
 def browser():
+    expect.set_options(timeout=PATIENCE)
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
             executable_path=chromium(), args=["--no-sandbox", *SOFTWARE_RENDERING]

@@ -11,8 +11,9 @@ PATIENCE = 20_000
 WORKSPACE = "[data-region=blocks] .blocklySvg > .blocklyWorkspace"
 #: At which the workspace begins; the measures below are at 1.
 SCALE = 0.8
-#: Where the first statement within a hat or a loop begins, right of and below its corner.
-FIRST_STATEMENT = (16, 62)
+#: Where the first statement within a hat and a loop begins, right of and below its corner.
+FIRST_IN_HAT = (16, 62)
+FIRST_IN_LOOP = (38, 56)
 
 
 class Pupil:
@@ -91,6 +92,16 @@ class Pupil:
         """What a text view shows: the element with its words."""
         return self.page.locator(f"[data-region={view}] .cm-content")
 
+    def show(self, *views):
+        """Have these views of the program before one, and no others."""
+        for name in ("Blocks", "Block-Text", "Python"):
+            self._switch(name, wanted=name in views)
+
+    def _switch(self, view, *, wanted):
+        button = self.page.locator(".areas").get_by_role("button", name=view, exact=True)
+        if (button.get_attribute("aria-pressed") == "true") != wanted:
+            button.click()
+
     def write(self, view, text):
         """Replace a whole text, as by pasting."""
         self.editor(view).click()
@@ -106,6 +117,34 @@ class Pupil:
         """The lines that a text view shows now."""
         return self.page.locator(f"[data-region={view}] .cm-line").all_text_contents()
 
+    def put_cursor(self, view, word, occurrence=0):
+        """Put the cursor before a word of a text."""
+        before = self.text(view).split(word, occurrence + 1)
+        before = word.join(before[: occurrence + 1]).split("\n")
+        self.editor(view).focus()
+        self.page.keyboard.press("Control+Home")
+        for key, times in (("ArrowDown", len(before) - 1), ("ArrowRight", len(before[-1]))):
+            for _ in range(times):
+                self.page.keyboard.press(key)
+
+    def text(self, view):
+        """All that a text view shows now."""
+        return "\n".join(self.reads(view))
+
+    def cursor(self, view):
+        """The line, from 1, and the words before the cursor in it."""
+        return self.editor(view).evaluate(
+            """content => {
+                const at = getSelection();
+                const lines = [...content.querySelectorAll(".cm-line")];
+                const line = lines.findIndex((one) => one.contains(at.focusNode));
+                const before = document.createRange();
+                before.setStart(lines[line], 0);
+                before.setEnd(at.focusNode, at.focusOffset);
+                return [line + 1, before.toString()];
+            }"""
+        )
+
     # Blocks.
 
     def blocks(self, kind):
@@ -113,19 +152,53 @@ class Pupil:
         return self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas .{kind}")
 
     def open_category(self, category):
-        """Open a category of the palette."""
-        self.page.locator(".blocklyToolboxCategory", has_text=re.compile(f"^{category}$")).click()
+        """Open a category of the palette; a second click would close it."""
+        row = self.page.locator(".blocklyToolboxCategory", has_text=re.compile(f"^{category}$"))
+        if "blocklyToolboxSelected" not in row.get_attribute("class"):
+            row.click()
 
-    def take(self, category, kind):
-        """Drag a block out of the palette to free ground; answer its id."""
+    def take(self, category, kind, words=""):
+        """Drag a block, the first with these words, out of the palette to free ground.
+
+        Returns:
+            Its id.
+        """
         self.open_category(category)
-        offered = self.page.locator(f".blocklyFlyout .{kind}").first
+        offered = self.page.locator(f".blocklyFlyout .{kind}", has_text=words).first
         self._scroll_to(offered)
         known = self._ids()
         ground = self.page.locator(f"{WORKSPACE} .blocklyMainBackground").bounding_box()
         self._drag(offered, (ground["x"] + 0.62 * ground["width"], ground["y"] + 60))
         expect(self.page.locator(f"{WORKSPACE} .blocklyDragging")).to_have_count(0)
         return next(one for one in self._ids() if one not in known)
+
+    def make_variable(self, name):
+        """Make a variable by the palette's button."""
+        self.open_category("Variables")
+        self.page.locator(".blocklyFlyoutButton").first.click()
+        self.answer(name)
+
+    def set_variable(self, name, value):
+        """Take a block that gives a variable a number; answer its id."""
+        block = self.take("Variables", "variables_set")
+        self.choose_in(block, name)
+        self.put_number(block, 0, value)
+        return block
+
+    def put_number(self, block, index, value):
+        """Plug a number into a hole of a block."""
+        number = self.take("Maths", "math_number")
+        self.put_on(number, self.hole(block, index))
+        self.fill(self.block(number), value)
+
+    def choose_in(self, block, choice):
+        """Choose from a block's list: a variable, or a sign."""
+        self.block(block).locator("> .blocklyDropdownField").first.click()
+        self.page.locator(".blocklyMenuItem", has_text=re.compile(f"^{choice}$")).click()
+
+    def hole(self, block, index=0):
+        """A hole of a block into which a value goes, or the pale value that is in it."""
+        return self.block(block).locator("> .blocklyOutlinePath, > .blocklyShadow").nth(index)
 
     def _scroll_to(self, offered):
         """Turn the wheel over the palette until a block of it can be taken."""
@@ -142,9 +215,13 @@ class Pupil:
         """A block by its id."""
         return self.page.locator(f'{WORKSPACE} > .blocklyBlockCanvas [data-id="{block}"]')
 
-    def put_into(self, block, around):
-        """Put a statement first into a hat or a loop."""
-        self._drag(self.block(block), self._corner(self.block(around), *FIRST_STATEMENT))
+    def put_into(self, block, hat):
+        """Put a statement first into a hat."""
+        self._drag(self.block(block), self._corner(self.block(hat), *FIRST_IN_HAT))
+
+    def put_into_loop(self, block, loop):
+        """Put a statement first into a loop."""
+        self._drag(self.block(block), self._corner(self.block(loop), *FIRST_IN_LOOP))
 
     def put_below(self, block, above):
         """Put a statement below another one."""
@@ -194,6 +271,15 @@ class Pupil:
         mouse.up()
 
     # Running.
+
+    def tab(self, name):
+        """Open a tab of the output; answer what is in it."""
+        self.page.get_by_role("tab", name=name).click()
+        return self.page.get_by_role("tabpanel", name=name)
+
+    def state(self, word):
+        """Wait until the world's head says so: ``Running``, ``Paused``, ``Ended`` ..."""
+        expect(self.page.locator(".world-pane .state").last).to_contain_text(word)
 
     def press(self, name):
         """Press a button by its name."""
