@@ -50,7 +50,8 @@ export class Stage {
 
   /** The next run starts there. */
   startAt(start: Scene["start"]): void {
-    this.start?.removeFromParent();
+    if (this.start) dispose(this.start);
+    this.start = null;
     if (!start) return;
     const [x, y, heading] = start;
     this.start = startMark({ x, y, heading });
@@ -71,8 +72,7 @@ export class Stage {
     this.pictures.dispose();
     this.signs.dispose();
     for (const robot of this.robots) robot.dispose();
-    this.object.removeFromParent();
-    this.object.traverse((part) => part instanceof Mesh && release(part));
+    dispose(this.object);
   }
 
   /** Until telemetry tells where they are. */
@@ -88,6 +88,11 @@ export class Stage {
   private otherStarts(scene: Scene): Pose[] {
     return this.world.start.slice(scene.start ? 1 : 0);
   }
+}
+
+function dispose(object: Object3D): void {
+  object.removeFromParent();
+  object.traverse((part) => part instanceof Mesh && release(part));
 }
 
 function release(mesh: Mesh<BufferGeometry, Material | Material[]>): void {
