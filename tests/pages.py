@@ -92,6 +92,8 @@ class Visitor:
         self.socket = socket
         #: How often each kind of message was heard.
         self.heard = Counter()
+        #: The last message of each kind.
+        self.last = {}
         self._edits = 0
 
     def say(self, kind, **values):
@@ -106,6 +108,7 @@ class Visitor:
             return {"kind": "bytes", "data": message}
         message = json.loads(message)
         self.heard[message["kind"]] += 1
+        self.last[message["kind"]] = message
         return message
 
     def hear(self, kind, **values):

@@ -7,8 +7,8 @@ from typing import Protocol
 
 from learnblock.running import Report
 from learnblock.runtime.messages import Variables
-from learnblock.runtime.run import Watcher
 from learnblock.runtime.status import State
+from learnblock.runtime.watcher import Watcher
 from learnblock.server.console import Console
 
 
@@ -56,8 +56,9 @@ class RunWatcher(Watcher):
         self._tell(self._audience.on_state, state)
 
     def held(self, line: int, variables: Variables) -> None:
-        self._tell(self._audience.on_held, line)
+        # In this order whoever sees that it is held sees the variables as they are there.
         self._tell(self._audience.on_variables, variables)
+        self._tell(self._audience.on_held, line)
 
     def variables(self, variables: Variables) -> None:
         self._tell(self._audience.on_variables, variables)

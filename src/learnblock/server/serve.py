@@ -4,6 +4,7 @@ import contextlib
 import os
 import re
 import secrets
+import signal
 import socket
 import threading
 import webbrowser
@@ -70,7 +71,8 @@ def serve(service: Service, *, show: Callable[[str], object] | None = None) -> N
         LearnBlockError: it cannot listen there, or the token of the environment is none.
     """
     with _server(service, show) as (server, listening), contextlib.suppress(KeyboardInterrupt):
-        # The usual end: Ctrl-C, which uvicorn raises again when all is done.
+        # Both are the usual end. Uvicorn ends the server, and then raises the signal again.
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
         server.run([listening])
 
 
