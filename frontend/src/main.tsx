@@ -59,6 +59,12 @@ function begin(root: HTMLElement): void {
     root,
   );
   void sound(page);
+  expose(page);
+}
+
+/** For benchmarks, which ask for it in the address: `?test`. */
+function expose(page: Page): void {
+  if (new URLSearchParams(location.search).has("test")) Object.assign(globalThis, { learnblock: page });
 }
 
 const root = document.getElementById("page");

@@ -22,6 +22,8 @@ export class Views {
   /** What a narrow screen shows. */
   readonly area = signal<Area>(preferences.value.layout.view);
   readonly panel = signal<PanelName>("console");
+  /** The world, once it is there; benchmarks count its frames. */
+  world: Island | null = null;
   private readonly islands = new Map<View, ViewIsland>();
 
   /** A view is there, or gone. */

@@ -21,7 +21,7 @@ export function WorldPane({ weight }: { weight: number }) {
     >
       <Head />
       <div class="world-place">
-        <IslandPlace load={() => loadWorld(page)} />
+        <IslandPlace load={() => loadWorld(page)} ready={(world) => (page.views.world = world)} />
         <Extras />
       </div>
     </section>
