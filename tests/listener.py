@@ -1,6 +1,6 @@
 """A watcher of runs that remembers what it was told."""
 
-from learnblock.runtime.run import Watcher
+from learnblock.runtime.watcher import Watcher
 
 
 class Listener(Watcher):

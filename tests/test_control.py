@@ -15,7 +15,7 @@ from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from learnblock.runtime.program import Program
-from learnblock.runtime.run import Watcher
+from learnblock.runtime.watcher import Watcher
 from runs import EXAMPLES, TWINS, WORLDS
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))

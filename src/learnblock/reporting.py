@@ -19,7 +19,7 @@ from learnblock.errors import Diagnostic, LearnBlockError
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, Report, Session, Source
 from learnblock.runtime.ending import How
-from learnblock.runtime.run import Watcher
+from learnblock.runtime.watcher import Watcher
 
 #: A program that never ends, at full speed, needs an end: seconds of the robot's time.
 DEFAULT_SECONDS = 300.0

@@ -20,8 +20,9 @@ from learnblock.runtime.host import Host
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.process import ProcessWorker, Worker, one_processor
 from learnblock.runtime.program import Program
-from learnblock.runtime.run import Run, Watcher
+from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Recorder, Trace, record
+from learnblock.runtime.watcher import Watcher
 
 if TYPE_CHECKING:
     from learnblock.robots.stage import Stage

@@ -13,7 +13,7 @@ from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.process import ThreadWorker
-from learnblock.runtime.run import Watcher
+from learnblock.runtime.watcher import Watcher
 
 DRIVE = """from learnblock.devices import Base
 robot.device(Base).move(100, 0)

@@ -23,6 +23,7 @@ from learnblock.runtime.process import ProcessWorker, Worker
 from learnblock.runtime.program import Program
 from learnblock.runtime.status import State, Status
 from learnblock.runtime.trace import Recorder
+from learnblock.runtime.watcher import Watcher
 
 #: How long, in seconds of the wall clock, a silent program waits to be looked after.
 TICK = 0.05
@@ -51,38 +52,6 @@ class Simulation(Protocol):
 
     def advance(self, step: int) -> None:
         """Make steps until `steps` is `step`."""
-
-
-class Watcher:
-    """Is told what happens while it happens; the base class ignores it all."""
-
-    def printed(self, text: str) -> None:
-        """The program printed a line."""
-
-    def line(self, number: int) -> None:
-        """A line of the program's Python is about to run."""
-
-    def input(self, prompt: str) -> str | None:  # noqa: ARG002 - for those who have someone to ask
-        """The program asks for a line; None when there is no one to answer."""
-        return None
-
-    def cancel_input(self) -> None:
-        """The run is being stopped: `input` returns at once, now and later; from any thread."""
-
-    def state(self, state: State) -> None:
-        """What the run is doing has changed; from any thread, and never to wait for another."""
-
-    def held(self, line: int, variables: messages.Variables) -> None:
-        """The program is held before a line of its Python, its world with it."""
-
-    def resumed(self) -> None:
-        """The program goes on after it was held."""
-
-    def variables(self, variables: messages.Variables) -> None:
-        """The program's variables now; told only while `Run.tells_variables`."""
-
-    def tick(self) -> None:
-        """Some time has passed: a good moment to draw."""
 
 
 class Run:
