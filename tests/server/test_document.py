@@ -1,4 +1,3 @@
-import sys
 from pathlib import Path
 
 import pytest
@@ -11,12 +10,9 @@ from learnblock.errors import LearnBlockError
 from learnblock.language.workspace import Block, Input, Workspace
 from learnblock.server.document import Document
 from learnblock.server.messages import Place
+from trees import Trees
 
 TESTS = Path(__file__).parent.parent
-sys.path.insert(0, str(TESTS / "language"))
-
-from test_round_trip import Trees  # noqa: E402 - a module of the tests beside these
-
 EBO = "learnblock.robots.sim_ebo"
 THYMIO = "learnblock.robots.sim_thymio"
 PROGRAMS = sorted(
@@ -161,13 +157,21 @@ def test_a_block_moved_while_a_text_has_mistakes_leaves_that_text():
     assert one.workspace.stacks[0][0].x == 300.0
 
 
+def half(one):
+    """Blocks with one that has no value yet."""
+    body = [*one.workspace.stacks[0][0].inputs["DO"].stack, Block("controls_if", "i")]
+    return Workspace(
+        [[Block("lb_start", "s", inputs={"DO": Input(stack=body)})]], one.workspace.variables
+    )
+
+
+def with_half(one):
+    return one.with_blocks(half(one))
+
+
 def test_a_block_without_its_value_keeps_the_texts():
     before = document()
-    body = before.workspace.stacks[0][0].inputs["DO"].stack
-    workspace = Workspace(
-        [[Block("lb_start", "s", inputs={"DO": Input(stack=[*body, Block("controls_if", "i")])})]],
-        before.workspace.variables,
-    )
+    workspace = half(before)
     one = before.with_blocks(workspace)
     assert one.workspace is workspace
     assert one.stale == ("blocktext", "python")
@@ -340,6 +344,7 @@ def assert_same(one, other):
         lambda one: one.with_text("python", one.python + "y=2\n"),
         lambda one: one.with_text("python", one.python + "y=(\n"),
         lambda one: one.with_text("python", "print(1)\n"),
+        lambda one: with_half(one.with_text("python", one.python + "y=2\n")),
         lambda one: one.with_text("python", one.python + "y=2\n").with_text("blocktext", "x  = 1"),
     ],
 )
@@ -351,6 +356,18 @@ def test_a_document_is_the_same_when_it_is_opened_again(edit):
 def test_python_that_says_something_else_than_the_saved_block_text_is_not_kept():
     one = document(python=document("x = 1\n").python + "# by hand\n")
     assert shown(one) == shown(document())
+
+
+def test_blocks_too_many_inside_each_other_are_a_mistake_of_the_blocks():
+    deep = Block("math_number", "n")
+    for number in range(240):
+        deep = Block("math_single", str(number), fields={"OP": "NEG"}, inputs={"NUM": Input(deep)})
+    call = Block("lb_skill_turn", "c", inputs={"angle": Input(deep)})
+    workspace = Workspace([[Block("lb_start", "s", inputs={"DO": Input(stack=[call])})]])
+    one = document(workspace=workspace)
+    assert one.stale == ("blocktext", "python")
+    assert [problem.code for problem in one.problems] == ["too-deep"]
+    assert one.blocktext == SQUARE
 
 
 def test_a_file_that_cannot_be_read_shows_the_rest_of_it_in_the_other_views():

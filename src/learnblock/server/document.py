@@ -84,8 +84,8 @@ class Document:
         if mistakes:
             last = _last_good(target, tree, workspace, python)
             return last.with_text("blocktext", blocktext)
-        notations = Notations.of_blocktext(tree, blocktext, target, workspace)
-        return _with_saved(cls(target, "blocktext", notations), workspace, python)
+        document = _with_python(_laid_out(target, tree, blocktext, workspace), python)
+        return document if document.unread else _with_unread_blocks(document, workspace)
 
     def with_text(self, notation: Notation, text: str) -> "Document":
         """One of the texts was edited."""
@@ -284,15 +284,37 @@ class Document:
             raise LearnBlockError(f"{what} once the program has no mistakes: correct them first")
 
 
-def _with_saved(document: Document, workspace: Workspace | None, python: str | None) -> Document:
-    """With what was saved beside its Block-Text, where that says the same or cannot be read."""
-    if python is not None:
-        other = document.with_text("python", python)
-        document = other if other.unread or _same(document, other) else document
-    if workspace is not None and not document.unread:
-        other = document.with_blocks(workspace)
-        document = other if other.unread or _same(document, other) else document
-    return document
+def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace | None) -> Document:
+    """A program with the blocks with which it was saved, as far as these say the same."""
+    if workspace is not None:
+        try:
+            read = from_workspace(workspace, target.configurations)
+        except LearnBlockError:
+            # Blocks that no program has: they are laid out anew.
+            workspace = None
+        else:
+            if read.program == tree and not read.problems:
+                blocks = (read.program, read.block_ids, workspace)
+                notations = Notations.of_blocks(*blocks, target).with_blocktext(tree, blocktext)
+                return Document(target, "blocktext", notations)
+    notations = Notations.of_blocktext(tree, blocktext, target, workspace)
+    return Document(target, "blocktext", notations)
+
+
+def _with_python(document: Document, python: str | None) -> Document:
+    """With the Python with which it was saved, if that says the same or cannot be read."""
+    if python is None:
+        return document
+    other = document.with_text("python", python)
+    return other if other.unread or _same(document, other) else document
+
+
+def _with_unread_blocks(document: Document, workspace: Workspace | None) -> Document:
+    """With the blocks with which it was saved, if these cannot be read."""
+    if workspace is None or document.workspace is workspace:
+        return document
+    other = document.with_blocks(workspace)
+    return other if other.unread or _same(document, other) else document
 
 
 def _same(one: Document, other: Document) -> bool:
