@@ -268,6 +268,15 @@ def skills(name: str | None, as_json: bool) -> None:  # noqa: FBT001
     skill_list(name, as_json=as_json)
 
 
+@main.command()
+@click.option("--port", default=5173, show_default=True, help="Where Vite serves the page.")
+def dev(port: int) -> None:
+    """Serve the page with hot reload, for those who build it; it needs a checkout and Node.js."""
+    from learnblock.server.dev import develop  # noqa: PLC0415
+
+    develop(port)
+
+
 def _open_page(
     file: Path | None,
     *,

@@ -1,0 +1,149 @@
+"""How many pages one server serves, each with a robot of its own that drives.
+
+    python benchmarks/sessions.py [sessions] [seconds]
+
+Every page runs an endless program at the speed of life and counts how often it is told of its
+world: it is to be ten times a second or more.
+"""
+
+import asyncio
+import json
+import os
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import pairwise
+from pathlib import Path
+from time import perf_counter
+
+from websockets.asyncio.client import ClientConnection, connect
+
+TOKEN = "the-token-of-the-benchmark"  # noqa: S105 - it keeps nobody's secret
+PROGRAM = """\
+main:
+    while True:
+        if function.is_front_obstacle(150):
+            function.turn(30)
+        else:
+            function.move_straight(80)
+        end
+        function.sleep(0.1)
+    end
+end
+"""
+
+
+class Page:
+    """A page whose robot drives; `told` are the moments at which it was told of its world."""
+
+    def __init__(self, socket: ClientConnection) -> None:
+        self.told: list[float] = []
+        self._socket = socket
+
+    async def start(self, number: int) -> None:
+        await self._say("New", name=f"project {number}", example="avoid")
+        await self._hear("Scene")
+        await self._say("EditText", edit=1, notation="blocktext", text=PROGRAM)
+        await self._say("Run")
+        await self._hear("RunState", state="running")
+
+    async def listen(self) -> None:
+        async for message in self._socket:
+            if '"kind":"Telemetry"' in message[:24]:
+                self.told.append(perf_counter())
+
+    async def _say(self, kind: str, **values: object) -> None:
+        await self._socket.send(json.dumps({"kind": kind, **values}))
+
+    async def _hear(self, kind: str, **values: object) -> None:
+        async for message in self._socket:
+            heard = json.loads(message)
+            if heard["kind"] == "Failed":
+                raise RuntimeError(heard["message"])
+            if heard["kind"] == kind and values.items() <= heard.items():
+                return
+
+
+async def opened(port: int, number: int) -> tuple[Page, asyncio.Task[None]]:
+    address = f"ws://127.0.0.1:{port}/ws"
+    page = Page(await connect(address, subprotocols=["learnblock", TOKEN], max_size=None))
+    await page.start(number)
+    return page, asyncio.create_task(page.listen())
+
+
+async def measure(port: int, server: int, sessions: int, seconds: float) -> None:
+    page, listening = await opened(port, 0)
+    one = megabytes(server)
+    others = [await opened(port, number) for number in range(1, sessions)]
+    used, began = processor_time(server), perf_counter()
+    await asyncio.sleep(seconds)
+    wall = perf_counter() - began
+    report(
+        [[moment for moment in each.told if moment >= began] for each, _ in [(page, 0), *others]],
+        wall,
+    )
+    programs = children(server)
+    spent = sum(map(processor_time, programs))
+    print(f"server      {megabytes(server):.0f} MB; with its first session alone {one:.0f} MB")
+    print(f"a program   {statistics.mean(map(megabytes, programs)):.0f} MB")
+    print(f"processors  server {(processor_time(server) - used) / wall:.2f} of {os.cpu_count()}")
+    print(f"            programs {spent:.1f} s since their start")
+    for task in (listening, *(task for _, task in others)):
+        task.cancel()
+
+
+def report(told: list[list[float]], wall: float) -> None:
+    rates = [len(moments) / wall for moments in told]
+    gaps = sorted(later - earlier for moments in told for earlier, later in pairwise(moments))
+    median, late = gaps[len(gaps) // 2] * 1e3, gaps[len(gaps) * 99 // 100] * 1e3
+    print(f"updates     {min(rates):.1f} to {max(rates):.1f} a second and page")
+    print(f"gaps        median {median:.0f} ms, 99 % {late:.0f} ms")
+
+
+def children(process: int) -> list[int]:
+    tasks = Path(f"/proc/{process}/task").iterdir()
+    return [int(child) for task in tasks for child in (task / "children").read_text().split()]
+
+
+def megabytes(process: int) -> float:
+    """The memory that a process shares with no other."""
+    rollup = Path(f"/proc/{process}/smaps_rollup").read_text().splitlines()
+    return sum(int(line.split()[1]) for line in rollup if line.startswith("Private_")) / 1024
+
+
+def processor_time(process: int) -> float:
+    """Seconds of one processor that a process has used."""
+    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+@contextmanager
+def serving() -> Iterator[tuple[int, int]]:
+    """The port and the process of a server with a home of its own."""
+    with tempfile.TemporaryDirectory() as home:
+        environment = {**os.environ, "LEARNBLOCK_TOKEN": TOKEN, "LEARNBLOCK_HOME": home}
+        command = [sys.executable, "-m", "learnblock", "--no-browser", "--port", "0"]
+        server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment)
+        try:
+            assert server.stdout  # noqa: S101
+            place = server.stdout.readline().split("/")[2]
+            yield int(place.rpartition(":")[2]), server.pid
+        finally:
+            server.terminate()
+            server.wait()
+
+
+def main() -> None:
+    sessions = int(sys.argv[1]) if len(sys.argv) > 1 else 30
+    seconds = float(sys.argv[2]) if len(sys.argv) > 2 else 10.0
+    print(f"Python {platform.python_version()}, {os.cpu_count()} processors, {sessions} sessions")
+    with serving() as (port, server):
+        asyncio.run(measure(port, server, sessions, seconds))
+
+
+if __name__ == "__main__":
+    main()
