@@ -123,9 +123,13 @@ class Pupil:
         before = word.join(before[: occurrence + 1]).split("\n")
         self.editor(view).focus()
         self.page.keyboard.press("Control+Home")
-        for key, times in (("ArrowDown", len(before) - 1), ("ArrowRight", len(before[-1]))):
-            for _ in range(times):
-                self.page.keyboard.press(key)
+        self.press_keys("ArrowDown", len(before) - 1)
+        self.press_keys("ArrowRight", len(before[-1]))
+
+    def press_keys(self, key, times):
+        """Press a key again and again."""
+        for _ in range(times):
+            self.page.keyboard.press(key)
 
     def text(self, view):
         """All that a text view shows now."""
@@ -144,6 +148,10 @@ class Pupil:
                 return [line + 1, before.toString()];
             }"""
         )
+
+    def scrolled(self, view):
+        """How far a text is scrolled down."""
+        return self.editor(view).evaluate("content => content.closest('.cm-scroller').scrollTop")
 
     # Blocks.
 
@@ -166,11 +174,11 @@ class Pupil:
         self.open_category(category)
         offered = self.page.locator(f".blocklyFlyout .{kind}", has_text=words).first
         self._scroll_to(offered)
-        known = self._ids()
+        known = self.block_ids()
         ground = self.page.locator(f"{WORKSPACE} .blocklyMainBackground").bounding_box()
         self._drag(offered, (ground["x"] + 0.62 * ground["width"], ground["y"] + 60))
         expect(self.page.locator(f"{WORKSPACE} .blocklyDragging")).to_have_count(0)
-        return next(one for one in self._ids() if one not in known)
+        return next(one for one in self.block_ids() if one not in known)
 
     def make_variable(self, name):
         """Make a variable by the palette's button."""
@@ -182,23 +190,23 @@ class Pupil:
         """Take a block that gives a variable a number; answer its id."""
         block = self.take("Variables", "variables_set")
         self.choose_in(block, name)
-        self.put_number(block, 0, value)
+        self.put_number(block, value)
         return block
 
-    def put_number(self, block, index, value):
-        """Plug a number into a hole of a block."""
+    def put_number(self, block, value):
+        """Plug a number into the first hole of a block that is empty."""
         number = self.take("Maths", "math_number")
-        self.put_on(number, self.hole(block, index))
+        self.put_on(number, self.hole(block))
         self.fill(self.block(number), value)
 
     def choose_in(self, block, choice):
         """Choose from a block's list: a variable, or a sign."""
         self.block(block).locator("> .blocklyDropdownField").first.click()
-        self.page.locator(".blocklyMenuItem", has_text=re.compile(f"^{choice}$")).click()
+        self.page.locator(".blocklyMenuItem", has_text=re.compile(rf"^\W*{choice}$")).click()
 
-    def hole(self, block, index=0):
-        """A hole of a block into which a value goes, or the pale value that is in it."""
-        return self.block(block).locator("> .blocklyOutlinePath, > .blocklyShadow").nth(index)
+    def hole(self, block):
+        """The first hole of a block into which a value goes, or the pale value that is in it."""
+        return self.block(block).locator("> .blocklyOutlinePath, > .blocklyShadow").first
 
     def _scroll_to(self, offered):
         """Turn the wheel over the palette until a block of it can be taken."""
@@ -246,10 +254,18 @@ class Pupil:
         field.fill(text)
         field.press("Enter")
 
-    def _ids(self):
-        """Of all blocks in the program, in the order of the picture."""
+    def block_ids(self):
+        """The ids of all blocks in the program, in the order of the picture."""
         found = self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas [data-id]")
         return found.evaluate_all("all => all.map((one) => one.dataset.id)")
+
+    def places_of_blocks(self):
+        """Where each block is within what it hangs on, by its id."""
+        found = self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas [data-id]")
+        return found.evaluate_all(
+            "all => Object.fromEntries(all.map("
+            "  (one) => [one.dataset.id, one.getAttribute('transform')]))"
+        )
 
     def _corner(self, block, right, down):
         box = block.locator("> .blocklyPath").first.bounding_box()

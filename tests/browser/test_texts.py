@@ -1,0 +1,155 @@
+"""One program in three views: what is written in one is seen in the others."""
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+CASES = Path(__file__).parents[1] / "cases"
+STATES = Path(__file__).parents[2] / "examples" / "line-states.bt"
+ALL = ("Blocks", "Block-Text", "Python")
+#: A function, a variable of the program's, and a `when` that others ask for.
+NAMES = """\
+count = 0
+
+def step_on(x):
+    function.set_led(x, 0, 0)
+end
+
+when start:
+    count = 1
+    step_on(count)
+    activate turning
+end
+
+when turning:
+    count += 1
+    if turning.time > 2:
+        deactivate turning
+    end
+end
+"""
+
+
+@pytest.fixture
+def pupil(sit_down, server):
+    """With an empty program in all three views, on a screen with room for them."""
+    pupil = sit_down(server, viewport={"width": 1800, "height": 900})
+    pupil.begin()
+    pupil.show(*ALL)
+    return pupil
+
+
+@pytest.mark.parametrize(
+    ("robot", "half", "sensor"),
+    [("EBO", "ebo", "is_center_black_line"), ("Thymio II", "thymio", "is_center_ground_line")],
+)
+def test_figure_9_typed_as_in_the_paper_is_seen_in_blocks_and_python_and_finds_the_line(
+    pupil, robot, half, sensor
+):
+    case = CASES / f"line_follower_{half}"
+    pupil.choose("Robot", robot)
+    pupil.choose("World", "Line")
+    pupil.write("blocktext", (case / "program.bt").read_text())
+    pupil.sees("python", f"if robot.{sensor}():", "robot.slow_down()")
+    expect(pupil.blocks(f"lb_skill_{sensor}")).to_have_count(1)
+    pupil.choose("Speed", "10×")
+    pupil.press("Run")
+    expect(pupil.page.locator(".lbRunning")).not_to_have_count(0)
+    pupil.picture("drives")
+    pupil.press("Stop")
+    pupil.state("Ended")
+    assert pupil.foreign == []
+
+
+def test_the_states_of_whens_are_shown_while_they_change(pupil):
+    pupil.choose("World", "Line")
+    pupil.write("blocktext", STATES.read_text())
+    expect(pupil.blocks("lb_when")).to_have_count(3)
+    pupil.sees("python", "@robot.when_start", "def lost():")
+    shown = pupil.tab("Variables")
+    pupil.choose("Speed", "10×")
+    pupil.press("Run")
+    on_line = shown.locator("tr[data-name=on_line]")
+    expect(on_line).to_contain_text("● active")
+    expect(shown.locator("tr[data-name=lost]")).to_contain_text("○ waiting")
+    pupil.picture("whens")
+    pupil.press("Stop")
+    pupil.state("Ended")
+    assert pupil.foreign == []
+
+
+# What is changed in one view.
+
+
+LONG = "main:\n" + "    function.move_straight()\n    function.sleep(5)\n" * 30 + "end\n"
+
+
+def test_a_number_changed_in_python_changes_in_blocks_and_block_text_and_nothing_else(pupil):
+    pupil.write("blocktext", LONG)
+    pupil.sees("python", "robot.sleep(5)")
+    before = pupil.places_of_blocks()
+    pupil.put_cursor("python", "5)", 24)
+    pupil.press_keys("ArrowUp", 10)
+    pupil.page.keyboard.press("Delete")
+    scrolled = pupil.scrolled("python")
+    pupil.page.keyboard.type("77")
+    expect(pupil.blocks("lb_skill_sleep").nth(19)).to_contain_text("77")
+    assert pupil.cursor("python") == [45, "robot.sleep(77"]
+    assert pupil.scrolled("python") == scrolled > 0
+    pupil.page.keyboard.press("Alt+Enter")
+    expect(pupil.blocks("lb_skill_sleep").nth(19)).to_be_in_viewport()
+    pupil.picture("changed")
+    assert pupil.places_of_blocks() == before
+
+
+def test_a_statement_typed_in_python_appears_as_a_block_in_its_place(pupil):
+    pupil.write("blocktext", "main:\n    function.move_straight()\n    function.sleep(5)\nend\n")
+    pupil.sees("python", "robot.sleep(5)")
+    before = pupil.block_ids()
+    pupil.put_cursor("python", "robot.sleep")
+    pupil.page.keyboard.type("robot.stop_bot()\n")
+    pupil.sees("blocktext", "function.stop_bot()")
+    expect(pupil.blocks("lb_skill_stop_bot")).to_have_count(1)
+    pupil.picture("inserted")
+    assert [one for one in pupil.block_ids() if one in before] == before
+    assert pupil.cursor("python")[1] == ""
+    assert pupil.foreign == []
+
+
+def test_python_that_blocks_do_not_have_is_kept_and_is_a_grey_block(pupil):
+    pupil.write("blocktext", "main:\n    function.move_straight()\nend\n")
+    pupil.sees("python", "robot.move_straight()")
+    pupil.put_cursor("python", "robot.move")
+    by_hand = "# forward, and not back\nspeeds = {s: s * 2 for s in (10, 20)}\n"
+    pupil.page.keyboard.insert_text(by_hand)
+    expect(pupil.blocks("lb_python")).to_have_count(1)
+    pupil.picture("grey")
+    pupil.put_cursor("blocktext", "move_straight()")
+    pupil.page.keyboard.insert_text("reset_orientation()\n    function.")
+    pupil.sees("python", "robot.reset_orientation()")
+    assert by_hand in pupil.text("python")
+    assert pupil.foreign == []
+
+
+# Help while typing.
+
+
+@pytest.mark.parametrize(
+    ("view", "typed", "offered"),
+    [
+        ("blocktext", "function.move_st", "move_straight"),
+        ("python", "robot.move_st", "move_straight"),
+    ],
+)
+def test_what_could_stand_at_the_cursor_is_offered_and_typed_by_enter(pupil, view, typed, offered):
+    pupil.write("blocktext", "main:\n    function.stop_bot()\nend\n")
+    pupil.sees("python", "robot.stop_bot()")
+    pupil.put_cursor(view, "function.stop" if view == "blocktext" else "robot.stop")
+    pupil.page.keyboard.type(typed)
+    expect(pupil.page.locator(".cm-tooltip-autocomplete li[aria-selected]")).to_contain_text(
+        offered
+    )
+    pupil.picture("offered")
+    pupil.page.keyboard.press("Enter")
+    pupil.sees(view, f"{typed}raight")
