@@ -186,6 +186,21 @@ def test_a_project_of_a_robot_that_is_gone_opens_with_ours(page, projects):
     assert "tatooine" in page.hear("Failed")["message"]
 
 
+def test_a_project_whose_world_is_wrong_opens_all_the_same(page, projects, own_home):
+    page.open(text=PROGRAM)
+    page.hear("Saved")
+    (own_home / "worlds").mkdir()
+    (own_home / "worlds" / "broken.toml").write_text("floor = 3", "utf-8")
+    old = json.loads((projects / "program.learnblock").read_text("utf-8"))
+    new = {**old, "world": "broken"}
+    (projects / "other.learnblock").write_text(json.dumps(new), "utf-8")
+    page.say("Open", name="other")
+    assert page.hear("Opened")["world"] == "broken"
+    assert "floor" in page.hear("Failed")["message"]
+    page.say("ChooseWorld", name="line")
+    assert page.hear("Scene")["name"] == "line"
+
+
 def test_a_new_project_can_begin_with_an_example(page):
     page.say("New", name="my tags", example="tags")
     opened = page.hear("Opened")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from anyio import to_thread
 
+from learnblock.errors import LearnBlockError
 from learnblock.server import catalog, messages
 from learnblock.server.archive import Archive
 from learnblock.server.document import Document
@@ -15,6 +16,7 @@ from learnblock.server.player import Player
 from learnblock.server.prepared import Prepared, loaded, prepare, settled
 from learnblock.server.project_file import Project
 from learnblock.server.projects import ProjectFolder
+from learnblock.server.sentences import sentence
 
 if TYPE_CHECKING:
     from learnblock.server.page import Page
@@ -65,6 +67,14 @@ class Session:
         """End the program that runs, and save."""
         await self.player.close()
         await self.archive.close()
+
+    async def set_the_stage(self) -> None:
+        """Put the robot into its world, before the first page comes."""
+        try:
+            await self.player.set_the_stage(self.robot, self.world)
+        except LearnBlockError as error:
+            # Whoever sees what is wrong can choose another world, or mend this one.
+            self._remarks = (*self._remarks, sentence(error))
 
     # Pages.
 

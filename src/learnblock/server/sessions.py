@@ -80,7 +80,7 @@ class Sessions:
             if name not in self._open:
                 prepared = await to_thread.run_sync(lambda: prepare(read()))
                 session = Session(self.folder, prepared)
-                await session.player.set_the_stage(session.robot, session.world)
+                await session.set_the_stage()
                 self._open[name] = session
             return self._open[name]
 
