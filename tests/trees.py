@@ -90,6 +90,8 @@ ASSIGNMENTS = ("=", "=", "+=", "-=", "*=", "/=", "//=", "%=", "**=")
 class Trees:
     """Random trees, of which many are no sensible programs."""
 
+    skills = SKILLS
+
     def __init__(self, seed):
         self.random = random.Random(seed)  # noqa: S311 - no secret
         self.choice = self.random.choice
@@ -131,7 +133,7 @@ class Trees:
         return Call(self.choice(NAMES), *self.arguments(depth))
 
     def skill_call(self, depth=2):
-        return SkillCall(self.choice(SKILLS), *self.arguments(depth))
+        return SkillCall(self.choice(self.skills), *self.arguments(depth))
 
     def library_call(self, depth):
         name, count = self.choice(LIBRARY)

@@ -144,8 +144,7 @@ class StatementReader(ValueReader):
     def perform(self, block: Block, call: Expression, ends: Ends) -> Perform | None:
         """A call as a statement."""
         if isinstance(call, Call | SkillCall):
-            self.note(call, block)
-            return Perform(call, ends[0])
+            return Perform(self.made(call, block), ends[0])
         message = "only a call can stand alone: set a variable with this value, or remove it"
         self.report(block, "no-effect", message)
         return None

@@ -30,6 +30,8 @@ from learnblock.language.workspace_value_reader import is_disabled
 
 # How much is within a value of which not all must have a block of its own.
 _OPERANDS: Mapping[type[Expression], int] = {Unary: 1, Index: 2}
+# One of them becomes another when the function is renamed, but its arguments are the same.
+_CALLS = frozenset(("procedures_callnoreturn", "procedures_callreturn", "lb_call", "lb_call_value"))
 _NO_INPUTS: Mapping[str, Input] = {}
 
 
@@ -123,22 +125,21 @@ class ValueWriter:
             old: the block that may have been this one.
             inputs: those that hold statements.
         """
-        same = (
-            old is not None
-            and old.type == shape.type
-            and old.id not in self.taken
-            and not is_disabled(old)
-        )
-        block = Block(shape.type, old.id if same and old is not None else next(self.new_ids))
+        same = old if old is not None and self.may_be(shape, old) else None
+        block = Block(shape.type, next(self.new_ids) if same is None else same.id)
         self.taken.add(block.id)
         block.fields = self.fields(shape.fields)
-        block.inputs = self.inputs(shape, old, same=same) | inputs
+        block.inputs = self.inputs(shape, same, old) | inputs
         block.extraState = shape.extra
         if shape.notes is not NO_NOTES:
             block.data = shape.notes.data()
-        if same and old is not None:
-            _keep_looks(block, old)
+        if same is not None:
+            _keep_looks(block, same)
         return block
+
+    def may_be(self, shape: Shape, old: Block) -> bool:
+        """Whether a block can say something else and stay the same block."""
+        return old.type == shape.type and old.id not in self.taken and not is_disabled(old)
 
     def fields(self, fields: Mapping[str, FieldValue | Name]) -> dict[str, FieldValue]:
         return {
@@ -155,19 +156,27 @@ class ValueWriter:
 
     # Inputs.
 
-    def inputs(self, shape: Shape, old: Block | None, *, same: bool) -> dict[str, Input]:
-        """What is plugged into a block, and the shadows where nothing is."""
+    def inputs(self, shape: Shape, same: Block | None, old: Block | None) -> dict[str, Input]:
+        """What is plugged into a block, and the shadows where nothing is.
+
+        Args:
+            shape: what the block says.
+            same: the block before, if it stays the same one.
+            old: the block that may have been this one, or have been within it.
+        """
         shadows = self.shadows(shape.type)
-        before = old.inputs if same and old is not None else _NO_INPUTS
-        wrapped = None if same else old
+        source = old if old is not None and {shape.type, old.type} <= _CALLS else same
+        before = _NO_INPUTS if source is None else source.inputs
+        wrapped = old if source is None else None
         inputs: dict[str, Input] = {}
         for name, node in shape.values.items():
-            if same and old is not None and self.before.missing.get((old.id, name)) == node:
-                self.keep_missing(node, old, name, inputs)
+            if same is not None and self.before.missing.get((same.id, name)) == node:
+                self.keep_missing(node, same, name, inputs)
                 continue
             inputs[name] = self.input(node, shadows.get(name), before.get(name), wrapped)
-        for name in shadows.keys() - shape.values.keys() - {"AT"}:
-            inputs[name] = self.untouched(shadows[name][0], before.get(name))
+        for name, (shadow, _) in shadows.items():
+            if name not in shape.values and name != "AT":
+                inputs[name] = self.untouched(shadow, before.get(name))
         return inputs
 
     def keep_missing(

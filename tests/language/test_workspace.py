@@ -1,0 +1,134 @@
+"""Programs as blocks and back: the ladder of the texts, over workspaces."""
+
+from pathlib import Path
+
+import msgspec
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from learnblock.language import format as format_program
+from learnblock.language import from_python, from_workspace, parse, to_python, to_workspace
+from learnblock.language.nodes import Blank, Comment, expressions, statements, within
+from workspaces import CONFIGURATIONS, BlockTrees, as_json, blocks, through_json
+
+TESTS = Path(__file__).parent.parent
+GOLDEN = sorted((TESTS / "cases").glob("*/program.json"))
+PROGRAMS = sorted(
+    [*(TESTS / "cases").glob("*/program.bt"), *(TESTS.parent / "examples").glob("*.bt")]
+)
+every_program = pytest.mark.parametrize(
+    "path", PROGRAMS, ids=lambda path: path.parent.name if path.stem == "program" else path.stem
+)
+seeds = st.integers(min_value=0, max_value=2**32).map(BlockTrees)
+many = settings(
+    deadline=None, suppress_health_check=list(HealthCheck), database=None, derandomize=True
+)
+
+
+def written(program, previous=None):
+    return to_workspace(program, CONFIGURATIONS, previous).workspace
+
+
+def read(workspace):
+    found = from_workspace(workspace, CONFIGURATIONS)
+    assert () == found.problems
+    return found.program
+
+
+def assert_survives(program):
+    """A program comes back from its blocks, and its blocks from it."""
+    workspace = through_json(written(program))
+    back = read(workspace)
+    assert program == back
+    assert format_program(program) == format_program(back)
+    assert to_python(program).text == to_python(back).text
+    assert workspace == written(program, workspace)
+
+
+@pytest.mark.parametrize("path", GOLDEN, ids=lambda path: path.parent.name)
+def test_a_golden_program_becomes_its_golden_blocks(path):
+    program = parse(path.with_suffix(".bt").read_text("utf-8"))
+    golden = msgspec.json.format(as_json(written(program)), indent=1) + "\n"
+    assert path.read_text("utf-8") == golden
+
+
+@every_program
+def test_a_program_survives_as_blocks(path):
+    assert_survives(parse(path.read_text("utf-8")))
+
+
+@every_program
+def test_python_survives_as_blocks(path):
+    python = to_python(parse(path.read_text("utf-8"))).text
+    back = read(through_json(written(from_python(python))))
+    assert python == to_python(back).text
+
+
+@settings(many, max_examples=2000)
+@given(seeds)
+def test_a_random_program_survives_as_blocks(trees):
+    assert_survives(trees.program())
+
+
+@settings(many, max_examples=300)
+@given(seeds, seeds)
+def test_a_random_program_survives_after_any_other(trees, others):
+    program = trees.program()
+    workspace = written(program, through_json(written(others.program())))
+    assert program == read(through_json(workspace))
+    ids = [block.id for block in blocks(workspace)]
+    assert len(set(ids)) == len(ids)
+
+
+@settings(many, max_examples=100)
+@given(seeds)
+def test_everything_in_a_program_has_a_block(trees):
+    program = trees.program()
+    fresh = to_workspace(program, CONFIGURATIONS)
+    kept = to_workspace(program, CONFIGURATIONS, fresh.workspace)
+    back = from_workspace(fresh.workspace, CONFIGURATIONS)
+    for tree, ids in (
+        (program, fresh.block_ids),
+        (program, kept.block_ids),
+        (back.program, back.block_ids),
+    ):
+        assert not [node for node in nodes_of(tree) if id(node) not in ids]
+
+
+@settings(many, max_examples=100)
+@given(seeds)
+def test_both_ways_name_the_same_blocks(trees):
+    program = trees.program()
+    text = to_workspace(program, CONFIGURATIONS)
+    back = from_workspace(text.workspace, CONFIGURATIONS)
+    there = [text.block_ids[id(node)] for node in nodes_of(program)]
+    assert there == [back.block_ids[id(node)] for node in nodes_of(back.program)]
+
+
+def nodes_of(program):
+    """All that is no blank line: those of the top level are the layout's."""
+    main = (program.main,) if program.main else ()
+    found = [
+        *(node for node in statements(program.items + main) if not isinstance(node, Blank)),
+        *(note for note in program.ending if isinstance(note, Comment)),
+    ]
+    return found + [part for node in found for value in expressions(node) for part in within(value)]
+
+
+def test_every_loop_is_as_deep_as_a_text_may_have_it():
+    depth = 120
+    text = "while True:\n" * depth + "x = 1\n" + "end\n" * depth
+    program = parse(text)
+    assert program == from_workspace(written(program), CONFIGURATIONS).program
+
+
+def test_a_value_is_as_deep_as_a_text_may_have_it():
+    program = parse("x = " + "-(" * 99 + "x" + ")" * 99 + "\n")
+    assert program == from_workspace(written(program), CONFIGURATIONS).program
+
+
+def test_a_hundred_loops_and_a_hundred_brackets_travel_as_json():
+    loops = "while True:\n" * 100 + "pass\n" + "end\n" * 100
+    for text in (loops, "x = " + "[" * 100 + "]" * 100 + "\n"):
+        assert_survives(parse(text))

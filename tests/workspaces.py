@@ -1,0 +1,54 @@
+"""Workspaces of random programs, and the ways of a block through one."""
+
+import msgspec
+
+from learnblock.blocks import builtin
+from learnblock.language import Workspace, to_workspace
+from learnblock.language.nodes import Number
+from trees import Trees
+
+CONFIGURATIONS = builtin()
+SKILLS = ("is_tag", "turn", "class", "end", "move_left", "set_move", "move_straight", "say_Text")
+SKILLS += ("get_image", "stop_bot", "is_any_tag", "sleep", "set_orientation")
+NUMBERS = ("0", "1", "2.5", "1e3", "0xFF", ".5", "5.", "00", "1_000", "40", "40.0", "0.50", "8")
+NUMBERS += ("12345678901234567890", "1e999", "20")
+
+
+class BlockTrees(Trees):
+    """Random programs that use the skills that there are, and numbers that no field can show."""
+
+    skills = SKILLS
+
+    def number(self, _):
+        return Number(self.choice(NUMBERS))
+
+
+def random_workspaces(count, first=0):
+    """As many workspaces of random programs, as JSON, for Blockly itself."""
+    programs = (BlockTrees(seed).program() for seed in range(first, first + count))
+    return [as_json(to_workspace(one, CONFIGURATIONS).workspace) for one in programs]
+
+
+def as_json(workspace):
+    return msgspec.json.encode(workspace).decode()
+
+
+def through_json(workspace):
+    """A workspace as it comes from the page."""
+    return msgspec.json.decode(as_json(workspace), type=Workspace)
+
+
+def blocks(workspace, shadows=True):
+    """Every block, a parent before its children."""
+    found = [block for stack in workspace.stacks for block in stack]
+    for block in found:
+        for plug in block.inputs.values():
+            found += plug.stack
+            found += [one for one in (plug.block, shadows and plug.shadow) if one]
+    return found
+
+
+def only(workspace, kind):
+    """The one block of a type."""
+    (found,) = (block for block in blocks(workspace) if block.type == kind)
+    return found
