@@ -236,7 +236,6 @@ export interface Opened {
   robot: string;
   world: string;
   breakpoints?: string[];
-  recovered?: boolean;
 }
 
 export interface PastRun {

@@ -35,7 +35,7 @@ export class Project {
   ) {
     connection.on("Welcome", (welcome) => this.begin(welcome));
     connection.on("Projects", ({ projects }) => this.listed(projects));
-    connection.on("Opened", ({ name, recovered }) => this.opened(name, recovered ?? false));
+    connection.on("Opened", ({ name }) => this.opened(name));
     connection.on("Worlds", ({ worlds }) => (this.worlds.value = worlds));
     connection.on("History", (history) => (this.history.value = history));
     connection.on("File", download);
@@ -118,6 +118,7 @@ export class Project {
     this.welcome.value = welcome;
     this.worlds.value = welcome.worlds;
     const name = this.name.value || addressedProject();
+    if (this.name.value) this.toasts.note(t("project.recovered"));
     if (name) return this.open(name);
     this.choosing = true;
     this.list();
@@ -132,10 +133,9 @@ export class Project {
     else this.create(FIRST_EXAMPLE, FIRST_EXAMPLE);
   }
 
-  private opened(name: string, recovered: boolean): void {
+  private opened(name: string): void {
     this.name.value = name;
     nameProject(name);
-    if (recovered) this.toasts.note(t("project.recovered"));
     if (this.doomed && this.doomed !== name) this.connection.send({ kind: "Delete", name: this.doomed });
     this.doomed = null;
     this.list();

@@ -374,7 +374,6 @@ class Opened(Message, frozen=True):
     robot: str
     world: str
     breakpoints: tuple[str, ...] = ()
-    recovered: bool = False
 
 
 class Settings(Message, frozen=True):
