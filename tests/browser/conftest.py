@@ -2,11 +2,13 @@
 
 import os
 import re
+import secrets
 import shutil
 import signal
 import subprocess
 import sys
 from pathlib import Path
+from urllib.parse import urlsplit
 
 import pytest
 from playwright.sync_api import Browser, Error, expect, sync_playwright
@@ -31,24 +33,41 @@ def chromium():
 
 
 class Server:
-    """``learnblock`` as a user starts it, with a home and a folder of projects of its own."""
+    """``learnblock`` as a user starts it, with a home and a folder of projects of its own.
+
+    Started again it has the same address, as one that a teacher runs for a class.
+    """
 
     def __init__(self, home, *options):
         self.home = home
         self.options = options
+        self.token = secrets.token_urlsafe()
+        self.port = 0
         self.start()
 
     def start(self):
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "learnblock", "--no-browser", "--port", "0", *self.options],
+            [
+                sys.executable,
+                "-m",
+                "learnblock",
+                "--no-browser",
+                f"--port={self.port}",
+                *self.options,
+            ],
             stdout=subprocess.PIPE,
             text=True,
-            env={**os.environ, "LEARNBLOCK_HOME": str(self.home)},
+            env={
+                **os.environ,
+                "LEARNBLOCK_HOME": str(self.home),
+                "LEARNBLOCK_TOKEN": self.token,
+            },
         )
         assert self.process.stdout
         for line in self.process.stdout:
             if found := re.search(r"http://\S+", line):
                 self.address = found[0]
+                self.port = urlsplit(self.address).port
                 return
         raise AssertionError("the server ended before it said its address")
 
