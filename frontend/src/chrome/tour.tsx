@@ -1,7 +1,7 @@
 /** A tour of the page in five steps: each lights up a part and says what it is for. */
 
 import { useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../i18n";
 import { prefer } from "../preferences";
@@ -45,7 +45,7 @@ function Steps() {
     // Where the focus was, in the offer or in a menu, is gone.
     requestAnimationFrame(focusRun);
   };
-  useEffect(() => (dialog.current ? hold(dialog.current, end) : undefined), []);
+  useLayoutEffect(() => (dialog.current ? hold(dialog.current, end) : undefined), []);
   useEffect(() => {
     if (step?.area) views.show(step.area);
     return follow(step?.target ?? "", light.current, dialog.current);

@@ -1,7 +1,7 @@
 /** A modal dialog: the browser's own, which keeps the focus in it and gives it back. */
 
 import type { ComponentChildren } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import { IconButton } from "./button";
@@ -16,7 +16,7 @@ interface Props {
 
 export function Dialog({ title, close, size = "small", children }: Props) {
   const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => (dialog.current ? hold(dialog.current, close) : undefined), []);
+  useLayoutEffect(() => (dialog.current ? hold(dialog.current, close) : undefined), []);
   return (
     <dialog
       ref={dialog}
