@@ -48,11 +48,21 @@ from learnblock.language.workspace_value_reader import (
     extra,
     extra_count,
     is_disabled,
+    plugged,
     popped,
 )
 
 _FLOWS: dict[str, type[Break | Continue]] = {"BREAK": Break, "CONTINUE": Continue}
 _CHANGES = {operator: operator for operator in sorted(ASSIGNMENTS - {"="})}
+_OPENERS = frozenset(
+    (
+        "controls_if",
+        "controls_whileUntil",
+        "controls_repeat_ext",
+        "controls_forEach",
+        "controls_for",
+    )
+)
 _NO_PARTS = frozenset(("lb_python", "lb_comment", "lb_main"))
 
 
@@ -86,6 +96,10 @@ class StatementReader(ValueReader):
             block: among others.
             read: how it is read, if it stands where not only statements may stand.
         """
+        if self.depth == MAX_BLOCKS and block.type in _OPENERS:
+            message = f"more than {MAX_BLOCKS} blocks inside each other: use a function of your own"
+            self.report(block, "too-deep", message)
+            return None
         notes = notes_of(block)
         lead, ends = comments_in(block, notes, parts(block))
         statement = None if is_disabled(block) else (read or self.statement)(block, notes, ends)
@@ -132,10 +146,6 @@ class StatementReader(ValueReader):
         found = block.inputs.get(name)
         if found is None or not found.stack:
             return ()
-        if self.depth == MAX_BLOCKS:
-            message = f"more than {MAX_BLOCKS} blocks inside each other: use a function of your own"
-            self.report(block, "too-deep", message)
-            return ()
         self.depth += 1
         groups = self.chain(found.stack)
         self.depth -= 1
@@ -156,7 +166,9 @@ class StatementReader(ValueReader):
             root = root.value
         if isinstance(root, Name | Call | SkillCall):
             return self.made(Index(values, place), block)
-        self.report(block, "no-effect", "only a list that has a name can be changed: choose one")
+        if plugged(block, "LIST") is not None:
+            message = "only a list that has a name can be changed: choose one"
+            self.report(block, "no-effect", message)
         return None
 
 
@@ -251,7 +263,8 @@ def _raw(reader: StatementReader, block: Block, notes: Notes, _: Ends) -> Raw:
 
 
 def _do(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Perform | None:
-    return reader.perform(block, reader.value(block, "VALUE"), ends)
+    call = reader.value(block, "VALUE")
+    return None if plugged(block, "VALUE") is None else reader.perform(block, call, ends)
 
 
 def _pop(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Perform | None:
