@@ -8,6 +8,7 @@ from playwright.sync_api import expect
 
 #: What a test waits for something to appear, in ms: a busy machine takes its time.
 PATIENCE = 20_000
+LONGEST_RUN = 90_000
 WORKSPACE = "[data-region=blocks] .blocklySvg > .blocklyWorkspace"
 #: At which the workspace begins; the measures below are at 1.
 SCALE = 0.8
@@ -56,17 +57,13 @@ class Pupil:
         self._server = server
         self.page = self.open()
 
-    def open(self):
-        """Open the page in a new tab."""
+    def open(self, address=None):
+        """Open the page in a new tab, at another address than the server's if one is given."""
         page = self.context.new_page()
         page.on("pageerror", lambda error: self.errors.append(str(error)))
         page.on("request", self._note_foreign)
-        page.goto(self._server.address)
-        expect(
-            page.get_by_role("button", name="Run", exact=True).or_(
-                page.get_by_role("button", name="Ejecutar", exact=True)
-            )
-        ).to_be_visible()
+        page.goto(address or self._server.address)
+        expect(page.locator("header .project-name")).not_to_have_text("…")
         return page
 
     def picture(self, name):
@@ -85,6 +82,35 @@ class Pupil:
         self.page.locator("header").get_by_role("button").first.click()
         self.page.get_by_role("menuitem", name="New").click()
         expect(self.page).to_have_url(re.compile("project=program"))
+
+    def project(self, command):
+        """Choose a command of the project's menu."""
+        self.page.locator("header").get_by_role("button").first.click()
+        self.page.get_by_role("menuitem", name=command, exact=True).click()
+
+    def open_example(self, title):
+        """Open an example as a project of one's own."""
+        self.project("Examples…")
+        self.dialog().get_by_role("button", name=title).first.click()
+        expect(self.dialog()).to_have_count(0)
+
+    def works_on(self, name):
+        """Wait until a project is open."""
+        expect(self.page.locator("header .project-name")).to_have_text(name)
+
+    def is_saved(self):
+        """Wait until the bar says so."""
+        expect(self.page.locator("header .saved")).to_have_text("Saved")
+
+    def told(self, sentence):
+        """Wait until a note says so; answer it."""
+        note = self.page.locator(".toast", has_text=sentence)
+        expect(note).to_be_visible()
+        return note
+
+    def dialog(self):
+        """The dialog that is open."""
+        return self.page.get_by_role("dialog")
 
     # Texts.
 
@@ -135,19 +161,26 @@ class Pupil:
         """All that a text view shows now."""
         return "\n".join(self.reads(view))
 
-    def cursor(self, view):
-        """The line, from 1, and the words before the cursor in it."""
-        return self.editor(view).evaluate(
-            """content => {
+    def stands(self, view, line, before):
+        """Wait until the cursor of a text is in that line, behind these words."""
+        expect(self.editor(view)).to_be_focused()
+        self.page.wait_for_function(
+            """([line, before]) => {
                 const at = getSelection();
-                const lines = [...content.querySelectorAll(".cm-line")];
-                const line = lines.findIndex((one) => one.contains(at.focusNode));
-                const before = document.createRange();
-                before.setStart(lines[line], 0);
-                before.setEnd(at.focusNode, at.focusOffset);
-                return [line + 1, before.toString()];
-            }"""
+                const lines = [...document.activeElement.querySelectorAll(".cm-line")];
+                const found = lines.findIndex((one) => one.contains(at.focusNode));
+                if (found + 1 !== line) return false;
+                const range = document.createRange();
+                range.setStart(lines[found], 0);
+                range.setEnd(at.focusNode, at.focusOffset);
+                return range.toString() === before;
+            }""",
+            arg=[line, before],
         )
+
+    def line_of(self, view, words):
+        """The number of the first line with these words."""
+        return 1 + next(at for at, line in enumerate(self.reads(view)) if words in line)
 
     def scrolled(self, view):
         """How far a text is scrolled down."""
@@ -158,6 +191,10 @@ class Pupil:
     def blocks(self, kind):
         """The blocks of a type in the program."""
         return self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas .{kind}")
+
+    def all_blocks(self):
+        """Every block in the program."""
+        return self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas .blocklyBlock")
 
     def open_category(self, category):
         """Open a category of the palette; a second click would close it."""
@@ -210,6 +247,7 @@ class Pupil:
 
     def _scroll_to(self, offered):
         """Turn the wheel over the palette until a block of it can be taken."""
+        offered.wait_for()
         palette = self.page.locator(".blocklyFlyout:visible").bounding_box()
         self.page.mouse.move(palette["x"] + 20, palette["y"] + 20)
         beyond = offered.bounding_box()["y"] - palette["y"] - 0.5 * palette["height"]
@@ -287,6 +325,22 @@ class Pupil:
         mouse.up()
 
     # Running.
+
+    def waits_for_the_end(self):
+        """Watch the program until it has ended."""
+        expect(self.page.get_by_role("button", name="Stop", exact=True)).to_be_disabled(
+            timeout=LONGEST_RUN
+        )
+
+    def place_of_robot(self):
+        """Ask where the robot is: mm east and north."""
+        self.page.locator("[data-tool=where]").click()
+        said = self.page.locator(".world-said").text_content()
+        east, north = re.search(r"(\d+) mm (?:east|west), (\d+) mm (?:north|south)", said).groups()
+        return (
+            float(east) * (1 if "east," in said else -1),
+            float(north) * (1 if "north," in said else -1),
+        )
 
     def tab(self, name):
         """Open a tab of the output; answer what is in it."""

@@ -1,7 +1,8 @@
 """The toolbox: the blocks of each tab, and what they hold before anyone has touched them."""
 
+import json
 from collections.abc import Iterable, Mapping
-from itertools import groupby
+from itertools import groupby, takewhile
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -261,8 +262,17 @@ def _skill_tabs(
 def _skill(configuration: BlockConfiguration) -> dict[str, Any]:
     shadows = {one.name: parameter_shadow(one) for one in configuration.parameters}
     inputs = {name: {"shadow": one.block()} for name, one in shadows.items() if one is not None}
+    given = len(list(takewhile(_is_shown, configuration.parameters)))
     return {
         "kind": "block",
         "type": SKILL + configuration.name,
         **({"inputs": inputs} if inputs else {}),
+        # What a new block shows is what the texts say: `sleep(5)`, and not `sleep()`.
+        **({"data": json.dumps({"given": given})} if given else {}),
     }
+
+
+def _is_shown(parameter: Parameter) -> bool:
+    """Whether a block shows what a call of it means when nothing is changed."""
+    has_default = parameter.required or parameter.default is not None
+    return has_default and parameter_shadow(parameter) is not None
