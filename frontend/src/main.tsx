@@ -18,6 +18,7 @@ import type { Context } from "./context";
 import { language } from "./i18n";
 import { theme } from "./preferences";
 import { Program } from "./program";
+import { runError } from "./runerror";
 import { Running } from "./running";
 
 function assemble(): Page {
@@ -25,7 +26,13 @@ function assemble(): Page {
   const program = new Program(connection);
   const running = new Running(connection);
   const views = new Views();
-  const context: Context = { connection, program, running, reveal: (block) => views.reveal(block) };
+  const context: Context = {
+    connection,
+    program,
+    running,
+    runError: runError(program, running),
+    reveal: (block) => views.reveal(block),
+  };
   const toasts = new Toasts();
   return {
     context,

@@ -66,6 +66,7 @@ class Blocks implements BlocksIsland {
       effect(() => void this.load(language.value)),
       effect(() => this.showTheme(theme.value)),
       effect(() => this.showProgram()),
+      effect(() => this.showProblems()),
       effect(() => this.showBreakpoints()),
       effect(() => this.showRunning()),
     ];
@@ -151,20 +152,26 @@ class Blocks implements BlocksIsland {
   private showAll(): void {
     untracked(() => {
       this.showProgram();
+      this.showProblems();
       this.showBreakpoints();
       this.showRunning();
     });
   }
 
   private showProgram(): void {
-    const { workspace, problems, stale } = this.context.program.state.value;
+    const { workspace, stale } = this.context.program.state.value;
     this.dom.classList.toggle("stale", stale.includes("blocks"));
     if (!this.editor || !this.isShown) return;
     if (workspace !== this.shown) this.editor.show(workspace);
     this.shown = workspace;
-    this.editor.marks.showProblems(problems);
+    untracked(() => this.showProblems());
     untracked(() => this.showBreakpoints());
     untracked(() => this.showRunning());
+  }
+
+  private showProblems(): void {
+    const problems = [...this.context.program.state.value.problems, ...this.context.runError.value];
+    this.editor?.marks.showProblems(problems);
   }
 
   // Signals are read before the editor is there: an effect hears only of those that it has read.

@@ -2,6 +2,7 @@
 
 import { t } from "../i18n";
 import type { Ended, GoalNow } from "../messages";
+import { explained } from "../runerror";
 
 const KNOWN = new Set(["finished", "error", "time limit", "stopped", "no call", "output limit", "killed"]);
 
@@ -13,7 +14,7 @@ export function ending(ended: string): string {
 /** The run in one sentence. */
 export function sentence({ ended, message = "", goals = [], time = 0 }: Ended): string {
   const parts = [t("problems.endedAfter", { how: ending(ended), seconds: time.toFixed(1) })];
-  if (message) parts.push(message);
+  if (message) parts.push(explained(message));
   if (goals.length > 0) {
     parts.push(t("problems.goalsReached", { reached: reachedOf(goals), all: goals.length }));
   }

@@ -9,6 +9,7 @@ import type { Context } from "../context";
 import { t } from "../i18n";
 import type { Island } from "../island";
 import type { Ended } from "../messages";
+import { explained } from "../runerror";
 import { button, element } from "./elements";
 import { Lines } from "./lines";
 import { createQuestion, type Question } from "./question";
@@ -26,7 +27,7 @@ const WELL = new Set(["finished", "stopped", "time limit"]);
 function ending({ ended, message, time }: Ended): string {
   const seconds = (time ?? 0).toFixed(1);
   const known = t(`console.${ended.replace(/ (\w)/g, (_, letter: string) => letter.toUpperCase())}`, { seconds });
-  return message && !WELL.has(ended) ? `${known} ${message}` : known;
+  return message && !WELL.has(ended) ? `${known} ${explained(message)}` : known;
 }
 
 class Console implements ConsoleIsland {

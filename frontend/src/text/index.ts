@@ -62,6 +62,7 @@ class TextView implements TextIsland {
     this.dom.append(this.toolbar.dom, this.view.dom);
     this.disposers = [
       effect(() => this.showProgram()),
+      effect(() => this.showProblems()),
       effect(() => this.showBreakpoints()),
       effect(() => this.showRunning()),
       effect(() => this.view.dispatch({ effects: this.words.reconfigure(words(notation)) })),
@@ -107,7 +108,12 @@ class TextView implements TextIsland {
     this.shown = state;
     showText(this.view, state[this.notation], this.actions.takeRestoring());
     this.dom.classList.toggle("stale", state.stale.includes(this.notation));
-    const problems = state.problems.filter(({ view }) => view === this.notation);
+  }
+
+  private showProblems(): void {
+    this.showProgram();
+    const all = [...this.context.program.state.value.problems, ...this.context.runError.value];
+    const problems = all.filter(({ view }) => view === this.notation);
     if (problems.length > 0 || this.hasProblems) showProblems(this.view, problems);
     this.hasProblems = problems.length > 0;
   }

@@ -4,7 +4,7 @@ import { t } from "../../i18n";
 import type { Problem } from "../../messages";
 import { findings, type Finding } from "./findings";
 import { Icon } from "../widgets/icons";
-import { usePage } from "../page";
+import { usePage, type Page } from "../page";
 import { sentence } from "../result";
 import "./problems.css";
 
@@ -40,15 +40,11 @@ function Group({ title, found }: { title: string; found: readonly Finding[] }) {
 }
 
 function Row({ finding: { message, severity, places } }: { finding: Finding }) {
-  const { context, views } = usePage();
-  const { origin } = context.program.state.value;
-  const go = () => {
-    const best = places.find((one) => one.view === origin) ?? places.find((one) => views.shows(one.view)) ?? places[0];
-    if (best) views.goTo(best);
-  };
+  const page = usePage();
+  const best = nearest(places, page);
   return (
     <li>
-      <button type="button" class={`problem ${severity}`} onClick={go}>
+      <button type="button" class={`problem ${severity}`} disabled={!best} onClick={() => best && page.views.goTo(best)}>
         <Icon name={severity} />
         <span>{message}</span>
         <span class="dim">{places.map(placeText).filter(Boolean).join(" · ")}</span>
@@ -57,26 +53,27 @@ function Row({ finding: { message, severity, places } }: { finding: Finding }) {
   );
 }
 
+/** Where the mistake was made, or else where it is seen. */
+function nearest(places: readonly Problem[], { context, views }: Page): Problem | undefined {
+  const { origin } = context.program.state.value;
+  return places.find((one) => one.view === origin) ?? places.find((one) => views.shows(one.view)) ?? places[0];
+}
+
 export function placeText({ view, line = 0 }: Problem): string {
   const name = t(`chrome.${view}`);
   return line > 0 ? t("problems.place", { view: name, line }) : name;
 }
 
 function RunError() {
-  const { context } = usePage();
-  const ended = context.running.ended.value;
+  const { runError, running } = usePage().context;
+  const ended = running.ended.value;
   if (!ended) return null;
-  const go = () => ended.block && context.reveal(ended.block);
+  const finding = { key: "run", message: sentence(ended), severity: "error", places: runError.value } as const;
   return (
     <section>
       <h3>{t("problems.lastRun")}</h3>
       <ul>
-        <li>
-          <button type="button" class="problem error" onClick={go}>
-            <Icon name="error" />
-            <span>{sentence(ended)}</span>
-          </button>
-        </li>
+        <Row finding={finding} />
       </ul>
     </section>
   );

@@ -4,6 +4,7 @@ import type { ComponentChildren } from "preact";
 
 import { t } from "../../i18n";
 import type { Ended, GoalNow } from "../../messages";
+import { explained } from "../../runerror";
 import { usePage } from "../page";
 import { ending } from "../result";
 import "./problems.css";
@@ -20,7 +21,7 @@ export function Result() {
   return (
     <div class="result">
       <p class={ended.ended === "error" ? "headline failed" : "headline"}>{ending(ended.ended)}</p>
-      {ended.message && <p>{ended.message}</p>}
+      {ended.message && <p>{explained(ended.message)}</p>}
       <Facts ended={ended} />
     </div>
   );

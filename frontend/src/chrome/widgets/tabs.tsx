@@ -37,7 +37,7 @@ export function Tabs<Name extends string>({ label, tabs, selected, select }: Pro
             tabIndex={tab.name === selected ? 0 : -1}
             onClick={() => select(tab.name)}
           >
-            {tab.text}
+            {tab.text}{" "}
             {!!tab.count && <span class={tab.serious ? "count serious" : "count"}>{tab.count}</span>}
           </button>
         ))}
