@@ -1,0 +1,256 @@
+"""Projects: they save themselves, survive crashes, and go in and out as files."""
+
+import json
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+FOREVER = """\
+main:
+    while True:
+        function.turn_right()
+        function.sleep(1)
+    end
+end
+"""
+WAVE = "main:\n    function.expressJoy()\nend\n"
+
+
+# What survives.
+
+
+def test_a_change_is_saved_and_a_killed_server_loses_nothing(own_server, sit_down):
+    pupil = sit_down(own_server)
+    pupil.begin()
+    wave(pupil)
+    pupil.is_saved()
+    own_server.kill()
+    expect(pupil.page.get_by_role("alert").filter(has_text="does not answer")).to_be_visible()
+    pupil.picture("lost")
+    pupil.put_cursor("blocktext", "end")
+    pupil.page.keyboard.type("    function.sleep(7)\n")
+    own_server.start()
+    pupil.told("LearnBlock answers again")
+    pupil.picture("back")
+    pupil.is_saved()
+    assert pupil.text("blocktext") == WAVE.replace("end", "    function.sleep(7)\nend")
+    assert "sleep(7)" in saved(own_server, "program")
+    assert pupil.foreign == []
+
+
+def test_a_machine_that_crashes_loses_nothing_that_was_saved(own_server, sit_down):
+    pupil = sit_down(own_server)
+    pupil.begin()
+    pupil.choose("World", "Line")
+    wave(pupil)
+    pupil.is_saved()
+    own_server.kill()
+    pupil.page.close()
+    own_server.start()
+    pupil.page = pupil.open()
+    pupil.works_on("program")
+    pupil.sees("blocktext", "function.expressJoy()")
+    expect(pupil.page.get_by_role("combobox", name="World")).to_have_value("line")
+
+
+def test_a_new_tab_finds_the_program_still_running_when_the_page_was_closed(pupil):
+    pupil.begin()
+    turn_forever(pupil)
+    pupil.press("Run")
+    pupil.state("Running")
+    project = pupil.page.url
+    pupil.page.close()
+    pupil.page = pupil.open(project)
+    pupil.state("Running")
+    expect(pupil.page.locator(".lbRunning")).not_to_have_count(0)
+    pupil.picture("still-running")
+    pupil.press("Stop")
+    pupil.state("Ended")
+
+
+# Several projects, several tabs.
+
+
+def test_a_project_is_copied_opened_again_and_deleted(own_server, sit_down):
+    pupil = sit_down(own_server)
+    pupil.begin()
+    wave(pupil)
+    pupil.is_saved()
+    pupil.project("Save as…")
+    pupil.answer("My first wave")
+    pupil.works_on("My first wave")
+    pupil.sees("blocktext", "expressJoy")
+    pupil.project("Open…")
+    assert pupil.dialog().locator("strong").all_text_contents()[0] == "My first wave"
+    pupil.picture("open")
+    pupil.dialog().get_by_role("button", name=re.compile("^program")).click()
+    pupil.works_on("program")
+    pupil.project("Delete…")
+    pupil.picture("delete")
+    pupil.dialog().get_by_role("button", name="Delete", exact=True).click()
+    pupil.works_on("My first wave")
+    pupil.page.keyboard.press("Control+o")
+    expect(pupil.dialog().get_by_role("button", name=re.compile("^program"))).to_have_count(0)
+    assert list(own_server.home.rglob(".trash/*/program.learnblock"))
+
+
+def test_the_way_back_of_the_browser_leads_to_the_project_before(pupil):
+    pupil.begin()
+    wave(pupil)
+    pupil.is_saved()
+    name = pupil.page.locator("header .project-name").text_content()
+    pupil.open_example("Polygons")
+    pupil.page.go_back()
+    pupil.works_on(name)
+    pupil.sees("blocktext", "expressJoy")
+
+
+def test_an_earlier_version_of_a_run_is_taken_back(pupil):
+    pupil.begin()
+    pupil.write("blocktext", WAVE)
+    pupil.choose("Speed", "As fast as it goes")
+    pupil.press("Run")
+    pupil.state("Ended")
+    turn_forever(pupil)
+    pupil.project("History…")
+    runs = pupil.dialog().locator("section", has_text="Runs").get_by_role("listitem")
+    expect(runs).to_contain_text("Finished")
+    pupil.picture("history")
+    runs.get_by_role("button").click()
+    pupil.sees("blocktext", "expressJoy")
+    expect(pupil.blocks("lb_skill_turn_right")).to_have_count(0)
+
+
+def test_an_example_opens_as_a_project_of_ones_own(pupil):
+    pupil.project("Examples…")
+    expect(pupil.dialog().get_by_role("listitem")).not_to_have_count(0)
+    pupil.picture("gallery")
+    pupil.dialog().get_by_role("button", name="Line with states").click()
+    expect(pupil.page.locator("header .project-name")).to_have_text(re.compile("^line-states"))
+    expect(pupil.page.get_by_role("combobox", name="World")).to_have_value("line")
+    expect(pupil.blocks("lb_when")).to_have_count(3)
+    pupil.picture("opened")
+
+
+def test_two_tabs_on_one_project_follow_one_another(pupil):
+    pupil.begin()
+    first, second = pupil.page, pupil.open(pupil.page.url)
+    pupil.page = second
+    pupil.write("blocktext", WAVE)
+    pupil.page = first
+    pupil.sees("blocktext", "function.expressJoy()")
+    pupil.press("Run")
+    pupil.page = second
+    pupil.state("Ended")
+    expect(pupil.page.get_by_role("tabpanel", name="Console")).to_contain_text("Finished")
+
+
+def test_two_tabs_on_two_projects_run_two_programs_at_once(pupil):
+    first = pupil.page
+    pupil.begin()
+    turn_forever(pupil)
+    pupil.page = pupil.open()
+    pupil.begin()
+    pupil.write("blocktext", FOREVER.replace("right", "left"))
+    expect(pupil.blocks("lb_skill_turn_left")).to_be_visible()
+    assert pupil.page.url != first.url
+    for page in (first, pupil.page):
+        pupil.page = page
+        pupil.press("Run")
+        pupil.state("Running")
+    pupil.press("Stop")
+    pupil.state("Ended")
+    pupil.page = first
+    pupil.state("Running")
+    pupil.press("Stop")
+    pupil.state("Ended")
+
+
+# Files.
+
+
+def test_a_project_goes_out_as_a_file_and_comes_in_again(pupil, tmp_path):
+    pupil.begin()
+    pupil.choose("Robot", "Cozmo")
+    wave(pupil)
+    pupil.is_saved()
+    files = [
+        download(pupil, f"Download the {words}", tmp_path)
+        for words in ("project (.learnblock)", "Block-Text (.bt)", "Python (.py)")
+    ]
+    assert [file.suffix for file in files] == [".learnblock", ".bt", ".py"]
+    assert files[1].read_text() == WAVE
+    for file in files:
+        before = pupil.page.url
+        upload(pupil, file)
+        expect(pupil.page).not_to_have_url(before)
+        pupil.sees("blocktext", "function.expressJoy()")
+
+
+def test_a_file_dropped_on_the_page_becomes_a_project(pupil):
+    drag_file(pupil, "dragover", "wave.bt", WAVE)
+    expect(pupil.page.get_by_text("Drop the file to open it")).to_be_visible()
+    pupil.picture("over")
+    drag_file(pupil, "drop", "wave.bt", WAVE)
+    pupil.works_on("wave")
+    pupil.sees("blocktext", "function.expressJoy()")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "sentence"),
+    [
+        ("holiday.jpg", "no program", "holiday.jpg is none of the files that LearnBlock opens"),
+        ("broken.learnblock", "{ no JSON", "this is no JSON"),
+        ("long.bt", "#" * 1_000_001, "long.bt is too large"),
+    ],
+)
+def test_a_wrong_file_is_refused_with_a_sentence(pupil, tmp_path, name, text, sentence):
+    before = pupil.page.url
+    file = tmp_path / name
+    file.write_text(text)
+    upload(pupil, file)
+    pupil.told(sentence)
+    pupil.picture("refused")
+    assert pupil.page.url == before
+
+
+def wave(pupil):
+    pupil.write("blocktext", WAVE)
+    expect(pupil.blocks("lb_skill_expressJoy")).to_be_visible()
+
+
+def turn_forever(pupil):
+    pupil.write("blocktext", FOREVER)
+    expect(pupil.blocks("lb_skill_turn_right")).to_be_visible()
+
+
+def saved(server, name):
+    (file,) = server.home.rglob(f"{name}.learnblock")
+    return "\n".join(json.loads(file.read_text())["blocktext"])
+
+
+def download(pupil, command, folder):
+    with pupil.page.expect_download() as started:
+        pupil.project(command)
+    file = folder / started.value.suggested_filename
+    started.value.save_as(file)
+    return file
+
+
+def upload(pupil, file):
+    with pupil.page.expect_file_chooser() as chooser:
+        pupil.project("Upload a file…")
+    chooser.value.set_files(file)
+
+
+def drag_file(pupil, what, name, text):
+    files = pupil.page.evaluate_handle(
+        """([name, text]) => {
+            const files = new DataTransfer();
+            files.items.add(new File([text], name));
+            return files;
+        }""",
+        [name, text],
+    )
+    pupil.page.locator("[data-region=blocks]").dispatch_event(what, {"dataTransfer": files})
