@@ -36,6 +36,8 @@ export function breakpointGutter(toggle: (view: EditorView, line: number) => voi
     class: "cm-breakpoints",
     markers: (view) => view.state.field(field),
     initialSpacer: () => dot,
+    // A line without a breakpoint shows under the pointer where one would go.
+    renderEmptyElements: true,
     domEventHandlers: {
       mousedown: (view, line) => {
         toggle(view, view.state.doc.lineAt(line.from).number);
