@@ -8,7 +8,7 @@ from learnblock.errors import Diagnostic
 from learnblock.language.nodes import Program
 from learnblock.language.workspace import Workspace
 from learnblock.language.workspace_reader import read
-from learnblock.language.workspace_survey import distinct
+from learnblock.language.workspace_survey import distinct, survey
 from learnblock.language.workspace_writer import WorkspaceWriter
 
 
@@ -58,8 +58,13 @@ def to_workspace(
     Raises:
         ProgramError: the blocks of `previous` are too many inside each other.
     """
-    before = Workspace() if previous is None else distinct(previous)
-    writer = WorkspaceWriter(program, configurations, read(before, configurations), before)
+    before = Workspace() if previous is None else previous
+    in_use = survey(before)
+    if in_use.repeated:
+        before = distinct(before)
+        in_use = survey(before)
+    reader = read(before, configurations)
+    writer = WorkspaceWriter(program, configurations, reader, before, in_use)
     return WorkspaceText(writer.workspace, writer.ids)
 
 

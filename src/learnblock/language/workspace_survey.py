@@ -10,20 +10,29 @@ from learnblock.language.workspace import Block, Workspace
 
 
 class Survey(NamedTuple):
-    """The ids of all blocks, shadows too, and those of the variables that they speak of."""
+    """What is in use.
+
+    Args:
+        blocks: the ids of all blocks, shadows too.
+        variables: those of the variables that they speak of.
+        repeated: two blocks have the same id.
+    """
 
     blocks: set[str]
     variables: set[str]
+    repeated: bool
 
 
 def survey(workspace: Workspace) -> Survey:
     """What is in use in a workspace, in its loose stacks too."""
-    found = Survey(set(), set())
+    ids: list[str] = []
+    variables: set[str] = set()
     for block in _blocks(workspace):
-        found.blocks.add(block.id)
+        ids.append(block.id)
         if "VAR" in block.fields or block.extraState is not None:
-            found.variables.update(_variables(block))
-    return found
+            variables.update(_variables(block))
+    blocks = set(ids)
+    return Survey(blocks, variables, len(blocks) < len(ids))
 
 
 def _blocks(workspace: Workspace) -> Iterator[Block]:
@@ -42,11 +51,8 @@ def _blocks(workspace: Workspace) -> Iterator[Block]:
 
 
 def distinct(workspace: Workspace) -> Workspace:
-    """The workspace, with another id for each block whose id another one has too."""
-    blocks = list(_blocks(workspace))
-    seen = {block.id for block in blocks}
-    if len(seen) == len(blocks):
-        return workspace
+    """A copy of a workspace, with another id for each block whose id another one has too."""
+    seen = {block.id for block in _blocks(workspace)}
     ids = (name for number in count(1) if (name := f"d{number}") not in seen)
     copied = msgspec.json.decode(msgspec.json.encode(workspace), type=Workspace)
     taken: set[str] = set()

@@ -26,7 +26,7 @@ from learnblock.language.workspace_notes import Lead, comment_of
 from learnblock.language.workspace_reader import WorkspaceReader, is_part, statements_of
 from learnblock.language.workspace_shapes import Shape
 from learnblock.language.workspace_statement_reader import Group
-from learnblock.language.workspace_survey import survey
+from learnblock.language.workspace_survey import Survey, survey
 from learnblock.language.workspace_types import ANSWERING_FUNCTION, FUNCTION, START
 from learnblock.language.workspace_value_writer import ValueWriter
 
@@ -42,8 +42,8 @@ class WorkspaceWriter(ValueWriter):
         configurations: Mapping[str, BlockConfiguration],
         before: WorkspaceReader,
         previous: Workspace,
+        in_use: Survey,
     ) -> None:
-        in_use = survey(previous)
         super().__init__(program, configurations, before, in_use)
         self.previous = previous
         self.set_aside = before.variables.keys() - in_use.variables
