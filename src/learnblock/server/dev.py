@@ -27,7 +27,12 @@ def develop(port: int) -> None:
         LearnBlockError: this is no checkout, or something that contributors need is missing.
     """
     frontend = _frontend()
-    watchfiles = _watchfiles()
+    try:
+        import watchfiles  # noqa: PLC0415 - contributors alone have it
+    except ImportError as error:
+        raise LearnBlockError(
+            "`learnblock dev` needs watchfiles: pip install -e '.[dev]'"
+        ) from error
     server, token = _free_port(), secrets.token_urlsafe()
     os.environ |= {
         "LEARNBLOCK_TOKEN": token,
@@ -52,16 +57,6 @@ def _frontend() -> Path:
             " page, start `learnblock`"
         )
     return frontend
-
-
-def _watchfiles():  # type: ignore[no-untyped-def]  # a module of an extra
-    try:
-        import watchfiles  # noqa: PLC0415 - contributors alone have it
-    except ImportError as error:
-        raise LearnBlockError(
-            "`learnblock dev` needs watchfiles: pip install -e '.[dev]'"
-        ) from error
-    return watchfiles
 
 
 def _free_port() -> int:
