@@ -37,7 +37,8 @@ def write(tmp_path):
 
 def test_help_shows_every_command_and_how_to_start():
     shown = call("--help").output
-    for command in ("run", "check", "format", "convert", "robots", "worlds", "skills", "demo"):
+    commands = ("open", "run", "check", "format", "convert", "robots", "worlds", "skills", "demo")
+    for command in commands:
         assert f"\n  {command} " in shown
     assert "learnblock demo" in shown
 

