@@ -38,8 +38,6 @@ function prepare(): void {
   prepareBlockly();
   registerMenus();
   registerSearchTab();
-  // Never stopped: a program uses few words again and again, and measuring one lays out the page.
-  Blockly.utils.dom.startTextWidthCache();
 }
 
 /** A running program that jumps to and fro is followed this often at most, in ms. */

@@ -57,6 +57,8 @@ export function prepareBlockly(): void {
   registerWhen();
   registerCodeField();
   leaveChecksToServer();
+  // Never stopped: a program uses few words again and again, and measuring one lays out the page.
+  Blockly.utils.dom.startTextWidthCache();
 }
 
 // The server says what is wrong with a program, the same in all three views. Blockly would disable a
