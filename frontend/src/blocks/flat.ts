@@ -40,6 +40,17 @@ function addBlock(node: Node, found: Map<string, Node>): void {
   }
 }
 
+/** Where each shadow stands, by its id. */
+export function shadowLinks(nodes: ReadonlyMap<string, Node>): Map<string, Link> {
+  const found = new Map<string, Link>();
+  for (const { block } of nodes.values()) {
+    for (const [input, { shadow }] of Object.entries(block.inputs ?? {})) {
+      if (shadow) found.set(shadow.id, { parent: block.id, input });
+    }
+  }
+  return found;
+}
+
 /** The shadow in an input, if there is one. */
 export function shadowOf(block: Block | undefined, input: string): Block | null {
   return block?.inputs?.[input]?.shadow ?? null;

@@ -5,7 +5,7 @@ import * as Blockly from "blockly/core";
 import type { Block, Workspace } from "../messages";
 import { build, differsInShape, update } from "./build";
 import type { Link, Node } from "./flat";
-import { index } from "./flat";
+import { index, shadowLinks } from "./flat";
 import type { Covered } from "./places";
 import { covered, makeRoom, moveTo, placeBelow } from "./places";
 import { readOwn, readWorkspace } from "./read";
@@ -97,11 +97,24 @@ class Change {
 
   private removeOld(): void {
     const blocks = this.workspace.getAllBlocks(false).filter((block) => !block.isShadow());
+    this.freeIds(blocks);
     const old = new Set(blocks.filter((block) => !this.stays(block)));
     for (const block of blocks) if (!old.has(block)) this.loosen(block, old);
     // From the end, so that none is disposed of with a chain below it: that would recurse.
     for (const block of [...old].reverse()) if (!goesWithParent(block, old)) block.dispose(false);
     this.touched ||= old.size > 0;
+  }
+
+  // What was a shadow's id may have become another block's, and Blockly gives none twice.
+  private freeIds(blocks: readonly Svg[]): void {
+    const links = shadowLinks(this.nodes);
+    for (const block of blocks) {
+      for (const { connection, name } of block.inputList) {
+        const id = connection && shadowId(connection);
+        if (!id || (!links.has(id) && !this.nodes.has(id))) continue;
+        if (!sameLink({ parent: block.id, input: name }, links.get(id) ?? null)) connection.setShadowState(null);
+      }
+    }
   }
 
   private stays(block: Svg): boolean {
@@ -172,6 +185,12 @@ class Change {
     const again = this.made.find((block) => block.id === id);
     if (again) Blockly.getFocusManager().focusNode(again);
   }
+}
+
+/** The id of the shadow in an input, also where a block covers it. */
+function shadowId(connection: Blockly.Connection): string | null {
+  const target = connection.targetBlock();
+  return target?.isShadow() ? target.id : (connection.getShadowState()?.id ?? null);
 }
 
 function goesWithParent(block: Svg, old: ReadonlySet<Svg>): boolean {
