@@ -143,6 +143,12 @@ class Pupil:
         """The lines that a text view shows now."""
         return self.page.locator(f"[data-region={view}] .cm-line").all_text_contents()
 
+    def click_beside(self, view, line):
+        """Click in the margin beside a line, where breakpoints are."""
+        margin = self.page.locator(f"[data-region={view}] .cm-breakpoints .cm-gutterElement")
+        # The first one holds the margin open.
+        margin.nth(line).click()
+
     def put_cursor(self, view, word, occurrence=0):
         """Put the cursor before a word of a text."""
         before = self.text(view).split(word, occurrence + 1)
@@ -177,6 +183,12 @@ class Pupil:
             }""",
             arg=[line, before],
         )
+
+    def stands_in(self, view, line):
+        """Wait until the cursor of a text is in that line."""
+        expect(self.editor(view)).to_be_focused()
+        shown = self.editor(view).locator(f":nth-match(.cm-line, {line})")
+        expect(shown).to_have_class(re.compile("cm-activeLine"))
 
     def line_of(self, view, words):
         """The number of the first line with these words."""
@@ -324,6 +336,30 @@ class Pupil:
             )
         mouse.up()
 
+    # The world.
+
+    def where_is_the_robot(self):
+        """What the world says when it is asked."""
+        self.press("Where is the robot?")
+        said = self.page.locator(".world-said").text_content()
+        return re.search(r"\w+ at .*?, looking [a-z-]+", said)[0]
+
+    def robot_is(self, words):
+        """Wait until the world's picture is described by these words."""
+        picture = self.page.locator(".world-view canvas")
+        expect(picture).to_have_attribute("aria-label", re.compile(words))
+
+    def carry_robot(self, right, down):
+        """Drag the robot, seen from above in the middle of the floor, by pixels."""
+        picture = self.page.locator(".world-view canvas").bounding_box()
+        tools = self.page.locator(".world-toolbar").bounding_box()
+        top, bottom = tools["y"] + tools["height"], picture["y"] + picture["height"]
+        x, y = picture["x"] + picture["width"] / 2, (top + bottom) / 2
+        self.page.mouse.move(x, y)
+        self.page.mouse.down()
+        self.page.mouse.move(x + right, y + down, steps=5)
+        self.page.mouse.up()
+
     # Running.
 
     def waits_for_the_end(self):
@@ -349,7 +385,28 @@ class Pupil:
 
     def state(self, word):
         """Wait until the world's head says so: ``Running``, ``Paused``, ``Ended`` ..."""
-        expect(self.page.locator(".world-pane .state").last).to_contain_text(word)
+        expect(self._head()).to_contain_text(re.compile(word))
+
+    def seconds(self):
+        """The world's time."""
+        return float(re.search(r"([\d.]+) s", self._head().inner_text())[1])
+
+    def wait_until_later_than(self, seconds):
+        """Wait until more of the world's time has passed."""
+        self.page.wait_for_function(
+            "([head, seconds]) => parseFloat(head.textContent.match(/([\\d.]+) s/)[1]) > seconds",
+            arg=[self._head().element_handle(), seconds],
+        )
+
+    def trace_of_a_run(self):
+        """Run the program to its end; answer the hash of its trace."""
+        self.press("Run")
+        self.state("Starting|Running")
+        self.state("Ended")
+        return self.tab("Result").locator(".hash").inner_text()
+
+    def _head(self):
+        return self.page.locator(".world-pane .state").last
 
     def press(self, name):
         """Press a button by its name."""

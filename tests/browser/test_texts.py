@@ -13,7 +13,7 @@ NAMES = """\
 count = 0
 
 def step_on(x):
-    function.set_led(x, 0, 0)
+    function.sleep(x)
 end
 
 when start:
@@ -24,7 +24,7 @@ end
 
 when turning:
     count += 1
-    if turning.time > 2:
+    if time_turning > 2:
         deactivate turning
     end
 end
@@ -95,7 +95,7 @@ def test_a_number_changed_in_python_changes_in_blocks_and_block_text_and_nothing
     scrolled = pupil.scrolled("python")
     pupil.page.keyboard.type("77")
     expect(pupil.blocks("lb_skill_sleep").nth(19)).to_contain_text("77")
-    assert pupil.cursor("python") == [45, "robot.sleep(77"]
+    pupil.stands("python", 45, "robot.sleep(77")
     assert pupil.scrolled("python") == scrolled > 0
     pupil.page.keyboard.press("Alt+Enter")
     expect(pupil.blocks("lb_skill_sleep").nth(19)).to_be_in_viewport()
@@ -113,7 +113,7 @@ def test_a_statement_typed_in_python_appears_as_a_block_in_its_place(pupil):
     expect(pupil.blocks("lb_skill_stop_bot")).to_have_count(1)
     pupil.picture("inserted")
     assert [one for one in pupil.block_ids() if one in before] == before
-    assert pupil.cursor("python")[1] == ""
+    pupil.stands("python", pupil.line_of("python", "robot.sleep"), "")
     assert pupil.foreign == []
 
 
@@ -153,3 +153,56 @@ def test_what_could_stand_at_the_cursor_is_offered_and_typed_by_enter(pupil, vie
     pupil.picture("offered")
     pupil.page.keyboard.press("Enter")
     pupil.sees(view, f"{typed}raight")
+
+
+def test_the_word_at_the_cursor_is_explained_and_its_definition_gone_to(pupil):
+    pupil.write("blocktext", NAMES)
+    pupil.sees("python", "step_on(count)")
+    pupil.put_cursor("blocktext", "sleep")
+    pupil.page.keyboard.press("Control+i")
+    expect(pupil.page.locator(".text-help-title")).to_contain_text("sleep")
+    pupil.picture("explained")
+    pupil.put_cursor("blocktext", "step_on(count)")
+    pupil.page.keyboard.press("F12")
+    pupil.stands("blocktext", 3, "def ")
+    pupil.put_cursor("python", "step_on(count)")
+    pupil.page.keyboard.press("F12")
+    pupil.stands("python", pupil.line_of("python", "def step_on"), "def ")
+    assert pupil.foreign == []
+
+
+@pytest.mark.parametrize(
+    ("view", "word", "new", "seen"),
+    [
+        ("blocktext", "count = 1", "steps", {"blocktext": "steps += 1", "python": "steps += 1"}),
+        ("python", "step_on(c", "shine", {"blocktext": "def shine(x):", "python": "def shine(x):"}),
+        (
+            "blocktext",
+            "turning:",
+            "spin",
+            {"blocktext": "if time_spin > 2", "python": "def spin():"},
+        ),
+    ],
+    ids=["variable", "function", "when"],
+)
+def test_a_renamed_name_changes_in_all_views_and_one_undo_takes_it_back(
+    pupil, view, word, new, seen
+):
+    pupil.write("blocktext", NAMES)
+    pupil.sees("python", "turning.deactivate()")
+    before = {one: pupil.text(one) for one in ("blocktext", "python")}
+    pupil.put_cursor(view, word)
+    pupil.page.keyboard.press("F2")
+    field = pupil.page.locator(".text-rename input")
+    field.fill(new)
+    pupil.picture("asked")
+    field.press("Enter")
+    for one, line in seen.items():
+        pupil.sees(one, line)
+    expect(pupil.all_blocks().filter(has_text=new)).not_to_have_count(0)
+    pupil.picture("renamed")
+    pupil.press("Undo")
+    pupil.sees("blocktext", before["blocktext"].split("\n")[0])
+    expect(pupil.all_blocks().filter(has_text=new)).to_have_count(0)
+    assert {one: pupil.text(one) for one in before} == before
+    assert pupil.foreign == []

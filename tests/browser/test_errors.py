@@ -1,0 +1,94 @@
+"""What is wrong is said where it is, and the last good program stays in sight."""
+
+import pytest
+from playwright.sync_api import expect
+
+GOOD = "main:\n    x = 3\n    while x > 0:\n        x -= 1\n    end\nend\n"
+
+
+@pytest.fixture
+def pupil(sit_down, server):
+    """With a good program in all three views, on a screen with room for them."""
+    pupil = sit_down(server, viewport={"width": 1800, "height": 900})
+    pupil.begin()
+    pupil.show("Blocks", "Block-Text", "Python")
+    pupil.write("blocktext", GOOD)
+    pupil.sees("python", "while x > 0:")
+    return pupil
+
+
+@pytest.mark.parametrize(
+    ("view", "name", "word", "line", "others"),
+    [
+        ("blocktext", "Block-Text", "while", 3, ("blocks", "python")),
+        ("python", "Python", "while", 7, ("blocks", "blocktext")),
+    ],
+)
+def test_a_wrong_line_is_underlined_and_listed_and_the_other_views_wait_for_its_end(
+    pupil, view, name, word, line, others
+):
+    pupil.put_cursor(view, word)
+    pupil.press_keys("Delete", len(word))
+    pupil.page.keyboard.type("whle")
+    note = pupil.page.locator(".stale-note")
+    expect(note).to_contain_text(f"{name} has an error in line {line}")
+    expect(pupil.editor(view).locator(".cm-lintRange-error")).not_to_have_count(0)
+    for other in others:
+        expect(pupil.page.locator(f"[data-region={other}] .stale")).to_be_visible()
+        expect(pupil.page.locator(f"[data-region={view}] .stale")).to_have_count(0)
+    expect(pupil.blocks("controls_whileUntil")).to_have_count(1)
+    problem = pupil.tab("Problems").locator(".problem.error")
+    pupil.picture("wrong")
+    pupil.put_cursor(view, "end" if view == "blocktext" else "from")
+    problem.click()
+    pupil.stands_in(view, line)
+    pupil.page.keyboard.press("Home")
+    pupil.press_keys("Delete", len("whle"))
+    pupil.page.keyboard.type("while not")
+    expect(note).to_have_count(0)
+    expect(problem).to_have_count(0)
+    pupil.sees("python", "while not x > 0:")
+    pupil.sees("blocktext", "while not x > 0:")
+    expect(pupil.blocks("logic_negate")).to_have_count(1)
+    assert pupil.foreign == []
+
+
+def test_a_block_with_a_hole_is_marked_until_the_hole_is_filled(pupil):
+    first = pupil.blocks("variables_set").first.get_attribute("data-id")
+    pupil.put_below(pupil.take("Control", "controls_if"), first)
+    expect(pupil.page.locator(".blocks .lbError")).not_to_have_count(0)
+    expect(pupil.page.locator(".stale-note")).to_be_visible()
+    expect(pupil.tab("Problems").locator(".problem.error")).not_to_have_count(0)
+    pupil.picture("hole")
+    pupil.page.keyboard.press("Delete")
+    expect(pupil.page.locator(".stale-note")).to_have_count(0)
+    expect(pupil.page.locator(".blocks .lbError")).to_have_count(0)
+    assert pupil.foreign == []
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ("print(1 / x)", "Nothing can be divided by zero"),
+        ("print(late[0])", "A name is used that has no value yet"),
+    ],
+    ids=["division by zero", "a name without a value"],
+)
+def test_what_goes_wrong_in_a_run_is_told_at_its_block_and_its_lines(pupil, wrong, said):
+    never = "    if x > 5:\n        late = [1]\n    end\n"
+    pupil.write("blocktext", GOOD.removesuffix("end\n") + f"{never}    {wrong}\nend\n")
+    pupil.sees("python", wrong)
+    pupil.press("Run")
+    pupil.state("Ended")
+    expect(pupil.page.locator(".blocks .lbError")).to_have_count(1)
+    expect(pupil.page.locator(".blocks .lbError")).to_contain_text("print")
+    for view in ("blocktext", "python"):
+        expect(pupil.editor(view).locator(".cm-lintRange-error")).to_have_text(wrong)
+    problem = pupil.tab("Problems").locator(".problem.error")
+    expect(problem).to_contain_text(said)
+    problem.click()
+    pupil.stands("blocktext", 9, "    ")
+    pupil.picture("told")
+    pupil.page.keyboard.type("pass # ")
+    expect(pupil.page.locator(".blocks .lbError")).to_have_count(0)
+    assert pupil.foreign == []
