@@ -139,6 +139,10 @@ class Pupil:
         for line in lines:
             expect(self.editor(view)).to_contain_text(line)
 
+    def lacks(self, view, words):
+        """Wait until a text view shows these words nowhere."""
+        expect(self.editor(view)).not_to_contain_text(words)
+
     def reads(self, view):
         """The lines that a text view shows now."""
         return self.page.locator(f"[data-region={view}] .cm-line").all_text_contents()
@@ -272,6 +276,10 @@ class Pupil:
     def block(self, block):
         """A block by its id."""
         return self.page.locator(f'{WORKSPACE} > .blocklyBlockCanvas [data-id="{block}"]')
+
+    def select_block(self, block):
+        """Click a block near its left edge, where it has no field."""
+        block.locator("> .blocklyPath").first.click(position={"x": 5, "y": 15})
 
     def put_into(self, block, hat):
         """Put a statement first into a hat."""
