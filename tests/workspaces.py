@@ -1,9 +1,9 @@
-"""Workspaces of random programs, and the ways of a block through one."""
+"""Random programs for blocks, and the ways of workspaces to and from the page."""
 
 import msgspec
 
 from learnblock.blocks import builtin
-from learnblock.language import Workspace, to_workspace
+from learnblock.language import Workspace
 from learnblock.language.nodes import Number
 from trees import Trees
 
@@ -21,12 +21,6 @@ class BlockTrees(Trees):
 
     def number(self, _):
         return Number(self.choice(NUMBERS))
-
-
-def random_workspaces(count, first=0):
-    """As many workspaces of random programs, as JSON, for Blockly itself."""
-    programs = (BlockTrees(seed).program() for seed in range(first, first + count))
-    return [as_json(to_workspace(one, CONFIGURATIONS).workspace) for one in programs]
 
 
 def as_json(workspace):
