@@ -1,7 +1,6 @@
 /** The program as blocks. */
 
 import { effect, untracked } from "@preact/signals";
-import * as Blockly from "blockly/core";
 
 import type { Context } from "../context";
 import { language, t } from "../i18n";

@@ -92,6 +92,11 @@ class FieldWhen extends Blockly.FieldDropdown {
     super(choices);
   }
 
+  // Anew each time: the name is among them however late the `when`s themselves come.
+  override getOptions(): Blockly.MenuOption[] {
+    return super.getOptions(false);
+  }
+
   protected override doClassValidation_(value?: string): string | null {
     return value ?? null;
   }
