@@ -30,5 +30,6 @@ function problemsOf(ended: Ended, places: readonly Place[]): readonly Problem[] 
 export function explained(message: string): string {
   const name = /^(\w+): /.exec(message)?.[1] ?? "";
   const meaning = translated(`problems.run_${name}`, "");
-  return meaning ? `${meaning} (${message})` : message;
+  if (meaning) return `${meaning} (${message})`;
+  return message.charAt(0).toLocaleUpperCase() + message.slice(1);
 }

@@ -69,7 +69,7 @@ class Console implements ConsoleIsland {
   private listen(): (() => void)[] {
     const { connection } = this.context;
     return [
-      connection.on("Opened", () => this.question.close()),
+      connection.on("Opened", () => this.begin()),
       connection.on("Printed", ({ text }) => this.lines.print(text)),
       connection.on("InputWanted", ({ prompt }) => this.question.ask(prompt || t("console.asks"))),
       connection.on("RunState", ({ state }) => {
@@ -80,6 +80,12 @@ class Console implements ConsoleIsland {
         this.lines.add(ending(ended), WELL.has(ended.ended) ? "good" : "bad");
       }),
     ];
+  }
+
+  /** What belongs to the project is told anew whenever one is opened. */
+  private begin(): void {
+    this.question.close();
+    this.lines.clear();
   }
 
   private answer(text: string): void {

@@ -1,5 +1,7 @@
 /** Below the world: what the program says, what it knows, what the robot senses, what is wrong. */
 
+import { useEffect } from "preact/hooks";
+
 import { t } from "../../i18n";
 import { findings } from "./findings";
 import { IslandPlace } from "../widgets/island";
@@ -10,7 +12,8 @@ import { Tabs } from "../widgets/tabs";
 
 export function Panel({ weight }: { weight: number }) {
   const page = usePage();
-  const { views } = page;
+  const { views, context } = page;
+  useEffect(() => context.connection.on("InputWanted", () => views.showPanel("console")), [context, views]);
   return (
     <section
       id="panel"
