@@ -206,3 +206,25 @@ def test_a_renamed_name_changes_in_all_views_and_one_undo_takes_it_back(
     expect(pupil.all_blocks().filter(has_text=new)).to_have_count(0)
     assert {one: pupil.text(one) for one in before} == before
     assert pupil.foreign == []
+
+
+def test_undo_and_redo_go_through_the_edits_of_all_views_in_their_order(pupil):
+    pupil.write("blocktext", "main:\n    function.move_straight()\n    function.sleep(5)\nend\n")
+    pupil.sees("python", "robot.sleep(5)")
+    pupil.select_block(pupil.blocks("lb_skill_move_straight"))
+    pupil.page.keyboard.press("Delete")
+    pupil.lacks("blocktext", "move_straight")
+    pupil.put_cursor("python", "robot.sleep")
+    pupil.page.keyboard.insert_text("robot.stop_bot()\n")
+    expect(pupil.blocks("lb_skill_stop_bot")).to_have_count(1)
+    pupil.press("Undo")
+    expect(pupil.blocks("lb_skill_stop_bot")).to_have_count(0)
+    pupil.lacks("blocktext", "stop_bot")
+    pupil.press("Undo")
+    expect(pupil.blocks("lb_skill_move_straight")).to_have_count(1)
+    pupil.sees("python", "robot.move_straight()")
+    pupil.press("Redo")
+    expect(pupil.blocks("lb_skill_move_straight")).to_have_count(0)
+    pupil.lacks("python", "move_straight")
+    pupil.picture("redone")
+    assert pupil.foreign == []
