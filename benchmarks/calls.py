@@ -8,6 +8,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from time import perf_counter
@@ -18,8 +19,9 @@ from learnblock.runtime.host import Host
 from learnblock.runtime.pacing import Pacing
 from learnblock.runtime.process import ProcessWorker
 from learnblock.runtime.program import Program
-from learnblock.runtime.run import Run, Watcher
+from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Trace, record
+from learnblock.runtime.watcher import Watcher
 from learnblock.testing import VirtualClock
 
 ROUNDS = 5
@@ -72,7 +74,7 @@ class World:
     dt, seed, steps = 0.01, 0, 0
 
     def __init__(self) -> None:
-        self.pacing = Pacing()
+        self.pacing, self.lock = Pacing(), threading.RLock()
 
     def advance(self, step: int) -> None:
         self.steps = step

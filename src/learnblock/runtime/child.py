@@ -175,7 +175,7 @@ class _Program:
         """Ask at every line from the first on whether the program is held."""
         self._wire.control = control
         self._gate = Gate(self._wire, self._setup.filename)
-        self._end_lines = start_line_events(self._code, unless_shown(self._wire, self._gate))
+        self._end_lines = start_line_events(self._code, unless_shown(self._wire.turn, self._gate))
 
     def _begin_lines(self, budget: LineBudget) -> None:
         # Not earlier: without a robot there is no time to say that a line ran at.
@@ -184,7 +184,7 @@ class _Program:
             return
         self._end_lines()
         frame = sys._getframe()  # noqa: SLF001 - the documented way to walk the stack
-        on_line = unless_shown(self._wire, budget)
+        on_line = unless_shown(self._wire.turn, budget)
         self._end_lines = start_line_events(self._code, on_line, frame)
 
     def _input(self, prompt: object = "") -> str:

@@ -1,11 +1,12 @@
 """The program's side of the debugger: asked at each line whether the program goes on."""
 
 from collections.abc import Callable
+from threading import get_ident
 from time import monotonic
 
 from learnblock.runtime.lines import OnLine, depth
 from learnblock.runtime.messages import Mode
-from learnblock.runtime.remote import Wire
+from learnblock.runtime.remote import Turn, Wire
 
 #: Seconds of the wall clock between two looks at whether the host has said something: a program
 #: that computes hears of a pause within that time.
@@ -44,11 +45,11 @@ class Gate:
             self._wire.hold(number, depth)
 
 
-def unless_shown(wire: Wire, on_line: OnLine) -> Callable[[int], None]:
+def unless_shown(turn: Turn, on_line: OnLine) -> Callable[[int], None]:
     """`on_line`, but not for lines that run only because somebody looks at a variable."""
 
     def line(number: int) -> None:
-        if not wire.shows:
+        if turn.forbidden_to is None or turn.forbidden_to != get_ident():
             on_line(number)
 
     return line

@@ -47,6 +47,24 @@ MOST_QUEUED = 65536
 LONGEST_WAIT = 0.05
 
 
+class Turn:
+    """A lock that refuses a thread to whom it is forbidden."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self.acquire, self.release = self._lock.acquire, self._lock.release
+        #: The thread that may not even wait for it.
+        self.forbidden_to: int | None = None
+
+    def __enter__(self) -> None:
+        if self.forbidden_to is not None and self.forbidden_to == get_ident():
+            raise LearnBlockError("a variable's description cannot ask the robot or print")
+        self._lock.acquire()
+
+    def __exit__(self, *error: object) -> None:
+        self._lock.release()
+
+
 class Wire:
     """The child's side of the conversation; several threads of a program may use it.
 
@@ -58,7 +76,8 @@ class Wire:
     def __init__(self, link: Link[FromHost], show: Callable[[], Variables]) -> None:
         self._link = link
         self._show = show
-        self._lock = _Turn()
+        #: Whose turn it is to speak.
+        self.turn = Turn()
         #: Where the program is to be held.
         self.control = Control()
         self._flushed = 0.0
@@ -77,7 +96,7 @@ class Wire:
             ProgramStopped: the program is over.
             LearnBlockError: what was asked for failed.
         """
-        with self._lock:
+        with self.turn:
             self._put(message)
             self._flush()
             answer = self._receive()
@@ -105,25 +124,25 @@ class Wire:
         """Send a command: at once, or in lock-step with the next question."""
         # A command such as a gyroscope's reset changes what is read.
         self._fresh.clear()
-        with self._lock:
+        with self.turn:
             if self._put(message) > MOST_QUEUED or not self.lockstep:
                 self._flush()
 
     def note(self, message: Message) -> None:
         """Queue an event."""
-        with self._lock:
+        with self.turn:
             if self._put(message) > MOST_QUEUED:
                 self._flush()
 
     def note_soon(self, message: Message) -> None:
         """Queue an event that somebody is waiting to see, such as a print."""
-        with self._lock:
+        with self.turn:
             if self._put(message) > MOST_QUEUED or self._is_late():
                 self._flush_now()
 
     def send(self, message: Message) -> None:
         """Send a message that cannot wait."""
-        with self._lock:
+        with self.turn:
             self._put(message)
             self._flush()
 
@@ -131,18 +150,13 @@ class Wire:
         """Note that a line is about to run; lines travel together, before the next message."""
         self._lines.append(number)
         if not self.lockstep and self._is_late():
-            with self._lock:
+            with self.turn:
                 self._put_lines()
                 self._flush_now()
 
-    @property
-    def shows(self) -> bool:
-        """Whether this thread is making the variables' text, for which their own code may run."""
-        return self._lock.forbidden_to == get_ident()
-
     def hold(self, number: int, depth: int) -> None:
         """Announce a line, and return when the program may run it."""
-        with self._lock:
+        with self.turn:
             self._put(Line(number, depth, self._variables()))
             self._flush()
             while not isinstance(self._receive(), Continue):
@@ -151,21 +165,21 @@ class Wire:
 
     def listen(self) -> None:
         """Hear what the host has said unasked, without waiting for it."""
-        if self._lock.acquire(blocking=False):
+        if self.turn.acquire(blocking=False):
             try:
                 while message := self._heard():
                     self._obey(message)
             finally:
-                self._lock.release()
+                self.turn.release()
 
     def interrupted(self, line: int) -> None:
         """Say where a signal found the program, unless it was in the middle of a message."""
-        if self._lock.acquire(blocking=False):
+        if self.turn.acquire(blocking=False):
             try:
                 self._put(Interrupted(line))
                 self._flush()
             finally:
-                self._lock.release()
+                self.turn.release()
 
     # With the lock held.
 
@@ -212,11 +226,11 @@ class Wire:
 
     def _variables(self) -> Variables:
         """The variables, whose own code may do nothing that others would notice."""
-        self._lock.forbidden_to = get_ident()
+        self.turn.forbidden_to = get_ident()
         try:
             return self._show()
         finally:
-            self._lock.forbidden_to = None
+            self.turn.forbidden_to = None
 
     def _flush_now(self) -> None:
         self._flushed = monotonic()
@@ -230,24 +244,6 @@ class Wire:
 
     def _is_late(self) -> bool:
         return monotonic() - self._flushed > LONGEST_WAIT
-
-
-class _Turn:
-    """A lock that refuses a thread to whom it is forbidden."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self.acquire, self.release = self._lock.acquire, self._lock.release
-        #: The thread that may not even wait for it.
-        self.forbidden_to: int | None = None
-
-    def __enter__(self) -> None:
-        if self.forbidden_to is not None and self.forbidden_to == get_ident():
-            raise LearnBlockError("a variable's description cannot ask the robot or print")
-        self._lock.acquire()
-
-    def __exit__(self, *error: object) -> None:
-        self._lock.release()
 
 
 class RemoteRobot(Client):
