@@ -15,6 +15,7 @@ export type PanelName = "console" | "variables" | "sensors" | "problems" | "resu
 export interface ViewIsland extends Island {
   focus(): void;
   reveal(block: string): void;
+  /** Both from 1; column 0 is the line's first word. */
   goTo?(line: number, column: number): void;
 }
 
@@ -79,7 +80,7 @@ export class Views {
   private enter({ view, line = 0, column = 0, block }: Problem): void {
     const island = this.islands.get(view);
     if (block) island?.reveal(block);
-    if (line > 0) island?.goTo?.(line, Math.max(column, 1));
+    if (line > 0) island?.goTo?.(line, column);
     island?.focus();
   }
 }
