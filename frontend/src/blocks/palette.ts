@@ -6,6 +6,7 @@ import * as english from "blockly/msg/en";
 
 import { registerCodeField } from "./code_field";
 import { registerMutators } from "./mutators";
+import { forgetDisposed } from "./render_queue";
 import { compareNamesExactly } from "./variables";
 import { registerWhen } from "./when_block";
 
@@ -57,6 +58,7 @@ export function prepareBlockly(): void {
   registerWhen();
   registerCodeField();
   leaveChecksToServer();
+  forgetDisposed();
   // Never stopped: a program uses few words again and again, and measuring one lays out the page.
   Blockly.utils.dom.startTextWidthCache();
 }
