@@ -70,7 +70,7 @@ edited = of(
 )
 
 
-@settings(max_examples=150)
+@settings(max_examples=150, deadline=None)
 @given(edited)
 def test_a_world_comes_back_as_it_was_saved(values):
     worlds.save_world("mine", values)
@@ -149,7 +149,7 @@ json = st.recursive(
 )
 
 
-@settings(max_examples=300)
+@settings(max_examples=300, deadline=None)
 @given(
     st.dictionaries(
         st.sampled_from(["title", "floor", "line", "box", "tag", "goal", "start", "wall", "?"]),

@@ -95,7 +95,7 @@ EVERY_KIND = [
 def test_every_message_arrives_as_it_was_sent(ends, kind):
     here, there = ends
 
-    @settings(max_examples=25)
+    @settings(max_examples=25, deadline=None)
     @given(of(kind))
     def check(message):
         here.send(message)
