@@ -30,6 +30,6 @@ function problemsOf(ended: Ended, places: readonly Place[]): readonly Problem[] 
 export function explained(message: string): string {
   const name = /^(\w+): /.exec(message)?.[1] ?? "";
   const meaning = translated(`problems.run_${name}`, "");
-  if (meaning) return `${meaning} (${message})`;
+  if (meaning) return `${meaning.replace(/\.$/, "")} (${message}).`;
   return message.charAt(0).toLocaleUpperCase() + message.slice(1);
 }
