@@ -168,6 +168,8 @@ def test_the_word_at_the_cursor_is_explained_and_its_definition_gone_to(pupil):
     pupil.put_cursor("python", "step_on(count)")
     pupil.page.keyboard.press("F12")
     pupil.stands("python", pupil.line_of("python", "def step_on"), "def ")
+    pupil.editor("python").get_by_text("sleep", exact=True).hover()
+    expect(pupil.page.locator(".cm-tooltip-hover .text-help-title")).to_contain_text("sleep")
     assert pupil.foreign == []
 
 
