@@ -301,7 +301,7 @@ def _open_page(
 def _project(folder: Path, file: Path) -> str:
     """The project of a file; one from elsewhere is copied."""
     from learnblock import running  # noqa: PLC0415
-    from learnblock.server.projects import ProjectFolder  # noqa: PLC0415
+    from learnblock.server.projects.folder import ProjectFolder  # noqa: PLC0415
 
     projects = ProjectFolder(folder)
     if file.suffix == ".learnblock" and file.resolve().parent == folder.resolve():

@@ -5,8 +5,8 @@ import asyncio
 import pytest
 
 from learnblock.server import messages
-from learnblock.server.inbox import Inbox
-from learnblock.server.outbox import FULL, Outbox, OutboxFullError
+from learnblock.server.pages.inbox import Inbox
+from learnblock.server.pages.outbox import FULL, Outbox, OutboxFullError
 
 
 def edit(number, notation="blocktext"):

@@ -7,7 +7,7 @@ import pytest
 from click.testing import CliRunner
 
 from learnblock.cli import main
-from learnblock.server import project_file
+from learnblock.server.projects import project_file
 
 DOCS = Path(__file__).parents[2] / "docs"
 

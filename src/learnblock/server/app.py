@@ -28,7 +28,7 @@ from learnblock.server.protection import (
 )
 
 if TYPE_CHECKING:
-    from learnblock.server.lobby import Lobby
+    from learnblock.server.pages.lobby import Lobby
 
 #: The page knows this close code: trying again with the same token is vain.
 FORBIDDEN = 4403
@@ -141,6 +141,6 @@ class _LateLobby:
         return await asyncio.shield(self._making)
 
     def _made(self) -> "Lobby":
-        from learnblock.server.lobby import Lobby  # noqa: PLC0415
+        from learnblock.server.pages.lobby import Lobby  # noqa: PLC0415
 
         return Lobby(self._folder, self._grace)

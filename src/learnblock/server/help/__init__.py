@@ -1,0 +1,1 @@
+"""Completion and help in both texts, in the user's language."""

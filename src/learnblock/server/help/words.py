@@ -1,0 +1,107 @@
+"""What is said about skills, functions and words of the language, in the user's language."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from learnblock.blocks import BlockConfiguration, Parameter
+from learnblock.language.library import BUILTINS, TEMPLATES
+
+_FOLDER = Path(__file__).parent
+_FALLBACK = "en"
+#: Parameters of Python's own functions, where they are worth a word.
+_BUILTIN_PARAMETERS: Mapping[str, str] = {
+    "abs": "x",
+    "float": "x",
+    "input": "prompt",
+    "int": "x",
+    "len": "values",
+    "list": "values",
+    "max": "x, ...",
+    "min": "x, ...",
+    "print": "x, ...",
+    "round": "x, digits",
+    "sorted": "values",
+    "str": "x",
+    "sum": "values",
+}
+
+
+@dataclass(frozen=True)
+class Words:
+    """Sentences in one language; what it lacks is said in English.
+
+    Args:
+        language: such as ``es``.
+    """
+
+    language: str = _FALLBACK
+
+    def say(self, key: str, **values: str) -> str:
+        """One of the sentences."""
+        return str(self._all.get(key, "")).format(**values)
+
+    def about(self, kind: str, name: str) -> str:
+        """What is said about one of ``keywords``, ``functions``, ``robot_members`` or so."""
+        known: Mapping[str, str] = self._all.get(kind, {})
+        return known.get(name, "")
+
+    def known(self, kind: str) -> tuple[str, ...]:
+        """Of what `about` can speak."""
+        return tuple(self._all.get(kind, ()))
+
+    def tooltip(self, skill: BlockConfiguration) -> str:
+        return skill.tooltip.get(self.language.upper()) or skill.tooltip.get("EN", "")
+
+    def parameter(self, parameter: Parameter) -> str:
+        """What an argument of a skill is called on its block."""
+        shown = parameter.translations
+        return shown.get(self.language.upper()) or shown.get("EN", "")
+
+    @property
+    def _all(self) -> Mapping[str, Any]:
+        return _read(self.language if self.language in languages() else _FALLBACK)
+
+
+@cache
+def languages() -> tuple[str, ...]:
+    """The languages there are."""
+    return tuple(sorted(path.stem for path in _FOLDER.glob("*.json")))
+
+
+@cache
+def _read(language: str) -> Mapping[str, Any]:
+    said: dict[str, Any] = msgspec.json.decode((_FOLDER / f"{language}.json").read_bytes())
+    if language == _FALLBACK:
+        return said
+    english = _read(_FALLBACK)
+    return {
+        key: {**one, **said.get(key, {})} if isinstance(one, dict) else said.get(key, one)
+        for key, one in english.items()
+    }
+
+
+def signature(skill: BlockConfiguration) -> str:
+    """Its parameters and their defaults in brackets."""
+    return f"({', '.join(map(_parameter, skill.parameters))})"
+
+
+def library_parameters(name: str) -> tuple[str, ...]:
+    """The parameters of each form of a function of the language, such as ``values, index``."""
+    if name == "elapsedTime":
+        return ("seconds",)
+    if name in BUILTINS:
+        return (_BUILTIN_PARAMETERS[name],)
+    return tuple(
+        ", ".join(template.parameters)
+        for (known, _), template in TEMPLATES.items()
+        if known == name
+    )
+
+
+def _parameter(parameter: Parameter) -> str:
+    return parameter.name if parameter.required else f"{parameter.name}={parameter.default!r}"

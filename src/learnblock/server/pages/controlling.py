@@ -1,0 +1,76 @@
+"""What is done when a page runs the program, or plays with the robot."""
+
+from collections.abc import Mapping
+
+from learnblock.server import messages
+from learnblock.server.pages.page import Handler, Page
+
+
+async def _choose_robot(page: Page, message: messages.ChooseRobot) -> None:
+    await page.session.choose_robot(message.name)
+
+
+async def _choose_world(page: Page, message: messages.ChooseWorld) -> None:
+    await page.session.choose_world(message.name)
+
+
+async def _run(page: Page, message: messages.Run) -> None:
+    await page.session.run(paused=message.paused)
+
+
+async def _stop(page: Page, _: messages.Stop) -> None:
+    await page.session.player.stop()
+
+
+async def _pause(page: Page, _: messages.Pause) -> None:
+    page.session.player.pause()
+
+
+async def _resume(page: Page, _: messages.Resume) -> None:
+    page.session.player.resume()
+
+
+async def _step(page: Page, message: messages.Step) -> None:
+    page.session.player.step(over=message.over)
+
+
+async def _set_speed(page: Page, message: messages.SetSpeed) -> None:
+    page.session.player.set_speed(message.factor)
+
+
+async def _answer(page: Page, message: messages.Answer) -> None:
+    page.session.player.answer(message.text)
+
+
+async def _reset_world(page: Page, _: messages.ResetWorld) -> None:
+    await page.session.player.reset_world()
+
+
+async def _place_robot(page: Page, message: messages.PlaceRobot) -> None:
+    page.session.player.place(message.x, message.y, message.heading)
+
+
+async def _drive(page: Page, message: messages.Drive) -> None:
+    page.session.player.drive(message.advance, message.rotation)
+
+
+async def _watch_camera(page: Page, message: messages.WatchCamera) -> None:
+    page.watching = message.on
+    page.session.player.watch()
+
+
+HANDLERS: Mapping[type, Handler] = {
+    messages.ChooseRobot: _choose_robot,
+    messages.ChooseWorld: _choose_world,
+    messages.Run: _run,
+    messages.Stop: _stop,
+    messages.Pause: _pause,
+    messages.Resume: _resume,
+    messages.Step: _step,
+    messages.SetSpeed: _set_speed,
+    messages.Answer: _answer,
+    messages.ResetWorld: _reset_world,
+    messages.PlaceRobot: _place_robot,
+    messages.Drive: _drive,
+    messages.WatchCamera: _watch_camera,
+}

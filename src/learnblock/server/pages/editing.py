@@ -1,0 +1,50 @@
+"""What is done when a page edits the program."""
+
+from collections.abc import Mapping
+
+from learnblock.server import messages
+from learnblock.server.pages.page import Handler, Page
+from learnblock.server.program.document import Document
+
+
+async def _edit_blocks(page: Page, message: messages.EditBlocks) -> None:
+    page.shown.edited(message.edit, "blocks", message.workspace)
+    await page.session.change(lambda document: document.with_blocks(message.workspace))
+
+
+async def _edit_text(page: Page, message: messages.EditText) -> None:
+    page.shown.edited(message.edit, message.notation, message.text)
+    await page.session.change(lambda document: document.with_text(message.notation, message.text))
+
+
+async def _undo(page: Page, _: messages.Undo) -> None:
+    await page.session.undo()
+
+
+async def _redo(page: Page, _: messages.Redo) -> None:
+    await page.session.redo()
+
+
+async def _format(page: Page, _: messages.Format) -> None:
+    await page.session.change(Document.formatted)
+
+
+async def _rename(page: Page, message: messages.Rename) -> None:
+    await page.session.change(
+        lambda document: document.renamed(message.sort, message.name, message.new)
+    )
+
+
+async def _set_breakpoints(page: Page, message: messages.SetBreakpoints) -> None:
+    page.session.set_breakpoints(tuple(message.blocks))
+
+
+HANDLERS: Mapping[type, Handler] = {
+    messages.EditBlocks: _edit_blocks,
+    messages.EditText: _edit_text,
+    messages.Undo: _undo,
+    messages.Redo: _redo,
+    messages.Format: _format,
+    messages.Rename: _rename,
+    messages.SetBreakpoints: _set_breakpoints,
+}

@@ -1,0 +1,73 @@
+"""What is done when a page opens, makes, copies or deletes projects."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from anyio import to_thread
+
+from learnblock import running
+from learnblock.server import catalog, messages
+from learnblock.server.pages.page import Handler, Page
+from learnblock.server.projects.project_file import Project
+from learnblock.server.sessions.prepared import DEFAULT_WORLD
+
+_EMPTY = "main:\n    pass\nend\n"
+
+
+async def _open(page: Page, message: messages.Open) -> None:
+    page.join(await page.sessions.open(message.name))
+
+
+async def _new(page: Page, message: messages.New) -> None:
+    project = await to_thread.run_sync(_made, message)
+    page.join(await page.sessions.start(project))
+
+
+async def _import(page: Page, message: messages.Import) -> None:
+    folder = page.sessions.folder
+    project = await to_thread.run_sync(folder.import_file, message.filename, message.text)
+    page.join(await page.sessions.start(project))
+
+
+async def _save_as(page: Page, message: messages.SaveAs) -> None:
+    page.join(await page.sessions.start(replace(page.session.project, name=message.name)))
+
+
+async def _delete(page: Page, message: messages.Delete) -> None:
+    await page.sessions.delete(message.name)
+    await _list(page, messages.ListProjects())
+
+
+async def _export(page: Page, message: messages.Export) -> None:
+    folder, project = page.sessions.folder, page.session.project
+    filename, text = await to_thread.run_sync(folder.export, project, message.format)
+    page.tell(messages.File(filename, text))
+
+
+async def _list(page: Page, _: messages.ListProjects) -> None:
+    entries = await to_thread.run_sync(page.sessions.folder.entries)
+    page.tell(messages.Projects(tuple(entries)))
+
+
+def _made(message: messages.New) -> Project:
+    """A project with an example's program, or an empty one."""
+    if message.example is None:
+        return _project(message.name, _EMPTY, running.DEFAULT_ROBOT, DEFAULT_WORLD)
+    example = catalog.example(message.example)
+    text = running.read_text(running.example(f"{example.name}.bt"))
+    return _project(message.name, text, example.robot, example.world)
+
+
+def _project(name: str, blocktext: str, robot: str, world: str) -> Project:
+    return Project(name=name, blocktext=blocktext, robot=robot, world=world)
+
+
+HANDLERS: Mapping[type, Handler] = {
+    messages.Open: _open,
+    messages.New: _new,
+    messages.Import: _import,
+    messages.SaveAs: _save_as,
+    messages.Delete: _delete,
+    messages.Export: _export,
+    messages.ListProjects: _list,
+}

@@ -1,0 +1,81 @@
+"""What is done when a page edits worlds."""
+
+from collections.abc import Mapping
+from itertools import count
+from typing import Any
+
+from anyio import to_thread
+
+from learnblock.errors import WorldError
+from learnblock.server import catalog, messages
+from learnblock.server.pages.page import Handler, Page
+
+
+async def _read(page: Page, message: messages.ReadWorld) -> None:
+    page.tell(await to_thread.run_sync(_to_edit, message.name))
+
+
+async def _check(page: Page, message: messages.CheckWorld) -> None:
+    page.tell(await to_thread.run_sync(_checked, message.world))
+
+
+async def _save(page: Page, message: messages.SaveWorld) -> None:
+    session = page.session
+    wrong = await to_thread.run_sync(_saved, message.name, message.world)
+    if wrong:
+        page.tell(wrong)
+        return
+    session.tell(messages.Worlds(await to_thread.run_sync(catalog.world_choices)))
+    await session.choose_world(message.name)
+
+
+# The simulator takes its time to be imported, and the server answers before it is.
+
+
+def _to_edit(name: str) -> messages.WorldToEdit:
+    from learnblock.robots import worlds  # noqa: PLC0415
+    from learnblock.robots.simulated import find_world  # noqa: PLC0415
+
+    catalog.check_world_name(name)
+    world = find_world(name)
+    return messages.WorldToEdit(
+        name, worlds.world_values(world), worlds.world_lines(world), _save_as(name)
+    )
+
+
+def _save_as(name: str) -> str:
+    """The world's own name if it is the user's, else a free one."""
+    from learnblock.robots.simulated import known_worlds, own_worlds  # noqa: PLC0415
+
+    if (own_worlds() / f"{name}.toml").is_file():
+        return name
+    known = known_worlds()
+    return next(free for n in count(2) if (free := f"{name}-{n}") not in known)
+
+
+def _checked(values: dict[str, Any]) -> messages.WorldChecked:
+    from learnblock.robots import worlds  # noqa: PLC0415
+
+    try:
+        world = worlds.world_from_values(values)
+    except WorldError as error:
+        return messages.WorldChecked(tuple(one.message for one in error.diagnostics))
+    return messages.WorldChecked((), worlds.world_lines(world))
+
+
+def _saved(name: str, values: dict[str, Any]) -> messages.WorldChecked | None:
+    """Save a world; what is wrong with it, if that cannot be."""
+    from learnblock.robots import worlds  # noqa: PLC0415
+
+    try:
+        worlds.save_world(name, values)
+    except WorldError as error:
+        return messages.WorldChecked(tuple(one.message for one in error.diagnostics))
+    return None
+
+
+HANDLERS: Mapping[type, Handler] = {
+    messages.ReadWorld: _read,
+    messages.CheckWorld: _check,
+    messages.SaveWorld: _save,
+}

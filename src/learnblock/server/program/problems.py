@@ -1,0 +1,166 @@
+"""What is wrong with a program, told in each of its views."""
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cached_property
+
+from learnblock.errors import Diagnostic
+from learnblock.language import check, parse
+from learnblock.language.extents import Extent, every
+from learnblock.language.nodes import Expression, Item, Main, Program, Raw, expressions, within
+from learnblock.server.messages import Problem, View
+from learnblock.server.program.notations import Notations, Target, Written
+
+_OTHER_LINE = re.compile(r"(?<=\bline )\d+")
+
+
+def problems(notations: Notations, target: Target) -> tuple[Problem, ...]:
+    """All that `check` says, once for each text."""
+    blocktext, python = notations.blocktext.tree, notations.python.tree
+    said = _checked(blocktext or python or notations.tree, target)
+    if not said:
+        return ()
+    if blocktext is None:
+        in_python = said
+        blocktext = parse(notations.blocktext.text)
+        said = _checked(blocktext, target)
+    elif python is not None:
+        in_python = _checked(python, target)
+    found = _Located(notations, blocktext)
+    first = [problem(one, "blocktext", found.block(one)) for one in said]
+    if python is None:
+        return (*first, *map(found.in_python, said))
+    return (*first, *_in_authors_python(notations, python, in_python))
+
+
+def problem(diagnostic: Diagnostic, view: View, block: str | None = None) -> Problem:
+    """A diagnostic of the text of one view."""
+    return Problem(
+        code=diagnostic.code,
+        message=diagnostic.message,
+        severity=diagnostic.severity,
+        view=view,
+        line=diagnostic.line,
+        column=diagnostic.column,
+        end_column=diagnostic.end_column,
+        block=block,
+    )
+
+
+def owners(extents: Iterable[Extent]) -> list[int | None]:
+    """For each line of a text, from 0 (nowhere), the innermost statement that stands in it."""
+    extents = list(extents)
+    found: list[int | None] = [None] * (max((last for _, last in extents), default=0) + 1)
+    for index, (first, last) in enumerate(extents):
+        if first:
+            # Those inside come later.
+            found[first : last + 1] = [index] * (last + 1 - first)
+    return found
+
+
+def _checked(tree: Program, target: Target) -> list[Diagnostic]:
+    return check(tree, target.configurations, target.devices)
+
+
+def _in_authors_python(
+    notations: Notations, tree: Program, diagnostics: Iterable[Diagnostic]
+) -> Iterator[Problem]:
+    found = _Located(notations, tree)
+    lines = notations.python.text.split("\n")
+    for one in diagnostics:
+        yield problem(_in_characters(one, lines), "python", found.block(one))
+
+
+def _in_characters(diagnostic: Diagnostic, lines: Sequence[str]) -> Diagnostic:
+    """Python's own tree counts columns in bytes."""
+    if not 0 < diagnostic.line <= len(lines) or lines[diagnostic.line - 1].isascii():
+        return diagnostic
+    line = lines[diagnostic.line - 1].encode("utf-8", "surrogatepass")
+
+    def characters(column: int) -> int:
+        return len(line[: column - 1].decode("utf-8", "ignore")) + 1 if column else 0
+
+    return Diagnostic(
+        diagnostic.code,
+        diagnostic.message,
+        diagnostic.line,
+        characters(diagnostic.column),
+        characters(diagnostic.end_column),
+        diagnostic.severity,
+    )
+
+
+class _Located:
+    """Finds the statement, the block and the line of Python of what `check` says of a tree.
+
+    Args:
+        notations: the program.
+        tree: the same program with the spans of one of its texts.
+    """
+
+    def __init__(self, notations: Notations, tree: Program) -> None:
+        self.notations = notations
+        self.written = Written.by_author("", tree)
+        self.statements = every(tree)
+
+    @cached_property
+    def owners(self) -> list[int | None]:
+        return owners(self.written.extents)
+
+    @cached_property
+    def originals(self) -> list[Item | Main]:
+        """The same statements as the blocks know them."""
+        return every(self.notations.tree)
+
+    def in_python(self, diagnostic: Diagnostic) -> Problem:
+        """A diagnostic of Block-Text in Python that we wrote: the line is all that is known."""
+        message = _OTHER_LINE.sub(
+            lambda match: str(self.python_line(int(match[0]))), diagnostic.message
+        )
+        return Problem(
+            code=diagnostic.code,
+            message=message,
+            severity=diagnostic.severity,
+            view="python",
+            line=self.python_line(diagnostic.line),
+            block=self.block(diagnostic),
+        )
+
+    def python_line(self, line: int) -> int:
+        index = self.statement(line)
+        if index is None:
+            return 0
+        first, last = self.notations.python.extents[index]
+        if isinstance(self.statements[index], Raw):
+            below = line - self.written.extents[index][0]
+            # A program of nothing but raw Python has no line above it that says so.
+            return min(first + below - (first == 1), last) or 1
+        return first
+
+    def block(self, diagnostic: Diagnostic) -> str | None:
+        """The innermost block that a diagnostic speaks of."""
+        index = self.statement(diagnostic.line)
+        if index is None:
+            return None
+        ids = self.notations.block_ids
+        pairs = zip(
+            _expressions(self.statements[index]), _expressions(self.originals[index]), strict=False
+        )
+        for node, original in pairs:
+            if _is_meant(node, diagnostic) and id(original) in ids:
+                return ids[id(original)]
+        return ids.get(id(self.originals[index]))
+
+    def statement(self, line: int) -> int | None:
+        return self.owners[line] if line < len(self.owners) else None
+
+
+def _expressions(item: Item | Main) -> Iterable[Expression]:
+    for expression in expressions(item):
+        yield from within(expression)
+
+
+def _is_meant(node: Expression, diagnostic: Diagnostic) -> bool:
+    if (node.span.line, node.span.column) != (diagnostic.line, diagnostic.column):
+        return False
+    return diagnostic.end_column in (0, node.span.end_column)

@@ -1,0 +1,1 @@
+"""Projects on disk: their files, their folder and their history."""

@@ -1,0 +1,134 @@
+"""What a project was before: its versions, and its runs."""
+
+import re
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal, cast
+
+import msgspec
+
+from learnblock.errors import UnknownNameError
+from learnblock.server.messages import PastRun, Version
+from learnblock.server.projects.project_file import ENDING, LARGEST, Project, decode, encode
+from learnblock.server.projects.saving import save
+
+Reason = Literal["run", "time", "restored", "opened"]
+
+MOST_VERSIONS = 100
+MOST_RUNS = 200
+
+#: Milliseconds since 1970, why it was kept, how many lines it has.
+_ID = re.compile(r"(\d{13,15})-(run|time|restored|opened)-(\d{1,7})")
+_read_runs = msgspec.json.Decoder(list[PastRun]).decode
+
+
+@dataclass(frozen=True)
+class History:
+    """The versions and runs of one project, in a folder of its own.
+
+    Args:
+        name: the project's.
+        folder: need not exist yet.
+        now: seconds since 1970.
+    """
+
+    name: str
+    folder: Path
+    now: Callable[[], float] = time.time
+
+    def keep(self, project: Project, reason: Reason) -> str:
+        """Keep a version, unless the last one is the same; answer its id.
+
+        Raises:
+            ProjectError: it cannot be written as a file.
+            OSError: the folder cannot be written to.
+        """
+        data = encode(project)
+        before = self.versions()
+        if before and self._path(before[0].id).read_bytes() == data:
+            return before[0].id
+        version = self._new_id(before, reason, project.blocktext.count("\n") + 1)
+        save(self._path(version), data)
+        self._thin_out()
+        return version
+
+    def versions(self) -> tuple[Version, ...]:
+        """The versions that are kept, the newest first."""
+        found = (_version(path.stem) for path in self.folder.glob(f"*{ENDING}"))
+        kept = (version for version in found if version is not None)
+        return tuple(sorted(kept, key=lambda version: version.time, reverse=True))
+
+    def read(self, version: str) -> Project:
+        """A version.
+
+        Raises:
+            UnknownNameError: it is not kept.
+            ProjectError: its file is damaged.
+        """
+        known = [one.id for one in self.versions()]
+        if version not in known:
+            raise UnknownNameError("version", version, known[:5])
+        with self._path(version).open("rb") as file:
+            return decode(file.read(LARGEST + 1), self.name)
+
+    def add_run(self, run: PastRun) -> None:
+        """Keep how a run went.
+
+        Raises:
+            OSError: the folder cannot be written to.
+        """
+        runs = [run, *self.runs()][:MOST_RUNS]
+        lines = b",\n".join(map(msgspec.json.encode, runs))
+        save(self._runs, b"[\n" + lines + b"\n]\n")
+
+    def runs(self) -> tuple[PastRun, ...]:
+        """The last runs, the newest first."""
+        try:
+            return tuple(_read_runs(self._runs.read_bytes()))
+        except FileNotFoundError:
+            return ()
+        except (msgspec.MsgspecError, RecursionError):
+            # A damaged list of runs must keep nobody from running the program again.
+            return ()
+
+    @property
+    def _runs(self) -> Path:
+        return self.folder / "runs.json"
+
+    def _path(self, version: str) -> Path:
+        return self.folder / (version + ENDING)
+
+    def _new_id(self, before: tuple[Version, ...], reason: Reason, lines: int) -> str:
+        moment = int(self.now() * 1000)
+        if before:
+            # Versions stay in order even where the clock is set back.
+            moment = max(moment, round(before[0].time * 1000) + 1)
+        return f"{moment:013}-{reason}-{lines}"
+
+    def _thin_out(self) -> None:
+        kept = list(self.versions())
+        while len(kept) > MOST_VERSIONS:
+            least = kept.pop(_least_missed([version.time for version in kept]))
+            self._path(least.id).unlink(missing_ok=True)
+
+
+def _version(id_: str) -> Version | None:
+    found = _ID.fullmatch(id_)
+    if found is None:
+        return None
+    reason = cast("Reason", found[2])
+    return Version(id=id_, time=int(found[1]) / 1000, reason=reason, lines=int(found[3]))
+
+
+def _least_missed(times: list[float]) -> int:
+    """Which of several versions, the newest first, leaves the smallest gap for its age.
+
+    The first and the last one stay. What is kept is dense in the last minutes and sparse long ago.
+    """
+
+    def gap(index: int) -> float:
+        return (times[index - 1] - times[index + 1]) / (times[0] - times[index] + 1)
+
+    return min(range(1, len(times) - 1), key=gap)

@@ -1,0 +1,1 @@
+"""Running the program of a session, and telling its pages what happens."""

@@ -1,0 +1,1 @@
+"""Projects that are open, each shared by every page that shows it."""
