@@ -10,7 +10,7 @@ import { ensureDefined, shapeUnknown } from "./unknown";
 
 const { MANUALLY_DISABLED } = Blockly.constants;
 
-/** A new block without its children; its shadows stand in their inputs. */
+/** A new block without its children and shadows. */
 export function build(workspace: Blockly.WorkspaceSvg, node: Node): Blockly.BlockSvg {
   const flat = node.block;
   ensureDefined(flat);
@@ -21,9 +21,13 @@ export function build(workspace: Blockly.WorkspaceSvg, node: Node): Blockly.Bloc
   setAttributes(block, flat);
   setComment(block, flat.comment ?? null);
   block.initSvg();
-  setShadows(block, flat, undefined);
   block.queueRender();
   return block;
+}
+
+/** Gives a new block, which has its children by now, its shadows: those under a child are not even made. */
+export function addShadows(block: Blockly.BlockSvg, flat: Block): void {
+  setShadows(block, flat, undefined);
 }
 
 /** Changes a block from what `shown` says to what `wanted` says; false if they say the same. */

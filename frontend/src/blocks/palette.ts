@@ -25,6 +25,8 @@ export interface Palette {
 const locales: Record<string, () => Promise<object>> = {
   es: () => import("blockly/msg/es"),
 };
+// What Blockly itself says only in English as yet, above all to screen readers.
+const missing = import.meta.glob<Messages>("./words/*.json", { import: "default" });
 
 /** Fetch what the palette needs in a language; English words where Blockly has none. */
 export async function fetchPalette(language: string): Promise<Palette> {
@@ -40,7 +42,8 @@ async function fetchOwn(language: string): Promise<Palette> {
 }
 
 async function fetchWords(language: string): Promise<object> {
-  return (await locales[language]?.()) ?? {};
+  const [theirs, ours] = await Promise.all([locales[language]?.(), missing[`./words/${language}.json`]?.()]);
+  return { ...theirs, ...ours };
 }
 
 /** Make Blockly speak the palette's language and know its blocks. */

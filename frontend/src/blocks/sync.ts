@@ -3,7 +3,7 @@
 import * as Blockly from "blockly/core";
 
 import type { Block, Workspace } from "../messages";
-import { build, differsInShape, update } from "./build";
+import { addShadows, build, differsInShape, update } from "./build";
 import type { Link, Node } from "./flat";
 import { index, shadowLinks } from "./flat";
 import type { Covered } from "./places";
@@ -88,6 +88,7 @@ class Change {
     this.removeOld();
     for (const node of this.nodes.values()) this.makeOrUpdate(node);
     this.connect();
+    for (const block of this.made) addShadows(block, this.nodes.get(block.id)!.block);
     removeVariables(this.workspace, this.wanted.variables);
     if (this.touched) Blockly.renderManagement.triggerQueuedRenders(this.workspace);
     this.place();
