@@ -30,7 +30,7 @@ def test_the_page_tells_the_limits_there_are():
     assert limits.memory == 2048 * MEGABYTE
     assert limits.cpu == 3600
     assert (limits.open_files, limits.file_size, limits.output) == (64, 16 * MEGABYTE, MEGABYTE)
-    assert limits.silence == 2
+    assert limits.silence == 5
     told = " ".join(PAGE.split())
     assert "2 GB of memory, an hour of processor time, 64 open files of at most 16 MB" in told
 

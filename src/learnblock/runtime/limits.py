@@ -26,7 +26,7 @@ class Limits(msgspec.Struct, frozen=True, array_like=True):
     output: int = MEGABYTE
     file_size: int = 16 * MEGABYTE
     open_files: int = 64
-    silence: float = 2.0
+    silence: float = 5.0
     preparation: float = 15.0
 
 
