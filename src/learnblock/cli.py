@@ -12,6 +12,7 @@ import click
 
 from learnblock.console import ExitCode, print_json
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
+from learnblock.files import save
 
 if TYPE_CHECKING:
     from learnblock.running import Source
@@ -335,15 +336,8 @@ def _format(file: Path, *, only_check: bool, to_stdout: bool) -> bool:
     if to_stdout:
         click.echo(text, nl=False)
     elif changed and not only_check:
-        _replace(file, text)
+        save(file, text.encode())
     return changed
-
-
-def _replace(file: Path, text: str) -> None:
-    """Write a file so that a crash leaves the old text or the new one, never half of it."""
-    temporary = file.with_name(file.name + ".new")
-    temporary.write_text(text, encoding="utf-8", newline="\n")
-    temporary.replace(file)
 
 
 def _report_mistakes(error: FileError) -> None:

@@ -1,8 +1,6 @@
 """Worlds as the page edits and draws them: values, pictures, and files in the user's folder."""
 
-import os
 import re
-import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -10,6 +8,7 @@ from typing import Any
 import msgspec
 
 from learnblock.errors import Diagnostic, WorldError
+from learnblock.files import save
 from learnblock.robots.picture import png
 from learnblock.robots.simulated import find_world, own_worlds
 from learnblock.simulator import WorldFile, read_world, write_world
@@ -63,9 +62,9 @@ def save_world(name: str, values: Mapping[str, Any]) -> Path:
         )
         raise WorldError(name, [Diagnostic("wrong-name", message)])
     text = write_world(world_from_values(values), name)
-    folder = own_worlds()
-    folder.mkdir(parents=True, exist_ok=True)
-    return _write(folder / f"{name}.toml", text)
+    path = own_worlds() / f"{name}.toml"
+    save(path, text.encode())
+    return path
 
 
 def tag_picture(number: int) -> bytes:
@@ -99,17 +98,3 @@ def floor_picture(name: str) -> bytes | None:
     """
     world = find_world(name)
     return Path(world.folder, world.floor.picture).read_bytes() if world.floor.picture else None
-
-
-def _write(path: Path, text: str) -> Path:
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}.")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        Path(name).replace(path)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
-    return path

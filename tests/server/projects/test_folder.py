@@ -6,12 +6,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from learnblock import files
 from learnblock.blocks import builtin
 from learnblock.errors import LearnBlockError, ProgramError, ProjectError, UnknownNameError
 from learnblock.language.workspace import Block, BlockComment, Input, Variable, Workspace
 from learnblock.server.messages import PastRun
 from learnblock.server.program.document import Document
-from learnblock.server.projects import saving
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project_file import LARGEST, Project, checked_name, decode, encode
 
@@ -290,7 +290,7 @@ def test_a_crash_while_saving_leaves_the_project_as_it_was(folder, monkeypatch):
     def crash(_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(saving.os, "fsync", crash)
+    monkeypatch.setattr(files.os, "fsync", crash)
     with pytest.raises(KeyboardInterrupt):
         folder.write(Project("p", "x = 2\n"))
     assert folder.read("p").blocktext == "x = 1\n"

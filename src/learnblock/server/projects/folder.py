@@ -17,6 +17,7 @@ from learnblock.errors import (
     ProjectError,
     UnknownNameError,
 )
+from learnblock.files import save
 from learnblock.language.python import ROBOT_IMPORT
 from learnblock.running import DEFAULT_ROBOT
 from learnblock.server.messages import PastRun, ProjectEntry, Version
@@ -30,7 +31,6 @@ from learnblock.server.projects.project_file import (
     decode,
     encode,
 )
-from learnblock.server.projects.saving import save
 
 __all__ = ["Format", "Project", "ProjectFolder"]
 

@@ -10,9 +10,9 @@ from typing import Literal, cast
 import msgspec
 
 from learnblock.errors import UnknownNameError
+from learnblock.files import save
 from learnblock.server.messages import PastRun, Version
 from learnblock.server.projects.project_file import ENDING, LARGEST, Project, decode, encode
-from learnblock.server.projects.saving import save
 
 Reason = Literal["run", "time", "restored", "opened"]
 
