@@ -87,7 +87,7 @@ class Server:
         return status
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def server(tmp_path_factory):
     """One server for all tests that do it no harm."""
     server = Server(tmp_path_factory.mktemp("served-home"))
@@ -104,8 +104,9 @@ def own_server(tmp_path):
         server.stop()
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def browser():
+    """A browser that ends with these tests: its event loop would stand in the way of the others."""
     expect.set_options(timeout=PATIENCE)
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(

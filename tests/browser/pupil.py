@@ -2,6 +2,7 @@
 
 import json
 import re
+from contextlib import contextmanager
 from urllib.parse import urlsplit
 
 from playwright.sync_api import expect
@@ -79,9 +80,8 @@ class Pupil:
 
     def begin(self):
         """Begin an empty program."""
-        self.page.locator("header").get_by_role("button").first.click()
-        self.page.get_by_role("menuitem", name="New").click()
-        expect(self.page).to_have_url(re.compile("project=program"))
+        with self._another_project():
+            self.project("New")
 
     def project(self, command):
         """Choose a command of the project's menu."""
@@ -90,9 +90,20 @@ class Pupil:
 
     def open_example(self, title):
         """Open an example as a project of one's own."""
-        self.project("Examples…")
-        self.dialog().get_by_role("button", name=title).first.click()
+        with self._another_project():
+            self.project("Examples…")
+            self.dialog().get_by_role("button", name=title).first.click()
         expect(self.dialog()).to_have_count(0)
+
+    @contextmanager
+    def _another_project(self):
+        before = self.name_of_project()
+        yield
+        expect(self.page.locator("header .project-name")).not_to_have_text(before)
+
+    def name_of_project(self):
+        """What the bar calls the project."""
+        return self.page.locator("header .project-name").text_content()
 
     def works_on(self, name):
         """Wait until a project is open."""
@@ -313,9 +324,14 @@ class Pupil:
         field.press("Enter")
 
     def block_ids(self):
-        """The ids of all blocks in the program, in the order of the picture."""
+        """The ids of all blocks in the program, from the top down and from left to right."""
         found = self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas [data-id]")
-        return found.evaluate_all("all => all.map((one) => one.dataset.id)")
+        return found.evaluate_all(
+            """all => all
+                .map((one) => ({ id: one.dataset.id, at: one.getBoundingClientRect() }))
+                .sort((one, other) => one.at.y - other.at.y || one.at.x - other.at.x)
+                .map((one) => one.id)"""
+        )
 
     def places_of_blocks(self):
         """Where each block is within what it hangs on, by its id."""

@@ -99,7 +99,7 @@ def test_the_way_back_of_the_browser_leads_to_the_project_before(pupil):
     pupil.begin()
     wave(pupil)
     pupil.is_saved()
-    name = pupil.page.locator("header .project-name").text_content()
+    name = pupil.name_of_project()
     pupil.open_example("Polygons")
     pupil.page.go_back()
     pupil.works_on(name)

@@ -145,7 +145,7 @@ def test_the_trace_is_that_of_the_command_line_whichever_view_was_edited_last(pu
     pupil.write("blocktext", SQUARE.read_text())
     pupil.sees("python", "times = 0")
     assert pupil.trace_of_a_run() == expected
-    waited = pupil.blocks("lb_skill_sleep").locator(".blocklyNumberField").first
+    waited = pupil.blocks("lb_skill_sleep").first.locator("> .math_number .blocklyNumberField")
     pupil.fill(waited, "4")
     pupil.sees("blocktext", "sleep(4)")
     pupil.fill(waited, "5")
