@@ -36,11 +36,17 @@ class Server:
     """``learnblock`` as a user starts it, with a home and a folder of projects of its own.
 
     Started again it has the same address, as one that a teacher runs for a class.
+
+    Args:
+        home: its home.
+        options: of the command line.
+        errors: the file to which it tells what goes wrong; None for that of the tests.
     """
 
-    def __init__(self, home, *options):
+    def __init__(self, home, *options, errors=None):
         self.home = home
         self.options = options
+        self.errors = errors
         self.token = secrets.token_urlsafe()
         self.port = 0
         self.start()
@@ -56,6 +62,7 @@ class Server:
                 *self.options,
             ],
             stdout=subprocess.PIPE,
+            stderr=self.errors,
             text=True,
             env={
                 **os.environ,
