@@ -5,6 +5,7 @@ import "blockly/blocks";
 import * as english from "blockly/msg/en";
 
 import { registerCodeField } from "./code_field";
+import { keepFocus } from "./focus";
 import { registerMutators } from "./mutators";
 import { forgetDisposed } from "./render_queue";
 import { compareNamesExactly } from "./variables";
@@ -62,6 +63,7 @@ export function prepareBlockly(): void {
   registerCodeField();
   leaveChecksToServer();
   forgetDisposed();
+  keepFocus();
   // Never stopped: a program uses few words again and again, and measuring one lays out the page.
   Blockly.utils.dom.startTextWidthCache();
 }

@@ -8,6 +8,8 @@ import { t } from "../i18n";
 
 type FlyoutItem = Blockly.utils.toolbox.FlyoutItemInfo;
 const KIND = "search";
+/** Letters of a word, below which the search finds only words that are no longer. */
+const SHORTEST = 3;
 
 /** The search tab of the palette. */
 export function searchTab(): Blockly.utils.toolbox.ToolboxItemInfo {
@@ -15,37 +17,47 @@ export function searchTab(): Blockly.utils.toolbox.ToolboxItemInfo {
   return tab as unknown as Blockly.utils.toolbox.ToolboxItemInfo;
 }
 
-/** Let the palette's search speak the page's language. */
+/** What the plugin's tab has of its own. */
+interface Searching {
+  readonly searchField?: HTMLInputElement;
+  readonly blockSearcher: { blockTypesMatching(words: string): FlyoutItem[] };
+}
+
+/** Let the palette's search speak the page's language, and find what is typed with its last letter. */
 export function registerSearchTab(): void {
   const { TOOLBOX_ITEM } = Blockly.registry.Type;
   const Plugin = Blockly.registry.getClass(TOOLBOX_ITEM, KIND) as unknown as typeof Blockly.ToolboxCategory;
   class SearchTab extends Plugin {
+    private words: string | null = null;
+
     protected override createDom_(): HTMLDivElement {
       const dom = super.createDom_();
       const input = dom.querySelector("input");
       input?.setAttribute("placeholder", t("blocks.search"));
       input?.setAttribute("aria-label", t("blocks.search_blocks"));
+      // The plugin looks when a key goes down, before its letter is there.
+      input?.addEventListener("input", () => this.matchBlocks());
       return dom;
     }
 
-    override getContents(): FlyoutItem[] | string {
-      const contents = super.getContents();
-      return typeof contents === "string" ? contents : contents.map(translate);
+    /** In place of the plugin's, which calls it too. */
+    matchBlocks(): void {
+      const { searchField, blockSearcher } = this as unknown as Searching;
+      const words = searchField?.value.trim() ?? "";
+      if (words === this.words) return;
+      this.words = words;
+      const found = words ? blockSearcher.blockTypesMatching(words) : [];
+      this.flyoutItems_ = found.length ? found : [nothing(words)];
+      if (words) Blockly.utils.aria.announceDynamicAriaState(t("blocks.search_found", { count: found.length }));
+      this.parentToolbox_.refreshSelection();
     }
   }
   Blockly.registry.register(TOOLBOX_ITEM, KIND, SearchTab, true);
 }
 
-// The plugin's own words, as long as it takes none from Blockly's messages.
-const WORDS: Record<string, string> = {
-  "Type to search for blocks": "blocks.search_hint",
-  "No matching blocks found": "blocks.search_nothing",
-};
-
-function translate(item: FlyoutItem): FlyoutItem {
-  const { text } = item as { text?: string };
-  const key = text === undefined ? undefined : WORDS[text];
-  return key ? ({ ...item, text: t(key) } as FlyoutItem) : item;
+function nothing(words: string): FlyoutItem {
+  const text = words.length < SHORTEST ? t("blocks.search_hint") : t("blocks.search_nothing");
+  return { kind: "label", text } as FlyoutItem;
 }
 
 /** Ctrl+F in the program. */

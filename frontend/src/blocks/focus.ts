@@ -1,0 +1,25 @@
+/** The focus stays with the block that has it. */
+
+import * as Blockly from "blockly/core";
+
+/**
+ * Gives the focus back when Blockly has taken it away unawares.
+ *
+ * In the frame after a connection was lit up Blockly puts its light behind all that hangs beside it. A
+ * block that was put there meanwhile is moved in the page's tree, loses the focus, and with it the keyboard
+ * is lost: so it went for whoever pressed Enter twice within a frame.
+ */
+export function keepFocus(): void {
+  const { highlight } = Blockly.RenderedConnection.prototype;
+  Blockly.RenderedConnection.prototype.highlight = function (this: Blockly.RenderedConnection) {
+    let focused: Element | null = null;
+    requestAnimationFrame(() => (focused = document.activeElement));
+    highlight.call(this);
+    requestAnimationFrame(() => focusAgain(focused));
+  };
+}
+
+function focusAgain(element: Element | null): void {
+  const lost = element !== document.activeElement && element?.isConnected;
+  if (lost) (element as HTMLElement | SVGElement).focus({ preventScroll: true });
+}
