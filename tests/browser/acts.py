@@ -258,9 +258,9 @@ class Monkey:
         return "the page"
 
     def go_back_or_forward(self):
-        way = self._chance.choice(("back", "forward"))
-        # Not by Playwright's own, which waits for a page where there may be none.
-        self._page.evaluate(f"history.{way}()")
+        way = self._chance.choice(("Back", "Forward"))
+        # Where our page ends another one would be shown.
+        self._page.evaluate(f"navigation.canGo{way} && history.{way.lower()}()")
         return way
 
     def change_room(self):

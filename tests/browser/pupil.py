@@ -61,7 +61,7 @@ class Pupil:
     def open(self, address=None):
         """Open the page in a new tab, at another address than the server's if one is given."""
         page = self.context.new_page()
-        page.on("pageerror", lambda error: self.errors.append(str(error)))
+        page.on("pageerror", lambda error: self.errors.append(error.stack or str(error)))
         page.on("request", self._note_foreign)
         page.goto(address or self._server.address)
         expect(page.locator("header .project-name")).not_to_have_text("…")
@@ -94,6 +94,12 @@ class Pupil:
             self.project("Examples…")
             self.dialog().get_by_role("button", name=title).first.click()
         expect(self.dialog()).to_have_count(0)
+
+    def upload(self, file):
+        """Choose a file to be opened."""
+        with self.page.expect_file_chooser() as chooser:
+            self.project("Upload a file…")
+        chooser.value.set_files(file)
 
     @contextmanager
     def _another_project(self):

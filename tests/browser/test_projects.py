@@ -183,7 +183,7 @@ def test_a_project_goes_out_as_a_file_and_comes_in_again(pupil, tmp_path):
     assert files[1].read_text() == WAVE
     for file in files:
         before = pupil.page.url
-        upload(pupil, file)
+        pupil.upload(file)
         expect(pupil.page).not_to_have_url(before)
         pupil.sees("blocktext", "function.expressJoy()")
 
@@ -209,7 +209,7 @@ def test_a_wrong_file_is_refused_with_a_sentence(pupil, tmp_path, name, text, se
     before = pupil.page.url
     file = tmp_path / name
     file.write_text(text)
-    upload(pupil, file)
+    pupil.upload(file)
     pupil.told(sentence)
     pupil.picture("refused")
     assert pupil.page.url == before
@@ -236,12 +236,6 @@ def download(pupil, command, folder):
     file = folder / started.value.suggested_filename
     started.value.save_as(file)
     return file
-
-
-def upload(pupil, file):
-    with pupil.page.expect_file_chooser() as chooser:
-        pupil.project("Upload a file…")
-    chooser.value.set_files(file)
 
 
 def drag_file(pupil, what, name, text):

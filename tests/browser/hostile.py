@@ -1,0 +1,131 @@
+"""What a page of ours would never say to the server."""
+
+import json
+import random
+from typing import get_args
+
+from learnblock.server.messages import FromPage
+from learnblock.server.pages.page import MessageError, decode
+
+PROGRAM = "main:\n    function.sleep(1)\nend\n"
+WORLD = {"title": "Mine", "floor": {"size": [1000, 1000]}, "robot": [{"x": 0, "y": 0}]}
+PLACE = {"request": 1, "notation": "blocktext", "line": 2, "column": 14}
+#: Every message of a page, with values of its own.
+SAID = {
+    "Open": {"name": "program"},
+    "New": {"name": "another"},
+    "Import": {"filename": "a.bt", "text": PROGRAM},
+    "SaveAs": {"name": "a copy"},
+    "Delete": {"name": "another"},
+    "Export": {"format": "py"},
+    "ListProjects": {},
+    "ListHistory": {},
+    "Restore": {"version": "1"},
+    "EditBlocks": {"edit": 1, "workspace": {"stacks": [], "variables": []}},
+    "EditText": {"edit": 1, "notation": "blocktext", "text": PROGRAM},
+    "Undo": {},
+    "Redo": {},
+    "Format": {},
+    "Rename": {"sort": "variable", "name": "x", "new": "y"},
+    "Complete": PLACE,
+    "Describe": PLACE,
+    "SetBreakpoints": {"blocks": ["one", "two"]},
+    "ChooseRobot": {"name": "sim-cozmo"},
+    "ChooseWorld": {"name": "line"},
+    "Run": {"paused": True},
+    "Stop": {},
+    "Pause": {},
+    "Resume": {},
+    "Step": {"over": True},
+    "SetSpeed": {"factor": 20},
+    "Answer": {"text": "hello"},
+    "ResetWorld": {},
+    "PlaceRobot": {"x": 100, "y": 100, "heading": 90},
+    "Drive": {"advance": 1, "rotation": -1},
+    "WatchCamera": {"on": True},
+    "ReadWorld": {"name": "line"},
+    "CheckWorld": {"world": WORLD},
+    "SaveWorld": {"name": "mine", "world": WORLD},
+}
+assert set(SAID) == {kind.__name__ for kind in get_args(FromPage)}
+WRONG = (
+    None, True, -1, 10**30, 10**400, 1.5e308, float("inf"), float("nan"), "", "\0", "x" * 2000,
+    "../../etc/passwd", [], [[[]]], {}, {"": {}}, ["a", 1, None], {"kind": "Open"}, "🤖", "\ud800",
+)  # fmt: skip
+
+
+def malformed(chance):
+    """Something that is no message."""
+    while True:
+        said = chance.choice(WAYS)(chance)
+        try:
+            decode(said)
+        except MessageError:
+            return said
+
+
+def disordered(chance):
+    """A message that comes at the wrong time, or speaks of what is not there."""
+    kind = chance.choice(tuple(SAID))
+    values = dict(SAID[kind])
+    if values and chance.random() < 0.3:
+        values[chance.choice(tuple(values))] = chance.choice(WRONG)
+    return json.dumps({"kind": kind, **values})
+
+
+def _noise(chance):
+    return chance.randbytes(chance.randint(0, 200))
+
+
+def _letters(chance):
+    return "".join(chr(chance.randint(0, 0xD7FF)) for _ in range(chance.randint(0, 100)))
+
+
+def _other_json(chance):
+    return json.dumps(chance.choice(WRONG))
+
+
+def _of_no_kind(chance):
+    return json.dumps({"kind": chance.choice(WRONG), "name": chance.choice(WRONG)})
+
+
+def _with_wrong_values(chance):
+    kind = chance.choice(tuple(SAID))
+    wrong = {name: chance.choice(WRONG) for name in SAID[kind]}
+    return json.dumps({"kind": kind, **SAID[kind], **wrong})
+
+
+def _with_too_few_values(chance):
+    kind = chance.choice(tuple(SAID))
+    kept = chance.sample(tuple(SAID[kind]), k=len(SAID[kind]) // 2)
+    return json.dumps({"kind": kind, **{name: SAID[kind][name] for name in kept}})
+
+
+def _cut_off(chance):
+    said = json.dumps({"kind": (kind := chance.choice(tuple(SAID))), **SAID[kind]})
+    return said[: chance.randrange(len(said))]
+
+
+def _deep(chance):
+    opening, closing = chance.choice((("[", "]"), ('{"a":', "}")))
+    depth = chance.choice((10, 1000, 5000))
+    inner = opening * depth + "1" + closing * chance.choice((0, depth))
+    return chance.choice((inner, f'{{"kind": "SaveWorld", "name": "w", "world": {inner}}}'))
+
+
+WAYS = (
+    _noise,
+    _letters,
+    _other_json,
+    _of_no_kind,
+    _with_wrong_values,
+    _with_too_few_values,
+    _cut_off,
+    _deep,
+)
+
+
+def stream(say, count, seed):
+    """So many of what `say` says."""
+    chance = random.Random(seed)  # noqa: S311 - repeatable, not secret
+    return [say(chance) for _ in range(count)]
