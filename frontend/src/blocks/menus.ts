@@ -21,6 +21,7 @@ type Item = Blockly.ContextMenuRegistry.RegistryItem;
 type Scope = Blockly.ContextMenuRegistry.Scope;
 
 const { CTRL_CMD, SHIFT, Z, Y, F9 } = Blockly.utils.KeyCodes as unknown as Record<string, number>;
+const { FOCUS_TOOLBOX, FOCUS_WORKSPACE } = Blockly.ShortcutItems.names;
 const actions = new WeakMap<Blockly.Workspace, Actions>();
 
 /** Give a workspace its own actions. */
@@ -38,6 +39,7 @@ export function registerMenus(): void {
   replaceKey("undo", [[Z, CTRL_CMD]], (own) => own.undo());
   replaceKey("redo", [[Z, CTRL_CMD, SHIFT], [Y, CTRL_CMD]], (own) => own.redo());
   registerBreakpointKey();
+  for (const name of [FOCUS_TOOLBOX, FOCUS_WORKSPACE]) leaveLists(name);
   for (const item of [undoItem, redoItem, breakpointItem, showItem, conditionItem]) replaceItem(item);
 }
 
@@ -54,6 +56,18 @@ function replaceKey(name: string, keys: (number | undefined)[][], act: (own: Act
       if (own) act(own);
       return own !== undefined;
     },
+  });
+}
+
+// A letter that is typed in a list is none of Blockly's keys: it would leave the list open behind it.
+function leaveLists(name: string): void {
+  const registry = Blockly.ShortcutRegistry.registry;
+  const shortcut = registry.getRegistry()[name]!;
+  registry.unregister(name);
+  registry.register({
+    ...shortcut,
+    preconditionFn: (...where) =>
+      !Blockly.getFocusManager().ephemeralFocusTaken() && (shortcut.preconditionFn?.(...where) ?? true),
   });
 }
 

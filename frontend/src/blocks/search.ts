@@ -51,6 +51,25 @@ export function registerSearchTab(): void {
       if (words) Blockly.utils.aria.announceDynamicAriaState(t("blocks.search_found", { count: found.length }));
       this.parentToolbox_.refreshSelection();
     }
+
+    /** Ctrl+B, as the plugin's own, which locks the keyboard when it is pressed among the palette's blocks. */
+    protected registerShortcut(): void {
+      const { registry } = Blockly.ShortcutRegistry;
+      const { B, CTRL } = Blockly.utils.KeyCodes;
+      registry.register({
+        name: "startSearch",
+        keyCodes: [registry.createSerializedKey(B, [CTRL])],
+        preconditionFn: () => !Blockly.getFocusManager().ephemeralFocusTaken(),
+        callback: () => this.takeFocus(),
+      });
+    }
+
+    // By way of the palette: its blocks must not have the focus while others take their place.
+    private takeFocus(): boolean {
+      Blockly.getFocusManager().focusTree(this.parentToolbox_ as Blockly.Toolbox);
+      Blockly.getFocusManager().focusNode(this);
+      return true;
+    }
   }
   Blockly.registry.register(TOOLBOX_ITEM, KIND, SearchTab, true);
 }
