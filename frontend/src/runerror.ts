@@ -6,6 +6,7 @@ import { translated } from "./i18n";
 import type { Ended, Place, Problem, View } from "./messages";
 import type { Program } from "./program";
 import type { Running } from "./running";
+import { said } from "./sentences";
 
 /** A problem for each view; none once the program has been changed, for that may have mended it. */
 export function runError(program: Program, running: Running): ReadonlySignal<readonly Problem[]> {
@@ -31,5 +32,6 @@ export function explained(message: string): string {
   const name = /^(\w+): /.exec(message)?.[1] ?? "";
   const meaning = translated(`problems.run_${name}`, "");
   if (meaning) return `${meaning.replace(/\.$/, "")} (${message}).`;
-  return message.charAt(0).toLocaleUpperCase() + message.slice(1);
+  const told = said(message);
+  return told.charAt(0).toLocaleUpperCase() + told.slice(1);
 }

@@ -3,6 +3,7 @@
 import * as Blockly from "blockly/core";
 
 import type { Problem } from "../messages";
+import { said } from "../sentences";
 import { BreakpointIcon } from "./breakpoint_icon";
 
 type Svg = Blockly.BlockSvg;
@@ -74,7 +75,8 @@ function collect(problems: readonly Problem[]): Map<string, Finding> {
   for (const { block, message, severity } of problems) {
     if (!block) continue;
     const known = found.get(block);
-    found.set(block, known ? join(known, message, severity) : { severity, text: message });
+    const text = said(message);
+    found.set(block, known ? join(known, text, severity) : { severity, text });
   }
   return found;
 }

@@ -6,6 +6,7 @@ import type { Connection } from "../connection";
 import { t, translated } from "../i18n";
 import type { Export, File as Download, History, ProjectEntry, Welcome, WorldChoice } from "../messages";
 import type { Program } from "../program";
+import { said } from "../sentences";
 import { addressedProject, nameProject, renameProject } from "./address";
 import type { Toasts } from "./notes/toasts";
 
@@ -142,7 +143,7 @@ export class Project {
   }
 
   private failed(message: string, request: string): void {
-    this.toasts.error(message);
+    this.toasts.error(said(message));
     this.doomed = null;
     // The address named a project that is not there, or no longer.
     if (request !== "Open") return;

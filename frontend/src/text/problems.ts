@@ -5,6 +5,7 @@ import { Prec, type EditorState, type Extension } from "@codemirror/state";
 import { keymap, type EditorView } from "@codemirror/view";
 
 import type { Problem } from "../messages";
+import { said } from "../sentences";
 import { positionOf } from "./places";
 
 function endOf(state: EditorState, problem: Problem, from: number): number {
@@ -19,7 +20,7 @@ function endOf(state: EditorState, problem: Problem, from: number): number {
 function diagnostic(state: EditorState, problem: Problem): Diagnostic {
   const from = positionOf(state, problem.line ?? 0, problem.column ?? 0);
   const to = endOf(state, problem, from);
-  return { from, to, severity: problem.severity, message: problem.message };
+  return { from, to, severity: problem.severity, message: said(problem.message) };
 }
 
 /** Show the problems of one text. */

@@ -1,6 +1,7 @@
 /** The program's problems as a list for a person: one entry for one mistake. */
 
 import type { Problem } from "../../messages";
+import { said } from "../../sentences";
 
 /** The same mistake, with each place where a view shows it. */
 export interface Finding {
@@ -30,7 +31,7 @@ function keyOf({ code, message, block, view }: Problem, found: ReadonlyMap<strin
 
 function finding(key: string, places: readonly Problem[]): Finding {
   const { message = "", severity = "error" } = places[0] ?? {};
-  return { key, message, severity, places };
+  return { key, message: said(message), severity, places };
 }
 
 function of(entries: readonly Finding[], severity: Problem["severity"]): readonly Finding[] {

@@ -11,6 +11,7 @@ import type { Connection } from "../../connection";
 import { t } from "../../i18n";
 import type { Island } from "../../island";
 import type { FromPage } from "../../messages";
+import { said } from "../../sentences";
 
 /** ms between two questions. */
 const PERIOD = 300;
@@ -62,7 +63,7 @@ export class Checking implements Island {
       button.addEventListener("click", () => this.draft.select(ref));
       item.append(button, " ");
     }
-    item.append(problem.replaceAll("`", ""));
+    item.append(said(problem).replaceAll("`", ""));
     return item;
   }
 

@@ -6,6 +6,7 @@ import type { Draft } from "./drafts";
 import type { Connection } from "../../connection";
 import { t } from "../../i18n";
 import type { Island } from "../../island";
+import { said } from "../../sentences";
 
 type Outcome = { readonly word: string; readonly name: string } | { readonly text: string };
 
@@ -35,7 +36,7 @@ export class Saving implements Island {
       effect(() => this.show(wrong.value)),
       connection.on("Worlds", () => this.saved()),
       connection.on("WorldChecked", ({ problems: found }) => found.length > 0 && this.refused(t("editor.wrong"))),
-      connection.on("Failed", ({ message, request }) => request === "SaveWorld" && this.refused(message)),
+      connection.on("Failed", ({ message, request }) => request === "SaveWorld" && this.refused(said(message))),
     ];
   }
 
