@@ -71,7 +71,9 @@ def phrases(language: str, but: str = "") -> list[tuple[str, str]]:
 
 
 def literals() -> Iterator[str]:
-    """The strings in our sources."""
+    """The strings in our sources, and in the worlds."""
+    for world in (ROOT / "src/learnblock/simulator/worlds").glob("*.toml"):
+        yield world.read_text("utf-8")
     for file in (ROOT / "src/learnblock").rglob("*.py"):
         for node in ast.walk(ast.parse(file.read_text("utf-8"))):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):

@@ -4,6 +4,7 @@ import type { RobotValues } from "./description";
 import { ahead } from "./readings";
 import { t } from "../i18n";
 import type { GoalNow, Robot, Telemetry } from "../messages";
+import { said } from "../sentences";
 
 const DIRECTIONS = ["e", "se", "s", "sw", "w", "nw", "n", "ne"] as const;
 /** A robot that comes no nearer than this to its own axis stands in the middle, mm. */
@@ -45,5 +46,5 @@ function aheadInWords({ nearest, range }: { nearest: number | null; range: numbe
 }
 
 export function goalInWords({ name, state }: GoalNow): string {
-  return t(`world.goal.${state}`, { name });
+  return t(`world.goal.${state}`, { name: said(name) });
 }

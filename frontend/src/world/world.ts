@@ -20,6 +20,7 @@ import { goalInWords, placeInWords, robotInWords } from "./words";
 import type { Context } from "../context";
 import { t } from "../i18n";
 import type { Robot, Scene, Telemetry } from "../messages";
+import { said } from "../sentences";
 
 /** ms between two changes of the picture's label: who reads it wants to come to its end. */
 const LABEL_PERIOD = 3000;
@@ -112,7 +113,7 @@ export class World implements WorldIsland {
     this.watch(() => t("world.label"), (label) => (this.frame.ariaLabel = label));
     this.watch(() => this.places.value, (on) => this.placing.select(on));
     this.watch(() => (this.places.value ? t("world.placing") : ""), (hint) => this.showHint(hint));
-    this.watch(() => t("world.image"), () => this.label());
+    this.watch(() => t("world.image"), () => (this.canvas.ariaLabel = this.inWords()));
     const keys = worldKeys(this.cameras, this.tools(), { on: this.places, nudge: (...by) => this.nudge(...by) });
     this.frame.addEventListener("keydown", keys);
     this.canvas.addEventListener("dblclick", (event) => this.centreOn(this.pointing.floor(event)));
@@ -285,7 +286,7 @@ export class World implements WorldIsland {
     const robot = telemetry?.robots[0];
     const values = scene?.robots[0]?.[1] as RobotValues | undefined;
     const title = this.stage?.world.title;
-    const world = title ? t("world.image", { title }) : t("world.imageEmpty");
+    const world = title ? t("world.image", { title: said(title) }) : t("world.imageEmpty");
     if (!robot || !values) return world;
     return `${world} ${robotInWords(values.title || robot.name, robot, values, telemetry)}`;
   }

@@ -104,7 +104,9 @@ def _statements() -> list[Definition]:
 def _values() -> list[Definition]:
     names, pair = ["lb_when_names"], {"inputsInline": True}
     numbers = [_value("A", "Number"), _value("B", "Number")]
-    membership = [_value("A"), _choice("OP", ("in", "not in")), _value("B")]
+    words = [["%{BKY_LB_IN_YES}", "in"], ["%{BKY_LB_IN_NO}", "not in"]]
+    operator = {"type": "field_dropdown", "name": "OP", "options": words}
+    membership = [_value("A"), operator, _value("B")]
     seconds = [_value("SECONDS", "Number")]
     return [
         _block("lb_state", "lb_event", [_PLACE], output="Boolean", extensions=names, **pair),

@@ -5,6 +5,7 @@ import { effect, signal } from "@preact/signals";
 import type { Context } from "../../context";
 import { t } from "../../i18n";
 import type { Ended, RunState, Telemetry } from "../../messages";
+import { said } from "../../sentences";
 import { sentence } from "../result";
 
 /** Somebody who types is not interrupted by each half-written line's errors. */
@@ -39,7 +40,7 @@ export class Announcer {
     const reached = goals.filter((goal) => goal.state === "reached" && !this.reached.has(goal.name));
     for (const goal of reached) this.reached.add(goal.name);
     if (reached.length > 0) {
-      this.say(t("chrome.goalReached", { goal: reached.map((goal) => goal.name).join(", ") }));
+      this.say(t("chrome.goalReached", { goal: reached.map((goal) => said(goal.name)).join(", ") }));
     }
   }
 

@@ -5,6 +5,7 @@ import type { ComponentChildren } from "preact";
 import { t } from "../../i18n";
 import type { Ended, GoalNow } from "../../messages";
 import { explained } from "../../runerror";
+import { said } from "../../sentences";
 import { usePage } from "../page";
 import { ending } from "../result";
 import "./problems.css";
@@ -59,7 +60,7 @@ function Goals({ goals }: { goals: readonly GoalNow[] }) {
     <ul>
       {goals.map((goal) => (
         <li key={goal.name} class={goal.state}>
-          {goal.name}: {t(`problems.goal_${goal.state}`)}
+          {said(goal.name)}: {t(`problems.goal_${goal.state}`)}
           {goal.time !== null && ` (${goal.time.toFixed(1)} s)`}
         </li>
       ))}
