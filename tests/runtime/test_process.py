@@ -1,3 +1,4 @@
+import socket
 import subprocess
 import sys
 import threading
@@ -5,8 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from learnblock.errors import ProgramStopped
+from learnblock.runtime.child import run
 from learnblock.runtime.limits import Limits
-from learnblock.runtime.messages import Ended, Printed, Setup
+from learnblock.runtime.link import Link
+from learnblock.runtime.messages import Ended, FromChild, FromHost, Printed, Setup
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 
 
@@ -52,6 +56,19 @@ def test_a_program_that_is_interrupted_says_at_which_line(worker):
     ended = heard(worker)[-1]
     assert ended.stopped
     assert ended.lines[-1] in {1, 2, 3}
+
+
+def test_a_program_that_is_stopped_before_it_begins_says_so():
+    host, child = socket.socketpair()
+
+    def stopped(limits):
+        raise ProgramStopped("stopped")
+
+    with host, child:
+        link = Link(host, FromChild)
+        link.send(setup("print('never')"))
+        run(Link(child, FromHost), stopped)
+        assert link.receive(10) == Ended(stopped=True)
 
 
 def test_a_worker_that_runs_has_no_status(worker):

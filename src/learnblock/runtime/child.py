@@ -58,25 +58,28 @@ def run(link: Link[FromHost], fence: Callable[[Limits], None] | None = None) -> 
         fence: puts this process under the limits; None in a thread of the host.
     """
     try:
+        link.send(_ended(link, fence))
+    except EOFError:
+        # The host has changed its mind, or is gone, and with it everybody who would want to know.
+        return
+
+
+def _ended(link: Link[FromHost], fence: Callable[[Limits], None] | None) -> Ended:
+    """Run the program; how it ended.
+
+    Raises:
+        EOFError: the host was gone before it began.
+    """
+    try:
         setup = link.receive()
-    except EOFError:
-        # The host has changed its mind.
-        return
-    if not isinstance(setup, Setup):
-        raise TypeError(f"expected Setup, got {type(setup).__name__}")
-    if fence:
-        fence(setup.limits)
-    program = _Program(link, setup, owns_process=fence is not None)
-    try:
-        ended = program.run()
+        if not isinstance(setup, Setup):
+            raise TypeError(f"expected Setup, got {type(setup).__name__}")
+        if fence:
+            fence(setup.limits)
+        return _Program(link, setup, owns_process=fence is not None).run()
     except ProgramStopped:
-        # A signal that came just as the program ended by itself.
-        ended = Ended(stopped=True)
-    try:
-        link.send(ended)
-    except EOFError:
-        # The host is gone, and with it everybody who would want to know.
-        return
+        # A signal that came before the program began, or just as it ended by itself.
+        return Ended(stopped=True)
 
 
 class _Program:
@@ -146,7 +149,11 @@ class _Program:
             sys.path.insert(0, self._setup.folder)
         # The module `__main__` is the program, as it would be without us.
         vars(sys.modules["__main__"]).update(namespace)
-        yield
+        try:
+            yield
+        finally:
+            # It is over: what is left to do is to say how.
+            signal.signal(signal.SIGTERM, signal.SIG_IGN)
 
     def _import(
         self,
