@@ -15,6 +15,8 @@ from pages import PATIENCE, Visitor
 #: Messages of one connection.
 BREATH = 100
 MEGABYTE = 1024 * 1024
+#: Of no project.
+NOBODY = "nobody"
 MASK = b"\0\0\0\0"
 UNKNOWN_OPCODE = b"\x83\x80" + MASK
 WITHOUT_MASK = b"\x81\x02{}"
@@ -29,15 +31,9 @@ def frame_of(size):
 
 @pytest.fixture(scope="module")
 def own_server(tmp_path_factory):
-    """A server that in the end has told of no error in our code."""
-    folder = tmp_path_factory.mktemp("hostile")
-    home, told = folder / "home", folder / "told.txt"
-    home.mkdir()
-    with told.open("w") as errors:
-        server = Server(home, errors=errors)
+    """A server for all of these tests."""
+    with serving(tmp_path_factory.mktemp("hostile")) as server:
         yield server
-        assert server.stop() == 0
-    assert "/learnblock/" not in told.read_text("utf-8")
 
 
 @pytest.fixture
@@ -66,7 +62,6 @@ def test_a_thousand_messages_at_the_wrong_time_are_obeyed_or_refused(own_server,
             for said in stream(disordered, BREATH, seed):
                 another.say_raw(said)
             settle(another)
-            assert another.heard["Failed"] > 0
     works_as_ever(own_server, stranger.project)
 
 
@@ -94,6 +89,16 @@ def test_what_no_browser_sends_closes_its_connection_with_a_reason(
         another.socket.socket.sendall(data)
         assert code_of_closing(another) == code
     works_as_ever(own_server, stranger.project)
+
+
+def test_a_server_ends_though_pages_have_said_more_than_it_can_do(tmp_path):
+    with serving(tmp_path) as server, visit(server) as page:
+        page.open()
+        for edit in range(BREATH):
+            page.say("EditText", edit=edit, notation="blocktext", text=long_program(edit))
+            page.say("Undo")
+        page.hear("Document", edit=1)
+        assert server.stop() == 0
 
 
 # Who says it.
@@ -141,6 +146,21 @@ def test_a_file_that_is_called_by_a_path_outside_stays_in_the_folder(own_server,
 
 
 @contextmanager
+def serving(folder):
+    """A server that in the end has told of no error in our code."""
+    home, told = folder / "home", folder / "told.txt"
+    home.mkdir()
+    with told.open("w") as errors:
+        server = Server(home, errors=errors)
+        try:
+            yield server
+        finally:
+            status = server.stop()
+    assert status == 0
+    assert "/learnblock/" not in told.read_text("utf-8")
+
+
+@contextmanager
 def visit(server, *, token=None, host="127.0.0.1", origin=None):
     """A page with a websocket, which calls the server by the name `host`."""
     with connect(
@@ -155,19 +175,26 @@ def visit(server, *, token=None, host="127.0.0.1", origin=None):
         yield Visitor(opened)
 
 
+def long_program(number):
+    """It takes its time to be read."""
+    return "main:\n" + f"    function.sleep({number})\n" * 2000 + "end\n"
+
+
 def refusals(page, seed):
     """How many of a hundred malformed messages are refused."""
     before = page.heard["Failed"]
     for said in stream(malformed, BREATH, seed):
         page.say_raw(said)
-    settle(page)
+    page.say("ListProjects")
+    page.until("Projects")
     return page.heard["Failed"] - before
 
 
 def settle(page):
     """Return when everything said until now has been obeyed or refused."""
-    page.say("ListProjects")
-    page.until("Projects")
+    page.say("Open", name=NOBODY)
+    while NOBODY not in page.next().get("message", ""):
+        pass
 
 
 def works_as_ever(server, project):

@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -115,7 +115,9 @@ async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSoc
     # Accepted in any case: a browser tells its page no reason why a handshake failed.
     await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
     if trusted:
-        await (await lobby.get()).serve(socket)
+        # When the server ends, it does not wait for all that a page has said to be done.
+        with suppress(asyncio.CancelledError):
+            await (await lobby.get()).serve(socket)
     else:
         await socket.close(FORBIDDEN, "the token is wrong")
 
