@@ -1,0 +1,187 @@
+"""The page without a mouse, and the tour for whoever is new."""
+
+import re
+
+from playwright.sync_api import expect
+
+from browser.test_square import SQUARE
+from browser.typist import Typist
+
+STEPS = ("Build with blocks", "The same as text", "Run it", "Watch the robot", "Try another robot")
+
+
+def test_listing_4_is_built_with_the_keyboard_alone_and_the_robot_closes_the_square(pupil):
+    keys = Typist(pupil)
+    keys.begin()
+    keys.choose("Robot", "Cozmo")
+    build_listing_4(keys)
+    pupil.sees("blocktext", "angle += 90")
+    assert pupil.reads("blocktext") == SQUARE.split("\n")
+    keys.switch("Python")
+    pupil.sees("python", "robot.set_orientation(angle)")
+    pupil.picture("built")
+    assert pupil.reads("python")[-4:] == [
+        "    robot.set_orientation(angle)",
+        "    times += 1",
+        "    angle += 90",
+        "",
+    ]
+    keys.choose("Speed", "20")
+    keys.press("Control+Enter")
+    expect(pupil.blocks("lb_skill_set_orientation.lbRunning")).to_be_visible()
+    pupil.picture("running")
+    pupil.waits_for_the_end()
+    pupil.picture("closed")
+    keys.go_to("world")
+    keys.walk("Tab", "^Where is the robot")
+    keys.press("Enter")
+    x, y = pupil.place_told()
+    assert abs(x) < 10
+    assert abs(y) < 10
+    assert pupil.foreign == []
+
+
+def test_every_region_of_the_page_is_reached_and_left_by_f6(pupil):
+    keys = Typist(pupil)
+    seen = []
+    for _ in range(5):
+        keys.press("F6")
+        seen.append(keys.region())
+    assert sorted(seen) == ["bar", "blocks", "blocktext", "panel", "world"]
+    keys.press("Shift+F6")
+    assert keys.region() == seen[-2]
+
+
+def test_a_text_is_written_and_left_by_keys(pupil):
+    keys = Typist(pupil)
+    keys.begin()
+    keys.go_to("blocktext")
+    keys.press("Control+a")
+    pupil.page.keyboard.insert_text("main:\n    function.expressJoy()\nend\n")
+    expect(pupil.blocks("lb_skill_expressJoy")).to_be_visible()
+    # The first one closes the suggestions, where there are any.
+    keys.press("Escape", "Escape", "Tab")
+    expect(pupil.editor("blocktext")).not_to_be_focused()
+
+
+def test_a_letter_pressed_in_a_list_of_a_block_does_not_leave_the_list(pupil):
+    pupil.open_example("square")
+    expect(pupil.blocks("controls_whileUntil")).to_be_visible()
+    keys = Typist(pupil)
+    keys.go_to("blocks")
+    keys.walk("ArrowDown", "^repeat, while")
+    keys.walk("ArrowRight", "^dropdown: while")
+    keys.press("Enter", "t", "ArrowDown", "Enter")
+    assert keys.hears() == "dropdown: until"
+    pupil.sees("blocktext", "while not times < 4")
+
+
+def test_the_palette_is_searched_also_from_among_its_blocks(pupil):
+    keys = Typist(pupil)
+    keys.begin()
+    keys.go_to("blocks")
+    keys.walk("ArrowDown", "main program")
+    keys.press("t")
+    keys.walk("ArrowDown", "^Driving$")
+    keys.press("ArrowRight")
+    keys.find("wait", "^wait seconds")
+    assert keys.hears().startswith("wait seconds")
+    pupil.sees("blocktext", "function.sleep(1)")
+
+
+def test_dialogs_give_the_focus_back(pupil):
+    keys = Typist(pupil)
+    for shortcut in ("Control+o", "F1"):
+        keys.go_to("world")
+        before = keys.hears()
+        keys.press(shortcut)
+        expect(pupil.dialog()).to_be_visible()
+        pupil.picture(shortcut)
+        keys.press("Escape")
+        expect(pupil.dialog()).to_have_count(0)
+        assert keys.hears() == before
+
+
+def test_tabs_and_dividers_are_moved_by_arrows(pupil):
+    keys = Typist(pupil)
+    keys.go_to("panel")
+    for name in ("Variables", "Sensors", "Problems", "Result", "Console"):
+        keys.press("ArrowRight")
+        expect(pupil.page.get_by_role("tab", name=name)).to_be_focused()
+        expect(pupil.page.get_by_role("tabpanel", name=name)).to_be_visible()
+    divider = pupil.page.get_by_role("separator", name="Divider between program and world")
+    before = int(divider.get_attribute("aria-valuenow"))
+    keys.walk("Shift+Tab", "^Divider between program and world$")
+    keys.press("ArrowLeft")
+    expect(divider).to_have_attribute("aria-valuenow", str(before - 3))
+
+
+def test_the_tour_is_taken_in_five_steps_by_keys_and_ends_at_the_run_button(sit_down, server):
+    pupil = sit_down(server, tour=True)
+    keys = Typist(pupil)
+    offer = pupil.page.get_by_role("button", name="Show me")
+    expect(offer).to_be_visible()
+    keys.walk("Shift+Tab", "^Show me")
+    keys.press("Enter")
+    for number, title in enumerate(STEPS, 1):
+        expect(pupil.dialog().get_by_role("heading")).to_have_text(title)
+        expect(pupil.dialog()).to_contain_text(f"Step {number} of 5")
+        pupil.picture(f"step-{number}")
+        keys.press("Enter")
+    expect(pupil.dialog()).to_have_count(0)
+    expect(pupil.page.get_by_role("button", name="Run", exact=True)).to_be_focused()
+    pupil.page.reload()
+    pupil.works_on(re.compile("."))
+    expect(offer).to_have_count(0)
+
+
+def build_listing_4(keys):
+    keys.go_to("blocks")
+    keys.walk("ArrowDown", "main program")
+    for name in ("times", "angle"):
+        keys.make_variable(name)
+    set_variable(keys, "times", "0")
+    set_variable(keys, "angle", "90")
+    keys.find("gyroscope", "^reset")
+    keys.find("while", "^repeat, while")
+    fewer_than_four(keys)
+    keys.walk("ArrowLeft", "^repeat, while")
+    turn_a_corner(keys)
+
+
+def set_variable(keys, name, value):
+    keys.take("Variables", "^set, ")
+    keys.choose_in("dropdown: Variable", name)
+    keys.walk("ArrowRight", "^value to set")
+    keys.take("Maths", "^number: 123")
+    keys.fill(value)
+    keys.walk("ArrowLeft", "^set, ")
+
+
+def fewer_than_four(keys):
+    keys.walk("ArrowRight", "^condition")
+    keys.take("Logic", "Empty, equals, Empty")
+    keys.choose_in("dropdown: equals", "^less than$")
+    keys.walk("ArrowRight", "^second value")
+    keys.take("Maths", "^number: 123")
+    keys.fill("4")
+    keys.walk("ArrowLeft", "^first value")
+    keys.take("Variables", "^dropdown: Variable 'times'")
+
+
+def turn_a_corner(keys):
+    keys.find("straight", "^move straight")
+    keys.find("wait", "^wait seconds")
+    keys.fill("5")
+    keys.walk("ArrowLeft", "^wait seconds")
+    keys.find("stop", "^stop")
+    keys.find("orientation", "^set orientation")
+    keys.walk("ArrowRight", "number")
+    keys.take("Variables", "^dropdown: Variable 'angle'")
+    keys.walk("ArrowLeft", "^set orientation")
+    for name, change in (("times", "1"), ("angle", "90")):
+        keys.take("Variables", "^change, ")
+        keys.choose_in("dropdown: Variable", name)
+        keys.walk("ArrowLeft", "^change, ")
+        keys.fill(change)
+        keys.walk("ArrowLeft", "^change, ")

@@ -1,0 +1,143 @@
+"""A pupil without a mouse: presses keys, and goes by what a screen reader would say."""
+
+import re
+
+from playwright.sync_api import expect
+
+from browser.pupil import WORKSPACE
+
+#: More steps than from one end of the palette, of a block or of the page to the other.
+FAR = 60
+#: The name of what has the focus, or of the item of a list that is pointed at.
+SPOKEN = """() => {
+    const focused = document.activeElement;
+    const item = document.getElementById(focused.getAttribute("aria-activedescendant"));
+    const one = focused.getAttribute("role") === "listbox" && item ? item : focused;
+    const words = (one.getAttribute("aria-labelledby") ?? "").split(" ").filter(Boolean);
+    const labels = [...words.map((id) => document.getElementById(id)), one.labels?.[0]];
+    const label = labels.map((label) => label?.querySelector("span") ?? label).find(Boolean);
+    return (one.ariaLabel || (label ?? one).textContent).trim();
+}"""
+REGION = "document.activeElement.closest('[data-region]')?.dataset.region"
+BLOCKS = f"{WORKSPACE} > .blocklyBlockCanvas [data-id]"
+PALETTE = ".blocklyFlyout:visible"
+
+
+class Typist:
+    """The keyboard before a pupil's page.
+
+    Args:
+        pupil: who has put the mouse away.
+    """
+
+    def __init__(self, pupil):
+        self._pupil = pupil
+        self._page = pupil.page
+
+    def press(self, *keys):
+        """Press keys one after another."""
+        for key in keys:
+            self._page.keyboard.press(key)
+
+    def write(self, text):
+        """Type what is in the place of all that was there, and end it with Enter."""
+        self.press("Control+a")
+        self._page.keyboard.type(text)
+        self.press("Enter")
+
+    def hears(self):
+        """The name of what has the focus."""
+        return self._page.evaluate(SPOKEN)
+
+    def region(self):
+        """The region of the page that has the focus."""
+        return self._page.evaluate(REGION)
+
+    def go_to(self, region):
+        """Press F6 until a region has the focus."""
+        for _ in range(FAR):
+            if self.region() == region:
+                return
+            self.press("F6")
+        raise AssertionError(f"F6 does not lead to {region}")
+
+    def walk(self, key, name):
+        """Press a key until something has the focus whose name matches this."""
+        heard = []
+        for _ in range(FAR):
+            heard.append(self.hears())
+            if re.search(name, heard[-1]):
+                return
+            self.press(key)
+        raise AssertionError(f"{key} does not lead to {name}, but to {heard}")
+
+    # Projects and the bar.
+
+    def begin(self):
+        """Begin an empty program."""
+        before = self._pupil.name_of_project()
+        self.go_to("bar")
+        self.press("Enter")
+        expect(self._page.get_by_role("menuitem", name="New", exact=True)).to_be_focused()
+        self.press("Enter")
+        expect(self._page.locator("header .project-name")).not_to_have_text(before)
+        expect(self._page.locator(BLOCKS)).to_have_count(1)
+
+    def choose(self, what, letters):
+        """Choose from a list of the bar by the first letters of a name."""
+        self.go_to("bar")
+        self.walk("Tab", f"^{what}$")
+        self._page.keyboard.type(letters)
+
+    def switch(self, view):
+        """Switch a view of the program on or off."""
+        self.go_to("bar")
+        self.walk("Tab", f"^{view}$")
+        self.press("Enter")
+
+    # Blocks.
+
+    def take(self, category, block):
+        """Take a block from the palette to where Blockly offers a place for it."""
+        self.press("t")
+        self.walk("ArrowDown", f"^{category}$")
+        self.press("ArrowRight")
+        self._insert(block)
+
+    def find(self, words, block):
+        """Take a block that the palette's search finds."""
+        self.press("Control+b", "Control+a")
+        self._page.keyboard.type(words)
+        self.press("ArrowRight")
+        self._insert(block)
+
+    def _insert(self, block):
+        self.walk("ArrowDown", block)
+        self.press("Enter", "Enter")
+
+    def make_variable(self, name):
+        """Make a variable by the palette's button."""
+        self.press("t")
+        self.walk("ArrowDown", "^Variables$")
+        self.press("ArrowRight")
+        self.walk("ArrowDown", "^Create variable")
+        self.press("Enter")
+        expect(self._page.locator("dialog[open] input")).to_be_focused()
+        self.write(name)
+        expect(self._page.locator(PALETTE).get_by_text(name).first).to_be_visible()
+        expect(self._page.locator(f"{PALETTE} :focus")).to_have_count(1)
+        self.press("Escape")
+        expect(self._page.locator(PALETTE)).to_have_count(0)
+
+    def choose_in(self, field, choice):
+        """Choose from a list of the block that has the focus, or of what is in it."""
+        self.walk("ArrowRight", field)
+        self.press("Enter")
+        self.walk("ArrowDown", choice)
+        self.press("Enter")
+
+    def fill(self, number):
+        """Give the block that has the focus its first number."""
+        self.walk("ArrowRight", "^Edit .*number")
+        self.press("Enter")
+        self.write(number)
