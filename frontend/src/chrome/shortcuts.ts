@@ -38,6 +38,7 @@ export const OTHER_KEYS: Readonly<Record<string, readonly (readonly [string, str
   ],
   "chrome.blocks": [
     ["T", "settings.toolbox"],
+    ["Ctrl+B", "blocks.search_blocks"],
     ["W", "settings.workspace"],
     ["←↑↓→", "settings.moveCursor"],
     ["Enter", "settings.editBlock"],
