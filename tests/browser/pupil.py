@@ -160,9 +160,13 @@ class Pupil:
         """Wait until a text view shows these words nowhere."""
         expect(self.editor(view)).not_to_contain_text(words)
 
+    def lines(self, view):
+        """The lines of a text view."""
+        return self.page.locator(f"[data-region={view}] .cm-line")
+
     def reads(self, view):
         """The lines that a text view shows now."""
-        return self.page.locator(f"[data-region={view}] .cm-line").all_text_contents()
+        return self.lines(view).all_text_contents()
 
     def click_beside(self, view, line):
         """Click in the margin beside a line, where breakpoints are."""
@@ -353,6 +357,12 @@ class Pupil:
 
     def _drag(self, block, to):
         """Take a block near its left edge, where it has no field, and let its corner go at `to`."""
+        with self.dragging(block, to):
+            pass
+
+    @contextmanager
+    def dragging(self, block, to):
+        """Do something while a block is held where its corner is at `to`."""
         box = block.locator("> .blocklyPath").first.bounding_box()
         grip = (6 * SCALE, min(20 * SCALE, box["height"] / 2))
         mouse = self.page.mouse
@@ -364,6 +374,7 @@ class Pupil:
                 box["y"] + grip[1] + part * (to[1] - box["y"]),
                 steps=4,
             )
+        yield
         mouse.up()
 
     # The world.
