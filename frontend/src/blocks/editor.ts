@@ -13,6 +13,7 @@ import type { Actions } from "./menus";
 import { setActions } from "./menus";
 import type { Palette } from "./palette";
 import { ProgramSearch, searchTab } from "./search";
+import { Sight } from "./sight";
 import { Sync } from "./sync";
 import { themeOf } from "./themes";
 
@@ -29,6 +30,7 @@ export class Editor {
   readonly marks: Marks;
   private readonly workspace: Blockly.WorkspaceSvg;
   private readonly sync: Sync;
+  private readonly sight: Sight;
   private readonly search: ProgramSearch;
 
   constructor(
@@ -42,6 +44,7 @@ export class Editor {
     // Undo is the server's, across all views.
     this.workspace.MAX_UNDO = 0;
     this.sync = new Sync(this.workspace, this.workspace.connectionChecker as Checker);
+    this.sight = new Sight(this.workspace);
     this.marks = new Marks(this.workspace, (block) => actions.toggleBreakpoint(block));
     this.search = new ProgramSearch(this.workspace);
     this.search.init();
@@ -52,13 +55,16 @@ export class Editor {
   }
 
   destroy(): void {
+    this.sight.destroy();
     this.search.dispose();
     this.workspace.dispose();
   }
 
   /** Show a program; not under the user's hand: what a drag leads to is sent, and answered, when it ends. */
   show(wanted: Workspace): void {
-    if (!this.workspace.isDragging() && this.sync.show(wanted)) this.workspace.refreshToolboxSelection();
+    if (this.workspace.isDragging() || !this.sync.show(wanted)) return;
+    this.workspace.refreshToolboxSelection();
+    this.sight.look();
   }
 
   read(): Workspace {
@@ -104,6 +110,7 @@ export class Editor {
   }
 
   private hear(event: Blockly.Events.Abstract): void {
+    if (!event.isUiEvent || event.type === Blockly.Events.VIEWPORT_CHANGE) this.sight.look();
     const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart;
     if (dropped || (!event.isUiEvent && !this.workspace.isDragging())) this.edited();
   }

@@ -7,7 +7,7 @@ import * as english from "blockly/msg/en";
 import { registerCodeField } from "./code_field";
 import { keepFocus } from "./focus";
 import { registerMutators } from "./mutators";
-import { forgetDisposed } from "./render_queue";
+import { tuneRendering } from "./rendering";
 import { compareNamesExactly } from "./variables";
 import { registerWhen } from "./when_block";
 
@@ -62,7 +62,7 @@ export function prepareBlockly(): void {
   registerWhen();
   registerCodeField();
   leaveChecksToServer();
-  forgetDisposed();
+  tuneRendering();
   keepFocus();
   // Never stopped: a program uses few words again and again, and measuring one lays out the page.
   Blockly.utils.dom.startTextWidthCache();
