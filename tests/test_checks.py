@@ -1,6 +1,7 @@
 """The checks of `scripts/check`, so that whoever runs the tests runs them too."""
 
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -22,3 +23,14 @@ def test_the_code_passes(command):
 
 def test_there_are_checks_of_style_form_types_and_imports():
     assert ["ruff check .", "ruff format --check .", "mypy", "lint-imports"] == CHECKS
+
+
+def test_the_types_of_the_page_are_right():
+    frontend = ROOT / "frontend"
+    npm = shutil.which("npm")
+    if npm is None or not (frontend / "node_modules").is_dir():
+        pytest.skip("the page was built with another Node: npm ci --omit=peer in frontend")
+    done = subprocess.run(
+        [npm, "run", "check"], cwd=frontend, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr

@@ -51,6 +51,17 @@ def test_files_travel_packed(server, built):
     assert gzip.decompress(response.body).decode() == SCRIPT
 
 
+def test_what_the_build_has_packed_travels_so_to_whoever_can_unpack_it(server, built):
+    (built / "assets" / "index-1a2b3c.js.br").write_bytes(b"packed")
+    response = server.get("/assets/index-1a2b3c.js", **{"Accept-Encoding": "gzip, br;q=0.9"})
+    assert response.headers["Content-Encoding"] == "br"
+    assert response.headers["Content-Type"].startswith("text/javascript")
+    assert "immutable" in response.headers["Cache-Control"]
+    assert response.body == b"packed"
+    response = server.get("/assets/index-1a2b3c.js", **{"Accept-Encoding": "gzip"})
+    assert response.headers["Content-Encoding"] == "gzip"
+
+
 @pytest.mark.parametrize("path", ["/..%2fprojects", "/assets/../../secret", "/nothing.js"])
 def test_nothing_but_the_page_is_served(server, built, path):
     (built.parent / "secret").write_text("secret", "utf-8")

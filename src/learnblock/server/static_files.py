@@ -3,6 +3,7 @@
 import os
 from pathlib import Path
 
+from starlette.datastructures import Headers
 from starlette.responses import HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
@@ -32,6 +33,16 @@ class PageFiles(StaticFiles):
     async def check_config(self) -> None:
         """The folder may come later: the page can be built while the server runs."""
 
+    async def get_response(self, path: str, scope: Scope) -> Response:
+        """The file; packed, where the build has packed it and the browser says it can unpack it."""
+        packed = f"{path}.br"
+        if not _takes_brotli(scope) or self.lookup_path(packed)[1] is None:
+            return await super().get_response(path, scope)
+        response = await super().get_response(packed, scope)
+        response.headers["content-encoding"] = "br"
+        response.headers.add_vary_header("accept-encoding")
+        return response
+
     def file_response(
         self,
         full_path: str | os.PathLike[str],
@@ -43,6 +54,11 @@ class PageFiles(StaticFiles):
         hashed = Path(full_path).parent.name == _HASHED
         response.headers["cache-control"] = _YEAR if hashed else "no-cache"
         return response
+
+
+def _takes_brotli(scope: Scope) -> bool:
+    accepted = Headers(scope=scope).get("accept-encoding", "")
+    return "br" in (one.partition(";")[0].strip() for one in accepted.split(","))
 
 
 def index(folder: Path) -> Response:
