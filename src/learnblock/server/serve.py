@@ -1,6 +1,7 @@
 """`learnblock` without a command: the server, with the page in a browser or in a window."""
 
 import contextlib
+import gc
 import os
 import re
 import secrets
@@ -146,7 +147,15 @@ def _server(
             if show:
                 threading.Thread(target=show, args=(address,), daemon=True).start()
 
+        _collect_rarely()
         yield _Server(_config(app), answers), listening
+
+
+def _collect_rarely() -> None:
+    # An edit of a long program makes some hundred thousand objects, of which nearly all stay until
+    # the next one: at Python's own pace the search for garbage takes as long as the edit.
+    gc.freeze()
+    gc.set_threshold(50_000, 20, 50)
 
 
 def _config(app: object) -> uvicorn.Config:
