@@ -20,7 +20,7 @@ ROOT = Path(__file__).parents[2]
 ARTEFACTS = Path(os.environ.get("LEARNBLOCK_ARTEFACTS", ROOT / "build" / "screenshots"))
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "microsoft-edge")
 #: WebGL without a graphics card.
-SOFTWARE_RENDERING = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+SOFTWARE_RENDERING = ["--enable-unsafe-swiftshader"]
 
 
 def chromium():
