@@ -18,7 +18,8 @@ const SMALLEST = 0.12;
 const KEY_STEP = 0.03;
 
 export function Splitter({ label, orientation, sizes, resize }: Props) {
-  const bar = useRef<HTMLDivElement>(null);
+  /** How far from the divider the pointer took hold of it, as a share. */
+  const grip = useRef(0);
   const whole = sizes[0] + sizes[1];
   const share = sizes[0] / whole;
   const move = (wish: number) => {
@@ -27,7 +28,6 @@ export function Splitter({ label, orientation, sizes, resize }: Props) {
   };
   return (
     <div
-      ref={bar}
       class={`splitter ${orientation}`}
       role="separator"
       tabIndex={0}
@@ -42,9 +42,13 @@ export function Splitter({ label, orientation, sizes, resize }: Props) {
         event.preventDefault();
         move(wish);
       }}
-      onPointerDown={(event) => bar.current?.setPointerCapture(event.pointerId)}
+      onPointerDown={(event) => {
+        event.currentTarget.setPointerCapture(event.pointerId);
+        grip.current = share - pointed(event.currentTarget, event);
+      }}
       onPointerMove={(event) => {
-        if (bar.current?.hasPointerCapture(event.pointerId)) move(pointed(bar.current, event));
+        const { currentTarget, pointerId } = event;
+        if (currentTarget.hasPointerCapture(pointerId)) move(pointed(currentTarget, event) + grip.current);
       }}
     />
   );
