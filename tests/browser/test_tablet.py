@@ -1,0 +1,166 @@
+"""The page under a finger, on tablets and on a phone."""
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+from browser.pupil import FIRST_IN_HAT, SCALE
+
+TABLET = {"width": 1024, "height": 768}
+UPRIGHT = {"width": 800, "height": 1280}
+PHONE = {"width": 390, "height": 844}
+ANDROID = (
+    "Mozilla/5.0 (Linux; Android 14; SM-X200) AppleWebKit/537.36 (KHTML, like Gecko) "
+    "Chrome/140.0.0.0 Safari/537.36"
+)
+#: What is seen of a part of the page once it is there.
+SHOWN = {
+    "Blocks": ".blocklyToolbox",
+    "Block-Text": "[data-region=blocktext] .cm-content",
+    "Python": "[data-region=python] .cm-content",
+    "World": ".world-view canvas",
+    "Output": "[role=tabpanel]:visible",
+}
+#: Where a block is held: right of and below its corner, where it has no field.
+GRIP = (5, 14)
+#: The controls that are seen, each brought into the screen where it can be: name and place.
+CONTROLS = """() => {
+    const all = "button, select, input, a[href], [role=tab], .blocklyToolboxCategory";
+    return [...document.querySelectorAll(all)]
+        .filter((one) => one.checkVisibility({ visibilityProperty: true }))
+        .map((one) => {
+            one.scrollIntoView({ block: "nearest", inline: "nearest" });
+            const { left, top, right, bottom } = one.getBoundingClientRect();
+            const name = one.ariaLabel || one.textContent || one.className;
+            return { name, left, top, right, bottom, skip: one.matches(".skip-links *") };
+        });
+}"""
+
+
+def test_a_block_is_dragged_by_a_finger_and_the_program_run_by_a_tap(sit_down, server):
+    pupil = sit_down(server, viewport=TABLET, has_touch=True, user_agent=ANDROID)
+    begin(pupil)
+    drag_into_main(pupil, "Waiting", "lb_skill_sleep")
+    drag_into_main(pupil, "Driving", "lb_skill_move_straight")
+    pupil.blocks("lb_skill_sleep").locator(".blocklyNumberField").tap()
+    pupil.answer("30")
+    tap(pupil, "header button", "Run")
+    pupil.state("Running")
+    pupil.picture("running")
+    tap(pupil, "header button", "Stop")
+    pupil.state("Ended")
+    tap(pupil, ".area-buttons button", "Block-Text")
+    pupil.sees("blocktext", "function.move_straight(40)", "function.sleep(30)")
+    assert pupil.foreign == []
+
+
+@pytest.mark.parametrize("screen", [TABLET, UPRIGHT, PHONE], ids=["tablet", "upright", "phone"])
+def test_every_control_is_on_the_screen_and_fit_for_a_finger(sit_down, server, screen):
+    pupil = sit_down(server, viewport=screen, has_touch=True)
+    expect(pupil.blocks("lb_main")).to_be_visible()
+    for area in pupil.page.locator(".area-buttons button").all():
+        area.tap()
+        expect(pupil.page.locator(SHOWN[area.inner_text()]).first).to_be_visible()
+        pupil.picture(area.inner_text())
+        all_is_in_reach(pupil, screen)
+
+
+def test_on_a_phone_the_choices_of_robot_and_world_are_a_tap_away(sit_down, server):
+    pupil = sit_down(server, viewport=PHONE, has_touch=True)
+    robot = pupil.page.get_by_role("combobox", name="Robot")
+    expect(robot).not_to_be_visible()
+    tap(pupil, "header button", "Speed, robot and world")
+    expect(robot).to_be_visible()
+    pupil.picture("choices")
+    all_is_in_reach(pupil, PHONE)
+
+
+def test_dividers_are_moved_by_a_finger_beside_them(sit_down, server):
+    pupil = sit_down(server, viewport=TABLET, has_touch=True)
+    divider = pupil.page.get_by_role("separator", name="Divider between world and output")
+    expect(divider).to_be_visible()
+    before = divider.bounding_box()
+    x, y = before["x"] + 200, before["y"] - 20
+    Finger(pupil.page).drag((x, y), (x, y - 120))
+    pupil.page.wait_for_function(
+        "([divider, y]) => Math.abs(divider.getBoundingClientRect().y - y) < 3",
+        arg=[divider.element_handle(), before["y"] - 120],
+    )
+
+
+class Finger:
+    """One that is put down, moved and lifted."""
+
+    def __init__(self, page):
+        self._session = page.context.new_cdp_session(page)
+
+    def drag(self, start, end):
+        self._touch("touchStart", start)
+        for part in (0.1, 0.3, 0.6, 0.9, 1, 1):
+            self._touch("touchMove", [a + part * (b - a) for a, b in zip(start, end, strict=True)])
+        self._touch("touchEnd")
+
+    def _touch(self, kind, *points):
+        places = [{"x": x, "y": y} for x, y in points]
+        self._session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": places})
+
+
+def tap(pupil, what, name):
+    words = re.compile(f"^{name}$")
+    labelled = pupil.page.locator(f'{what}[aria-label="{name}"]')
+    labelled.or_(pupil.page.locator(what, has_text=words)).first.tap()
+
+
+def begin(pupil):
+    before = pupil.name_of_project()
+    pupil.page.locator("header button").first.tap()
+    pupil.page.get_by_role("menuitem", name="New", exact=True).tap()
+    expect(pupil.page.locator("header .project-name")).not_to_have_text(before)
+    expect(pupil.blocks("lb_main")).to_be_visible()
+
+
+def drag_into_main(pupil, category, kind):
+    tap(pupil, ".blocklyToolboxCategory", category)
+    offered = pupil.page.locator(f".blocklyFlyout:visible .{kind}").first
+    Finger(pupil.page).drag(corner(offered), inside(pupil.blocks("lb_main")))
+    expect(pupil.blocks(kind)).to_be_visible()
+
+
+def corner(block):
+    box = block.locator("> .blocklyPath").bounding_box()
+    return box["x"] + GRIP[0], box["y"] + GRIP[1]
+
+
+def inside(hat):
+    box = hat.locator("> .blocklyPath").bounding_box()
+    right, down = FIRST_IN_HAT
+    return box["x"] + right * SCALE + GRIP[0], box["y"] + down * SCALE + GRIP[1]
+
+
+def all_is_in_reach(pupil, screen):
+    controls = shown_controls(pupil)
+    assert [one for one in controls if not is_within(one, screen)] == []
+    assert [one for one in controls if not is_fit_for_a_finger(one)] == []
+    assert pupil.page.evaluate("document.documentElement.scrollWidth") == screen["width"]
+    assert pupil.page.evaluate("[scrollX, scrollY]") == [0, 0]
+
+
+def shown_controls(pupil):
+    # The links past the bar are there for who has keys.
+    return [one for one in pupil.page.evaluate(CONTROLS) if not one["skip"]]
+
+
+def is_within(control, screen):
+    return (
+        control["left"] >= -1
+        and control["top"] >= -1
+        and control["right"] <= screen["width"] + 1
+        and control["bottom"] <= screen["height"] + 1
+    )
+
+
+def is_fit_for_a_finger(control):
+    width = control["right"] - control["left"]
+    height = control["bottom"] - control["top"]
+    return width >= 39.5 and height >= 39.5
