@@ -1,5 +1,9 @@
 """A short life of the monkey; `tests/browser/monkey.py` lets it live for as long as one likes."""
 
+import re
+
+from playwright.sync_api import expect
+
 from browser.monkey import live
 
 
@@ -7,3 +11,25 @@ def test_the_page_bears_a_monkey(browser, tmp_path):
     diary = live(browser, tmp_path, seed=1, seconds=20)
     assert diary.failure is None, diary
     assert diary.answers
+
+
+# What monkeys have found.
+
+
+def test_a_robot_that_is_changed_while_its_sensors_are_hidden_has_its_own_when_shown(pupil):
+    pupil.begin()
+    sensors = pupil.tab("Sensors")
+    for box in sensors.get_by_role("checkbox").all():
+        box.check()
+    plot = sensors.get_by_role("img")
+    expect(plot).to_have_attribute(
+        "aria-label", re.compile("Distance front 1, .*, Distance right 2")
+    )
+    pupil.tab("Console")
+    pupil.press("Run")
+    pupil.state("Ended")
+    pupil.choose("Robot", "Cozmo")
+    pupil.robot_is("Cozmo at")
+    pupil.tab("Sensors")
+    expect(plot).to_have_attribute("aria-label", "Plot of the last minute: Ground central")
+    pupil.picture("sensors")

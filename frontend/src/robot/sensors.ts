@@ -83,7 +83,7 @@ class Sensors implements SensorsIsland {
     if (!telemetry) return this.recording.clear();
     this.recording.add(telemetry.time, telemetry.sensors ?? {});
     this.learn(Object.keys(telemetry.sensors ?? {}));
-    if (this.visibility.visible.peek()) this.schedule();
+    this.schedule();
   }
 
   /** Another robot has other sensors. */
@@ -120,9 +120,8 @@ class Sensors implements SensorsIsland {
 
   /** Other sensors, another language and other colours need another plot. */
   private followPlot(): void {
-    void [this.known.value, this.chosen.value, language.value, preferences.value.theme];
-    // A plot made while it is hidden has no size.
-    if (this.visibility.visible.value) this.replot();
+    void [this.known.value, this.chosen.value, language.value, preferences.value.theme, this.visibility.visible.value];
+    this.replot();
   }
 
   private makePlot(names: readonly string[]): void {
@@ -132,7 +131,9 @@ class Sensors implements SensorsIsland {
     this.picture.setAttribute("aria-label", t("sensors.plot", { sensors: names.map(sensorName).join(", ") }));
   }
 
+  /** While it is hidden nothing is drawn, as it has no size; what is shown again is drawn anew. */
   private schedule(): void {
+    if (!this.visibility.visible.peek()) return;
     this.frame ||= requestAnimationFrame((now) => this.draw(now));
   }
 
