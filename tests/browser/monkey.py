@@ -5,6 +5,7 @@
 It fails on an uncaught error, on an error in the page's console, on an error that the server tells
 its terminal, on a request to a foreign host, and when the page no longer answers: after every
 hundred acts a program is begun and a text is written, and its blocks and its Python must follow.
+A seed chooses the acts; what they meet also depends on how fast the page is.
 """
 
 import argparse
@@ -106,7 +107,7 @@ def live(browser, home, *, seed, seconds):
             diary.failure = repr(error)
             return diary
         except (AssertionError, Error) as error:
-            diary.failure = f"{type(error).__name__}: {error}"
+            diary.failure = f"{type(error).__name__}: {error}\nsee failure.png in {ARTEFACTS}"
             pupil.picture("failure")
         pupil.context.close()
     return diary
