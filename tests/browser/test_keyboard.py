@@ -76,6 +76,21 @@ def test_a_letter_pressed_in_a_list_of_a_block_does_not_leave_the_list(pupil):
     pupil.sees("blocktext", "while not times < 4")
 
 
+def test_a_breakpoint_removed_by_its_dot_gives_the_focus_to_its_block(pupil):
+    pupil.open_example("square")
+    expect(pupil.blocks("controls_whileUntil")).to_be_visible()
+    keys = Typist(pupil)
+    keys.go_to("blocks")
+    keys.walk("ArrowDown", "^wait seconds")
+    keys.press("F9")
+    dot = pupil.page.locator(".lbBreakpoint")
+    expect(dot).to_have_count(1)
+    keys.walk("ArrowRight", "^Remove the breakpoint")
+    keys.press("Enter")
+    expect(dot).to_have_count(0)
+    assert keys.hears().startswith("wait seconds")
+
+
 def test_the_palette_is_searched_also_from_among_its_blocks(pupil):
     keys = Typist(pupil)
     keys.begin()

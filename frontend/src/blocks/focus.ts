@@ -23,3 +23,12 @@ function focusAgain(element: Element | null): void {
   const lost = element !== document.activeElement && element?.isConnected;
   if (lost) (element as HTMLElement | SVGElement).focus({ preventScroll: true });
 }
+
+/** Have a block take the focus from an icon of its own that is about to go, or from the icon's bubble. */
+export function takeFromIcon(block: Blockly.BlockSvg, type: Blockly.icons.IconType<Blockly.IIcon>): void {
+  const icon = block.getIcon(type);
+  const focused = Blockly.getFocusManager().getFocusedNode();
+  if (!icon || !focused) return;
+  const bubble = Blockly.hasBubble(icon) ? icon.getBubble() : null;
+  if (focused === icon || focused === bubble) Blockly.getFocusManager().focusNode(block);
+}

@@ -5,6 +5,7 @@ import * as Blockly from "blockly/core";
 import type { Problem } from "../messages";
 import { said } from "../sentences";
 import { BreakpointIcon } from "./breakpoint_icon";
+import { takeFromIcon } from "./focus";
 
 type Svg = Blockly.BlockSvg;
 type Severity = Problem["severity"];
@@ -42,7 +43,7 @@ export class Marks {
   showBreakpoints(ids: Iterable<string>): void {
     const blocks = new Set(this.onBlocks(new Map([...ids].map((id) => [id, true]))).keys());
     for (const block of this.stops) {
-      if (!blocks.has(block) && !block.isDisposed()) block.removeIcon(BreakpointIcon.TYPE);
+      if (!blocks.has(block) && !block.isDisposed()) removeStop(block);
     }
     for (const block of blocks) {
       if (!this.stops.has(block)) block.addIcon(new BreakpointIcon(block, () => this.toggleBreakpoint(block.id)));
@@ -94,7 +95,13 @@ function mark(block: Svg, { text, severity }: Finding): void {
   block.addClass(CLASSES[severity]);
 }
 
+function removeStop(block: Svg): void {
+  takeFromIcon(block, BreakpointIcon.TYPE);
+  block.removeIcon(BreakpointIcon.TYPE);
+}
+
 function unmark(block: Svg): void {
+  takeFromIcon(block, Blockly.icons.WarningIcon.TYPE);
   block.setWarningText(null, WARNING_ID);
   for (const name of Object.values(CLASSES)) block.removeClass(name);
 }
