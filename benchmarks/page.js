@@ -48,6 +48,13 @@ globalThis.measures = (() => {
     };
   };
 
+  /** As from the clipboard; to type it would take the browser half a minute. */
+  const paste = (text) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", text);
+    document.activeElement.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  };
+
   const shows = ([selector, text]) => {
     const shown = document.querySelector(selector)?.textContent ?? "";
     return shown.slice(0, 2000).replaceAll("\u00a0", " ").includes(text);
@@ -82,5 +89,5 @@ globalThis.measures = (() => {
     return { drawn: (learnblock.views.world.framesDrawn - before) / seconds, display: count / seconds, gap };
   };
 
-  return { ready, watch, frames, seen: null };
+  return { ready, paste, watch, frames, seen: null };
 })();

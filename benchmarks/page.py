@@ -148,7 +148,7 @@ def show_all_views(page: Page) -> None:
 def put_in(page: Page, text: str) -> None:
     page.locator("[data-region=blocktext] .cm-content").click()
     page.keyboard.press("Control+a")
-    page.keyboard.insert_text(text)
+    page.evaluate("text => measures.paste(text)", text)
     turns = text.count("turn(90)")
     page.wait_for_function(
         "turns => document.querySelectorAll('.blocklyBlockCanvas .lb_skill_turn').length === turns",
