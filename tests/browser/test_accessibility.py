@@ -70,6 +70,8 @@ def test_what_is_open_over_the_page_has_no_serious_fault_in_any_theme(pupil, axe
         put_on(pupil, theme)
         pupil.open_category("Control")
         expect(pupil.page.locator(".blocklyFlyout .controls_if").first).to_be_visible()
+        pupil.picture(f"{theme}-palette")
+        assert (theme, faults(pupil, axe, "[data-region=blocks]")) == (theme, [])
         pupil.editor("python").press("Control+f")
         pupil.page.locator("header").get_by_role("button").first.click()
         expect(pupil.page.get_by_role("menu")).to_be_visible()

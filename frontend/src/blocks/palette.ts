@@ -7,6 +7,7 @@ import * as english from "blockly/msg/en";
 import { registerCodeField } from "./code_field";
 import { keepFocus } from "./focus";
 import { registerMutators } from "./mutators";
+import { offerPlainly } from "./offered";
 import { tuneRendering } from "./rendering";
 import { compareNamesExactly } from "./variables";
 import { registerWhen } from "./when_block";
@@ -62,6 +63,7 @@ export function prepareBlockly(): void {
   registerWhen();
   registerCodeField();
   leaveChecksToServer();
+  offerPlainly();
   tuneRendering();
   keepFocus();
   // Never stopped: a program uses few words again and again, and measuring one lays out the page.
