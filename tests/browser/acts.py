@@ -70,7 +70,6 @@ class Monkey:
     def __init__(self, pupil, chance):
         self.pupil = pupil
         self._chance = chance
-        self._size = ROOMS[0]
         self._welcome(pupil.page)
         pupil.context.on("page", self._welcome)
 
@@ -264,9 +263,9 @@ class Monkey:
         return way
 
     def change_room(self):
-        self._size = self._chance.choice(ROOMS)
-        self._page.set_viewport_size({"width": self._size[0], "height": self._size[1]})
-        return f"{self._size[0]} x {self._size[1]}"
+        width, height = self._chance.choice(ROOMS)
+        self._page.set_viewport_size({"width": width, "height": height})
+        return f"{width} x {height}"
 
     def _welcome(self, page):
         page.on("filechooser", self._choose_file)
@@ -277,8 +276,11 @@ class Monkey:
         chooser.set_files({"name": name, "mimeType": "text/plain", "buffer": text.encode()})
 
     def _somewhere(self):
-        width, height = self._size
-        return self._chance.uniform(0, width - 1), self._chance.uniform(0, height - 1)
+        size = self._page.viewport_size
+        return (
+            self._chance.uniform(0, size["width"] - 1),
+            self._chance.uniform(0, size["height"] - 1),
+        )
 
 
 #: How often each of them comes, more or less.
