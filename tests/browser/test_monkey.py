@@ -33,3 +33,15 @@ def test_a_robot_that_is_changed_while_its_sensors_are_hidden_has_its_own_when_s
     pupil.tab("Sensors")
     expect(plot).to_have_attribute("aria-label", "Plot of the last minute: Ground central")
     pupil.picture("sensors")
+
+
+def test_a_key_that_moves_blocks_does_nothing_to_one_that_the_mouse_holds(pupil):
+    pupil.begin()
+    pupil.write("blocktext", "main:\n    function.turn_right()\n    function.sleep(1)\nend\n")
+    held = pupil.blocks("lb_skill_turn_right")
+    box = held.bounding_box()
+    with pupil.dragging(held, (box["x"] + 40, box["y"] + 250)):
+        pupil.page.keyboard.press("m")
+    expect(pupil.blocks("blocklyDragging")).to_have_count(0)
+    pupil.lacks("blocktext", "sleep")
+    pupil.take("Driving", "lb_skill_turn_left")

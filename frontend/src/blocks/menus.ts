@@ -21,7 +21,7 @@ type Item = Blockly.ContextMenuRegistry.RegistryItem;
 type Scope = Blockly.ContextMenuRegistry.Scope;
 
 const { CTRL_CMD, SHIFT, Z, Y, F9 } = Blockly.utils.KeyCodes as unknown as Record<string, number>;
-const { FOCUS_TOOLBOX, FOCUS_WORKSPACE } = Blockly.ShortcutItems.names;
+const { FOCUS_TOOLBOX, FOCUS_WORKSPACE, START_MOVE, START_MOVE_STACK } = Blockly.ShortcutItems.names;
 const actions = new WeakMap<Blockly.Workspace, Actions>();
 
 /** Give a workspace its own actions. */
@@ -39,7 +39,10 @@ export function registerMenus(): void {
   replaceKey("undo", [[Z, CTRL_CMD]], (own) => own.undo());
   replaceKey("redo", [[Z, CTRL_CMD, SHIFT], [Y, CTRL_CMD]], (own) => own.redo());
   registerBreakpointKey();
-  for (const name of [FOCUS_TOOLBOX, FOCUS_WORKSPACE]) leaveLists(name);
+  // A letter that is typed in a list would leave the list open behind it.
+  for (const name of [FOCUS_TOOLBOX, FOCUS_WORKSPACE]) narrow(name, () => !Blockly.getFocusManager().ephemeralFocusTaken());
+  // Blockly cannot move by keys what the mouse holds: it would never let it go.
+  for (const name of [START_MOVE, START_MOVE_STACK]) narrow(name, () => !Blockly.Gesture.inProgress());
   for (const item of [undoItem, redoItem, breakpointItem, showItem, conditionItem]) replaceItem(item);
 }
 
@@ -59,15 +62,14 @@ function replaceKey(name: string, keys: (number | undefined)[][], act: (own: Act
   });
 }
 
-// A letter that is typed in a list is none of Blockly's keys: it would leave the list open behind it.
-function leaveLists(name: string): void {
+/** Have a key of Blockly's do what it does only where that is allowed. */
+function narrow(name: string, allowed: () => boolean): void {
   const registry = Blockly.ShortcutRegistry.registry;
   const shortcut = registry.getRegistry()[name]!;
   registry.unregister(name);
   registry.register({
     ...shortcut,
-    preconditionFn: (...where) =>
-      !Blockly.getFocusManager().ephemeralFocusTaken() && (shortcut.preconditionFn?.(...where) ?? true),
+    preconditionFn: (...where) => allowed() && (shortcut.preconditionFn?.(...where) ?? true),
   });
 }
 
