@@ -45,3 +45,10 @@ def test_a_key_that_moves_blocks_does_nothing_to_one_that_the_mouse_holds(pupil)
     expect(pupil.blocks("blocklyDragging")).to_have_count(0)
     pupil.lacks("blocktext", "sleep")
     pupil.take("Driving", "lb_skill_turn_left")
+
+
+def test_the_views_are_chosen_also_where_they_have_as_little_room_as_can_be(pupil):
+    pupil.page.get_by_role("separator", name="Divider between program and world").press("Home")
+    pupil.show("Python")
+    pupil.picture("narrow")
+    pupil.show("Blocks", "Block-Text", "Python")
