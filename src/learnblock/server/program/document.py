@@ -16,6 +16,7 @@ from learnblock.runtime.program import Program
 from learnblock.server.messages import Notation, Place, Problem, View
 from learnblock.server.program.notations import Notations, Target, read_python, with_robot
 from learnblock.server.program.problems import owners, problem, problems
+from learnblock.server.program.renames import rename_between
 
 VIEWS: tuple[View, ...] = ("blocks", "blocktext", "python")
 
@@ -109,6 +110,7 @@ class Document:
             return self._unreadable(workspace, said)
         if read.program != self.good.tree:
             good = Notations.of_blocks(read.program, read.block_ids, workspace, self.target)
+            good = self._renamed_throughout(good)
             return replace(self, origin="blocks", good=good, unread=None, remarks=said)
         good = self.good.with_blocks(read.program, read.block_ids, workspace)
         if self.unread and self.unread.view != "blocks":
@@ -261,6 +263,20 @@ class Document:
         text = format_program(tree)
         notations = Notations.of_blocktext(parse(text), text, self.target, self.good.workspace)
         return replace(self, origin="blocktext", good=notations, unread=None, remarks=())
+
+    def _renamed_throughout(self, good: Notations) -> Notations:
+        """If a name was changed in the blocks, what these left behind follows."""
+        change = rename_between(self.good.workspace, good.workspace)
+        if self.unread or change is None or not change.is_left_in(good.blocktext.text):
+            return good
+        try:
+            text = format_program(rename(self.block_tree, change.sort, change.name, change.new))
+        except LearnBlockError:
+            # It stands where only its author can change it.
+            return good
+        if change.is_left_in(text):
+            return good
+        return Notations.of_blocktext(parse(text), text, self.target, good.workspace)
 
     def _unreadable(self, workspace: Workspace, mistakes: tuple[Problem, ...]) -> "Document":
         unread = Unread("blocks", mistakes, workspace=workspace)
