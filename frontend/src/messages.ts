@@ -354,6 +354,7 @@ export interface SaveWorld {
   kind: "SaveWorld";
   name: string;
   world: Record<string, unknown>;
+  replace?: boolean;
 }
 
 export interface Saved {

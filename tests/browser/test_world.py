@@ -164,6 +164,27 @@ def test_a_world_of_ones_own_is_made_and_driven_in(own_server, sit_down):
     assert list(own_server.home.rglob("My maze.toml"))
 
 
+def test_a_world_of_ones_own_is_replaced_only_by_whoever_says_so_twice(own_server, sit_down):
+    pupil = sit_down(own_server)
+    pupil.begin()
+    save_world_as(pupil, "Mine")
+    expect(pupil.dialog().get_by_role("status").filter(has_text="Saved as Mine")).to_be_visible()
+    pupil.page.keyboard.press("Escape")
+    pupil.choose("World", "Line")
+    save_world_as(pupil, "Mine")
+    expect(pupil.dialog()).to_contain_text("you have a world `Mine` already")
+    pupil.picture("refused")
+    pupil.dialog().get_by_role("button", name="Save and use").click()
+    expect(pupil.dialog().get_by_role("status").filter(has_text="Saved as Mine")).to_be_visible()
+
+
+def save_world_as(pupil, name):
+    pupil.press("Edit the world")
+    expect(pupil.dialog().get_by_label("Save as")).not_to_have_value("")
+    pupil.dialog().get_by_label("Save as").fill(name)
+    pupil.dialog().get_by_role("button", name="Save and use").click()
+
+
 def test_a_wrong_value_of_a_world_is_told_at_its_field(pupil):
     pupil.press("Edit the world")
     editor = pupil.dialog()

@@ -265,10 +265,17 @@ class CheckWorld(Message, frozen=True):
 
 
 class SaveWorld(Message, frozen=True):
-    """Save a world in the user's folder and choose it; `WorldChecked` when it is wrong."""
+    """Save a world in the user's folder and choose it; `WorldChecked` when it is wrong.
+
+    Args:
+        name: to be, and of the file.
+        world: its values.
+        replace: the user's own world of that name, if there is one; otherwise that is refused.
+    """
 
     name: Name
     world: dict[str, Any]
+    replace: bool = False
 
 
 FromPage = (

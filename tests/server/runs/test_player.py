@@ -338,6 +338,18 @@ def test_a_world_is_edited_and_saved_under_a_name_of_its_own(page):
     assert page.hear("Settings")["world"] == "mine"
 
 
+def test_a_world_of_ones_own_is_not_replaced_unawares(page):
+    page.open()
+    edited = world(page)
+    page.say("SaveWorld", name="mine", world={**edited, "title": "The first"})
+    page.hear("Worlds")
+    page.say("SaveWorld", name="mine", world={**edited, "title": "The second"})
+    assert "you have a world `mine` already" in page.hear("Failed")["message"]
+    page.say("SaveWorld", name="mine", world={**edited, "title": "The third"}, replace=True)
+    choices = page.hear("Worlds")["worlds"]
+    assert [one["title"] for one in choices if one["name"] == "mine"] == ["The third"]
+
+
 @pytest.mark.parametrize("kind", ["CheckWorld", "SaveWorld"])
 def test_a_wrong_world_is_told_what_is_wrong(page, kind):
     page.open()

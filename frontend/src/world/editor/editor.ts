@@ -103,7 +103,7 @@ export class Editor implements WorldEditorIsland {
     const left = unsaved(name);
     this.opened = { name, world: values };
     this.draft.open(values);
-    this.saving.propose(save_as);
+    this.saving.propose(save_as, save_as === name);
     if (left) this.goOn(left);
     this.plan.fit();
   }

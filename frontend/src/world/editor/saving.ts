@@ -18,6 +18,8 @@ export class Saving implements Island {
   private readonly status = document.createElement("span");
   private readonly outcome = signal<Outcome | null>(null);
   private saving = "";
+  /** The world that may be replaced without asking. */
+  private own = "";
   private readonly endings: (() => void)[];
 
   /**
@@ -40,9 +42,10 @@ export class Saving implements Island {
     ];
   }
 
-  /** Propose a name. */
-  propose(name: string): void {
+  /** Propose a name: that of the world that is edited, if it is the user's own. */
+  propose(name: string, own: boolean): void {
     this.name.value = name;
+    this.own = own ? name : "";
     this.outcome.value = null;
   }
 
@@ -83,19 +86,23 @@ export class Saving implements Island {
     const world = this.draft.world.peek();
     if (!world || this.problems.peek().length) return;
     this.saving = this.name.value;
-    const sent = this.connection.send({ kind: "SaveWorld", name: this.saving, world: { ...world } });
+    const replace = this.saving === this.own;
+    const sent = this.connection.send({ kind: "SaveWorld", name: this.saving, world: { ...world }, replace });
     if (!sent) this.refused(t("editor.offline"));
   }
 
   private saved(): void {
     if (!this.saving) return;
     this.outcome.value = { word: "editor.saved", name: this.saving };
+    this.own = this.saving;
     this.done(this.saving);
     this.saving = "";
   }
 
   private refused(text: string): void {
     if (!this.saving) return;
+    // Whoever has read why, and saves under that name once more, means it.
+    this.own = this.saving;
     this.saving = "";
     this.outcome.value = { text };
   }

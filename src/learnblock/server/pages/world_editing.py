@@ -6,7 +6,7 @@ from typing import Any
 
 from anyio import to_thread
 
-from learnblock.errors import WorldError
+from learnblock.errors import LearnBlockError, WorldError
 from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handler, Page
 
@@ -21,6 +21,11 @@ async def _check(page: Page, message: messages.CheckWorld) -> None:
 
 async def _save(page: Page, message: messages.SaveWorld) -> None:
     session = page.session
+    if not message.replace and await to_thread.run_sync(_is_own, message.name):
+        raise LearnBlockError(
+            f"you have a world `{message.name}` already: choose another name, or save once more"
+            " to replace it"
+        )
     wrong = await to_thread.run_sync(_saved, message.name, message.world)
     if wrong:
         page.tell(wrong)
@@ -45,12 +50,18 @@ def _to_edit(name: str) -> messages.WorldToEdit:
 
 def _save_as(name: str) -> str:
     """The world's own name if it is the user's, else a free one."""
-    from learnblock.robots.simulated import known_worlds, own_worlds  # noqa: PLC0415
+    from learnblock.robots.simulated import known_worlds  # noqa: PLC0415
 
-    if (own_worlds() / f"{name}.toml").is_file():
+    if _is_own(name):
         return name
     known = known_worlds()
     return next(free for n in count(2) if (free := f"{name}-{n}") not in known)
+
+
+def _is_own(name: str) -> bool:
+    from learnblock.robots.simulated import own_worlds  # noqa: PLC0415
+
+    return name in {file.stem for file in own_worlds().glob("*.toml")}
 
 
 def _checked(values: dict[str, Any]) -> messages.WorldChecked:
