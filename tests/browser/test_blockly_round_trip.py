@@ -11,6 +11,7 @@ import pytest
 
 from learnblock.blocks.palette import palette
 from learnblock.language import Workspace, from_workspace, parse, to_workspace
+from learnblock.language.workspace import Block
 from workspaces import CONFIGURATIONS, BlockTrees, as_json, blocks
 
 ROOT = Path(__file__).parents[2]
@@ -95,6 +96,13 @@ def test_random_programs_are_the_same_after_blockly_has_had_them(blockly):
             if read(after) != program:
                 changed[seed] = differences(before, after)
     assert changed == {}
+
+
+def test_a_loose_call_of_a_function_that_is_gone_stays(blockly):
+    call = Block("procedures_callnoreturn", "call", x=1, y=2)
+    call.extraState = {"name": "step", "params": ["angle"]}
+    (back,) = blockly([Workspace([[call]])])
+    assert [block.id for block in blocks(back)] == ["call"]
 
 
 def differences(before, after):

@@ -32,11 +32,15 @@ function showName(workspace: Blockly.WorkspaceSvg, variable: Model): void {
   for (const block of workspace.getAllBlocks(false)) block.updateVarName(variable);
 }
 
-/** Removes the variables that are not wanted; no block uses them any more. */
+/**
+ * Removes the variables that are not wanted, but those that a block uses: Blockly would remove it too.
+ * A loose call of a function that is gone makes variables of its parameters.
+ */
 export function removeVariables(workspace: Blockly.WorkspaceSvg, wanted: readonly Variable[]): void {
   const ids = new Set(wanted.map(({ id }) => id));
   const map = workspace.getVariableMap();
   for (const variable of map.getAllVariables()) {
-    if (!ids.has(variable.getId())) map.deleteVariable(variable);
+    const id = variable.getId();
+    if (!ids.has(id) && Blockly.Variables.getVariableUsesById(workspace, id).length === 0) map.deleteVariable(variable);
   }
 }
