@@ -137,6 +137,25 @@ def test_after_a_pause_a_step_goes_on_to_the_next_line(play):
     assert playing.observer.lines == [4, 5]
 
 
+def test_what_is_said_to_a_program_that_has_just_ended_does_not_change_how_it_ended(play):
+    made = []
+
+    def worker():
+        made.append(ProcessWorker())
+        return made[0]
+
+    def printed(text):
+        assert text == "the last\n"
+        assert made[0].wait(10) == 0
+        playing.session.set_breakpoints({1})
+
+    playing = play("print('the last')", debugger=Debugger(paused=True), worker=worker)
+    playing.observer.wait_for("held")
+    playing.observer.printed = printed
+    playing.session.resume()
+    assert playing.end().ended == "finished"
+
+
 def test_a_pause_that_holds_no_line_yet_is_resumed(play):
     playing = play("robot.sleep(0.3)\npass")
     begun(playing)

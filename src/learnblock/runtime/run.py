@@ -3,7 +3,7 @@
 import signal
 import threading
 from collections.abc import Callable, Collection, Iterator, Mapping
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from dataclasses import replace
 from functools import partial
 from time import monotonic
@@ -228,7 +228,13 @@ class Run:
         """Tell the program where it is to be held, if that has changed."""
         if self._debugger and self._debugger.control is not self._control:
             self._control = self._debugger.control
-            self._link.send(self._control)
+            self._mention(self._control)
+
+    def _mention(self, message: messages.Message) -> None:
+        """Say what the program may hear at any time."""
+        # It may have ended meanwhile: how, is what we hear next.
+        with suppress(EOFError):
+            self._link.send(message)
 
     def _wants_variables(self) -> bool:
         return self.tells_variables and monotonic() - self._last_variables > VARIABLES_PERIOD
@@ -237,7 +243,7 @@ class Run:
         self._last_variables = monotonic()
         if not self._asked_variables:
             self._asked_variables = True
-            self._link.send(messages.ShowVariables())
+            self._mention(messages.ShowVariables())
 
     def _await_variables(self) -> None:
         deadline = monotonic() + VARIABLES_PATIENCE
