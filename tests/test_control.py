@@ -281,8 +281,10 @@ def test_variables_are_told_while_a_program_computes(play):
     playing = play("robot.sleep(0.05)\nn = 0\nwhile n < 10**9:\n    n += 1\n", speed=None)
     begun(playing)
     playing.session.tell_variables(True)
-    counts = {told.shared["n"] for told in (playing.observer.told.get(timeout=5) for _ in "ab")}
-    assert len(counts) == 2
+    # What is told first may be from before the counting.
+    counts = {None}
+    while len(counts) < 3:
+        counts.add(playing.observer.told.get(timeout=5).shared.get("n"))
 
 
 WHENS = """

@@ -436,6 +436,19 @@ class Pupil:
         """The world's time."""
         return float(re.search(r"([\d.]+) s", self._head().inner_text())[1])
 
+    def seconds_at_rest(self):
+        """The world's time, once the head has said the same for ten of its usual changes."""
+        self.page.wait_for_function(
+            """head => {
+              const now = performance.now();
+              if (head.textContent !== window.restedAt?.text)
+                window.restedAt = { text: head.textContent, since: now };
+              return now - window.restedAt.since > 1000;
+            }""",
+            arg=self._head().element_handle(),
+        )
+        return self.seconds()
+
     def wait_until_later_than(self, seconds):
         """Wait until more of the world's time has passed."""
         self.page.wait_for_function(

@@ -54,7 +54,7 @@ def test_a_pause_holds_the_world_in_the_midst_of_sleep_and_it_goes_on(pupil):
     expect(pupil.blocks("lb_skill_sleep")).to_have_class(re.compile("lbRunning"))
     pupil.press("Pause")
     pupil.state("Paused")
-    held = pupil.seconds()
+    held = pupil.seconds_at_rest()
     pupil.picture("paused")
     # The robot would be far by the time the page has asked and heard all of this.
     for tab in ("Variables", "Sensors", "Console"):
