@@ -5,10 +5,10 @@ import msgspec
 import pytest
 from msgspec import Struct, inspect
 
+from learnblock.description_file import describe
 from learnblock.simulator import load_robot, load_world, robot_names, world_names
 from learnblock.simulator import robot_description as robots
 from learnblock.simulator import world_description as worlds
-from learnblock.simulator.description_file import describe
 
 PAGE = Path(__file__).parents[2] / "docs" / "simulator.md"
 TABLES: dict[str, type[Struct]] = {

@@ -12,10 +12,10 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
+from learnblock import description_file
+from learnblock.description_file import Finding, unknown
 from learnblock.errors import RobotDescriptionError
-from learnblock.simulator import description_file
 from learnblock.simulator.colours import Colour
-from learnblock.simulator.description_file import Finding, unknown
 
 SHIPPED_ROBOTS = Path(__file__).parent / "robots"
 NOTHING_SEEN = 2000.0

@@ -13,10 +13,10 @@ from typing import Annotated, Any, Literal, get_args
 
 from msgspec import Meta, Struct
 
+from learnblock import description_file
+from learnblock.description_file import Finding, KeyPath, unknown
 from learnblock.errors import WorldError
-from learnblock.simulator import description_file
 from learnblock.simulator.colours import Colour
-from learnblock.simulator.description_file import Finding, KeyPath, unknown
 from learnblock.simulator.geometry import Point, Polyline, Pose, arc
 
 SHIPPED_WORLDS = Path(__file__).parent / "worlds"

@@ -1,7 +1,7 @@
 """Reads a TOML file that a person wrote into a Struct, and says precisely what is wrong in it.
 
-Worlds and simulated robots are such files. Whatever msgspec refuses is told again in the words of
-the file: its key, its value, what is allowed there (taken from the Struct's own types and
+Worlds, simulated robots and settings are such files. Whatever msgspec refuses is told again in the
+words of the file: its key, its value, what is allowed there (taken from the Struct's own types and
 descriptions) and the line where it stands.
 """
 

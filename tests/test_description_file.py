@@ -5,9 +5,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from learnblock.description_file import MAXIMUM_FILE_SIZE
 from learnblock.errors import FileError, RobotDescriptionError, UnknownNameError, WorldError
 from learnblock.simulator import World, load_robot, load_world
-from learnblock.simulator.description_file import MAXIMUM_FILE_SIZE
 from learnblock.simulator.world_description import SHIPPED_WORLDS
 
 MALFORMED = Path(__file__).parent / "malformed"
