@@ -176,6 +176,13 @@ class Client(Events):
     def observe(self, witness: Witness) -> None:
         """Have the witness told what befalls the robot, as far as anybody can see it."""
 
+    def check_link(self) -> None:
+        """Say so if the robot can no longer be reached; it is asked some times a second.
+
+        Raises:
+            RobotConnectionError: the link to the robot broke.
+        """
+
     def outcome(self) -> Outcome:
         """What a run has come to so far."""
         return Outcome()

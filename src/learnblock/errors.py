@@ -94,6 +94,10 @@ class ProjectError(FileError):
     """A project's file or name is wrong, or it cannot be saved."""
 
 
+class SettingsError(FileError):
+    """A setting of a robot is wrong."""
+
+
 class UnknownNameError(LearnBlockError, LookupError):
     """No robot, world, skill or example has this name."""
 
@@ -116,6 +120,10 @@ class DeviceValueError(LearnBlockError, ValueError):
 
 class RobotConnectionError(LearnBlockError, ConnectionError):
     """The robot cannot be reached, or the link to it broke."""
+
+
+class MissingPackageError(LearnBlockError, ImportError):
+    """A robot's own library is not installed."""
 
 
 class RobotStoppedError(LearnBlockError, RuntimeError):
