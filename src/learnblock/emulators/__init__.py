@@ -1,0 +1,92 @@
+"""The robot's end of a wire, driven by our simulator.
+
+An emulator speaks a robot's own protocol, and what it is told moves a twin in a world: to test a
+driver, or to try it without the robot (``learnblock emulate cozmo --world tags``).
+
+    >>> from learnblock.emulators import emulate
+    >>> from learnblock.robots import connect
+    >>> with emulate("cozmo", world="empty") as emulator:  # doctest: +SKIP
+    ...     robot = connect("cozmo", **emulator.settings)
+    ...     robot.move_straight(50)
+"""
+
+import importlib
+from collections.abc import Mapping
+from contextlib import ExitStack
+from types import TracebackType
+from typing import Any, Protocol, Self
+
+from learnblock.emulators.twin import Twin
+from learnblock.errors import UnknownNameError
+
+#: The twin of each robot that can be emulated. RCIS's robot is built like EBO, and CoppeliaSim's
+#: scene of the paper like an EV3.
+TWINS: Mapping[str, str] = {}
+
+
+class Emulator(Protocol):
+    """The robot's end of a wire: a class ``Emulator`` in the module of the robot's name.
+
+    It is made with the twin that it drives, and listens from then on.
+    """
+
+    #: The settings with which a client reaches it.
+    settings: Mapping[str, Any]
+
+    def close(self) -> None:
+        """Listen no more."""
+
+
+class Emulation:
+    """An emulator with its twin, while they run: a context manager.
+
+    Attributes:
+        twin: the robot that is moved.
+        settings: those with which a client reaches it.
+    """
+
+    def __init__(self, make: Any, twin: Twin, **place: Any) -> None:
+        self.twin = twin
+        self._ending = ExitStack()
+        self._ending.enter_context(twin)
+        try:
+            emulator: Emulator = make(twin, **place)
+        except BaseException:
+            self._ending.close()
+            raise
+        self._ending.callback(emulator.close)
+        self.settings = emulator.settings
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """End both; the second time it does nothing."""
+        self._ending.close()
+
+
+def emulate(robot: str, world: str | None = None, *, seed: int = 0, **place: Any) -> Emulation:
+    """Begin to emulate a robot.
+
+    Args:
+        robot: its id, such as ``cozmo``.
+        world: a world's name or the path of its file; by default the twin's own.
+        seed: of all noise.
+        place: where the emulator listens, if not at a free port of this machine.
+
+    Raises:
+        UnknownNameError: this robot cannot be emulated, or there is no such world.
+        OSError: it cannot listen there.
+    """
+    if robot not in TWINS:
+        raise UnknownNameError("emulator", robot, TWINS)
+    module = importlib.import_module(f"learnblock.emulators.{robot}")
+    return Emulation(module.Emulator, Twin(TWINS[robot], world, seed=seed), **place)

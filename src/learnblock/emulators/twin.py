@@ -1,0 +1,105 @@
+"""A simulated robot that lives in real time, for the robot's end of a wire to drive."""
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from types import TracebackType
+from typing import Self
+
+from learnblock import robots
+from learnblock.devices import Pose
+from learnblock.errors import LearnBlockError
+from learnblock.robots.simulated import SimulatedRobot
+from learnblock.simulator import RobotBody
+
+
+class Twin:
+    """A robot in a world that goes on by itself: a context manager.
+
+        with Twin("sim-cozmo", "tags") as twin:
+            with twin.body() as body:
+                body.drive(50, 0)
+
+    Args:
+        robot: the id of a simulated robot.
+        world: a world's name or the path of its file; by default the robot's own.
+        seed: of all noise.
+        start: (x mm, y mm, heading in degrees); by default the world's own start.
+        speed: times real time.
+
+    Attributes:
+        path: (time s, pose) of the robot every 0.1 s.
+
+    Raises:
+        LearnBlockError: there is no such robot or world, or no room in it.
+    """
+
+    def __init__(
+        self,
+        robot: str,
+        world: str | None = None,
+        *,
+        seed: int = 0,
+        start: Pose | None = None,
+        speed: float = 1.0,
+    ) -> None:
+        kind = robots.find(robot).load()
+        if not issubclass(kind, SimulatedRobot):
+            raise LearnBlockError(f"the robot `{robot}` is no simulated one")
+        self._simulation = kind.make_simulation(world=world, seed=seed, pace=speed)
+        self._body = self._simulation.world.add_robot(kind.description(), start=start)
+        self._simulation.witnesses[self._body.name] = self
+        self._closed = threading.Event()
+        self._thread = threading.Thread(target=self._live, name="twin", daemon=True)
+        self.path: list[tuple[float, Pose]] = []
+
+    def __enter__(self) -> Self:
+        self._thread.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    @contextmanager
+    def body(self) -> Iterator[RobotBody]:
+        """The robot, while its world stands still."""
+        with self._simulation.lock:
+            yield self._body
+
+    @property
+    def time(self) -> float:
+        """Seconds of its world."""
+        return self._simulation.time()
+
+    def goals(self) -> dict[str, bool]:
+        """For each of the world's goals whether it has been reached."""
+        with self._simulation.lock:
+            return {goal.name: goal.reached_at is not None for goal in self._simulation.world.goals}
+
+    def close(self) -> None:
+        """Let its world stand; the second time it does nothing."""
+        self._closed.set()
+        self._simulation.pacing.end()
+        if self._thread.is_alive():
+            self._thread.join()
+
+    # What its world tells.
+
+    def pose(self, time: float, pose: Pose) -> None:
+        self.path.append((time, pose))
+
+    def placed(self, time: float, pose: Pose) -> None:
+        """Somebody set it down elsewhere: that is part of its path."""
+        self.path.append((time, pose))
+
+    def goal(self, time: float, name: str, state: str) -> None:
+        """Asked for by `goals`."""
+
+    def _live(self) -> None:
+        while not self._closed.is_set():
+            self._simulation.advance(self._simulation.steps + 1)

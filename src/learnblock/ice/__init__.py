@@ -1,0 +1,1 @@
+"""Ice, the protocol of RoboComp's components, in pure Python: types, encoding, proxies, servants."""
