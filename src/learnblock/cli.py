@@ -13,6 +13,7 @@ import click
 from learnblock.console import ExitCode, print_json
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
 from learnblock.files import save
+from learnblock.robot_commands import emulate_command, robots_group
 
 if TYPE_CHECKING:
     from learnblock.running import Source
@@ -243,15 +244,6 @@ def convert(file: Path, notation: str, robot: str | None, as_json: bool) -> None
 
 @main.command()
 @_JSON
-def robots(as_json: bool) -> None:  # noqa: FBT001
-    """List the robots, and which devices each has."""
-    from learnblock.listing import robot_list  # noqa: PLC0415
-
-    robot_list(as_json=as_json)
-
-
-@main.command()
-@_JSON
 def worlds(as_json: bool) -> None:  # noqa: FBT001
     """List the worlds of the simulator."""
     from learnblock.listing import world_list  # noqa: PLC0415
@@ -267,6 +259,10 @@ def skills(name: str | None, as_json: bool) -> None:  # noqa: FBT001
     from learnblock.listing import skill_list  # noqa: PLC0415
 
     skill_list(name, as_json=as_json)
+
+
+main.add_command(robots_group)
+main.add_command(emulate_command)
 
 
 @main.command()

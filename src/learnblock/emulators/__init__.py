@@ -11,6 +11,7 @@ driver, or to try it without the robot (``learnblock emulate cozmo --world tags`
 """
 
 import importlib
+import threading
 from collections.abc import Mapping
 from contextlib import ExitStack
 from types import TracebackType
@@ -67,6 +68,10 @@ class Emulation:
         traceback: TracebackType | None,
     ) -> None:
         self.close()
+
+    def wait(self) -> None:
+        """Wait for ever, or for Ctrl-C."""
+        threading.Event().wait()
 
     def close(self) -> None:
         """End both; the second time it does nothing."""

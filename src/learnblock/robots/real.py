@@ -1,13 +1,13 @@
 """What the clients of real robots share."""
 
 import importlib
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from types import ModuleType
 from typing import Any, ClassVar, Generic
 
 from learnblock.client import Client, Observer
 from learnblock.clock import Clock
-from learnblock.errors import MissingPackageError
+from learnblock.errors import LearnBlockError, MissingPackageError
 from learnblock.robots import settings as user_settings
 from learnblock.robots.settings import SettingsT
 
@@ -63,6 +63,19 @@ class RealRobot(Client, Generic[SettingsT]):
             seconds: no longer than that.
         """
         yield from ()
+
+    @classmethod
+    def set_up(cls, settings: SettingsT, tell: Callable[[str], object]) -> None:  # noqa: ARG003
+        """Put on the robot what we need there.
+
+        Args:
+            settings: how it is reached.
+            tell: is told what is being done, a sentence at a time.
+
+        Raises:
+            LearnBlockError: there is nothing to put there, or it cannot be.
+        """
+        raise LearnBlockError(f"the robot `{cls.name()}` needs nothing to be set up")
 
 
 def require(package: str, robot: str) -> ModuleType:
