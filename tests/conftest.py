@@ -1,5 +1,6 @@
 """What all tests share."""
 
+import signal
 import sys
 from pathlib import Path
 
@@ -7,6 +8,10 @@ import pytest
 
 # Modules of helpers that several tests import, such as `runs`.
 sys.path.insert(0, str(Path(__file__).parent))
+
+# A shell ignores Ctrl-C for what it starts in the background, and all that this starts inherits it.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(autouse=True)
