@@ -249,6 +249,34 @@ def test_the_robot_and_the_world_of_a_run_stay(page):
     page.hear("Ended")
 
 
+#: A robot of the user's own that is not simulated; its wheels turn in a file.
+MINE = """
+from pathlib import Path
+from learnblock.client import Client
+from learnblock.devices import Base
+
+class Robot(Client):
+    def connect(self):
+        log = Path(__file__).with_suffix(".log").open("a")
+        self.add(Base(lambda adv, rot: print(adv, rot, file=log, flush=True)))
+        self.disconnect = log.close
+"""
+
+
+def test_a_program_runs_on_a_robot_that_is_not_simulated(own_home, page):
+    folder = own_home / "robots"
+    folder.mkdir()
+    (folder / "mine.py").write_text(MINE)
+    page.open(text="main:\n    function.move_straight(50)\n    function.sleep(0.1)\nend\n")
+    page.say("ChooseRobot", name="mine")
+    assert page.run()["ended"] == "finished"
+    assert (folder / "mine.log").read_text() == "50.0 0.0\n0.0 0.0\n"
+    page.say("Drive", advance=1, rotation=0)
+    assert "the chosen robot is no simulated one" in page.hear("Failed")["message"]
+    page.say("ChooseRobot", name="sim-ebo")
+    assert page.hear("Scene")["robots"]
+
+
 # Playing with the robot.
 
 
