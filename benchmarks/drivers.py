@@ -1,6 +1,6 @@
 """Every example on every robot of the paper: through the real driver and wire, against its twin.
 
-Run it with ``python benchmarks/examples.py [--seconds 40] [ROBOT...]``. At the other end of each
+Run it with ``python benchmarks/drivers.py [--seconds 40] [ROBOT...]``. At the other end of each
 wire stands our emulator, whose twin is driven in real time; all robots run side by side. The table
 says for each pair how it ended, or which device is missing, and how far the robot was from where
 the same program takes the twin in lock-step, as the root mean square of the path in mm.
@@ -22,25 +22,18 @@ import tomli_w
 from learnblock.emulators import TWINS, emulate
 from learnblock.robots import find
 
-EXAMPLES = Path(__file__).parents[1] / "examples"
-NAMES = sorted(path.stem for path in EXAMPLES.glob("*.bt"))
-WORLDS = {
-    "avoid": "obstacles",
-    "labyrinth": "labyrinth",
-    "line-ebo": "line",
-    "line-states": "line",
-    "line-thymio": "line",
-    "tag-tour": "tags",
-    "tags": "tags",
-    "wall": "walls",
-}
+TESTS = Path(__file__).parents[1] / "tests"
+sys.path.insert(0, str(TESTS))
 
-Path_ = list[tuple[float, float, float]]
+from runs import EXAMPLES, WORLDS  # noqa: E402 - found through the line above
+
+NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
+Track = list[tuple[float, float, float]]
 
 
 def run(example: str, robot: str, seconds: float, home: str, *more: str) -> dict:
     """Run an example as a user does."""
-    program = EXAMPLES / f"{example}.bt"
+    program = EXAMPLES / example
     command = ["run", program, "--robot", robot, "--for", str(seconds), "--json", *more]
     done = subprocess.run(
         [sys.executable, "-m", "learnblock", *command],
@@ -51,7 +44,7 @@ def run(example: str, robot: str, seconds: float, home: str, *more: str) -> dict
     return json.loads(done.stdout or b'{"ended": "refused", "error": {"message": "?"}}')
 
 
-def path_of_twin(example: str, robot: str, seconds: float, home: str) -> Path_:
+def path_of_twin(example: str, robot: str, seconds: float, home: str) -> Track:
     """Where the same program takes the twin in lock-step: (time s, x mm, y mm)."""
     trace = Path(home) / f"{example}.jsonl"
     world = WORLDS.get(example, "empty")
@@ -65,7 +58,7 @@ def settle(home: str, robot: str, chosen: dict) -> None:
     (Path(home) / "settings.toml").write_text(tomli_w.dumps({"robots": {robot: dict(chosen)}}))
 
 
-def away(driven: Path_, twins: Path_) -> float:
+def away(driven: Track, twins: Track) -> float:
     """The root mean square of the distance between two paths at the same times, mm."""
     times = [time for time, _, _ in twins]
     begun = next((t for t, x, y in driven if math.dist((x, y), driven[0][1:]) > 2), 0.0)
@@ -108,9 +101,9 @@ def main() -> None:
         find(robot)
     with ThreadPoolExecutor() as pool:
         columns = list(pool.map(lambda robot: column(robot, chosen.seconds), chosen.robots))
-    print(f"{'':<12}" + "".join(f"{robot:<27}" for robot in chosen.robots))
+    print(f"{'':<16}" + "".join(f"{robot:<27}" for robot in chosen.robots))
     for example in NAMES:
-        print(f"{example:<12}" + "".join(f"{one[example]:<27.26}" for one in columns))
+        print(f"{example:<16}" + "".join(f"{one[example]:<27.26}" for one in columns))
 
 
 if __name__ == "__main__":
