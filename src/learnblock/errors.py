@@ -122,6 +122,34 @@ class RobotConnectionError(LearnBlockError, ConnectionError):
     """The robot cannot be reached, or the link to it broke."""
 
 
+class IceError(RobotConnectionError):
+    """The family of what goes wrong with components that speak Ice."""
+
+
+class IceEncodingError(IceError, ValueError):
+    """A value has not the type that was agreed, or bytes hold no such value."""
+
+
+class IceLinkError(IceError):
+    """A component cannot be reached, does not answer in time, or the link to it broke."""
+
+
+class IceRefusedError(IceError):
+    """A component answered that it cannot do what it was asked for.
+
+    Args:
+        sentence: what it said.
+        kind: the name of Ice's exception, such as ``OperationNotExistException``.
+    """
+
+    def __init__(self, sentence: str, kind: str) -> None:
+        self.kind = kind
+        super().__init__(sentence)
+
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
+        return type(self), (str(self), self.kind)
+
+
 class MissingPackageError(LearnBlockError, ImportError):
     """A robot's own library is not installed."""
 

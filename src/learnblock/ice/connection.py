@@ -1,0 +1,264 @@
+"""A client's connection to a component: many calls at a time, and a new one after it broke."""
+
+import threading
+from dataclasses import dataclass
+from itertools import count
+from time import monotonic
+from types import TracebackType
+from typing import Self
+
+from learnblock.errors import IceEncodingError, IceLinkError
+from learnblock.ice.encoding import Reader
+from learnblock.ice.messages import Kind, message, read_reply, request
+from learnblock.ice.stream import Stream
+
+
+class NeverReadError(IceLinkError):
+    """The connection ended before the component had read what it was asked."""
+
+
+@dataclass
+class _Call:
+    """A call that waits for its reply."""
+
+    reply: Reader | None = None
+    failure: IceLinkError | None = None
+
+    @property
+    def is_over(self) -> bool:
+        return self.reply is not None or self.failure is not None
+
+
+class Connection:
+    """One TCP connection; any number of threads may call at the same time.
+
+    Of the threads that wait for a reply one receives for all, so that a lone call costs no change
+    of threads.
+
+    Args:
+        host: where the component listens.
+        port: of it.
+        deadline: in seconds of `monotonic`, by which it must have answered.
+
+    Raises:
+        IceLinkError: there is no component.
+    """
+
+    def __init__(self, host: str, port: int, deadline: float) -> None:
+        self._stream = Stream(host, port, deadline)
+        self._numbers = count(1)
+        self._sending = threading.Lock()
+        self._turn = threading.Condition()
+        self._calls: dict[int, _Call] = {}
+        self._receives = False
+        self._failure: IceLinkError | None = None
+        self._await_validation(deadline)
+
+    def is_usable(self, deadline: float) -> bool:
+        """Whether a call may be tried; it looks at what has come since the last one."""
+        with self._turn:
+            while not self._calls and self._failure is None and self._stream.has_news():
+                try:
+                    self._file(*self._stream.receive(deadline))
+                except IceLinkError as error:
+                    self._fail(error)
+            return self._failure is None
+
+    def call(self, opening: bytes, parameters: bytes, deadline: float) -> Reader:
+        """Make a call and wait for its reply.
+
+        Args:
+            opening: what stands between its number and its parameters.
+            parameters: in their encapsulation.
+            deadline: by which the reply must be here.
+
+        Raises:
+            NeverReadError: the component ended the connection before it read the call.
+            IceLinkError: the connection broke, or the reply did not come in time.
+        """
+        number, call = self._enter()
+        try:
+            with self._sending:
+                self._stream.send(request(number, opening, parameters), deadline)
+            self._await(call, deadline)
+        except IceLinkError as error:
+            # What is still to come could not be told from the reply to the next call.
+            self._break(error)
+            raise
+        finally:
+            with self._turn:
+                self._calls.pop(number, None)
+        if call.failure:
+            raise call.failure
+        assert call.reply is not None  # noqa: S101 - for the type checker
+        return call.reply
+
+    def close(self) -> None:
+        """Say goodbye and close it; calls that wait fail. The second time it does nothing."""
+        with self._turn:
+            was_open = self._failure is None
+            self._fail(IceLinkError("the connection was closed here"))
+        if was_open:
+            self._say_goodbye()
+        self._stream.close()
+
+    def _say_goodbye(self) -> None:
+        if not self._sending.acquire(blocking=False):
+            # Somebody is in the middle of a message.
+            return
+        try:
+            self._stream.send(message(Kind.CLOSE), monotonic())
+        except IceLinkError:
+            # The component hears it from the end of the connection.
+            pass
+        finally:
+            self._sending.release()
+
+    def _await_validation(self, deadline: float) -> None:
+        try:
+            kind, _ = self._stream.receive(deadline)
+            if kind is not Kind.VALIDATE:
+                raise IceLinkError(f"it begins with a message of the kind {kind.name}")
+        except IceLinkError:
+            self._stream.close()
+            raise
+
+    def _enter(self) -> tuple[int, _Call]:
+        call = _Call()
+        with self._turn:
+            if self._failure:
+                raise self._failure
+            number = next(self._numbers)
+            self._calls[number] = call
+        return number, call
+
+    def _await(self, call: _Call, deadline: float) -> None:
+        while self._may_receive(call, deadline):
+            try:
+                kind, body = self._stream.receive(deadline)
+                with self._turn:
+                    self._file(kind, body)
+            finally:
+                self._pass_on()
+
+    def _may_receive(self, call: _Call, deadline: float) -> bool:
+        """Wait until it is this thread's turn to receive, or its call is over."""
+        with self._turn:
+            left = deadline - monotonic()
+            if not self._turn.wait_for(lambda: call.is_over or not self._receives, left):
+                raise IceLinkError("it does not answer in time")
+            if call.is_over:
+                return False
+            self._receives = True
+            return True
+
+    def _pass_on(self) -> None:
+        with self._turn:
+            self._receives = False
+            self._turn.notify_all()
+
+    def _file(self, kind: Kind, body: bytes) -> None:
+        if kind is Kind.REPLY:
+            try:
+                number, reply = read_reply(body)
+            except IceEncodingError as error:
+                raise IceLinkError(f"it sends nonsense: {error}") from error
+            # A reply that nobody waits for any more is let go.
+            if call := self._calls.get(number):
+                call.reply = reply
+        elif kind is Kind.CLOSE:
+            # Said by Ice only when it will read nothing more, and has answered what it read.
+            self._fail(NeverReadError("it closed the connection"))
+        elif kind is not Kind.VALIDATE:
+            raise IceLinkError(f"it sends a message of the kind {kind.name}")
+
+    def _break(self, error: IceLinkError) -> None:
+        with self._turn:
+            self._fail(error)
+        self._stream.close()
+
+    def _fail(self, error: IceLinkError) -> None:
+        if self._failure is None:
+            self._failure = error
+        for call in self._calls.values():
+            call.failure = call.failure or error
+        self._turn.notify_all()
+
+
+class Endpoint:
+    """Where a component listens: a context manager that keeps one connection to it.
+
+    It connects at the first call, and at the next one after the connection broke.
+
+    Args:
+        host: name or number of the computer.
+        port: of it.
+        patience: seconds within which a call has to be answered.
+    """
+
+    def __init__(self, host: str, port: int, patience: float) -> None:
+        self.host = host
+        self.port = port
+        self.patience = patience
+        self._lock = threading.Lock()
+        self._connection: Connection | None = None
+        self._closed = threading.Event()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def __str__(self) -> str:
+        return f"{self.host}:{self.port}"
+
+    def call(self, opening: bytes, parameters: bytes, *, again: bool) -> Reader:
+        """Make a call and wait for its reply.
+
+        Args:
+            opening: see `Connection.call`.
+            parameters: see there.
+            again: whether it does no harm to make it twice, when nobody knows whether the first
+                one was heard.
+
+        Raises:
+            IceLinkError: the component cannot be reached, or does not answer in time.
+        """
+        deadline = monotonic() + self.patience
+        connection, is_new = self._connected(deadline)
+        try:
+            return connection.call(opening, parameters, deadline)
+        except IceLinkError as error:
+            heard = not isinstance(error, NeverReadError)
+            if is_new or (heard and not again) or monotonic() >= deadline:
+                raise
+        connection, _ = self._connected(deadline)
+        return connection.call(opening, parameters, deadline)
+
+    def close(self) -> None:
+        """Close the connection for good; the second time it does nothing."""
+        # Not under the lock, which is held by a thread that connects.
+        self._closed.set()
+        if self._connection:
+            self._connection.close()
+
+    def _connected(self, deadline: float) -> tuple[Connection, bool]:
+        """A usable connection, and whether it was made just now."""
+        with self._lock:
+            if self._closed.is_set():
+                raise IceLinkError("the connection was closed here")
+            if self._connection and self._connection.is_usable(deadline):
+                return self._connection, False
+            if self._connection:
+                self._connection.close()
+            self._connection = Connection(self.host, self.port, deadline)
+            if self._closed.is_set():
+                # Closed while it was made.
+                self._connection.close()
+            return self._connection, True

@@ -1,0 +1,248 @@
+"""The messages of Ice's protocol 1.0: what is sent between a client and a component."""
+
+import struct
+from dataclasses import dataclass
+from enum import IntEnum
+
+from learnblock.errors import IceEncodingError, IceRefusedError
+from learnblock.ice.encoding import NEWEST, Reader, Writer
+from learnblock.ice.interface import Mode
+from learnblock.ice.types import Refusal
+
+#: Magic, protocol 1.0 in encoding 1.0, kind, compression, bytes in all.
+HEADER = struct.Struct("<4s4BBBi")
+#: Nothing that RoboComp sends comes near it; Ice itself takes 1 MB unless told otherwise.
+LARGEST = 16 * 1024 * 1024
+
+_MAGIC = b"IceP"
+_INT = struct.Struct("<i")
+_BYTE = struct.Struct("<B")
+_COMPRESSED = 2
+#: Of the slices of an exception: its name is written out; its length is there; it is the last.
+_NAMED, _MEASURED, _LAST = 0x01, 0x10, 0x20
+
+
+class Kind(IntEnum):
+    """The kinds of messages."""
+
+    REQUEST = 0
+    BATCH = 1
+    REPLY = 2
+    VALIDATE = 3
+    CLOSE = 4
+
+
+class Status(IntEnum):
+    """The kinds of replies."""
+
+    OK = 0
+    USER_EXCEPTION = 1
+    NO_OBJECT = 2
+    NO_FACET = 3
+    NO_OPERATION = 4
+    UNKNOWN_LOCAL = 5
+    UNKNOWN_USER = 6
+    UNKNOWN = 7
+
+
+#: Ice's names of the exceptions of which the reply says no more than that.
+_EXCEPTIONS = {
+    Status.NO_OBJECT: "ObjectNotExistException",
+    Status.NO_FACET: "FacetNotExistException",
+    Status.NO_OPERATION: "OperationNotExistException",
+    Status.UNKNOWN_LOCAL: "UnknownLocalException",
+    Status.UNKNOWN_USER: "UnknownUserException",
+    Status.UNKNOWN: "UnknownException",
+}
+
+
+def message(kind: Kind, body: bytes = b"") -> bytes:
+    """A whole message."""
+    return HEADER.pack(_MAGIC, 1, 0, 1, 0, kind, 0, HEADER.size + len(body)) + body
+
+
+def read_header(data: bytes | memoryview) -> tuple[Kind, int]:
+    """The kind of a message, and the length of what follows its header.
+
+    Raises:
+        IceEncodingError: it is no header that we could go on from.
+    """
+    magic, major, _, _, _, kind, compression, size = HEADER.unpack(data)
+    if magic != _MAGIC or major != 1 or kind > Kind.CLOSE:
+        raise IceEncodingError(f"{bytes(data)!r} begins no message of Ice")
+    if compression == _COMPRESSED:
+        raise IceEncodingError("a message is compressed, which nobody asked for")
+    if not HEADER.size <= size <= LARGEST:
+        raise IceEncodingError(f"a message has {size} bytes; {LARGEST} are allowed")
+    return Kind(kind), size - HEADER.size
+
+
+# Requests.
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What a client asks for.
+
+    Args:
+        number: the reply's; 0 when none is wanted.
+        identity: of the object.
+        facet: of it, which none of ours has.
+        operation: its name.
+        mode: as the client knows it.
+        parameters: what it takes, in the client's encoding.
+    """
+
+    number: int
+    identity: str
+    facet: tuple[str, ...]
+    operation: str
+    mode: int
+    parameters: Reader
+
+
+def request_opening(identity: str, operation: str, mode: Mode) -> bytes:
+    """What stands between a request's number and its parameters, the same for every call."""
+    writer = Writer()
+    writer.text(identity)
+    # No category and no facet.
+    writer.text("")
+    writer.size(0)
+    writer.text(operation)
+    writer.pack(_BYTE, mode)
+    # No context.
+    writer.size(0)
+    return bytes(writer.data)
+
+
+def request(number: int, opening: bytes, parameters: bytes) -> bytes:
+    """A request as a message."""
+    return message(Kind.REQUEST, _INT.pack(number) + opening + parameters)
+
+
+def read_request(body: bytes | memoryview) -> Request:
+    """The request of a message.
+
+    Raises:
+        IceEncodingError: there is none.
+    """
+    reader = Reader(body)
+    (number,) = reader.unpack(_INT)
+    identity, category = reader.text(), reader.text()
+    facet = tuple(reader.text() for _ in range(reader.count(1)))
+    operation = reader.text()
+    mode = reader.byte()
+    for _ in range(reader.count(2)):
+        reader.text(), reader.text()
+    parameters = reader.encapsulated()
+    reader.end()
+    name = f"{category}/{identity}" if category else identity
+    return Request(number, name, facet, operation, mode, parameters)
+
+
+# Replies.
+
+
+def read_reply(body: bytes | memoryview) -> tuple[int, Reader]:
+    """The number of the request that a message answers, and the reply."""
+    reader = Reader(body)
+    (number,) = reader.unpack(_INT)
+    return number, reader
+
+
+def open_reply(reader: Reader) -> Reader:
+    """What an operation gives, if the reply brings it.
+
+    Raises:
+        IceRefusedError: it says why not.
+        IceEncodingError: it is no reply.
+    """
+    try:
+        status = Status(reader.byte())
+    except ValueError as error:
+        raise IceEncodingError(f"a reply is of no known kind: {error}") from None
+    if status is Status.OK:
+        return reader.encapsulated()
+    if status is Status.USER_EXCEPTION:
+        raise _read_refusal(reader.encapsulated())
+    raise _read_exception(status, reader)
+
+
+def reply(asked: Request, gives: Writer) -> bytes:
+    """The message that brings what an operation gives."""
+    return _reply(asked, Status.OK, gives.encapsulated())
+
+
+def refusal(asked: Request, refused: Refusal, sentence: str) -> bytes:
+    """The message that brings a user exception."""
+    version = asked.parameters.version
+    members = Writer(version)
+    members.text(sentence)
+    writer = Writer(version)
+    if version == NEWEST:
+        writer.pack(_BYTE, _NAMED | _LAST)
+        writer.text(refused.type_id)
+    else:
+        # It uses no classes; a slice has its length, itself included, before it.
+        writer.pack(_BYTE, 0)
+        writer.text(refused.type_id)
+        writer.pack(_INT, _INT.size + len(members.data))
+    writer.data += members.data
+    return _reply(asked, Status.USER_EXCEPTION, writer.encapsulated())
+
+
+def not_there(asked: Request, status: Status) -> bytes:
+    """The message that says that there is no such object or operation."""
+    writer = Writer()
+    writer.text(asked.identity)
+    writer.text("")
+    writer.size(len(asked.facet))
+    for name in asked.facet:
+        writer.text(name)
+    writer.text(asked.operation)
+    return _reply(asked, status, bytes(writer.data))
+
+
+def failure(asked: Request, status: Status, sentence: str) -> bytes:
+    """The message that says that an operation failed in a way that nobody foresaw."""
+    writer = Writer()
+    writer.text(sentence)
+    return _reply(asked, status, bytes(writer.data))
+
+
+def _reply(asked: Request, status: Status, body: bytes) -> bytes:
+    return message(Kind.REPLY, _INT.pack(asked.number) + bytes((status,)) + body)
+
+
+def _read_exception(status: Status, reader: Reader) -> IceRefusedError:
+    kind = _EXCEPTIONS[status]
+    if status >= Status.UNKNOWN_LOCAL:
+        return IceRefusedError(reader.text(), kind)
+    identity, _ = reader.text(), reader.text()
+    for _ in range(reader.count(1)):
+        reader.text()
+    operation = reader.text()
+    return IceRefusedError(f"it has no {identity}.{operation}", kind)
+
+
+def _read_refusal(reader: Reader) -> IceRefusedError:
+    if reader.version != NEWEST:
+        reader.byte()
+        type_id = reader.text()
+        reader.unpack(_INT)
+        return IceRefusedError(_what(reader), type_id)
+    flags = reader.byte()
+    if not flags & _NAMED:
+        raise IceEncodingError("an exception has no name")
+    type_id = reader.text()
+    if flags & _MEASURED:
+        reader.unpack(_INT)
+    return IceRefusedError(_what(reader), type_id)
+
+
+def _what(reader: Reader) -> str:
+    """An exception's sentence; those of others may have other members, or none."""
+    try:
+        return reader.text()
+    except IceEncodingError:
+        return ""

@@ -1,0 +1,134 @@
+"""A component as its client sees it."""
+
+import re
+from types import TracebackType
+from typing import Any, Self
+
+from learnblock.errors import IceEncodingError, IceRefusedError
+from learnblock.ice.connection import Endpoint
+from learnblock.ice.encoding import Writer
+from learnblock.ice.interface import Interface, Mode, Operation, read_all, write_all
+from learnblock.ice.messages import open_reply, request_opening
+
+_TEXT = re.compile(r"(?P<identity>\S+?)\s*:\s*tcp(?=\s)(?P<options>(?:\s+-\w\s+\S+)*)\s*")
+
+
+class Proxy:
+    """A component's object: its operations are calls.
+
+        base = Proxy.parse("differentialrobot:tcp -h 192.168.16.1 -p 10004", interface)
+        base.call("setSpeedBase", 100.0, 0.5)
+
+    Args:
+        interface: what it offers.
+        identity: the object's name.
+        endpoint: where it is.
+    """
+
+    def __init__(self, interface: Interface, identity: str, endpoint: Endpoint) -> None:
+        self.interface = interface
+        self.identity = identity
+        self.endpoint = endpoint
+        self._prepared: dict[str, tuple[Operation, bytes]] = {}
+
+    @classmethod
+    def parse(cls, text: str, interface: Interface, patience: float = 5.0) -> Self:
+        """The proxy that Ice writes as ``identity:tcp -h HOST -p PORT``.
+
+        Args:
+            text: of the proxy.
+            interface: what it offers.
+            patience: seconds within which a call has to be answered.
+
+        Raises:
+            IceEncodingError: the text is no such proxy.
+        """
+        found = _TEXT.fullmatch(text)
+        options = dict(re.findall(r"-(\w)\s+(\S+)", found["options"])) if found else {}
+        port = options.get("p", "")
+        if found is None or not port.isdecimal() or not 0 < int(port) < 65536:
+            raise IceEncodingError(
+                f"{text!r} is no proxy; it should look like `base:tcp -h localhost -p 10004`"
+            )
+        endpoint = Endpoint(options.get("h", "localhost"), int(port), patience)
+        return cls(interface, found["identity"], endpoint)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return f"<Proxy {self.identity}:tcp -h {self.endpoint.host} -p {self.endpoint.port}>"
+
+    def call(self, name: str, *values: Any) -> Any:
+        """Call an operation.
+
+        Args:
+            name: the operation's.
+            values: what it takes.
+
+        Returns:
+            What it gives: None, the one thing, or a tuple of the out parameters and what it
+            returns.
+
+        Raises:
+            IceRefusedError: the component cannot do it, and says why.
+            IceLinkError: the component cannot be reached, does not answer, or answers nonsense.
+            IceEncodingError: the values are not what the operation takes, or the answer is not what
+                it gives.
+        """
+        operation, opening = self._prepared.get(name) or self._prepare(name)
+        writer = Writer()
+        write_all(writer, operation.takes, values)
+        again = operation.mode is not Mode.NORMAL
+        reply = self.endpoint.call(opening, writer.encapsulated(), again=again)
+        given = read_all(open_reply(reply), operation.gives)
+        return given if len(given) > 1 else next(iter(given), None)
+
+    def ping(self) -> None:
+        """Make sure that the object is there.
+
+        Raises:
+            IceError: it is not.
+        """
+        self.call("ice_ping")
+
+    def is_a(self, type_id: str) -> bool:
+        """Whether the object offers an interface."""
+        return bool(self.call("ice_isA", type_id))
+
+    def ids(self) -> tuple[str, ...]:
+        """The names of all interfaces that the object offers."""
+        return tuple(self.call("ice_ids"))
+
+    def check(self) -> None:
+        """Make sure that the object offers the proxy's interface.
+
+        Raises:
+            IceRefusedError: it is something else.
+            IceLinkError: the component cannot be reached.
+        """
+        if not self.is_a(self.interface.type_id):
+            raise IceRefusedError(f"it is no {self.interface.type_id}", "wrong interface")
+
+    def close(self) -> None:
+        """Close the connection; the second time it does nothing."""
+        self.endpoint.close()
+
+    def _prepare(self, name: str) -> tuple[Operation, bytes]:
+        try:
+            operation = self.interface.operation(name)
+        except KeyError:
+            raise IceRefusedError(
+                f"{self.interface.type_id} has no operation {name}", "OperationNotExistException"
+            ) from None
+        opening = request_opening(self.identity, name, operation.mode)
+        self._prepared[name] = operation, opening
+        return self._prepared[name]

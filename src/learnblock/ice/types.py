@@ -1,0 +1,291 @@
+"""Slice's types: each writes values of it and reads them.
+
+A structure is described by a frozen dataclass whose annotations are the names at the end of this
+module:
+
+    >>> from dataclasses import dataclass
+    >>> @dataclass(frozen=True)
+    ... class Reading:
+    ...     angle: Float
+    ...     dist: Float
+    >>> readings = Sequence(Structure.of(Reading))
+    >>> readings.decoded(readings.encoded([Reading(0.5, 300.0)]))
+    (Reading(angle=0.5, dist=300.0),)
+"""
+
+import struct
+import sys
+from abc import ABC, abstractmethod
+from array import array
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Annotated, Any, TypeGuard, get_type_hints
+
+from learnblock.errors import IceEncodingError
+from learnblock.ice.encoding import NEWEST, Reader, Version, Writer
+
+
+class Type(ABC):
+    """A type of Slice."""
+
+    #: The fewest bytes a value takes.
+    least: int
+
+    @abstractmethod
+    def write(self, writer: Writer, value: Any) -> None:
+        """Write a value; what is none raises whatever Python makes of it."""
+
+    @abstractmethod
+    def read(self, reader: Reader) -> Any:
+        """Read a value.
+
+        Raises:
+            IceEncodingError: there is none.
+        """
+
+    def encoded(self, value: Any, version: Version = NEWEST) -> bytes:
+        """A value as bytes.
+
+        Raises:
+            IceEncodingError: it is no such value.
+        """
+        writer = Writer(version)
+        with writing(self, value):
+            self.write(writer, value)
+        return bytes(writer.data)
+
+    def decoded(self, data: bytes | memoryview, version: Version = NEWEST) -> Any:
+        """The value that some bytes hold, and nothing else.
+
+        Raises:
+            IceEncodingError: they do not.
+        """
+        reader = Reader(data, version)
+        value = self.read(reader)
+        reader.end()
+        return value
+
+
+@contextmanager
+def writing(what: object, value: object) -> Iterator[None]:
+    """Within it, a value that cannot be written is told as such."""
+    try:
+        yield
+    except (AttributeError, OverflowError, TypeError, ValueError, struct.error) as error:
+        raise IceEncodingError(f"{value!r:.80} is no {what}: {error}") from error
+
+
+class Number(Type):
+    """A number, or a truth.
+
+    Args:
+        name: as Slice calls it.
+        code: as `struct` and `array` call it.
+    """
+
+    def __init__(self, name: str, code: str) -> None:
+        self.name = name
+        self.code = code
+        self._form = struct.Struct("<" + code)
+        self.least = self._form.size
+
+    def __repr__(self) -> str:
+        return self.name
+
+    def write(self, writer: Writer, value: Any) -> None:
+        writer.data += self._form.pack(value)
+
+    def read(self, reader: Reader) -> Any:
+        return self._form.unpack(reader.take(self.least))[0]
+
+
+class Truth(Number):
+    """A bool. One that is neither 0 nor 1 shows that something else was written there."""
+
+    def read(self, reader: Reader) -> bool:
+        value = reader.byte()
+        if value > 1:
+            raise IceEncodingError(f"a bool is {value}")
+        return bool(value)
+
+
+class Text(Type):
+    """A string."""
+
+    least = 1
+
+    def __repr__(self) -> str:
+        return "string"
+
+    def write(self, writer: Writer, value: Any) -> None:
+        writer.text(value)
+
+    def read(self, reader: Reader) -> str:
+        return reader.text()
+
+
+class Enumeration(Type):
+    """An enum, as an IntEnum.
+
+    Args:
+        kind: its enumerators have the numbers 0 to 127, as RoboComp's have: each takes one byte in
+            both encodings.
+    """
+
+    least = 1
+
+    def __init__(self, kind: type[IntEnum]) -> None:
+        self.kind = kind
+
+    def __repr__(self) -> str:
+        return self.kind.__name__
+
+    def write(self, writer: Writer, value: Any) -> None:
+        writer.data.append(self.kind(value))
+
+    def read(self, reader: Reader) -> IntEnum:
+        value = reader.byte()
+        try:
+            return self.kind(value)
+        except ValueError:
+            raise IceEncodingError(f"{value} is no {self.kind.__name__}") from None
+
+
+class Sequence(Type):
+    """A sequence: bytes for ``sequence<byte>``, an array for one of numbers, else a tuple."""
+
+    least = 1
+
+    def __init__(self, element: Type) -> None:
+        self.element = element
+
+    def __repr__(self) -> str:
+        return f"sequence<{self.element}>"
+
+    def write(self, writer: Writer, value: Any) -> None:
+        if self.element is BYTE:
+            raw = memoryview(value).cast("B")
+            writer.size(len(raw))
+            writer.data += raw
+            return
+        writer.size(len(value))
+        if _is_packed(self.element):
+            writer.data += _in_order(array(self.element.code, value)).tobytes()
+            return
+        for one in value:
+            self.element.write(writer, one)
+
+    def read(self, reader: Reader) -> Any:
+        count = reader.count(self.element.least)
+        if self.element is BYTE:
+            return bytes(reader.take(count))
+        if _is_packed(self.element):
+            numbers = array(self.element.code)
+            numbers.frombytes(reader.take(count * self.element.least))
+            return _in_order(numbers)
+        return tuple(self.element.read(reader) for _ in range(count))
+
+
+class Dictionary(Type):
+    """A dictionary."""
+
+    least = 1
+
+    def __init__(self, key: Type, value: Type) -> None:
+        self.key = key
+        self.value = value
+
+    def __repr__(self) -> str:
+        return f"dictionary<{self.key}, {self.value}>"
+
+    def write(self, writer: Writer, value: Any) -> None:
+        writer.size(len(value))
+        for key, one in value.items():
+            self.key.write(writer, key)
+            self.value.write(writer, one)
+
+    def read(self, reader: Reader) -> dict[Any, Any]:
+        count = reader.count(self.key.least + self.value.least)
+        return {self.key.read(reader): self.value.read(reader) for _ in range(count)}
+
+
+class Structure(Type):
+    """A struct.
+
+    Args:
+        kind: the frozen dataclass of its values.
+        members: name and type of each member in the order of the wire.
+    """
+
+    def __init__(self, kind: type, members: tuple[tuple[str, Type], ...]) -> None:
+        self.kind = kind
+        self.members = members
+        self.least = sum(type_.least for _, type_ in members)
+
+    def __repr__(self) -> str:
+        return self.kind.__name__
+
+    @classmethod
+    def of(cls, kind: type, order: str | None = None) -> "Structure":
+        """The struct whose values are of a dataclass.
+
+        Args:
+            kind: the dataclass, annotated with the types at the end of this module.
+            order: its members in the order of the wire, where it differs from the dataclass's.
+        """
+        hints = get_type_hints(kind, include_extras=True)
+        types = {name: hint.__metadata__[0] for name, hint in hints.items()}
+        names = order.split() if order else list(types)
+        if sorted(names) != sorted(types):
+            raise ValueError(f"{names} are not the members of {kind.__name__}")
+        return cls(kind, tuple((name, types[name]) for name in names))
+
+    def write(self, writer: Writer, value: Any) -> None:
+        for name, member in self.members:
+            member.write(writer, getattr(value, name))
+
+    def read(self, reader: Reader) -> Any:
+        return self.kind(**{name: member.read(reader) for name, member in self.members})
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """A user exception with the one member ``what``, a string, as all of RoboComp's are.
+
+    Args:
+        type_id: its name, such as ``::RoboCompDisplay::HardwareFailedException``.
+    """
+
+    type_id: str
+
+
+def _is_packed(type_: Type) -> TypeGuard[Number]:
+    """Whether many of them stand in a row as in an array."""
+    return isinstance(type_, Number) and not isinstance(type_, Truth)
+
+
+def _in_order(numbers: "array[Any]") -> "array[Any]":
+    """The wire has the lowest byte first."""
+    if sys.byteorder == "big":
+        numbers.byteswap()
+    return numbers
+
+
+BOOL = Truth("bool", "?")
+BYTE = Number("byte", "B")
+SHORT = Number("short", "h")
+INT = Number("int", "i")
+LONG = Number("long", "q")
+FLOAT = Number("float", "f")
+DOUBLE = Number("double", "d")
+STRING = Text()
+
+# The same as annotations.
+Bool = Annotated[bool, BOOL]
+Byte = Annotated[int, BYTE]
+Int = Annotated[int, INT]
+Float = Annotated[float, FLOAT]
+String = Annotated[str, STRING]
+Bytes = Annotated[bytes, Sequence(BYTE)]
