@@ -2,10 +2,18 @@
 
 import threading
 from collections.abc import Collection
+from typing import Protocol
 
 from learnblock.runtime.messages import Control, Mode
-from learnblock.runtime.pacing import Pacing
 from learnblock.runtime.status import State, Status
+
+
+class Holdable(Protocol):
+    """What is held with a program: the pacing of its world, or the brake of a real robot."""
+
+    def pause(self) -> None: ...
+
+    def resume(self) -> None: ...
 
 
 class Debugger:
@@ -27,7 +35,7 @@ class Debugger:
         self._held = self._paused = self._ended = False
         self._depth = 0
         self._status: Status | None = None
-        self._pacing: Pacing | None = None
+        self._governed: Holdable | None = None
 
     def report_to(self, status: Status) -> None:
         """Tell `status` when the world is paused and when it goes on."""
@@ -35,12 +43,12 @@ class Debugger:
             self._status = status
             self._tell_pause()
 
-    def govern(self, pacing: Pacing) -> None:
-        """Hold the world of this pacing as well, now that the program has made its robot."""
+    def govern(self, governed: Holdable) -> None:
+        """Hold this as well, now that the program has made its robot."""
         with self._commands:
-            self._pacing = pacing
+            self._governed = governed
             if self._paused:
-                pacing.pause()
+                governed.pause()
 
     def holds(self, line: int, depth: int) -> bool:
         """Whether the program, which has reached `line`, is held there; then `wait`."""
@@ -48,6 +56,8 @@ class Debugger:
             # What the program knew when it stopped may be out of date.
             self._held = not self._ended and self.control.holds(line, depth)
             self._depth = depth
+            if self._held and self._governed:
+                self._governed.pause()
             return self._held
 
     def wait(self) -> None:
@@ -66,8 +76,8 @@ class Debugger:
         with self._commands:
             self._paused = True
             self.control = Control(self.control.breakpoints, Mode.STEP)
-            if self._pacing:
-                self._pacing.pause()
+            if self._governed:
+                self._governed.pause()
             self._tell_pause()
 
     def resume(self) -> None:
@@ -95,9 +105,8 @@ class Debugger:
                 return
             self.control = Control(self.control.breakpoints, mode, self._depth)
             self._held = self._paused = False
-            if self._pacing:
-                # Also after a breakpoint: the time it was held is none that the world is late by.
-                self._pacing.resume()
+            if self._governed:
+                self._governed.resume()
             self._tell_pause()
             self._commands.notify_all()
 

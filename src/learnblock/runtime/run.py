@@ -11,10 +11,11 @@ from typing import Any, Protocol
 
 from learnblock import skills
 from learnblock.client import Client
-from learnblock.devices import Device, Sensor
+from learnblock.devices import Base, Device, Sensor
 from learnblock.errors import LearnBlockError, RobotConnectionError, RobotStoppedError
 from learnblock.runtime import messages
-from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.brake import Brake
+from learnblock.runtime.debugger import Debugger, Holdable
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.messages import Fault
@@ -390,7 +391,7 @@ class Run:
         except Exception as error:  # noqa: BLE001 - a driver may raise whatever it likes
             self._send(_failure(error))
             return
-        self._enter_world(vars(self.client).get("simulation"))
+        self._enter_world(self.client)
         self.recorder = self._make_recorder(self.client)
         # Only now: the recorder has put itself between the devices and their functions.
         self._functions = [
@@ -399,15 +400,18 @@ class Run:
         self._send(self._offer(self.client))
         self._last_call = monotonic()
 
-    def _enter_world(self, simulation: Simulation | None) -> None:
+    def _enter_world(self, client: Client) -> None:
         with self._connecting:
-            self._simulation = simulation
-            if simulation is None:
-                return
-            if self._speed:
-                simulation.pacing.set_factor(*self._speed)
+            self._simulation = vars(client).get("simulation")
+            if self._simulation and self._speed:
+                self._simulation.pacing.set_factor(*self._speed)
             if self._debugger:
-                self._debugger.govern(simulation.pacing)
+                self._debugger.govern(self._held_with(client))
+
+    def _held_with(self, client: Client) -> Holdable:
+        if self._simulation:
+            return self._simulation.pacing
+        return Brake([device for _, device in client.devices() if isinstance(device, Base)])
 
     def _offer(self, client: Client) -> messages.Connected:
         devices = tuple(
