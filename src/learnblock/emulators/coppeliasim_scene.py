@@ -1,0 +1,256 @@
+"""What CoppeliaSim's API tells of a scene with one robot, which is a twin in our world.
+
+The scene has the robot three times over: with the functions of our scene script under
+``/LearnBlock``, with those of the paper's script under ``/Funciones``, and with joints and sensors
+under ``/Robot``. CoppeliaSim counts metres, and radians counterclockwise.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from time import monotonic
+from typing import Any
+
+from learnblock.devices import NOTHING_SEEN
+from learnblock.emulators.twin import Twin
+
+#: Seconds without a sign of life after which our scene script stops the motors.
+WATCHDOG = 0.5
+STOPPED, PAUSED, RUNNING = 0, 8, 17
+#: Of the API: constants have the values that CoppeliaSim gives them.
+CONSTANTS: Mapping[str, int] = {
+    "boolparam_realtime_simulation": 25,
+    "handle_world": -1,
+    "scripttype_simulation": 1,
+    "simulation_advancing_running": RUNNING,
+    "simulation_paused": PAUSED,
+    "simulation_stopped": STOPPED,
+}
+#: What our scene script knows to serve.
+DEVICES = (
+    "Base", "Camera", "Display", "DistanceSensors", "GroundSensors", "Gyroscope", "LightSensor",
+)  # fmt: skip
+
+
+class SceneError(Exception):
+    """What a function of the API raises."""
+
+
+class TwinScene:
+    """The scene, its simulation stopped at first.
+
+    Args:
+        twin: the robot.
+    """
+
+    def __init__(self, twin: Twin) -> None:
+        self._twin = twin
+        with twin.body() as body:
+            self._about = body.description
+            self._sides = {
+                side: range(len(seen)) for side, seen in body.distances().items() if seen
+            }
+        self._state = STOPPED
+        self._heard: float | None = None
+        self._wheels = {"left": 0.0, "right": 0.0}
+        self._handles = {path: 10 + number for number, path in enumerate(self._paths())}
+        self.functions: Mapping[str, Callable[..., Any]] = {
+            "callScriptFunction": self._call_script_function,
+            "getObject": self._object,
+            "getObjectMatrix": self._matrix,
+            "getScript": lambda _kind, path: self._object(path),
+            "getSimulationState": lambda: self._state,
+            "getVisionSensorImg": self._image,
+            "pauseSimulation": lambda: self._simulate(PAUSED),
+            "readProximitySensor": self._proximity,
+            "readVisionSensor": self._vision,
+            "setBoolParam": lambda _parameter, _value: None,
+            "setJointTargetVelocity": self._turn,
+            "startSimulation": lambda: self._simulate(RUNNING),
+            "stopSimulation": lambda: self._simulate(STOPPED),
+        }
+        self._scripts: Mapping[str, Mapping[str, Callable[..., Any]]] = {
+            "/LearnBlock": {
+                "beat": self._hear,
+                "describe": self._describe,
+                "drive": self._drive,
+                "sense": self._sense,
+                "show": self._show,
+            },
+            "/Funciones": {
+                "On": self._on,
+                "ResetGyroA": self._reset_gyroscope,
+                "SensorGyroA": lambda *_: ([round(self._gyroscope())], [], [], ""),
+                "SensorLight": lambda *_: ([round(self._ground("central"))], [], [], ""),
+                "SensorSonar": lambda *_: ([], [self._nearest()], [], ""),
+            },
+        }
+
+    @property
+    def parts(self) -> Mapping[str, Any]:
+        """The settings with which its robot is driven by the names of its parts."""
+        sensors = {
+            side: tuple(f"/Robot/{side}{number}" for number in numbers)
+            for side, numbers in self._sides.items()
+        }
+        grounds = {f"ground_{one.side}": f"/Robot/ground_{one.side}" for one in self._about.ground}
+        return {
+            "scene": "names",
+            "left_wheel": "/Robot/left",
+            "right_wheel": "/Robot/right",
+            "wheel_radius": float(self._about.wheels.radius),
+            **sensors,
+            **grounds,
+            **({"camera": "/Robot/camera"} if self._about.camera else {}),
+        }
+
+    def watch(self) -> None:
+        """Stop the motors of a script that has not been heard of."""
+        if self._heard is not None and monotonic() - self._heard > WATCHDOG:
+            self._heard = None
+            self._move(0, 0)
+
+    # The API.
+
+    def _paths(self) -> list[str]:
+        named = (value for value in self.parts.values() if not isinstance(value, float))
+        paths = (path for value in named for path in ([value] if isinstance(value, str) else value))
+        return ["/LearnBlock", "/Funciones", *(path for path in paths if path.startswith("/"))]
+
+    def _object(self, path: str) -> int:
+        if path not in self._handles:
+            raise SceneError(f"Object does not exist: {path}. (in function 'sim.getObject')")
+        return self._handles[path]
+
+    def _path(self, handle: int) -> str:
+        for path, known in self._handles.items():
+            if known == handle:
+                return path
+        raise SceneError(f"Object does not exist: {handle}.")
+
+    def _simulate(self, state: int) -> None:
+        self._state = state
+        if state != RUNNING:
+            self._move(0, 0)
+
+    def _call_script_function(self, function: str, handle: int, *arguments: Any) -> Any:
+        if self._state == STOPPED:
+            raise SceneError("the script is not initialized: the simulation is stopped")
+        known = self._scripts.get(self._path(handle), {})
+        if function not in known:
+            raise SceneError(f"Failed calling script function '{function}'")
+        return known[function](*arguments)
+
+    def _move(self, adv: float, rot: float) -> None:
+        with self._twin.body() as body:
+            body.drive(adv, rot)
+
+    def _turn(self, handle: int, velocity: float) -> None:
+        """The right joint is mounted the wrong way round, as some are: it turns backwards."""
+        side = self._path(handle).removeprefix("/Robot/")
+        wheels = self._about.wheels
+        self._wheels[side] = velocity * wheels.radius * (1 if side == "left" else -1)
+        left, right = self._wheels["left"], self._wheels["right"]
+        self._move((left + right) / 2, math.degrees((left - right) / wheels.track))
+
+    def _matrix(self, handle: int, _relative_to: int = -1) -> list[float]:
+        """A joint's; its axis, the third column, looks to the left, the right joint's to the right.
+
+        Rows of x, y and z; the last column is the position.
+        """
+        side = 1 if self._path(handle) == "/Robot/left" else -1
+        x, y, angle = self._place()
+        left = -math.sin(angle), math.cos(angle)
+        reach = side * self._about.wheels.track / 2000
+        height = self._about.wheels.radius / 1000
+        return [
+            *(math.cos(angle), 0.0, side * left[0], x + reach * left[0]),
+            *(math.sin(angle), 0.0, side * left[1], y + reach * left[1]),
+            *(0.0, -float(side), 0.0, height),
+        ]
+
+    def _place(self) -> tuple[float, float, float]:
+        """Where the robot is: x and y in m, and the angle in radians counterclockwise."""
+        with self._twin.body() as body:
+            x, y, heading = body.pose
+        return x / 1000, y / 1000, -math.radians(heading)
+
+    def _proximity(self, handle: int) -> Any:
+        side = self._path(handle).removeprefix("/Robot/").rstrip("0123456789")
+        number = int(self._path(handle).removeprefix(f"/Robot/{side}"))
+        with self._twin.body() as body:
+            seen = body.distances()[side][number]
+        if seen >= NOTHING_SEEN:
+            return 0, 0.0, [0.0, 0.0, 0.0], -1, [0.0, 0.0, 0.0]
+        return 1, seen / 1000, [0.0, 0.0, seen / 1000], 99, [0.0, 0.0, -1.0]
+
+    def _vision(self, handle: int) -> Any:
+        """A detection, and 15 numbers: the average intensity is the eleventh."""
+        side = self._path(handle).removeprefix("/Robot/ground_")
+        level = self._ground(side) / 100
+        return -1, [level] * 15, []
+
+    def _image(self, handle: int) -> Any:
+        if self._path(handle) != "/Robot/camera":
+            raise SceneError("Object is not a vision sensor.")
+        with self._twin.body() as body:
+            frame = body.frame()
+        height, width = frame.shape[:2]
+        # The lowest row comes first.
+        return frame[::-1].tobytes(), [width, height]
+
+    # The paper's script; it is called as its client in the paper calls it.
+
+    def _on(self, _integers: Any, numbers: Any, _texts: Any, _buffer: Any) -> Any:
+        adv, rot = numbers
+        self._move(adv, math.degrees(rot))
+        return [], [], [], ""
+
+    def _reset_gyroscope(self, *_: Any) -> Any:
+        with self._twin.body() as body:
+            body.reset_gyroscope()
+        return [], [], [], ""
+
+    def _gyroscope(self) -> float:
+        with self._twin.body() as body:
+            if body.description.gyroscope:
+                return body.gyroscope()
+            return body.chassis.turned
+
+    def _ground(self, side: str) -> float:
+        with self._twin.body() as body:
+            return body.ground()[side] or 0.0
+
+    def _nearest(self) -> float:
+        """m; 0 where nothing is seen, which is what V-REP's proximity sensors answer then."""
+        with self._twin.body() as body:
+            seen = min(body.distances()["front"], default=NOTHING_SEEN)
+        return 0.0 if seen >= NOTHING_SEEN else seen / 1000
+
+    # Our script.
+
+    def _hear(self) -> None:
+        self._heard = monotonic()
+
+    def _drive(self, adv: float, rot: float) -> None:
+        self._hear()
+        self._move(adv, rot)
+
+    def _describe(self) -> Mapping[str, Any]:
+        self._hear()
+        announced = {name.partition(":")[0] for name in self._about.devices()} | {"Gyroscope"}
+        devices = [name for name in DEVICES if name in announced]
+        return {"devices": devices, "camera": self._handles.get("/Robot/camera", -1)}
+
+    def _sense(self) -> Mapping[str, Any]:
+        self._hear()
+        with self._twin.body() as body:
+            senses: dict[str, Any] = {"pose": body.pose, "turned": self._gyroscope()}
+            senses["distances"] = {side: body.distances()[side] for side in self._sides}
+            grounds = {side: seen for side, seen in body.ground().items() if seen is not None}
+            light = body.light() if body.description.light else 0.0
+        return {**senses, "light": light, **({"ground": grounds} if grounds else {})}
+
+    def _show(self, emotion: str) -> None:
+        self._hear()
+        with self._twin.body() as body:
+            body.show_emotion(emotion)

@@ -1,0 +1,169 @@
+"""Any differential robot of a scene, by the names of its parts.
+
+Where the wheels are is asked of their joints: so the track need not be told, nor which way the
+robot's own frame looks, nor which way a joint turns.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from learnblock.devices import (
+    DEFAULT_KEY,
+    Base,
+    Camera,
+    Device,
+    DistanceSensors,
+    GroundSensors,
+    Gyroscope,
+    Pose,
+)
+from learnblock.errors import RobotConnectionError
+from learnblock.robots.coppeliasim.readings import (
+    Turning,
+    brightness,
+    distance,
+    matrix,
+    picture,
+)
+from learnblock.robots.coppeliasim.remote import RefusedError, Remote
+from learnblock.robots.coppeliasim.script import understood
+from learnblock.robots.coppeliasim.settings import Settings
+
+T = TypeVar("T")
+Matrix = tuple[float, ...]
+
+
+def devices_of(settings: Settings) -> frozenset[str]:
+    """The devices for which the settings name something in the scene."""
+    named = {
+        "DistanceSensors": (settings.front, settings.left, settings.right, settings.back),
+        "GroundSensors": (settings.ground_left, settings.ground_central, settings.ground_right),
+        "Camera": (settings.camera,),
+    }
+    found = {f"{device}:ROBOT" for device, paths in named.items() if any(paths)}
+    return frozenset(found | {"Base:ROBOT", "Gyroscope:Z_AXIS"})
+
+
+@dataclass(frozen=True, slots=True)
+class Axle:
+    """The two joints of the wheels, as their matrices tell.
+
+    Args:
+        left: of the left joint.
+        right: of the right one.
+    """
+
+    left: Matrix
+    right: Matrix
+
+    @property
+    def to_the_left(self) -> tuple[float, float]:
+        """From the right wheel to the left one, m."""
+        return self.left[3] - self.right[3], self.left[7] - self.right[7]
+
+    @property
+    def track(self) -> float:
+        """The distance between the wheels, mm."""
+        return 1000 * math.hypot(*self.to_the_left)
+
+    @property
+    def pose(self) -> Pose:
+        """The middle between the wheels, x and y in mm, and the heading in degrees clockwise."""
+        along, across = self.to_the_left
+        x, y = (self.left[3] + self.right[3]) / 2, (self.left[7] + self.right[7]) / 2
+        # Forward is a quarter of a turn to the right of left.
+        return 1000 * x, 1000 * y, math.degrees(math.atan2(along, across))
+
+    def direction(self, joint: Matrix) -> float:
+        """1 if a joint that turns positively rolls its wheel forward, else -1.
+
+        It does where the joint's axis, its z, looks to the left.
+        """
+        along, across = self.to_the_left
+        return math.copysign(1.0, joint[2] * along + joint[6] * across)
+
+
+class NamedParts:
+    """A robot by the names in the settings; it has no watchdog.
+
+    Raises:
+        RobotConnectionError: the scene lacks one of the objects.
+    """
+
+    beat = None
+
+    def __init__(self, remote: Remote, settings: Settings) -> None:
+        self._remote = remote
+        self._settings = settings
+        self._left = self._object(settings.left_wheel, "left_wheel")
+        self._right = self._object(settings.right_wheel, "right_wheel")
+        axle = self._axle()
+        self._track = axle.track
+        self._directions = axle.direction(axle.left), axle.direction(axle.right)
+
+    def devices(self) -> Iterator[tuple[Device, str]]:
+        turning = Turning(lambda: self._axle().pose[2], lambda: None)
+        yield Base(self.move, lambda: self._axle().pose), DEFAULT_KEY
+        yield Gyroscope(turning.read, turning.reset), "Z_AXIS"
+        present = devices_of(self._settings)
+        if "DistanceSensors:ROBOT" in present:
+            yield DistanceSensors(self._distances()), DEFAULT_KEY
+        if "GroundSensors:ROBOT" in present:
+            yield GroundSensors(self._ground()), DEFAULT_KEY
+        if "Camera:ROBOT" in present:
+            yield Camera(self._camera()), DEFAULT_KEY
+
+    def move(self, adv: float, rot: float) -> None:
+        difference = math.radians(rot) * self._track / 2
+        self._turn(self._left, self._directions[0] * (adv + difference))
+        self._turn(self._right, self._directions[1] * (adv - difference))
+
+    def _turn(self, joint: int, speed: float) -> None:
+        """Let a wheel roll at that many mm/s."""
+        self._remote.call("setJointTargetVelocity", joint, speed / self._settings.wheel_radius)
+
+    def _axle(self) -> Axle:
+        return Axle(*(self._ask(matrix, "getObjectMatrix", one) for one in self._wheels))
+
+    @property
+    def _wheels(self) -> tuple[int, int]:
+        return self._left, self._right
+
+    def _distances(self) -> Callable[[], Mapping[str, Sequence[float]]]:
+        sides = {
+            side: [self._object(path, side) for path in getattr(self._settings, side)]
+            for side in ("front", "left", "right", "back")
+        }
+        return lambda: {
+            side: [self._ask(distance, "readProximitySensor", one) for one in sensors]
+            for side, sensors in sides.items()
+        }
+
+    def _ground(self) -> Callable[[], Mapping[str, float | None]]:
+        sensors = {}
+        for side in ("left", "central", "right"):
+            path = getattr(self._settings, f"ground_{side}")
+            sensors[side] = self._object(path, f"ground_{side}") if path else None
+        return lambda: {
+            side: None if one is None else self._ask(brightness, "readVisionSensor", one)
+            for side, one in sensors.items()
+        }
+
+    def _camera(self) -> Callable[[], Any]:
+        sensor = self._object(self._settings.camera, "camera")
+        return lambda: self._ask(picture, "getVisionSensorImg", sensor)
+
+    def _ask(self, read: Callable[[Any], T], function: str, *arguments: Any) -> T:
+        reply = self._remote.call(function, *arguments)
+        return understood(self._remote, read, f"sim.{function}", reply)
+
+    def _object(self, path: str, setting: str) -> int:
+        try:
+            handle: int = self._remote.call("getObject", path)
+        except RefusedError as error:
+            raise RobotConnectionError(
+                f"the scene has no object {path}, which the setting `{setting}` names ({error})"
+            ) from None
+        return handle

@@ -1,0 +1,97 @@
+"""The paper's scene of V-REP: an EV3 whose script `Funciones` has one function for each device.
+
+Its functions are written for the old remote API: each takes and answers lists of whole numbers, of
+numbers and of texts, and a buffer. `On` takes mm/s and rad/s with the sign of the paper's own
+client, clockwise positive; `SensorSonar` answers m, `SensorGyroA` degrees, `SensorLight` 0 to 100.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
+
+from learnblock.devices import (
+    DEFAULT_KEY,
+    NOTHING_SEEN,
+    Base,
+    Device,
+    DistanceSensors,
+    GroundSensors,
+    Gyroscope,
+)
+from learnblock.robots.coppeliasim.readings import (
+    NonsenseError,
+    Turning,
+    finite,
+    millimetres,
+    percent,
+)
+from learnblock.robots.coppeliasim.remote import Remote
+from learnblock.robots.coppeliasim.script import Script
+from learnblock.robots.coppeliasim.settings import Settings
+
+_ADVICE = "open the paper's scene, or set `scene` to `script` or `names`"
+#: What it has.
+DEVICES = frozenset(
+    {"Base:ROBOT", "DistanceSensors:ROBOT", "GroundSensors:ROBOT", "Gyroscope:Z_AXIS"}
+)
+_INTEGERS, _NUMBERS = 0, 1
+
+
+class PaperScene:
+    """The EV3 of the paper's scene; it has no watchdog, and does not tell where it is."""
+
+    beat = None
+
+    def __init__(self, remote: Remote, settings: Settings) -> None:
+        self._script = Script(remote, settings.script or "/Funciones", _ADVICE)
+
+    def devices(self) -> Iterator[tuple[Device, str]]:
+        turning = Turning(self._heading, lambda: self._call("ResetGyroA"))
+        yield Base(self.move), DEFAULT_KEY
+        yield Gyroscope(turning.read, turning.reset), "Z_AXIS"
+        yield DistanceSensors(self._distances), DEFAULT_KEY
+        yield GroundSensors(self._ground), DEFAULT_KEY
+
+    def move(self, adv: float, rot: float) -> None:
+        self._call("On", adv, math.radians(rot))
+
+    def _heading(self) -> float:
+        return self._script.ask(_first(_INTEGERS), "SensorGyroA", [], [], [], "")
+
+    def _distances(self) -> Mapping[str, Sequence[float]]:
+        return {"front": [self._script.ask(_sonar, "SensorSonar", [], [], [], "")]}
+
+    def _ground(self) -> Mapping[str, float | None]:
+        light = self._script.ask(_first(_INTEGERS), "SensorLight", [], [], [], "")
+        return {"left": None, "central": percent(light), "right": None}
+
+    def _call(self, function: str, *numbers: float) -> None:
+        self._script.call(function, [], list(numbers), [], "")
+
+
+def _sonar(reply: Any) -> float:
+    """Nothing and 0 m both mean that no echo came back."""
+    if not _list(reply, _NUMBERS):
+        return NOTHING_SEEN
+    return millimetres(_list(reply, _NUMBERS)[0]) or NOTHING_SEEN
+
+
+def _first(kind: int) -> Callable[[Any], float]:
+    def read(reply: Any) -> float:
+        values = _list(reply, kind)
+        if not values:
+            raise NonsenseError(f"{reply!r:.80} has no number")
+        return finite(values[0])
+
+    return read
+
+
+def _list(reply: Any, kind: int) -> Sequence[Any]:
+    """One of the lists of an answer; an empty one may come as an empty table of keys."""
+    lists = reply if isinstance(reply, tuple) else (reply,)
+    found = lists[kind] if len(lists) > kind else None
+    if found == {}:
+        return ()
+    if not isinstance(found, list):
+        raise NonsenseError(f"{reply!r:.80} is not lists of numbers")
+    return found
