@@ -23,6 +23,7 @@ from learnblock.errors import UnknownNameError
 #: The twin of each robot that can be emulated. RCIS's robot is built like EBO, and CoppeliaSim's
 #: scene of the paper like an EV3.
 TWINS: Mapping[str, str] = {
+    "cozmo": "sim-cozmo",
     "coppeliasim": "sim-ev3",
 }
 

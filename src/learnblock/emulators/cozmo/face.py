@@ -1,0 +1,66 @@
+"""What stands on Cozmo's screen: pixels from their run lengths, and the emotion they look like."""
+
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+from pycozmo import expressions
+
+Pixels = NDArray[np.bool_]
+
+EMOTIONS = {
+    "anger": expressions.Anger,
+    "disgust": expressions.Disgust,
+    "fear": expressions.Fear,
+    "joy": expressions.Happiness,
+    "neutral": expressions.Neutral,
+    "sadness": expressions.Sadness,
+    "surprise": expressions.Surprise,
+}
+HEIGHT, WIDTH = 32, 128
+LIKENESS = 40
+"""Of 4096 pixels so many may differ from a face that is still taken for it."""
+_SKIP, _REPEAT, _RUN = 0, 1, 2
+
+
+def pixels(run_lengths: bytes) -> Pixels:
+    """The screen, 32 rows of 128.
+
+    It is drawn column by column. The two high bits of a byte tell what its others mean: 0 empty
+    columns, 1 repetitions of the column before, 2 and 3 a run of 1 to 16 and of 17 to 32 pixels
+    downwards, lit if one of the two low bits is set. Of a column that is left before its end the
+    rest is empty. (pycozmo.image_encoder; its decoder errs where a long run ends within a column)
+
+    Raises:
+        ValueError: they draw beyond the screen.
+    """
+    screen = np.zeros((HEIGHT, WIDTH), np.bool_)
+    x = y = 0
+    for byte in run_lengths:
+        kind, count = byte >> 6, (byte & 0x3F) + 1
+        if kind in {_SKIP, _REPEAT}:
+            x, y = x + (y > 0), 0
+            before = screen[:, x - 1 : x] if kind == _REPEAT and x else False
+            screen[:, x : x + count] = before
+            x += count
+        else:
+            length = ((byte & 0x3F) >> 2) + (1 if kind == _RUN else 17)
+            if x >= WIDTH or y + length > HEIGHT:
+                raise ValueError("an image draws beyond the screen")
+            screen[y : y + length, x] = bool(byte & 3)
+            x, y = (x + 1, 0) if y + length == HEIGHT else (x, y + length)
+    return screen
+
+
+def emotion(shown: Pixels) -> str | None:
+    """The emotion that it looks like, ``none`` for an empty screen, None for something else."""
+    if not shown.any():
+        return "none"
+    name, known = min(_known().items(), key=lambda face: np.count_nonzero(face[1] != shown))
+    return name if np.count_nonzero(known != shown) <= LIKENESS else None
+
+
+@cache
+def _known() -> dict[str, Pixels]:
+    # The screen shows every other row of a face.
+    return {name: np.array(face().render())[::2] for name, face in EMOTIONS.items()}

@@ -1,0 +1,264 @@
+"""The robot behind the wire: what each packet does to the twin, and what the twin reports."""
+
+import json
+import math
+from collections import Counter, deque
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
+
+from pycozmo import protocol_encoder as packets
+from pycozmo.robot import RobotStatusFlag
+
+from learnblock.devices import Pose
+from learnblock.emulators.cozmo import face, picture
+from learnblock.emulators.twin import Twin
+
+TRACK = 45.0
+"""mm between the treads (pycozmo.robot)."""
+PIVOT, ARM = 45.0, 66.0
+"""mm: the height of the lift's pivot, and the length of its arm (pycozmo.robot)."""
+PICTURE_PERIOD = 1 / 15
+"""Seconds between two pictures."""
+FULL_TURN = 2 * math.pi
+
+_FIRMWARE = {"version": 2381, "build": "DEVELOPMENT"}
+
+
+class Machine:
+    """A Cozmo made of a twin.
+
+    Args:
+        twin: the robot that is moved.
+
+    Attributes:
+        received: how many packets of each name have arrived.
+        heard: the last frames of sound that arrived, each 744 samples in the robot's encoding.
+        volume: 0 to 65535.
+    """
+
+    def __init__(self, twin: Twin) -> None:
+        self.received: Counter[str] = Counter()
+        self.heard: deque[bytes] = deque(maxlen=4500)
+        self.volume = 65535
+        self._twin = twin
+        self._speeds = (0.0, 0.0)
+        self._enabled = self._reports = self._animates = False
+        self._films = self._coloured = False
+        self._stops_at_cliffs = True
+        self._on_cliff = False
+        self._origin: Pose = (0.0, 0.0, 0.0)
+        self._origin_numbers = (0, 1)
+        self._last: tuple[float, float] | None = None
+        self._pictures, self._picture_due = 0, 0.0
+        self._sound_frames = self._frames_of_this_sound = 0
+        self._shown = b""
+        self._handlers: dict[type, Callable[[Any], Iterable[Any] | None]] = {
+            packets.DriveWheels: self._drive,
+            packets.StopAllMotors: lambda _: self._set_speeds(0.0, 0.0),
+            packets.SetHeadAngle: self._set_head,
+            packets.SetLiftHeight: self._set_lift,
+            packets.LightStateCenter: lambda packet: self._light("Front Center Rear", packet),
+            packets.LightStateSide: lambda packet: self._light("Left Right", packet),
+            packets.Enable: self._enable,
+            packets.SyncTime: self._synchronize,
+            packets.SetOrigin: self._set_origin,
+            packets.EnableStopOnCliff: self._mind_cliffs,
+            packets.EnableAnimationState: self._animate,
+            packets.EnableCamera: self._film,
+            packets.EnableColorImages: self._colour,
+            packets.SetRobotVolume: self._set_volume,
+            packets.OutputAudio: self._sound,
+            packets.OutputSilence: lambda _: self._end_sound(),
+            packets.DisplayImage: self._show,
+        }
+
+    # What the server asks of it.
+
+    def greet(self) -> Iterable[Any]:
+        self._enabled = self._reports = self._animates = self._films = self._coloured = False
+        self._stops_at_cliffs = True
+        yield packets.HardwareInfo(serial_number_head=0x02E00001)
+        yield packets.FirmwareSignature(signature=json.dumps(_FIRMWARE))
+
+    def handle(self, packet: Any) -> Iterable[Any]:
+        self.received[type(packet).__name__] += 1
+        handler = self._handlers.get(type(packet))
+        return (handler(packet) if handler else None) or ()
+
+    def tick(self, now: float) -> Iterator[Any]:
+        if self._reports:
+            yield self._state(now)
+        if self._animates:
+            yield packets.AnimationState(
+                timestamp=self._milliseconds(), num_audio_frames_played=self._sound_frames
+            )
+        if self._films and now >= self._picture_due:
+            self._picture_due = max(self._picture_due + PICTURE_PERIOD, now)
+            yield from self._picture()
+
+    def rest(self) -> None:
+        self._set_speeds(0.0, 0.0)
+
+    # What packets do.
+
+    def _enable(self, _packet: Any) -> Iterable[Any]:
+        if self._enabled:
+            return ()
+        self._enabled = True
+        return (packets.BodyInfo(serial_number=0x45A00001, body_hw_version=5, body_color=2),)
+
+    def _synchronize(self, _packet: Any) -> None:
+        self._reports = self._enabled
+
+    def _animate(self, _packet: Any) -> None:
+        self._animates = self._enabled
+
+    def _film(self, packet: Any) -> None:
+        self._films = packet.image_send_mode == packets.ImageSendMode.Stream
+
+    def _colour(self, packet: Any) -> None:
+        self._coloured = packet.enable
+
+    def _mind_cliffs(self, packet: Any) -> None:
+        self._stops_at_cliffs = packet.enable
+
+    def _set_volume(self, packet: Any) -> None:
+        self.volume = packet.level
+
+    def _set_origin(self, packet: Any) -> None:
+        """Where it stands is from now on this place, looking along the x axis."""
+        with self._twin.body() as body:
+            self._origin = tuple(body.pose)
+        self._origin_numbers = (packet.pose_frame_id, packet.pose_origin_id)
+
+    def _drive(self, packet: Any) -> None:
+        self._set_speeds(packet.lwheel_speed_mmps, packet.rwheel_speed_mmps)
+
+    def _set_speeds(self, left: float, right: float) -> None:
+        self._speeds = (left, right)
+        with self._twin.body() as body:
+            body.drive((left + right) / 2, math.degrees((left - right) / TRACK))
+
+    def _set_head(self, packet: Any) -> Iterable[Any]:
+        with self._twin.body() as body:
+            body.set_joint("CAMERA", math.degrees(packet.angle_rad))
+        return (packets.AcknowledgeAction(action_id=packet.action_id),)
+
+    def _set_lift(self, packet: Any) -> Iterable[Any]:
+        sine = min(max((packet.height_mm - PIVOT) / ARM, -1.0), 1.0)
+        with self._twin.body() as body:
+            body.set_joint("ARM", math.degrees(math.asin(sine)))
+        return (packets.AcknowledgeAction(action_id=packet.action_id),)
+
+    def _light(self, slots: str, packet: Any) -> None:
+        with self._twin.body() as body:
+            for slot, state in zip(slots.split(), packet.states, strict=True):
+                body.set_led(slot, _rgb(state.on_color))
+
+    def _sound(self, packet: Any) -> None:
+        self.heard.append(bytes(packet.samples))
+        self._sound_frames += 1
+        self._frames_of_this_sound += 1
+
+    def _end_sound(self) -> None:
+        if self._frames_of_this_sound:
+            with self._twin.body() as body:
+                body.note("Speaker", "sound", self._frames_of_this_sound)
+            self._frames_of_this_sound = 0
+
+    def _show(self, packet: Any) -> None:
+        shown = bytes(packet.image)
+        if shown == self._shown:
+            # It is sent 30 times a second.
+            return
+        self._shown = shown
+        try:
+            name = face.emotion(face.pixels(shown))
+        except ValueError:
+            return
+        with self._twin.body() as body:
+            if name is None:
+                body.note("Display", "image")
+            else:
+                body.show_emotion(name)
+
+    # What it reports.
+
+    def _milliseconds(self) -> int:
+        return int(self._twin.time * 1000)
+
+    def _state(self, now: float) -> Any:
+        with self._twin.body() as body:
+            pose: Pose = tuple(body.pose)
+            accelerations = [1000 * axis for axis in body.acceleration()]
+            head, arm = body.joint("CAMERA"), body.joint("ARM")
+            on_cliff = body.ground()["central"] == 0
+        self._meet_cliff(on_cliff)
+        x, y, angle = _seen_from(self._origin, pose)
+        return packets.RobotState(
+            timestamp=self._milliseconds(),
+            pose_frame_id=self._origin_numbers[0],
+            pose_origin_id=self._origin_numbers[1],
+            pose_x=x,
+            pose_y=y,
+            pose_angle_rad=angle,
+            lwheel_speed_mmps=self._speeds[0],
+            rwheel_speed_mmps=self._speeds[1],
+            head_angle_rad=math.radians(head),
+            lift_height_mm=PIVOT + ARM * math.sin(math.radians(arm)),
+            accel_x=accelerations[0],
+            accel_y=accelerations[1],
+            accel_z=accelerations[2],
+            gyro_z=self._turn_rate(now, angle),
+            battery_voltage=4.0,
+            status=self._status(),
+            cliff_data_raw=(0 if on_cliff else 1000,) * 4,
+        )
+
+    def _meet_cliff(self, on_cliff: bool) -> None:  # noqa: FBT001 - it is on one or it is not
+        """The robot itself stops where the floor ends; it may be told to go on."""
+        if on_cliff and not self._on_cliff and self._stops_at_cliffs:
+            self._set_speeds(0.0, 0.0)
+        self._on_cliff = on_cliff
+
+    def _turn_rate(self, now: float, angle: float) -> float:
+        """rad/s to the left since the last report."""
+        before, self._last = self._last, (now, angle)
+        if before is None or now <= before[0]:
+            return 0.0
+        return math.remainder(angle - before[1], FULL_TURN) / (now - before[0])
+
+    def _status(self) -> int:
+        flag = RobotStatusFlag
+        status = flag.LIFT_IN_POS | flag.HEAD_IN_POS
+        if self._on_cliff:
+            status |= flag.CLIFF_DETECTED
+        if any(self._speeds):
+            status |= flag.IS_MOVING | flag.ARE_WHEELS_MOVING
+        return int(status)
+
+    def _picture(self) -> Iterable[Any]:
+        self._pictures += 1
+        with self._twin.body() as body:
+            frame = body.frame()
+        return picture.pieces(
+            frame,
+            colour=self._coloured,
+            number=self._pictures,
+            timestamp=self._milliseconds(),
+        )
+
+
+def _seen_from(origin: Pose, pose: Pose) -> tuple[float, float, float]:
+    """A pose in the robot's own frame: mm ahead and to the left, and rad to the left."""
+    x, y = pose[0] - origin[0], pose[1] - origin[1]
+    angle = math.radians(origin[2])
+    along, across = math.cos(angle), math.sin(angle)
+    turned = math.remainder(math.radians(origin[2] - pose[2]), FULL_TURN)
+    return x * along - y * across, x * across + y * along, turned
+
+
+def _rgb(colour: int) -> tuple[float, float, float]:
+    """Five bits each of red, green and blue, as 0 to 255."""
+    red, green, blue = ((colour >> shift & 31) * 255 / 31 for shift in (10, 5, 0))
+    return red, green, blue

@@ -1,0 +1,214 @@
+"""The robot's side of Cozmo's transport: who is connected, what arrived, what is sent again."""
+
+import select
+import socket
+import threading
+from collections import deque
+from collections.abc import Iterable
+from time import monotonic
+from typing import Any, Protocol
+
+from pycozmo import protocol_encoder as packets
+
+from learnblock.emulators.cozmo.frames import (
+    MOST_PAYLOAD,
+    Frame,
+    FrameError,
+    FrameKind,
+    decoded,
+    encoded,
+    following,
+)
+
+TICK = 0.03
+"""Seconds between two reports of the robot's state."""
+RESEND = 0.05
+"""Seconds after which what was not acknowledged is sent again (Anki's ReliableConnection)."""
+SILENCE = 5.0
+"""Seconds without a frame after which the robot lets go of its client (docs/protocol.md)."""
+
+_RESET_NUMBER = 1
+"""The frame that resets counts as the first packet."""
+
+
+class Robot(Protocol):
+    """What stands behind the wire."""
+
+    def greet(self) -> Iterable[Any]:
+        """Somebody has connected: what is said to them."""
+
+    def handle(self, packet: Any) -> Iterable[Any]:
+        """A packet arrived: what is answered."""
+
+    def tick(self, now: float) -> Iterable[Any]:
+        """Live on; `now` is in seconds: what is reported."""
+
+    def rest(self) -> None:
+        """Nobody is connected any more."""
+
+
+class _Session:
+    """One client, from its reset to its goodbye."""
+
+    def __init__(self, address: Any, now: float) -> None:
+        self.address = address
+        self.heard = now
+        self.arrived = _RESET_NUMBER
+        self._next = _RESET_NUMBER
+        self._owed: deque[tuple[int, Any]] = deque()
+        self._sent = now
+
+    def number(self, packet: Any) -> int:
+        """Remember a packet until it is acknowledged; its number, or 0 if it needs none."""
+        if packet.is_oob():
+            return 0
+        number, self._next = self._next, following(self._next)
+        self._owed.append((number, packet))
+        return number
+
+    def acknowledge(self, number: int) -> None:
+        """The client has everything up to that number."""
+        if any(number == owed for owed, _ in self._owed):
+            while self._owed and self._owed.popleft()[0] != number:
+                continue
+
+    def accepts(self, number: int) -> bool:
+        """Whether a packet is the next one; those that come too early are lost, and come again."""
+        if number == 0:
+            return True
+        if number != following(self.arrived):
+            return False
+        self.arrived = number
+        return True
+
+    def overdue(self, now: float) -> list[tuple[int, Any]]:
+        """What is to be sent again."""
+        if not self._owed or now - self._sent < RESEND:
+            return []
+        self._sent = now
+        return list(self._owed)
+
+
+class Server:
+    """Listens for a client and passes on what it says: a thread that lives until `close`.
+
+    One client is served at a time: who resets the link takes it over, as the protocol knows
+    nothing else.
+
+    Args:
+        robot: stands behind it.
+        address: where it listens.
+        port: of UDP; 0 takes a free one.
+
+    Raises:
+        OSError: it cannot listen there.
+    """
+
+    def __init__(self, robot: Robot, address: str, port: int) -> None:
+        self._robot = robot
+        self._session: _Session | None = None
+        self._closed = threading.Event()
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        try:
+            self._socket.bind((address, port))
+        except OSError:
+            self._socket.close()
+            raise
+        self._socket.setblocking(False)  # noqa: FBT003 - the standard library's own
+        self.port: int = self._socket.getsockname()[1]
+        self._thread = threading.Thread(target=self._live, name="cozmo-emulator", daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """End the thread; the second time it does nothing."""
+        self._closed.set()
+        self._thread.join()
+        self._socket.close()
+
+    def _live(self) -> None:
+        due = monotonic()
+        while not self._closed.is_set():
+            wait = max(0.0, due - monotonic())
+            if select.select((self._socket,), (), (), wait)[0]:
+                self._receive()
+            if (now := monotonic()) >= due:
+                # Not one report after the other if the machine was busy.
+                due = max(due + TICK, now)
+                self._tick(now)
+        self._leave()
+
+    def _receive(self) -> None:
+        try:
+            datagram, address = self._socket.recvfrom(65536)
+            frame = decoded(datagram)
+        except (OSError, FrameError):
+            # A client that has gone, or nonsense: the robot does not answer either.
+            return
+        if frame.kind is FrameKind.RESET:
+            self._connect(address)
+        elif self._session and self._session.address == address:
+            self._hear(self._session, frame)
+
+    def _connect(self, address: Any) -> None:
+        self._leave()
+        self._session = _Session(address, monotonic())
+        self._send(self._session, (packets.Connect(), *self._robot.greet()))
+
+    def _hear(self, session: _Session, frame: Frame) -> None:
+        session.heard = monotonic()
+        session.acknowledge(frame.ack)
+        answers: list[Any] = []
+        for number, packet in frame.packets:
+            if session.accepts(number) and packet is not None:
+                answers += self._answer(packet)
+        if frame.kind is FrameKind.GOODBYE or any(
+            isinstance(packet, packets.Disconnect) for _, packet in frame.packets
+        ):
+            self._leave()
+        elif answers:
+            self._send(session, answers)
+
+    def _answer(self, packet: Any) -> Iterable[Any]:
+        return (packet,) if isinstance(packet, packets.Ping) else self._robot.handle(packet)
+
+    def _tick(self, now: float) -> None:
+        session = self._session
+        if session is None:
+            return
+        if now - session.heard > SILENCE:
+            self._leave()
+            return
+        self._emit(session, session.overdue(now))
+        # Each of them may be lost without the others.
+        for packet in self._robot.tick(now):
+            self._send(session, (packet,))
+
+    def _leave(self) -> None:
+        self._session = None
+        self._robot.rest()
+
+    def _send(self, session: _Session, contents: Iterable[Any]) -> None:
+        self._emit(session, [(session.number(packet), packet) for packet in contents])
+
+    def _emit(self, session: _Session, numbered: list[tuple[int, Any]]) -> None:
+        """Send packets in as few frames as they fit into."""
+        batch: list[tuple[int, Any]] = []
+        size = 0
+        for number, packet in numbered:
+            length = 4 + len(packet)
+            if batch and size + length > MOST_PAYLOAD:
+                self._emit_frame(session, batch)
+                batch, size = [], 0
+            batch.append((number, packet))
+            size += length
+        if batch:
+            self._emit_frame(session, batch)
+
+    def _emit_frame(self, session: _Session, batch: list[tuple[int, Any]]) -> None:
+        first = next((number for number, _ in batch if number), 0)
+        datagram = encoded(session.arrived, first, [packet for _, packet in batch])
+        try:
+            self._socket.sendto(datagram, session.address)
+        except OSError:
+            # The client's socket has gone, or its queue is full: as if it was lost on the air.
+            return

@@ -1,0 +1,163 @@
+"""Anki's Cozmo, over its own Wi-Fi, by pycozmo."""
+
+import importlib.util
+from collections.abc import Iterator, Mapping
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any
+
+from msgspec import Meta
+
+from learnblock.devices import (
+    Accelerometer,
+    Animator,
+    Base,
+    Camera,
+    Display,
+    GroundSensors,
+    Gyroscope,
+    JointMotor,
+    RGBLed,
+    Speaker,
+)
+from learnblock.errors import RobotConnectionError
+from learnblock.robots import settings as user_settings
+from learnblock.robots.cozmo import sound, units
+from learnblock.robots.real import RealRobot, require
+from learnblock.robots.settings import Address, Patience, Port, RobotSettings
+
+if TYPE_CHECKING:
+    from learnblock.robots.cozmo.session import Session
+
+__all__ = ["CozmoSettings", "Robot"]
+
+
+class CozmoSettings(RobotSettings):
+    """What can be set about a Cozmo."""
+
+    address: Address = "172.31.1.1"
+    port: Port = 5551
+    patience: Patience = 3.0
+    colour: Annotated[bool, Meta(description="colours, in half the width, or else grey")] = True
+    stop_at_cliff: Annotated[bool, Meta(description="whether it stops where the floor ends")] = True
+    volume: Annotated[int, Meta(ge=0, le=100, description="how loud it is")] = 60
+    voice: Annotated[str, Meta(pattern=r"^[\w-]+(\+\w+)?$", description="of espeak-ng")] = "en"
+
+
+class Robot(RealRobot[CozmoSettings]):
+    """A Cozmo whose Wi-Fi this machine has joined.
+
+        from learnblock.robots.cozmo import Robot
+
+        robot = Robot()
+        robot.move_straight(50)
+        robot.sleep(2)
+
+    Args:
+        chosen: settings that go before those of the user's file; see `CozmoSettings`.
+
+    Raises:
+        RobotConnectionError: it does not answer.
+    """
+
+    settings_type = CozmoSettings
+    _session: "Session | None" = None
+
+    @classmethod
+    def device_names(cls) -> frozenset[str]:
+        one_each = (Accelerometer, Animator, Base, Camera, Display, GroundSensors, Speaker)
+        return frozenset(
+            [f"{kind.__name__}:ROBOT" for kind in one_each]
+            + ["Gyroscope:Z_AXIS", "JointMotor:ARM", "JointMotor:CAMERA"]
+            + [f"RGBLed:{slot}" for slot in units.LIGHTS]
+        )
+
+    @classmethod
+    def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
+        """Ask at the address of the settings; a robot that answers is taken over for a moment."""
+        if importlib.util.find_spec("pycozmo") is None:
+            return
+        known: CozmoSettings = user_settings.load(cls.name(), cls.settings_type)
+        try:
+            _session(known.address, known.port, seconds).close()
+        except RobotConnectionError:
+            return
+        yield {"address": known.address, "port": known.port}
+
+    def connect(self) -> None:
+        chosen = self.settings
+        self._session = session = _session(chosen.address, chosen.port, chosen.patience)
+        session.prepare(
+            colour=chosen.colour, stop_at_cliff=chosen.stop_at_cliff, volume=chosen.volume
+        )
+        self._add_sensors(session)
+        self._add_joints(session)
+        self._add_stage(session)
+        for slot in units.LIGHTS:
+            self.add(RGBLed(set_color=partial(session.light, slot)), slot)
+
+    def disconnect(self) -> None:
+        if self._session is not None:
+            self._session.close()
+
+    def check_link(self) -> None:
+        if self._session is not None:
+            self._session.check()
+
+    def _add_sensors(self, session: "Session") -> None:
+        odometry = session.odometry
+        self.add(Gyroscope(read=odometry.turned, reset=odometry.reset), "Z_AXIS")
+        self.add(Accelerometer(read=lambda: units.acceleration(*session.accelerations)))
+        self.add(GroundSensors(read=lambda: _ground(on_cliff=session.on_cliff())))
+        self.add(Camera(read=session.frame))
+
+    def _add_joints(self, session: "Session") -> None:
+        def lift(degrees: float) -> None:
+            session.set_lift_height(units.lift_height(degrees))
+
+        def head(degrees: float) -> None:
+            session.set_head_angle(units.head_angle(degrees))
+
+        self.add(JointMotor(move=lift, read=lambda: units.lift_angle(session.lift)), "ARM")
+        self.add(JointMotor(move=head, read=lambda: session.head_angle.degrees), "CAMERA")
+
+    def _add_stage(self, session: "Session") -> None:
+        # Both need pycozmo, as the session does.
+        from learnblock.robots.cozmo import face  # noqa: PLC0415
+        from learnblock.robots.cozmo.stage import Stage  # noqa: PLC0415
+
+        stage = Stage(session.anim_controller)
+
+        def move(adv: float, rot: float) -> None:
+            stage.end_moves()
+            session.drive_wheels(*units.treads(adv, rot))
+
+        def say(text: str) -> None:
+            stage.play(sound.speech(text, self.settings.voice))
+
+        self.add(Base(move=move, read=lambda: session.odometry.pose))
+        self.add(
+            Display(
+                show_emotion=lambda name: stage.show(face.emotion(name)),
+                show_image=lambda frame: stage.show(face.picture(frame)),
+            )
+        )
+        self.add(
+            Speaker(
+                say=say if sound.can_speak() else None,
+                play=lambda name: stage.play(sound.named(name)),
+                tone=lambda hertz, milliseconds: stage.play(sound.tone(hertz, milliseconds / 1000)),
+            )
+        )
+        self.add(Animator(play=stage.act))
+
+
+def _session(address: str, port: int, patience: float) -> "Session":
+    require("pycozmo", "cozmo")
+    # It needs pycozmo, which only those install who have a Cozmo.
+    from learnblock.robots.cozmo.session import Session  # noqa: PLC0415
+
+    return Session(address, port, patience)
+
+
+def _ground(*, on_cliff: bool) -> dict[str, float | None]:
+    return {"left": None, "central": 0.0 if on_cliff else 100.0, "right": None}

@@ -1,0 +1,112 @@
+"""Cozmo's twelve behaviours, as small shows of face, head, lift, treads and notes.
+
+The robot's own animations are files of its app, which are not ours to give away. These are our own,
+and much simpler.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from learnblock.devices import Emotion
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A part of a behaviour; what is not named stays as it is.
+
+    Args:
+        seconds: how long it lasts.
+        face: what the screen shows.
+        head: degrees, up positive.
+        lift: degrees of its arm.
+        drive: mm/s forward, and degrees/s to the right.
+        notes: hertz, one after the other; 0 is a rest.
+    """
+
+    seconds: float
+    face: Emotion | None = None
+    head: float | None = None
+    lift: float | None = None
+    drive: tuple[float, float] | None = None
+    notes: Sequence[float] = ()
+
+
+_STILL = (0.0, 0.0)
+
+#: Each ends where it began, on the floor and in its heading, as nearly as treads allow.
+BEHAVIOURS: Mapping[str, Sequence[Step]] = {
+    "Bored": (
+        Step(0.8, face=Emotion.NEUTRAL, head=-20, drive=(0, -40)),
+        Step(0.8, head=20, drive=(0, 40)),
+        Step(0.8, face=Emotion.SADNESS, head=-25, drive=_STILL, notes=(330, 262, 196)),
+    ),
+    "Cat": (
+        Step(0.5, face=Emotion.JOY, head=15, notes=(523, 784, 659)),
+        Step(0.6, lift=30, drive=(0, 30)),
+        Step(0.6, lift=-10, drive=(0, -30), notes=(587, 880, 698)),
+        Step(0.3, drive=_STILL),
+    ),
+    "Dances": (
+        Step(0.4, face=Emotion.JOY, head=30, lift=40, drive=(0, 120), notes=(523, 659)),
+        Step(0.4, head=0, lift=-10, drive=(0, -120), notes=(784, 659)),
+        Step(0.4, head=30, lift=40, drive=(0, -120), notes=(523, 659)),
+        Step(0.4, head=0, lift=-10, drive=(0, 120), notes=(784, 1047)),
+        Step(0.3, drive=_STILL),
+    ),
+    "Dog": (
+        Step(0.3, face=Emotion.JOY, head=20, drive=(40, 0), notes=(220, 165)),
+        Step(0.3, head=5, drive=(-40, 0)),
+        Step(0.3, head=20, drive=(40, 0), notes=(220, 165)),
+        Step(0.3, head=5, drive=(-40, 0)),
+        Step(0.3, drive=_STILL),
+    ),
+    "Duck": (
+        Step(0.3, face=Emotion.SURPRISE, head=10, lift=20, drive=(20, 60), notes=(349, 330)),
+        Step(0.3, lift=-10, drive=(-20, -60), notes=(349, 330)),
+        Step(0.3, head=-5, lift=20, drive=(20, -60), notes=(349, 330)),
+        Step(0.3, lift=-10, drive=(-20, 60)),
+        Step(0.3, drive=_STILL),
+    ),
+    "Elephant": (
+        Step(0.6, face=Emotion.ANGER, head=-10, lift=-10, notes=(147,)),
+        Step(0.8, head=40, lift=45, drive=(15, 0), notes=(392, 523, 587)),
+        Step(0.8, head=0, lift=-10, drive=(-15, 0)),
+        Step(0.3, drive=_STILL),
+    ),
+    "Idle": (
+        Step(0.7, face=Emotion.NEUTRAL, head=10),
+        Step(0.7, head=-5, drive=(0, 15)),
+        Step(0.7, head=0, drive=(0, -15)),
+        Step(0.3, drive=_STILL),
+    ),
+    "Sheep": (
+        Step(0.5, face=Emotion.NEUTRAL, head=5, notes=(294, 277, 294, 277, 294)),
+        Step(0.5, head=-15),
+        Step(0.5, head=5, notes=(294, 277, 294, 277, 294)),
+    ),
+    "Sleep": (
+        Step(1.0, face=Emotion.SADNESS, head=-10, lift=-10, notes=(196, 0, 147, 0)),
+        Step(1.0, face=Emotion.NONE, head=-25, notes=(131, 0, 98, 0)),
+        Step(1.0, notes=(98, 0, 0, 0)),
+    ),
+    "Sneezes": (
+        Step(0.5, face=Emotion.DISGUST, head=25, notes=(392, 440)),
+        Step(0.5, head=40, notes=(494, 523)),
+        Step(0.2, face=Emotion.SURPRISE, head=-25, drive=(-60, 0), notes=(988,)),
+        Step(0.2, head=0, drive=(60, 0)),
+        Step(0.3, face=Emotion.NEUTRAL, drive=_STILL),
+    ),
+    "Vampire": (
+        Step(0.8, face=Emotion.ANGER, head=-20, lift=45, notes=(131, 139, 131, 139)),
+        Step(0.6, head=25, drive=(40, 0), notes=(156, 165)),
+        Step(0.6, lift=-10, drive=(-40, 0)),
+        Step(0.3, drive=_STILL),
+    ),
+    "Zombie": (
+        Step(0.6, face=Emotion.FEAR, head=-15, lift=30, drive=(15, 20), notes=(110, 104)),
+        Step(0.6, lift=15, drive=(15, -20), notes=(98, 104)),
+        Step(0.6, lift=30, drive=(-15, -20), notes=(110, 104)),
+        Step(0.6, lift=-10, drive=(-15, 20)),
+        Step(0.3, drive=_STILL),
+    ),
+}

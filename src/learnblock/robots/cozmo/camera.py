@@ -1,0 +1,50 @@
+"""Pictures from what Cozmo's camera sends."""
+
+import io
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from pycozmo import camera, protocol_encoder
+
+Frame = NDArray[np.uint8]
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A picture as it came over the wire.
+
+    Args:
+        data: all its pieces; of a JPEG whose header was cut off the first byte tells whether it has
+            colours.
+        encoding: one of pycozmo's `ImageEncoding`.
+        resolution: one of pycozmo's `ImageResolution`.
+    """
+
+    data: bytes
+    encoding: Any
+    resolution: Any
+
+    def frame(self) -> Frame | None:
+        """The picture as uint8 RGB (240, 320, 3), not to be written to; None if it is damaged."""
+        size = camera.RESOLUTIONS[self.resolution]
+        try:
+            picture = Image.open(io.BytesIO(self._whole(*size))).convert("RGB")
+            # Coloured ones come in half the width.
+            frame = np.asarray(picture if picture.size == size else picture.resize(size))
+        except (IndexError, OSError, SyntaxError, ValueError):
+            # What libjpeg, pillow and numpy raise when bits are wrong.
+            return None
+        frame.flags.writeable = False
+        return frame
+
+    def _whole(self, width: int, height: int) -> bytes:
+        """The picture with its header."""
+        if self.encoding != protocol_encoder.ImageEncoding.JPEGMinimizedGray:
+            return self.data
+        pixels = np.frombuffer(self.data, np.uint8)
+        if self.data[0]:
+            return bytes(camera.minicolor_to_jpeg(pixels, width // 2, height))
+        return bytes(camera.minigray_to_jpeg(pixels, width, height))

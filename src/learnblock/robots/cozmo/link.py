@@ -1,0 +1,236 @@
+"""The wire to Cozmo: pycozmo's connection, without the faults that stall it when packets get lost.
+
+In pycozmo 0.8.0
+
+- every frame that comes restarts the timer after which packets are sent again, also the 30 reports
+  a second that a robot makes of itself, so that nothing is ever sent again;
+- a batch that does not fit into one frame is split with a wrong last number in the first frame;
+- the last frame that came is acknowledged even if one before it is missing, and frames without a
+  number wipe out the acknowledgement owed;
+- the connection is asked for once, and a goodbye may be left unsaid.
+"""
+
+import select
+import socket
+import threading
+from collections.abc import Iterator, Sequence
+from queue import Empty
+from time import monotonic
+from typing import Any
+
+from pycozmo import protocol_encoder as packets
+from pycozmo.conn import Connection, ReceiveThread, SendThread
+from pycozmo.frame import Frame
+from pycozmo.protocol_declaration import MAX_FRAME_PAYLOAD_SIZE, MAX_SEQ, OOB_SEQ
+
+from learnblock.errors import RobotConnectionError
+
+Address = tuple[str, int]
+
+RESEND = 0.05
+"""Seconds after which what was not acknowledged is sent again (Anki's ReliableConnection)."""
+RETRY = 0.3
+"""Seconds after which the connection is asked for again."""
+POLL = 0.02
+"""Seconds after which a thread looks whether it is to end."""
+FAREWELL = 0.3
+"""Seconds that a goodbye waits for the commands before it to arrive."""
+
+
+class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
+    """Sends packets, again and again until the robot acknowledges them."""
+
+    def run(self) -> None:
+        while not self.stop_flag:
+            self._send_packets(self._resend_messages() + self._collect_messages(), self.last_ack)
+
+    def ack(self, seq: int, last_ack: int) -> None:
+        """The robot has everything up to `seq`; we have everything up to `last_ack`."""
+        with self.lock:
+            oldest = self.window.expected_seq
+            self.window.acknowledge(seq)
+            if self.window.expected_seq != oldest:
+                self.last_ack_time = monotonic()
+            self.last_ack = last_ack
+
+    def reset(self) -> None:
+        super().reset()
+        # Nothing has arrived yet.
+        self.last_ack = OOB_SEQ
+
+    def has_delivered(self) -> bool:
+        """Whether all that was to be sent has been acknowledged."""
+        with self.lock:
+            return self.queue.empty() and not self.window.get()
+
+    def say_goodbye(self) -> None:
+        """Send the robot's dismissal, once: more than that may make it restart."""
+        if not self.window.is_full():
+            self._send_packets(self._numbered([packets.Disconnect()]), self.last_ack)
+
+    def _resend_messages(self) -> list[tuple[int, Any]]:
+        with self.lock:
+            owed: list[tuple[int, Any]] = self.window.get()
+            if not owed or monotonic() - self.last_ack_time < RESEND:
+                return []
+            self.last_ack_time = monotonic()
+        return owed
+
+    def _collect_messages(self) -> list[tuple[int, Any]]:
+        with self.lock:
+            free = self.window.size - len(self.window.get())
+        if not free:
+            # The robot has to acknowledge some first.
+            threading.Event().wait(self.COLLECT_INTERVAL)
+            return []
+        return self._numbered(list(self._waiting(free)))
+
+    def _waiting(self, most: int) -> Iterator[Any]:
+        """Packets that are to be sent, after a short wait for the first."""
+        try:
+            yield self.queue.get(timeout=self.COLLECT_INTERVAL)
+            for _ in range(most - 1):
+                yield self.queue.get_nowait()
+        except Empty:
+            return
+
+    def _numbered(self, collected: Sequence[Any]) -> list[tuple[int, Any]]:
+        for ping in (packet for packet in collected if isinstance(packet, packets.Ping)):
+            self._send_ping(ping)
+        with self.lock:
+            if not self.window.get():
+                self.last_ack_time = monotonic()
+            return [
+                (self.window.put(packet), packet)
+                for packet in collected
+                if not isinstance(packet, packets.Ping)
+            ]
+
+    def _send_packets(self, pkts: Sequence[tuple[int, Any]], last_ack: int) -> None:
+        for batch in batches(pkts):
+            contents = [packet for _, packet in batch]
+            self._send_frame(contents, batch[0][0], batch[-1][0], last_ack)
+
+
+class Receiver(ReceiveThread):  # type: ignore[misc] # pycozmo has no types
+    """Receives frames; it acknowledges what has arrived in order and nothing else."""
+
+    def __init__(self, *args: Any) -> None:
+        super().__init__(*args)
+        #: When the robot was heard last.
+        self.heard = monotonic()
+
+    def run(self) -> None:
+        while not self.stop_flag:
+            if select.select((self.sock,), (), (), POLL)[0]:
+                self._receive()
+
+    def handle_frame(self, frame: Any) -> None:
+        self.received_frames += 1
+        self.heard = monotonic()
+        for packet in frame.pkts:
+            self.handle_pkt(packet)
+        self.deliver_sequence()
+        self.send_thread.ack(frame.ack, (self.window.expected_seq - 1) % MAX_SEQ)
+
+    def _receive(self) -> None:
+        try:
+            datagram, address = self.sock.recvfrom(65536)
+        except OSError:
+            # Nobody listens there, which some systems tell by an error.
+            return
+        frame = decoded(datagram)
+        if frame is None or address != self.sender_address:
+            self.discarded_frames += 1
+        else:
+            self.handle_frame(frame)
+
+
+class Link(Connection):  # type: ignore[misc] # pycozmo has no types
+    """A connection to a robot, from `start` to `hang_up`.
+
+    Args:
+        address: of the robot, its number and its UDP port.
+    """
+
+    def __init__(self, address: Address) -> None:
+        super().__init__(address)
+        self.send_thread = Sender(self.sock, address)
+        self.recv_thread = Receiver(self.sock, self.send_thread, address, self._on_packet)
+        self._welcomed = threading.Event()
+
+    @property
+    def silence(self) -> float:
+        """Seconds since the robot was heard."""
+        return monotonic() - float(self.recv_thread.heard)
+
+    def establish(self, patience: float) -> bool:
+        """Ask for the connection until the robot grants it, or `patience` seconds have passed."""
+        began = asked = monotonic()
+        while not self._welcomed.is_set():
+            asked = monotonic()
+            if asked - began > patience:
+                return False
+            self.connect()
+            self._welcomed.wait(min(RETRY, patience))
+        # The robot begins anew with each request. Nothing else may be said before it has seen the
+        # last one, which takes it no longer than the first one took to be answered.
+        threading.Event().wait(asked - began)
+        return True
+
+    def hang_up(self) -> None:
+        """Let what was sent arrive, dismiss the robot and end all threads; in 0.5 s at most."""
+        if self.state == self.CONNECTED:
+            self._deliver_all()
+        self.send_thread.stop()
+        if self.state == self.CONNECTED:
+            self.send_thread.say_goodbye()
+        self.stop()
+
+    def _on_connect(self, cli: Any, pkt: Any) -> None:
+        super()._on_connect(cli, pkt)
+        self._welcomed.set()
+
+    def _deliver_all(self) -> None:
+        until = monotonic() + FAREWELL
+        while not self.send_thread.has_delivered() and monotonic() < until:
+            threading.Event().wait(0.005)
+
+
+def batches(numbered: Sequence[tuple[int, Any]]) -> Iterator[list[tuple[int, Any]]]:
+    """Packets in as few frames as they fit into."""
+    batch: list[tuple[int, Any]] = []
+    size = 0
+    for number, packet in numbered:
+        length = 4 + len(packet)
+        if batch and size + length > MAX_FRAME_PAYLOAD_SIZE:
+            yield batch
+            batch, size = [], 0
+        batch.append((number, packet))
+        size += length
+    if batch:
+        yield batch
+
+
+def decoded(datagram: bytes) -> Any:
+    """The frame of a datagram, or None if it is nonsense."""
+    try:
+        return Frame.from_bytes(datagram)
+    except Exception:  # noqa: BLE001 - pycozmo raises whatever its slices and asserts raise
+        return None
+
+
+def resolved(address: str, port: int) -> Address:
+    """The robot's number in the network.
+
+    Raises:
+        RobotConnectionError: the network knows no such name.
+    """
+    try:
+        found = socket.getaddrinfo(address, port, socket.AF_INET, socket.SOCK_DGRAM)
+    except OSError as error:
+        raise RobotConnectionError(
+            f"Cozmo cannot be reached: the network knows no address `{address}` ({error})"
+        ) from error
+    number, port = found[0][4][:2]
+    return str(number), int(port)

@@ -1,0 +1,90 @@
+"""What Cozmo plays thirty times a second: pictures, sounds and the moves of its behaviours."""
+
+from collections.abc import Sequence
+from itertools import zip_longest
+from typing import Any
+
+from pycozmo import protocol_encoder as packets
+from pycozmo.anim_controller import AnimationController
+
+from learnblock.errors import UnknownNameError
+from learnblock.robots.cozmo import face, sound, units
+from learnblock.robots.cozmo.behaviours import BEHAVIOURS, Step
+
+FRAMES_A_SECOND = 30
+
+
+class Stage:
+    """Puts pictures, sounds and behaviours in the queue of pycozmo's controller of animations.
+
+    Args:
+        controller: of a session.
+    """
+
+    def __init__(self, controller: AnimationController) -> None:
+        self._controller = controller
+
+    def show(self, image: bytes) -> None:
+        """Show a picture until another one is shown."""
+        self._controller.display_image(packets.DisplayImage(image=image))
+
+    def play(self, samples: sound.Samples) -> None:
+        """Play a sound, after those that are still to be played."""
+        self._controller.play_audio(_audio(samples))
+
+    def act(self, name: str) -> None:
+        """Play a behaviour; it goes on by itself.
+
+        Raises:
+            UnknownNameError: there is none of that name.
+        """
+        if name not in BEHAVIOURS:
+            raise UnknownNameError("behaviour of Cozmo", name, BEHAVIOURS)
+        self._align()
+        for step in BEHAVIOURS[name]:
+            for frame in _frames(step):
+                self._controller.play_anim_frame(*frame)
+
+    def end_moves(self) -> None:
+        """Move nothing more for a behaviour: the program drives itself."""
+        queue = self._controller.queue
+        with queue.lock:
+            queue.pkt_queue.clear()
+
+    def _align(self) -> None:
+        """Let pictures and moves wait for the sounds that are still to be played."""
+        queue = self._controller.queue
+        with queue.lock:
+            waiting = (queue.audio_queue, queue.image_queue, queue.pkt_queue)
+            longest = max(map(len, waiting))
+            for one in waiting:
+                one.extend([None] * (longest - len(one)))
+
+
+def _frames(step: Step) -> list[tuple[Any, Any, Any]]:
+    """What a step sends in each of its frames: sound, picture, moves."""
+    count = max(1, round(step.seconds * FRAMES_A_SECOND))
+    image = None if step.face is None else packets.DisplayImage(image=face.emotion(step.face))
+    notes = _audio(_melody(step))[:count]
+    return list(zip_longest(notes, [image], [_moves(step)] + [None] * (count - 1)))
+
+
+def _melody(step: Step) -> sound.Samples:
+    length = step.seconds / max(1, len(step.notes))
+    return sound.joined([sound.tone(hertz, length) for hertz in step.notes])
+
+
+def _moves(step: Step) -> Sequence[Any]:
+    moves: list[Any] = []
+    if step.head is not None:
+        moves.append(packets.SetHeadAngle(angle_rad=units.head_angle(step.head)))
+    if step.lift is not None:
+        moves.append(packets.SetLiftHeight(height_mm=units.lift_height(step.lift)))
+    if step.drive is not None:
+        left, right = units.treads(*step.drive)
+        moves.append(packets.DriveWheels(lwheel_speed_mmps=left, rwheel_speed_mmps=right))
+    return moves
+
+
+def _audio(samples: sound.Samples) -> list[Any]:
+    return [packets.OutputAudio(samples=content) for content in sound.packed(samples)]

@@ -1,0 +1,53 @@
+"""Cozmo's units, and ours: mm, degrees to the right, m/s2."""
+
+import math
+
+TRACK = 45.0
+"""mm between the treads (pycozmo.robot)."""
+MAXIMUM_SPEED = 200.0
+"""mm/s of a tread (pycozmo.robot)."""
+LOWEST_HEAD, HIGHEST_HEAD = -25.0, 44.5
+"""Degrees (pycozmo.robot)."""
+PIVOT, ARM = 45.0, 66.0
+"""mm: the height of the lift's pivot, and the length of its arm (pycozmo.robot)."""
+LOWEST_LIFT, HIGHEST_LIFT = 32.0, 92.0
+"""mm above the floor (pycozmo.robot)."""
+
+LIGHTS = ("Left", "Front", "Center", "Rear", "Right")
+"""The lamps on its back, in pycozmo's order."""
+
+
+def treads(adv: float, rot: float) -> tuple[float, float]:
+    """The left and the right tread's speed in mm/s.
+
+    Where one would be too fast both are slowed down, so that the curve stays the same.
+
+    Args:
+        adv: mm/s, forward positive.
+        rot: degrees/s, to the right positive.
+    """
+    difference = math.radians(rot) * TRACK / 2
+    left, right = adv + difference, adv - difference
+    excess = max(1.0, abs(left) / MAXIMUM_SPEED, abs(right) / MAXIMUM_SPEED)
+    return left / excess, right / excess
+
+
+def head_angle(degrees: float) -> float:
+    """The head's angle in radians for one in degrees, up positive, as far as it can go."""
+    return math.radians(min(max(degrees, LOWEST_HEAD), HIGHEST_HEAD))
+
+
+def lift_height(degrees: float) -> float:
+    """The lift's height in mm for an angle of its arm, as far as it can go."""
+    height = PIVOT + ARM * math.sin(math.radians(min(max(degrees, -90.0), 90.0)))
+    return min(max(height, LOWEST_LIFT), HIGHEST_LIFT)
+
+
+def lift_angle(height: float) -> float:
+    """The angle of the lift's arm in degrees for a height in mm."""
+    return math.degrees(math.asin(min(max((height - PIVOT) / ARM, -1.0), 1.0)))
+
+
+def acceleration(x: float, y: float, z: float) -> tuple[float, float, float]:
+    """Forward, left and up in m/s2; the robot reports mm/s2."""
+    return x / 1000, y / 1000, z / 1000
