@@ -18,8 +18,8 @@ _MAGIC = b"IceP"
 _INT = struct.Struct("<i")
 _BYTE = struct.Struct("<B")
 _COMPRESSED = 2
-#: Of the slices of an exception: its name is written out; its length is there; it is the last.
-_NAMED, _MEASURED, _LAST = 0x01, 0x10, 0x20
+#: Of a slice of an exception: its length stands before its members; it is the last one.
+_MEASURED, _LAST = 0x10, 0x20
 
 
 class Kind(IntEnum):
@@ -180,7 +180,7 @@ def refusal(asked: Request, refused: Refusal, sentence: str) -> bytes:
     members.text(sentence)
     writer = Writer(version)
     if version == NEWEST:
-        writer.pack(_BYTE, _NAMED | _LAST)
+        writer.pack(_BYTE, _LAST)
         writer.text(refused.type_id)
     else:
         # It uses no classes; a slice has its length, itself included, before it.
@@ -217,7 +217,9 @@ def _reply(asked: Request, status: Status, body: bytes) -> bytes:
 def _read_exception(status: Status, reader: Reader) -> IceRefusedError:
     kind = _EXCEPTIONS[status]
     if status >= Status.UNKNOWN_LOCAL:
-        return IceRefusedError(reader.text(), kind)
+        # Python's Ice sends a traceback, of which the last line says what went wrong.
+        lines = reader.text().strip().splitlines()
+        return IceRefusedError(lines[-1] if lines else kind, kind)
     identity, _ = reader.text(), reader.text()
     for _ in range(reader.count(1)):
         reader.text()
@@ -232,8 +234,6 @@ def _read_refusal(reader: Reader) -> IceRefusedError:
         reader.unpack(_INT)
         return IceRefusedError(_what(reader), type_id)
     flags = reader.byte()
-    if not flags & _NAMED:
-        raise IceEncodingError("an exception has no name")
     type_id = reader.text()
     if flags & _MEASURED:
         reader.unpack(_INT)

@@ -65,6 +65,18 @@ class RealRobot(Client, Generic[SettingsT]):
         yield from ()
 
     @classmethod
+    def halt(cls, settings: SettingsT) -> None:
+        """Stop the motors of a robot whose program is gone: for a `guardian` alone.
+
+        Args:
+            settings: how it is reached.
+
+        Raises:
+            RobotConnectionError: it cannot be reached.
+        """
+        raise NotImplementedError(f"the robot `{cls.name()}` has a watchdog of its own")
+
+    @classmethod
     def set_up(cls, settings: SettingsT, tell: Callable[[str], object]) -> None:  # noqa: ARG003
         """Put on the robot what we need there.
 
