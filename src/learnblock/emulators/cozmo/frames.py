@@ -159,7 +159,7 @@ def _packet(kind: int, content: bytes) -> Any:
 
 
 def _encoded_packet(packet: Any) -> bytes:
-    content = packet.to_bytes()
+    content: bytes = packet.to_bytes()
     if packet.type.value in {PacketKind.COMMAND, PacketKind.EVENT}:
         content = bytes((packet.id,)) + content
     return _PACKET.pack(packet.type.value, len(content)) + content

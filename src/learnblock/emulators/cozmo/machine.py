@@ -4,6 +4,7 @@ import json
 import math
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator
+from time import monotonic
 from typing import Any
 
 from pycozmo import protocol_encoder as packets
@@ -12,6 +13,7 @@ from pycozmo.robot import RobotStatusFlag
 from learnblock.devices import Pose
 from learnblock.emulators.cozmo import face, picture
 from learnblock.emulators.twin import Twin
+from learnblock.simulator.colours import RGB
 
 TRACK = 45.0
 """mm between the treads (pycozmo.robot)."""
@@ -19,7 +21,11 @@ PIVOT, ARM = 45.0, 66.0
 """mm: the height of the lift's pivot, and the length of its arm (pycozmo.robot)."""
 PICTURE_PERIOD = 1 / 15
 """Seconds between two pictures."""
+CALIBRATION = 0.1
+"""Seconds in which it finds out where its head and its lift are; a real one takes longer."""
 FULL_TURN = 2 * math.pi
+
+_JOINTS = (packets.MotorID.MOTOR_HEAD, packets.MotorID.MOTOR_LIFT)
 
 _FIRMWARE = {"version": 2381, "build": "DEVELOPMENT"}
 
@@ -45,6 +51,7 @@ class Machine:
         self._enabled = self._reports = self._animates = False
         self._films = self._coloured = False
         self._stops_at_cliffs = True
+        self._calibrated_at: float | None = None
         self._on_cliff = False
         self._origin: Pose = (0.0, 0.0, 0.0)
         self._origin_numbers = (0, 1)
@@ -83,9 +90,16 @@ class Machine:
     def handle(self, packet: Any) -> Iterable[Any]:
         self.received[type(packet).__name__] += 1
         handler = self._handlers.get(type(packet))
-        return (handler(packet) if handler else None) or ()
+        try:
+            return (handler(packet) if handler else None) or ()
+        except (OverflowError, ValueError):
+            # A speed that is no number: the robot does what it did before.
+            return ()
 
     def tick(self, now: float) -> Iterator[Any]:
+        if self._calibrated_at is not None and now >= self._calibrated_at:
+            self._calibrated_at = None
+            yield from (packets.MotorCalibration(motor_id=motor) for motor in _JOINTS)
         if self._reports:
             yield self._state(now)
         if self._animates:
@@ -105,7 +119,11 @@ class Machine:
         if self._enabled:
             return ()
         self._enabled = True
-        return (packets.BodyInfo(serial_number=0x45A00001, body_hw_version=5, body_color=2),)
+        self._calibrated_at = monotonic() + CALIBRATION
+        return (
+            packets.BodyInfo(serial_number=0x45A00001, body_hw_version=5, body_color=2),
+            *(packets.MotorCalibration(motor_id=motor, calib_started=True) for motor in _JOINTS),
+        )
 
     def _synchronize(self, _packet: Any) -> None:
         self._reports = self._enabled
@@ -128,7 +146,7 @@ class Machine:
     def _set_origin(self, packet: Any) -> None:
         """Where it stands is from now on this place, looking along the x axis."""
         with self._twin.body() as body:
-            self._origin = tuple(body.pose)
+            self._origin = body.pose
         self._origin_numbers = (packet.pose_frame_id, packet.pose_origin_id)
 
     def _drive(self, packet: Any) -> None:
@@ -189,7 +207,7 @@ class Machine:
 
     def _state(self, now: float) -> Any:
         with self._twin.body() as body:
-            pose: Pose = tuple(body.pose)
+            pose = body.pose
             accelerations = [1000 * axis for axis in body.acceleration()]
             head, arm = body.joint("CAMERA"), body.joint("ARM")
             on_cliff = body.ground()["central"] == 0
@@ -258,7 +276,7 @@ def _seen_from(origin: Pose, pose: Pose) -> tuple[float, float, float]:
     return x * along - y * across, x * across + y * along, turned
 
 
-def _rgb(colour: int) -> tuple[float, float, float]:
+def _rgb(colour: int) -> RGB:
     """Five bits each of red, green and blue, as 0 to 255."""
-    red, green, blue = ((colour >> shift & 31) * 255 / 31 for shift in (10, 5, 0))
+    red, green, blue = ((colour >> shift & 31) * 255 // 31 for shift in (10, 5, 0))
     return red, green, blue

@@ -68,4 +68,5 @@ def _jpeg(picture: Any) -> bytes:
 def _quantization() -> Any:
     """The tables of the header that every receiver of this camera puts before its pictures."""
     header = camera.minigray_to_jpeg(np.zeros(1, np.uint8), 8, 8)
-    return Image.open(io.BytesIO(header.tobytes())).quantization
+    picture: Any = Image.open(io.BytesIO(header.tobytes()))
+    return picture.quantization

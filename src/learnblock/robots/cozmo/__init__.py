@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 __all__ = ["CozmoSettings", "Robot"]
 
 
-class CozmoSettings(RobotSettings):
+class CozmoSettings(RobotSettings, frozen=True):
     """What can be set about a Cozmo."""
 
     address: Address = "172.31.1.1"

@@ -232,5 +232,4 @@ def resolved(address: str, port: int) -> Address:
         raise RobotConnectionError(
             f"Cozmo cannot be reached: the network knows no address `{address}` ({error})"
         ) from error
-    number, port = found[0][4][:2]
-    return str(number), int(port)
+    return str(found[0][4][0]), port

@@ -41,6 +41,8 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         RobotConnectionError: no robot answers there.
     """
 
+    conn: Link
+
     def __init__(self, address: str, port: int, patience: float) -> None:
         place = resolved(address, port)
         super().__init__(place, auto_initialize=False)
@@ -146,7 +148,8 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         while not holds():
             if monotonic() > until:
                 raise RobotConnectionError(
-                    f"{self._name} answers, but does not get ready: switch it off and on again"
+                    f"{self._name} answers, but did not get ready in time: is the network slow?"
+                    " If not, switch the robot off and on"
                 )
             threading.Event().wait(POLL)
 

@@ -11,7 +11,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from learnblock.errors import DeviceValueError, FileError, LearnBlockError, did_you_mean
+from learnblock.errors import DeviceValueError, LearnBlockError, did_you_mean
 from learnblock.home import home
 
 RATE = 22050
@@ -49,8 +49,7 @@ def named(name: str) -> Samples:
     """A note, such as ``Do``, or else a file of the folder ``sounds`` in the user's own folder.
 
     Raises:
-        DeviceValueError: there is no such sound.
-        FileError: the file is no WAV file that can be played.
+        DeviceValueError: there is no such sound, or the file cannot be played.
     """
     if name in NOTES:
         return tone(NOTES[name], NOTE_LENGTH)
@@ -66,12 +65,12 @@ def read(path: Path) -> Samples:
     """The sound of a WAV file, of any rate, with 8 or 16 bits.
 
     Raises:
-        FileError: it cannot be read.
+        DeviceValueError: it cannot be read.
     """
     try:
         return _wav(path.read_bytes())
     except (OSError, EOFError, ValueError, wave.Error) as error:
-        raise FileError(f"{path} cannot be played: {error}") from error
+        raise DeviceValueError(f"{path} cannot be played: {error}") from error
 
 
 def speech(text: str, voice: str) -> Samples:
@@ -123,7 +122,7 @@ def _u_law(samples: Samples) -> NDArray[np.uint8]:
     exponent = np.floor(np.log2(loudness)).astype(np.int32)
     mantissa = (loudness >> (exponent - 4)) & 0x0F
     sign = np.where(samples < 0, 0x80, 0)
-    coded = (sign | (exponent - 7) << 4 | mantissa) + 1
+    coded: NDArray[np.int32] = (sign | (exponent - 7) << 4 | mantissa) + 1
     return np.minimum(coded, 0xFF).astype(np.uint8)
 
 
@@ -139,4 +138,9 @@ def _wav(content: bytes) -> Samples:
         samples = (samples.astype(np.int32) - 128) << 8
     mono = samples[: len(samples) // channels * channels].reshape(-1, channels).mean(axis=1)
     count = round(len(mono) * RATE / rate)
-    return np.interp(np.arange(count) * rate / RATE, np.arange(len(mono)), mono).astype(np.int16)
+    if not count:
+        raise ValueError("it is empty")
+    resampled: Samples = np.interp(
+        np.arange(count) * rate / RATE, np.arange(len(mono)), mono
+    ).astype(np.int16)
+    return resampled
