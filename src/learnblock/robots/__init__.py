@@ -15,9 +15,9 @@ from learnblock.client import Client
 from learnblock.errors import LearnBlockError, UnknownNameError
 from learnblock.home import home, import_file
 
-_OURS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo", "coppeliasim", "cozmo")
+_OURS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo", "coppeliasim", "cozmo", "ev3", "thymio")
 #: The robots of the paper that have a name and a module already, and get their driver next.
-_ANNOUNCED = ("ebo", "thymio", "ev3", "rcis")
+_ANNOUNCED = ("ebo", "rcis")
 
 
 @dataclass(frozen=True, slots=True)

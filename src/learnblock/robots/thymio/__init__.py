@@ -1,0 +1,78 @@
+"""Thymio, by `thymiodirect` over a cable, its radio or the network, or by Thymio Suite.
+
+from learnblock.robots.thymio import Robot
+
+robot = Robot()
+robot.move_straight(50)
+robot.sleep(2)
+"""
+
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack
+from functools import partial
+from typing import Any
+
+from learnblock.devices import (
+    Accelerometer,
+    Base,
+    Controller,
+    Display,
+    DistanceSensors,
+    GroundSensors,
+    RGBLed,
+    Speaker,
+)
+from learnblock.robots import settings as user_settings
+from learnblock.robots.real import RealRobot
+from learnblock.robots.thymio import equipment, finding, opening, units
+from learnblock.robots.thymio.link import Link
+from learnblock.robots.thymio.motors import Motors
+from learnblock.robots.thymio.settings import ThymioSettings
+
+__all__ = ["Robot", "ThymioSettings"]
+
+
+class Robot(RealRobot[ThymioSettings]):
+    """A Thymio II."""
+
+    settings_type = ThymioSettings
+    _link: Link | None = None
+    _motors: Motors | None = None
+
+    @classmethod
+    def device_names(cls) -> frozenset[str]:
+        lamps = {f"RGBLed:{slot}" for slot in equipment.LAMPS}
+        kinds = "Accelerometer Base Controller Display DistanceSensors GroundSensors Speaker"
+        return frozenset(lamps | {f"{kind}:ROBOT" for kind in kinds.split()})
+
+    @classmethod
+    def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
+        yield from finding.scan(user_settings.load(cls.name(), ThymioSettings), seconds)
+
+    def connect(self) -> None:
+        link = self._link = opening.open_link(self.settings)
+        motors = self._motors = Motors(link)
+        self.add(Base(partial(self._move, motors)))
+        self.add(DistanceSensors(lambda: units.distances(link.read("prox.horizontal"))))
+        self.add(GroundSensors(lambda: units.ground(link.read("prox.ground.delta"))))
+        self.add(Accelerometer(lambda: units.acceleration(link.read("acc"))))
+        self.add(Controller(partial(equipment.buttons, link)))
+        self.add(Display(partial(equipment.show, link)))
+        self.add(Speaker(play=partial(equipment.play, link), tone=partial(equipment.tone, link)))
+        for slot, lamp in equipment.LAMPS.items():
+            self.add(RGBLed(partial(equipment.light, link, lamp)), slot)
+
+    def disconnect(self) -> None:
+        with ExitStack() as ending:
+            if self._link:
+                ending.callback(self._link.close)
+            if self._motors:
+                ending.callback(self._motors.close)
+
+    def check_link(self) -> None:
+        if self._link:
+            self._link.check()
+
+    def _move(self, motors: Motors, adv: float, rot: float) -> None:
+        track, unit = self.settings.track, self.settings.speed_unit
+        motors.drive(*units.wheels(adv, rot, track=track, unit=unit))

@@ -1,0 +1,153 @@
+"""A Thymio that is spoken to directly, over a cable, its radio's dongle, or the network.
+
+The messages, the description of a node and the assembler are `thymiodirect`'s. Its connection is
+not used: over TCP it takes half a message for a whole one, goes round in circles when the other end
+closes, and its threads never end.
+"""
+
+import threading
+from time import monotonic
+
+from thymiodirect.message import Message
+
+from learnblock.errors import RobotConnectionError
+from learnblock.robots.thymio.frames import Frames, encoded, signed
+from learnblock.robots.thymio.link import Link
+from learnblock.robots.thymio.node import Node
+from learnblock.robots.thymio.program import READY, Event
+from learnblock.robots.thymio.wires import Wire
+
+#: Seconds between two readings; the robot renews its motors' speeds 100 and its distances 10 times
+#: a second.
+PERIOD = 0.02
+#: Seconds after which an answer is no longer waited for before asking again.
+OVERDUE = 0.25
+#: Words of bytecode in one message.
+CHUNK = 200
+PROTOCOL = 5
+
+
+class AsebaLink(Link):
+    """A conversation in Aseba's binary protocol.
+
+    Raises:
+        RobotConnectionError: nobody answers, it is no Thymio, or it does not take our program.
+    """
+
+    def __init__(self, wire: Wire, patience: float) -> None:
+        super().__init__(wire, patience)
+        self._frames = Frames()
+        self._node: Node | None = None
+        self._values: tuple[int, ...] = ()
+        self._begin = 0
+        self._ready = False
+        self._answered = True
+        self._poller = threading.Thread(target=self._poll, name="thymio poller", daemon=True)
+        self._reader.start()
+        try:
+            self._get_acquainted()
+        except BaseException:
+            self.close()
+            raise
+        self._poller.start()
+
+    def read(self, variable: str) -> tuple[int, ...]:
+        self.check()
+        offset, size = self._known().place(variable)
+        begin = offset - self._begin
+        return self._values[begin : begin + size]
+
+    def tell(self, event: Event, *numbers: int) -> None:
+        self._send(encoded(event.number, *numbers))
+
+    def close(self) -> None:
+        super().close()
+        if self._poller.is_alive():
+            self._poller.join()
+
+    # Getting acquainted.
+
+    def _get_acquainted(self) -> None:
+        self._send(encoded(Message.ID_LIST_NODES, PROTOCOL))
+        self._expect(lambda: self._node is not None, "no robot answers")
+        node = self._known()
+        self._send(encoded(Message.ID_GET_NODE_DESCRIPTION, node.number, PROTOCOL))
+        self._expect(lambda: node.complete, "it does not say what it can do")
+        self._require_thymio(node)
+        self._upload(node)
+        self._expect(lambda: self._ready, "it does not run our program")
+        self._ask()
+        self._expect(lambda: bool(self._values), "it does not say what it senses")
+
+    def _require_thymio(self, node: Node) -> None:
+        if not node.name.startswith("thymio"):
+            raise RobotConnectionError(f"{self.name} is none: it calls itself `{node.name}`")
+        if node.lacking:
+            raise RobotConnectionError(
+                f"the software in {self.name} is too old: it lacks {', '.join(node.lacking)};"
+                " Thymio Suite can renew it"
+            )
+
+    def _upload(self, node: Node) -> None:
+        try:
+            code = node.bytecode()
+        except LookupError as error:
+            raise RobotConnectionError(
+                f"the software in {self.name} is too old ({error}); Thymio Suite can renew it"
+            ) from error
+        for begin in range(0, len(code), CHUNK):
+            words = code[begin : begin + CHUNK]
+            self._send(encoded(Message.ID_SET_BYTECODE, node.number, begin, *words))
+        self._send(encoded(Message.ID_RUN, node.number))
+
+    def _known(self) -> Node:
+        assert self._node is not None  # noqa: S101 - whoever connects waits for it
+        return self._node
+
+    # What comes.
+
+    def _take(self, data: bytes) -> None:
+        for message in self._frames.feed(data):
+            self._heard = monotonic()
+            if message.id == Message.ID_NODE_PRESENT and self._node is None:
+                self._node = Node(message.source_node)
+            if self._node is not None and message.source_node == self._node.number:
+                self._understand(self._node, message)
+
+    def _understand(self, node: Node, message: Message) -> None:
+        if message.id == Message.ID_VARIABLES:
+            self._note(node, message)
+        elif message.id == READY.number:
+            self._ready = True
+        else:
+            node.take(message)
+
+    def _note(self, node: Node, message: Message) -> None:
+        """Keep an answer to our own question: a hub passes on those to others as well."""
+        if (message.var_offset, len(message.var_data)) == node.span():
+            self._begin, self._values = message.var_offset, tuple(map(signed, message.var_data))
+            self._answered = True
+
+    # What is asked.
+
+    def _ask(self) -> None:
+        self._answered = False
+        node = self._known()
+        self._send(encoded(Message.ID_GET_VARIABLES, node.number, *node.span()))
+
+    def _poll(self) -> None:
+        """Ask on and on what it senses: the next time when it has answered, or is overdue."""
+        asked = monotonic()
+        while not self._closed.wait(PERIOD):
+            if self._lost is not None:
+                return
+            if self._answered or monotonic() - asked > OVERDUE:
+                asked = monotonic()
+                self._try_to_ask()
+
+    def _try_to_ask(self) -> None:
+        try:
+            self._ask()
+        except RobotConnectionError:
+            # Whoever uses the robot next is told.
+            return

@@ -1,0 +1,56 @@
+"""Where there are Thymios: at serial ports, behind Thymio Suite, in a simulator."""
+
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from time import monotonic
+from typing import Any
+
+from learnblock.errors import RobotConnectionError
+from learnblock.robots.real import require
+from learnblock.robots.thymio.settings import ThymioSettings
+from learnblock.robots.thymio.wires import TcpWire
+
+#: (vendor, product) on the USB: the robot itself, and the dongle of its radio.
+USB_IDS = frozenset({(0x0617, 0x000A), (0x0617, 0x000C)})
+
+
+def serial_devices() -> list[str]:
+    """The serial ports at which a Thymio or its dongle is plugged in."""
+    ports = require("serial.tools.list_ports", "thymio").comports()
+    return sorted(port.device for port in ports if (port.vid, port.pid) in USB_IDS)
+
+
+def listens(address: str, port: int, seconds: float) -> bool:
+    """Whether anybody listens there."""
+    with suppress(RobotConnectionError):
+        TcpWire(address, port, seconds).close()
+        return True
+    return False
+
+
+def choose(settings: ThymioSettings) -> str:
+    """Which connection ``auto`` means now: suite, serial or tcp."""
+    if settings.connection != "auto":
+        return settings.connection
+    # Where the Suite runs it holds the cable.
+    if listens("127.0.0.1", settings.suite_port, 1.0):
+        return "suite"
+    return "serial" if settings.device or serial_devices() else "tcp"
+
+
+def scan(settings: ThymioSettings, seconds: float) -> Iterator[Mapping[str, Any]]:
+    """The settings with which each Thymio that is found is reached.
+
+    A simulator serves one program at a time, and leaves the one that it serves when it is asked.
+    """
+    until = monotonic() + seconds
+    for device in serial_devices():
+        yield {"connection": "serial", "device": device}
+    for kind, address, port in (
+        ("suite", "127.0.0.1", settings.suite_port),
+        ("tcp", settings.address, settings.port),
+    ):
+        left = until - monotonic()
+        if left > 0 and listens(address, port, left):
+            place = {"suite_port": port} if kind == "suite" else {"address": address, "port": port}
+            yield {"connection": kind, **place}

@@ -1,0 +1,100 @@
+"""What a Thymio says of itself: its variables, events and functions, and where they are."""
+
+from typing import Any
+
+from thymiodirect.assembler import Assembler
+from thymiodirect.connection import RemoteNode
+from thymiodirect.message import Message
+
+from learnblock.robots.thymio.program import assembly
+
+#: What we read; they lie near each other, so that one request brings them all.
+READ = (
+    "button.backward",
+    "button.left",
+    "button.center",
+    "button.forward",
+    "button.right",
+    "prox.horizontal",
+    "prox.ground.delta",
+    "motor.left.target",
+    "motor.right.target",
+    "acc",
+)
+
+
+class Node:
+    """A node of Aseba's network, described message by message.
+
+    Args:
+        number: its own.
+    """
+
+    def __init__(self, number: int) -> None:
+        self.number = number
+        self._remote: Any = RemoteNode(number)
+        self._expected: tuple[int, int, int] | None = None
+
+    def take(self, message: Message) -> None:
+        """Note what a message says of it; other messages say nothing."""
+        if self.complete:
+            return
+        if message.id == Message.ID_DESCRIPTION:
+            self._begin(message)
+        elif message.id == Message.ID_NAMED_VARIABLE_DESCRIPTION:
+            self._remote.add_var(message.var_name, message.var_size)
+        elif message.id == Message.ID_LOCAL_EVENT_DESCRIPTION:
+            self._remote.local_events.append(message.event_name)
+        elif message.id == Message.ID_NATIVE_FUNCTION_DESCRIPTION:
+            self._remote.native_functions.append(message.fun_name)
+
+    @property
+    def name(self) -> str:
+        """What kind of node it is; ``thymio-II`` is a Thymio."""
+        return self._remote.name or ""
+
+    @property
+    def complete(self) -> bool:
+        """Whether all that it announced has been described."""
+        known = self._remote
+        return self._expected == (
+            len(known.named_variables),
+            len(known.local_events),
+            len(known.native_functions),
+        )
+
+    @property
+    def lacking(self) -> list[str]:
+        """The variables that we read and it has not."""
+        return [name for name in READ if name not in self._remote.var_offset]
+
+    def place(self, variable: str) -> tuple[int, int]:
+        """The first word of a variable and how many it has."""
+        return self._remote.var_offset[variable], self._remote.var_size[variable]
+
+    def span(self) -> tuple[int, int]:
+        """The first word of all that we read, and how many words it takes."""
+        offset, length = self._remote.data_span_for_variables(set(READ))
+        return offset, length
+
+    def bytecode(self) -> list[int]:
+        """Our program for it.
+
+        Raises:
+            LookupError: it lacks something that the program needs.
+        """
+        try:
+            code: list[int] = Assembler(self._remote, assembly()).assemble()
+        except Exception as error:
+            # The assembler has no exception of its own.
+            raise LookupError(str(error)) from error
+        return code
+
+    def _begin(self, message: Message) -> None:
+        self._remote.name = message.node_name
+        self._remote.max_var_size = message.max_var_size
+        self._expected = (
+            message.num_named_var,
+            message.num_local_events,
+            message.num_native_fun,
+        )

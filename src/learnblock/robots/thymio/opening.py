@@ -1,0 +1,53 @@
+"""Opens the link that the settings ask for; the libraries are imported only then."""
+
+from learnblock.errors import RobotConnectionError
+from learnblock.robots.real import require
+from learnblock.robots.thymio import finding
+from learnblock.robots.thymio.link import Link
+from learnblock.robots.thymio.settings import ThymioSettings
+from learnblock.robots.thymio.wires import SerialWire, TcpWire, Wire
+
+
+def open_link(settings: ThymioSettings) -> Link:
+    """A link to the robot.
+
+    Raises:
+        MissingPackageError: a library is not installed.
+        RobotConnectionError: the robot cannot be reached.
+    """
+    chosen = finding.choose(settings)
+    # The library first: where it is missing nothing has been opened yet.
+    kind = _suite_link() if chosen == "suite" else _direct_link()
+    return kind(_wire(chosen, settings), settings.patience)
+
+
+def _wire(chosen: str, settings: ThymioSettings) -> Wire:
+    if chosen == "suite":
+        return TcpWire("127.0.0.1", settings.suite_port, settings.patience)
+    if chosen == "serial":
+        return SerialWire(settings.device or _first_device())
+    return TcpWire(settings.address, settings.port, settings.patience)
+
+
+def _first_device() -> str:
+    devices = finding.serial_devices()
+    if not devices:
+        raise RobotConnectionError(
+            "no Thymio is plugged in: connect its cable or its dongle, and switch it on"
+            " (or name the port: learnblock robots set thymio device /dev/ttyACM0)"
+        )
+    return devices[0]
+
+
+def _direct_link() -> type[Link]:
+    require("thymiodirect", "thymio")
+    from learnblock.robots.thymio.aseba import AsebaLink  # noqa: PLC0415 - it imports that
+
+    return AsebaLink
+
+
+def _suite_link() -> type[Link]:
+    require("tdmclient", "thymio")
+    from learnblock.robots.thymio.suite import SuiteLink  # noqa: PLC0415 - it imports that
+
+    return SuiteLink

@@ -1,0 +1,157 @@
+"""The program that a Thymio runs while we drive it.
+
+Its lamps and sounds can only be reached by a program on the robot itself, so one is uploaded. It
+waits for events of ours, and it is the robot's own watchdog: when for `LIVES` ticks no `DRIVE` has
+come, it stops the motors, whatever became of the computer that sent the last one.
+
+It stands here twice: as assembly, which `thymiodirect` turns into the bytecode of the robot at
+hand, and as source text, which Thymio Suite compiles itself.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+#: Milliseconds of a tick of the watchdog.
+TICK = 50
+#: Ticks without a command after which the motors stop.
+LIVES = 7
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something that we tell the robot's program, or it tells us.
+
+    Args:
+        number: by which the wire knows it.
+        name: by which Thymio Suite knows it.
+        size: how many numbers come with it.
+    """
+
+    number: int
+    name: str
+    size: int
+
+
+#: Motor speeds, left and right, -500 to 500; has to be repeated while the robot is to drive.
+DRIVE = Event(0, "drive", 2)
+#: Red, green and blue, 0 to 32.
+TOP = Event(1, "top", 3)
+LEFT = Event(2, "left", 3)
+RIGHT = Event(3, "right", 3)
+#: Hertz and sixtieths of a second.
+TONE = Event(4, "tone", 2)
+#: The number of one of the robot's sounds, or of one on its memory card.
+SOUND = Event(5, "sound", 1)
+PLAY = Event(6, "play", 1)
+#: What it tells us: that it runs, and what it has just shown or sounded, with the event's number.
+READY = Event(7, "ready", 1)
+DONE = Event(8, "done", 4)
+
+COMMANDS = (DRIVE, TOP, LEFT, RIGHT, TONE, SOUND, PLAY)
+EVENTS = (*COMMANDS, READY, DONE)
+
+#: The robot's own function for each command that calls one.
+NATIVES: Mapping[Event, str] = {
+    TOP: "leds.top",
+    LEFT: "leds.bottom.left",
+    RIGHT: "leds.bottom.right",
+    TONE: "sound.freq",
+    SOUND: "sound.system",
+    PLAY: "sound.play",
+}
+
+
+def assembly() -> str:
+    """The program for `thymiodirect.assembler`; its variables lie where the robot's own end."""
+    vectors = "\n".join(f"    dc {event.number}, {event.name}" for event in COMMANDS)
+    calls = "\n".join(_call(event, native) for event, native in NATIVES.items())
+    return f"""
+life: equ _userdata
+done: equ _userdata+1
+    dc end_of_vectors
+    dc _ev.init, start
+    dc _ev.timer0, tick
+{vectors}
+end_of_vectors:
+start:
+    push.s {TICK}
+    store timer.period
+    emit {READY.number}, life, {READY.size}
+rest:
+    push.s 0
+    store motor.left.target
+    push.s 0
+    store motor.right.target
+    push.s 0
+    store life
+    stop
+tick:
+    load life
+    push.s 0
+    jump.if.not gt, rest
+    load life
+    push.s 1
+    sub
+    store life
+    stop
+drive:
+    load event.args
+    store motor.left.target
+    load event.args+1
+    store motor.right.target
+    push.s {LIVES}
+    store life
+    stop
+{calls}
+"""
+
+
+def _call(event: Event, native: str) -> str:
+    """Call a function of the robot's with the numbers of an event, and tell so.
+
+    Its arguments are the addresses of its numbers, the last one pushed first.
+    """
+    pushes = [f"    push event.args+{index}" for index in reversed(range(event.size))]
+    copies = [
+        f"    load event.args+{index}\n    store done+{index + 1}" for index in range(event.size)
+    ]
+    lines = [
+        f"{event.name}:",
+        *pushes,
+        f"    callnat _nf.{native}",
+        f"    push.s {event.number}",
+        "    store done",
+        *copies,
+        f"    emit {DONE.number}, done, {DONE.size}",
+        "    stop",
+    ]
+    return "\n".join(lines)
+
+
+def source() -> str:
+    """The same program in the robot's own language, for Thymio Suite's compiler."""
+    calls = "\n".join(_source_call(event, native) for event, native in NATIVES.items())
+    return f"""
+var life = 0
+timer.period[0] = {TICK}
+motor.left.target = 0
+motor.right.target = 0
+
+onevent {DRIVE.name}
+motor.left.target = event.args[0]
+motor.right.target = event.args[1]
+life = {LIVES}
+
+onevent timer0
+if life > 0 then
+    life = life - 1
+else
+    motor.left.target = 0
+    motor.right.target = 0
+end
+{calls}"""
+
+
+def _source_call(event: Event, native: str) -> str:
+    arguments = ", ".join(f"event.args[{index}]" for index in range(event.size))
+    return f"\nonevent {event.name}\ncall {native}({arguments})\n"

@@ -1,0 +1,167 @@
+"""A Thymio that Thymio Suite holds: its device manager passes on what `tdmclient` says.
+
+`tdmclient` writes and reads the messages. Our own wire carries them, since its connections have
+threads that end only when the other side closes.
+"""
+
+import struct
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from time import monotonic
+from typing import Any
+
+import tdmclient
+
+from learnblock.errors import RobotConnectionError
+from learnblock.robots.thymio.link import GarbledError, Link
+from learnblock.robots.thymio.node import READ
+from learnblock.robots.thymio.program import EVENTS, Event, source
+from learnblock.robots.thymio.wires import Wire
+
+#: Seconds between two requests whose answers show that the Suite is still there.
+ASKING = 0.5
+_LENGTH = struct.Struct("<I")
+#: Bytes of a message, by the protocol.
+_LONGEST = 102_400
+
+
+class Packets:
+    """Cuts a stream of bytes into packets: a length of 32 bits, the lowest byte first, and them."""
+
+    def __init__(self) -> None:
+        self._waiting = b""
+
+    def feed(self, data: bytes) -> Iterator[bytes]:
+        """The packets that these bytes complete.
+
+        Raises:
+            GarbledError: they are none.
+        """
+        self._waiting += data
+        while len(self._waiting) >= _LENGTH.size:
+            (length,) = _LENGTH.unpack_from(self._waiting)
+            if length > _LONGEST:
+                raise GarbledError(f"a message of {length} bytes")
+            end = _LENGTH.size + length
+            if len(self._waiting) < end:
+                return
+            packet, self._waiting = self._waiting[_LENGTH.size : end], self._waiting[end:]
+            yield packet
+
+
+class SuiteLink(Link):
+    """A conversation with the first free Thymio of Thymio Suite.
+
+    Raises:
+        RobotConnectionError: nobody answers, no Thymio is free, or it does not take our program.
+    """
+
+    def __init__(self, wire: Wire, patience: float) -> None:
+        super().__init__(wire, patience)
+        self.name = f"the Thymio of Thymio Suite at {wire.name}"
+        self._packets = Packets()
+        self._values: dict[str, tuple[int, ...]] = {}
+        self._node: Any = None
+        self._poller = threading.Thread(target=self._poll, name="thymio suite", daemon=True)
+        try:
+            self._client: Any = tdmclient.Client(tdm_transport=self)
+            self._client.add_variables_changed_listener(self._note)
+            self._reader.start()
+            self._get_acquainted()
+        except BaseException:
+            self.close()
+            raise
+        self._poller.start()
+
+    def read(self, variable: str) -> tuple[int, ...]:
+        self.check()
+        return self._values[variable]
+
+    def tell(self, event: Event, *numbers: int) -> None:
+        self._node.send_send_events({event.name: list(numbers)})
+
+    def close(self) -> None:
+        self._closed.set()
+        if self._node is not None and self._lost is None:
+            self._try(self._node.send_unlock_node)
+        super().close()
+        if self._poller.is_alive():
+            self._poller.join()
+
+    def send_packet(self, packet: bytes) -> None:
+        """What `tdmclient` calls to send a message.
+
+        Raises:
+            RobotConnectionError: the Suite is gone.
+        """
+        self._send(_LENGTH.pack(len(packet)) + packet)
+
+    # Getting acquainted.
+
+    def _get_acquainted(self) -> None:
+        self._expect(lambda: bool(self._client.nodes), "it names no robot")
+        self._node = self._free()
+        watched = tdmclient.ThymioFB.WATCHABLE_INFO_VARIABLES
+        run = tdmclient.ThymioFB.VM_EXECUTION_STATE_COMMAND_RUN
+        events = [(event.name, event.size) for event in EVENTS]
+        node = self._node
+        self._request("lend it to us", node.send_lock_node)
+        self._request("take our events", node.send_register_events, events)
+        self._request("take our program", node.send_program, source())
+        self._request("run our program", node.set_vm_execution_state, run)
+        self._request("tell what it senses", node.watch_node, watched)
+        self._expect(lambda: set(READ) <= set(self._values), "it does not say what it senses")
+
+    def _free(self) -> Any:
+        for node in self._client.nodes:
+            if node.status == tdmclient.ThymioFB.NODE_STATUS_AVAILABLE:
+                return node
+        raise RobotConnectionError(
+            f"{self.name} is not free: another program has it, or the robot is switched off"
+        )
+
+    def _request(self, what: str, send: Callable[..., None], *arguments: Any) -> None:
+        """Ask for something and wait for the answer.
+
+        Raises:
+            RobotConnectionError: it is refused, or nobody answers.
+        """
+        answers: list[Any] = []
+        send(*arguments, request_id_notify=answers.append)
+        self._expect(lambda: bool(answers), f"the Suite does not {what}")
+        if answers[0] is not None:
+            raise RobotConnectionError(
+                f"{self.name} cannot be used: the Suite does not {what} ({answers[0]});"
+                " does another program use it?"
+            )
+
+    # What comes.
+
+    def _take(self, data: bytes) -> None:
+        for packet in self._packets.feed(data):
+            self._heard = monotonic()
+            try:
+                self._client.process_message(packet)
+            except Exception as error:
+                # Its reader fails on what is no message with whatever comes first.
+                raise GarbledError(f"{type(error).__name__}: {error}") from error
+
+    def _note(self, node: Any, variables: Mapping[str, Any]) -> None:
+        if node is not None and self._node in (None, node):
+            for name, numbers in variables.items():
+                self._values[name] = tuple(numbers if isinstance(numbers, list) else [numbers])
+
+    # What is asked.
+
+    def _poll(self) -> None:
+        """The Suite tells what changes; at rest that may be nothing, so it is asked something."""
+        watched = tdmclient.ThymioFB.WATCHABLE_INFO_VARIABLES
+        while not self._closed.wait(ASKING) and self._lost is None:
+            self._try(self._node.watch_node, watched)
+
+    def _try(self, send: Callable[..., None], *arguments: Any) -> None:
+        try:
+            send(*arguments)
+        except RobotConnectionError:
+            # Whoever uses the robot next is told.
+            return
