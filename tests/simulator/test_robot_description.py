@@ -29,6 +29,7 @@ DEVICES = {
         "DistanceSensors:ROBOT",
         "GroundSensors:ROBOT",
         "Gyroscope:Z_AXIS",
+        "Speaker:ROBOT",
     },
     "cozmo": {
         "Accelerometer:ROBOT",

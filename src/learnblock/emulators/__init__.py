@@ -25,6 +25,9 @@ from learnblock.errors import UnknownNameError
 TWINS: Mapping[str, str] = {
     "cozmo": "sim-cozmo",
     "coppeliasim": "sim-ev3",
+    "ebo": "sim-ebo",
+    "ev3": "sim-ev3",
+    "rcis": "sim-ebo",
 }
 
 

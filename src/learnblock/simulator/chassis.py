@@ -50,6 +50,8 @@ class Chassis:
         self._space = physics.space
         self._target: Wheels = (0.0, 0.0)
         self._speeds: Wheels = (0.0, 0.0)
+        #: How far each wheel has rolled by its own account, mm, as an encoder on it counts.
+        self.rolled: Wheels = (0.0, 0.0)
         self._adv = 0.0
         self._omega = 0.0
         self._x = self._y = 0.0
@@ -101,6 +103,9 @@ class Chassis:
         """Tell the tyres where to pull."""
         if self._speeds != self._target:
             self._accelerate()
+        left, right = self._speeds
+        if left != 0.0 or right != 0.0:
+            self.rolled = self.rolled[0] + left * DT, self.rolled[1] + right * DT
         if self._adv != 0.0:
             # The direction half way through the next step, in which this velocity takes effect:
             # with it a driven circle neither grows nor shrinks.

@@ -140,6 +140,14 @@ class RobotBody:
         return self.chassis.distance_driven
 
     @property
+    def wheels_rolled(self) -> tuple[float, float]:
+        """How far the left and the right wheel have turned, mm on the rim, as encoders count it.
+
+        Their owner knows no wheel's true size, nor how it slips: what comes of it is `pose`.
+        """
+        return self.chassis.rolled
+
+    @property
     def log(self) -> list[LogEntry]:
         """The last commands to devices that leave no other trace, oldest first."""
         return list(self._log)

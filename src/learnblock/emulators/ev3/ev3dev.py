@@ -1,0 +1,146 @@
+"""A brick with ev3dev: the kernel's files, and on them the processes that run on such a brick."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import threading
+from pathlib import Path
+from typing import Any
+
+from learnblock.emulators.ev3.sysfs import Tree
+from learnblock.emulators.ev3.vehicle import Vehicle
+
+#: Seconds between two looks at the files: the kernel's own loop takes 2 ms.
+PERIOD = 0.004
+#: Seconds in which a process must listen.
+PATIENCE = 20.0
+#: rpyc's own classic server, on a brick whose python-ev3dev2 finds its files elsewhere. The kernel
+#: takes what one write brings as the value; in an ordinary file the rest of a longer one stays, so
+#: that each value ends with a line.
+RPYC = """
+import io, sys, types
+import ev3dev2
+from rpyc.core.service import SlaveService
+from rpyc.utils.server import ThreadedServer
+
+class Attribute(io.FileIO):
+    def write(self, value):
+        return super().write(bytes(value) + b"\\n")
+
+ev3dev2.io = types.SimpleNamespace(FileIO=Attribute)
+ev3dev2.Device.DEVICE_ROOT_PATH = sys.argv[1]
+server = ThreadedServer(SlaveService, hostname=sys.argv[2], port=int(sys.argv[3]))
+print("listening at port", server.port, flush=True)
+server.start()
+"""
+#: What stands for the programs with which a brick sounds and speaks: each notes what it is told.
+SOUNDS = """#!/bin/sh
+echo "$(basename "$0")" "$@" >> "$(dirname "$0")/../sounds"
+"""
+
+
+class Ev3dev:
+    """The files and what is done with them, in a folder of their own.
+
+    Args:
+        vehicle: what is driven.
+    """
+
+    def __init__(self, vehicle: Vehicle) -> None:
+        self._vehicle = vehicle
+        self._folder = tempfile.TemporaryDirectory(prefix="learnblock-ev3-")
+        self.folder = Path(self._folder.name)
+        self.sysfs = self.folder / "class"
+        self.tree = Tree(self.sysfs, vehicle)
+        self._sounds = self.folder / "sounds"
+        self._sounds.touch()
+        self._make_programs()
+        self._heard = 0
+        self._processes: list[subprocess.Popen[str]] = []
+        self._closed = threading.Event()
+        self._thread = threading.Thread(target=self._live, name="ev3dev", daemon=True)
+        self._thread.start()
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """That of the brick's processes."""
+        path = os.pathsep.join([str(self.folder / "bin"), os.environ.get("PATH", "")])
+        return {**os.environ, "PATH": path, "TMPDIR": str(self.folder), "FAKE_SYS": "1"}
+
+    def start(self, *command: str) -> int:
+        """Start a process of the brick's that says at which port it listens.
+
+        Raises:
+            OSError: it does not.
+        """
+        process = subprocess.Popen(  # noqa: S603 - our own Python
+            [sys.executable, *command],
+            env=self.environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        self._processes.append(process)
+        return _port(process)
+
+    def close(self) -> None:
+        """End the processes, and remove the files."""
+        for process in self._processes:
+            process.terminate()
+        for process in self._processes:
+            _end(process)
+        self._closed.set()
+        self._thread.join()
+        self.tree.close()
+        self._folder.cleanup()
+
+    def _make_programs(self) -> None:
+        programs = self.folder / "bin"
+        programs.mkdir()
+        for name in ("beep", "espeak", "aplay"):
+            (programs / name).write_text(SOUNDS)
+            (programs / name).chmod(0o755)
+
+    def _live(self) -> None:
+        while not self._closed.wait(PERIOD):
+            self.tree.turn()
+            self._listen()
+
+    def _listen(self) -> None:
+        """Note what was sounded or said since the last time."""
+        if self._sounds.stat().st_size == self._heard:
+            return
+        lines = self._sounds.read_text("utf-8", "replace")[self._heard :].splitlines()
+        self._heard = self._sounds.stat().st_size
+        for line in lines:
+            program, *arguments = line.split()
+            if program == "beep":
+                self._vehicle.note("tone", float(arguments[1]), float(arguments[3]))
+            elif program == "espeak":
+                self._vehicle.note("say", " ".join(arguments[arguments.index("--") + 1 :]))
+
+
+def _port(process: subprocess.Popen[str]) -> int:
+    """The port that a process says it listens at."""
+    assert process.stdout  # noqa: S101 - it was asked for
+    # A process that hangs is ended, and its silence with it.
+    limit = threading.Timer(PATIENCE, process.kill)
+    limit.start()
+    try:
+        said = process.stdout.readline()
+    finally:
+        limit.cancel()
+    if not said.startswith("listening at port "):
+        raise OSError(f"the brick's process does not listen: {process.args!r}")
+    return int(said.rsplit(maxsplit=1)[1])
+
+
+def _end(process: subprocess.Popen[Any]) -> None:
+    try:
+        process.wait(2)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+    if process.stdout:
+        process.stdout.close()

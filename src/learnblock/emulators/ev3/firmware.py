@@ -1,0 +1,150 @@
+"""A brick with LEGO's own firmware: it tells of itself in the network, and serves one client."""
+
+import os
+import select
+import socket
+import threading
+from contextlib import suppress
+
+from learnblock.emulators.ev3.bytecode import Machine
+from learnblock.emulators.ev3.vehicle import Vehicle
+
+#: Seconds between two turns of the motors, and between two beacons.
+PERIOD, BEACON = 0.005, 2.0
+REPORT = 1024
+
+
+class Firmware:
+    """A brick that listens as WiFi's do.
+
+    Args:
+        vehicle: what is driven.
+        address: where it listens.
+        port: there; 0 is a free one.
+        beacon: where it tells that it is there, a machine and its UDP port; None for nowhere.
+    """
+
+    def __init__(
+        self,
+        vehicle: Vehicle,
+        address: str = "127.0.0.1",
+        port: int = 0,
+        beacon: tuple[str, int] | None = None,
+    ) -> None:
+        self.machine = Machine(vehicle)
+        self._lock = threading.Lock()
+        self._closed = threading.Event()
+        # As the firmware's: a second client waits until the first one is gone.
+        self._listener = socket.create_server((address, port), backlog=1)
+        self._listener.settimeout(0.1)
+        self.port: int = self._listener.getsockname()[1]
+        self._threads = [
+            threading.Thread(target=work, name="firmware", daemon=True)
+            for work in (self._live, self._serve)
+        ]
+        if beacon:
+            tell = threading.Thread(
+                target=self._tell_of_it, args=(beacon,), name="beacon", daemon=True
+            )
+            self._threads.append(tell)
+        for thread in self._threads:
+            thread.start()
+
+    def close(self) -> None:
+        self._closed.set()
+        for thread in self._threads:
+            thread.join()
+        self._listener.close()
+
+    def attach(self, file: int, *, reports: bool) -> None:
+        """Serve a client at a file too, as by Bluetooth, or by USB in reports.
+
+        Args:
+            file: the brick's end, closed when this brick is.
+            reports: whether it is USB.
+        """
+        serve = self._serve_reports if reports else self._serve_stream
+        thread = threading.Thread(target=serve, args=(file,), name="cable", daemon=True)
+        self._threads.append(thread)
+        thread.start()
+
+    def _live(self) -> None:
+        while not self._closed.wait(PERIOD):
+            with self._lock:
+                self.machine.turn()
+
+    def _tell_of_it(self, beacon: tuple[str, int]) -> None:
+        text = f"Serial-Number: 0016533f0c1e\r\nPort: {self.port}\r\nName: EV3\r\nProtocol: EV3\r\n"
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as teller:
+            teller.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
+            while True:
+                with suppress(OSError):
+                    # Nobody listens, or there is no network: the next time, perhaps.
+                    teller.sendto(text.encode(), beacon)
+                if self._closed.wait(BEACON):
+                    return
+
+    def _serve(self) -> None:
+        while not self._closed.is_set():
+            with suppress(TimeoutError):
+                client, _ = self._listener.accept()
+                with client, suppress(OSError):
+                    client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+                    self._converse(client)
+
+    def _converse(self, client: socket.socket) -> None:
+        client.settimeout(0.1)
+        heard = self._receive(client, 100)
+        if b"ET /target?sn=" not in heard:
+            return
+        client.sendall(b"Accept:EV340\r\n\r\n")
+        held = b""
+        while heard := self._receive(client, 4096):
+            replies, held = self._executed(held + heard)
+            client.sendall(replies)
+
+    def _receive(self, client: socket.socket, most: int) -> bytes:
+        while not self._closed.is_set():
+            with suppress(TimeoutError):
+                return client.recv(most)
+        return b""
+
+    def _serve_stream(self, file: int) -> None:
+        held = b""
+        with open(file, "r+b", buffering=0):
+            while heard := self._read(file):
+                replies, held = self._executed(held + heard)
+                os.write(file, replies)
+
+    def _serve_reports(self, file: int) -> None:
+        held = b""
+        with open(file, "r+b", buffering=0):
+            while heard := self._read(file):
+                held += heard
+                # The number of the report, which is 0, and the report.
+                while len(held) > REPORT:
+                    report, held = held[1 : 1 + REPORT], held[1 + REPORT :]
+                    replies, _ = self._executed(report)
+                    os.write(file, replies.ljust(REPORT, b"\0"))
+
+    def _read(self, file: int) -> bytes:
+        """What comes next; nothing at the end."""
+        while not self._closed.is_set():
+            ready, _, _ = select.select([file], [], [], 0.1)
+            if ready:
+                with suppress(OSError):
+                    # Refused while nobody has the other end open.
+                    return os.read(file, 4096)
+                self._closed.wait(0.1)
+        return b""
+
+    def _executed(self, data: bytes) -> tuple[bytes, bytes]:
+        """The replies to the whole messages in the data, and what is left of it."""
+        replies = b""
+        while len(data) >= 2 and len(data) >= 2 + (size := int.from_bytes(data[:2], "little")):
+            message, data = data[2 : 2 + size], data[2 + size :]
+            with self._lock:
+                reply = self.machine.execute(message)
+            if reply:
+                replies += len(reply).to_bytes(2, "little") + reply
+        return replies, data

@@ -1,0 +1,522 @@
+#!/usr/bin/env python3
+"""LearnBlock's agent: it runs on an EV3 with ev3dev, for a program that runs elsewhere.
+
+``learnblock robots setup ev3`` puts this file on the brick and starts it; after a restart of the
+brick it can be started from the brick's own file browser too.
+
+It uses the kernel's files under /sys/class, and the standard library of Python 3.5 alone, which is
+what the ev3dev image has: python-ev3dev2 takes seconds to be imported on the brick, and which
+version of it is there differs. `Motor` and `Sensor` have the few properties of python-ev3dev2's
+that are needed here, so that `Brick` works with either: where a brick is reached by rpyc, the
+client has `serve` executed there, with python-ev3dev2.
+
+The conversation is lines of JSON over TCP. The agent begins with a nonce; the client answers with
+the HMAC-SHA256 of it, made with the secret that both know, and with what is plugged in where:
+
+    {"learnblock": 1, "nonce": "9f..."}
+    {"proof": "3a...", "motors": ["B", "D"], "sensors": {"touch": "", "gyroscope": "2"}}
+    {"state": {"left": 0, "right": 0, "touch": false, "gyroscope": -3}, "speaks": true}
+
+From then on each word of the client is answered with the brick's state, or with an error:
+
+    {"drive": [143, 143]}       degrees/s of the left and the right wheel
+    {"tone": [440, 500]}        hertz, milliseconds
+    {"say": "hello"}
+    {}                          how is it?
+
+Motors stop when the client has said nothing for 0.4 s, and at the end of the conversation.
+"""
+
+import argparse
+import binascii
+import hashlib
+import hmac
+import json
+import os
+import re
+import select
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
+
+SYSFS = "/sys/class"
+PORT = 18813
+#: Bytes of the longest line that is read.
+LONGEST_LINE = 4096
+#: Seconds without a word until the motors stop, until a client makes room for another one, and
+#: until a stranger has to have shown that it knows the secret.
+SILENCE, ABSENCE, INTRODUCTION = 0.4, 3.0, 3.0
+#: Connections at a time; all but one are strangers.
+MOST_CLIENTS = 8
+#: What a second client is told.
+TAKEN = "is used by another program, or was until a moment ago"
+#: For each kind of sensor: its drivers, its mode, and what the value is multiplied with.
+KINDS = {
+    "ultrasonic": (("lego-ev3-us", "lego-nxt-us"), "US-DIST-CM", 10.0),
+    "colour": (("lego-ev3-color",), "COL-REFLECT", 1.0),
+    "gyroscope": (("lego-ev3-gyro",), "GYRO-ANG", 1.0),
+    "touch": (("lego-ev3-touch", "lego-nxt-touch"), "TOUCH", 1.0),
+}
+
+
+class BrickError(Exception):
+    """Something the client is told, as a sentence."""
+
+
+class Device:
+    """A folder of the kernel's, whose files are a motor's or sensor's attributes."""
+
+    def __init__(self, folder: str) -> None:
+        self._folder = folder
+        self._files = {}  # type: Dict[Tuple[str, str], Any]
+
+    def _get(self, name: str) -> str:
+        file = self._file(name, "rb")
+        # Only the first line: what lies behind it is left from a longer value.
+        return str(file.read(256).decode().partition("\n")[0].strip())
+
+    def _set(self, name: str, value: object) -> None:
+        self._file(name, "wb").write("{}\n".format(value).encode())
+
+    def _file(self, name: str, mode: str) -> Any:
+        """The file, kept open, at its beginning: there the kernel reads and writes it whole."""
+        if (name, mode) not in self._files:
+            self._files[name, mode] = open(  # noqa: SIM115 - kept
+                os.path.join(self._folder, name), mode, buffering=0
+            )
+        file = self._files[name, mode]
+        file.seek(0)
+        return file
+
+
+class Motor(Device):
+    """A motor, by its address, such as outB."""
+
+    def __init__(self, address: str) -> None:
+        for folder in folders("tacho-motor"):
+            Device.__init__(self, folder)
+            if self._get("address").endswith(address):
+                return
+        raise LookupError(address)
+
+    position = property(lambda self: int(self._get("position")))
+    max_speed = property(lambda self: int(self._get("max_speed")))
+    speed_sp = property(None, lambda self, value: self._set("speed_sp", value))
+    stop_action = property(None, lambda self, value: self._set("stop_action", value))
+    command = property(None, lambda self, value: self._set("command", value))
+
+
+class Sensor(Device):
+    """A sensor, by its folder."""
+
+    address = property(lambda self: self._get("address"))
+    driver_name = property(lambda self: self._get("driver_name"))
+    decimals = property(lambda self: int(self._get("decimals")))
+    mode = property(lambda self: self._get("mode"), lambda self, value: self._set("mode", value))
+
+    def value(self) -> int:
+        return int(self._get("value0"))
+
+
+def list_sensors() -> Iterator[Sensor]:
+    """Every sensor that is plugged in."""
+    return (Sensor(folder) for folder in folders("lego-sensor"))
+
+
+def folders(kind: str) -> List[str]:
+    """The devices of a class of the kernel's."""
+    path = os.path.join(SYSFS, kind)
+    names = sorted(os.listdir(path)) if os.path.isdir(path) else []
+    return [os.path.join(path, name) for name in names]
+
+
+class Brick:
+    """The motors and sensors a client asked for.
+
+    Args:
+        wish: the ports of the motors, left and right, and of each kind of sensor; "" is any port.
+        motor: makes a motor of an address.
+        sensors: lists the sensors.
+    """
+
+    def __init__(
+        self, wish: Dict[str, Any], motor: Callable[..., Any], sensors: Callable[[], Any]
+    ) -> None:
+        self._motors = [open_motor(motor, port) for port in wish["motors"]]
+        self._fastest = [motor.max_speed for motor in self._motors]
+        self._sensors = {}  # type: Dict[str, Tuple[Any, float]]
+        plugged = list(sensors())
+        for kind, port in sorted(wish["sensors"].items()):
+            found = find_sensor(plugged, kind, port)
+            if found:
+                self._sensors[kind] = found
+        self._sounds = []  # type: List[Any]
+
+    def state(self) -> Dict[str, Any]:
+        """Degrees the wheels have turned, and what each sensor reads; None where it is gone."""
+        state = dict(zip(("left", "right"), self._positions()))  # type: Dict[str, Any]
+        for kind, (sensor, factor) in self._sensors.items():
+            state[kind] = reading(sensor, factor)
+        return state
+
+    def drive(self, speeds: List[float]) -> None:
+        """Turn the wheels at these speeds, degrees/s, or as fast as they can."""
+        for motor, fastest, speed in zip(self._motors, self._fastest, speeds):
+            wanted = round(min(max(speed, -fastest), fastest))
+            with cable("motor"):
+                if wanted:
+                    motor.speed_sp = wanted
+                    motor.command = "run-forever"
+                else:
+                    motor.stop_action = "brake"
+                    motor.command = "stop"
+
+    def tone(self, sound: List[float]) -> None:
+        """Sound for a while: hertz, milliseconds."""
+        hertz, milliseconds = sound
+        self._sound(["beep", "-f", str(hertz), "-l", str(int(milliseconds))])
+
+    def say(self, text: str) -> None:
+        """Speak."""
+        speech = self._sound(["espeak", "-a", "200", "-s", "130", "--stdout", "--", text])
+        if speech:
+            self._sound(["aplay", "-q"], speech.stdout)
+            speech.stdout.close()
+
+    def hush(self) -> None:
+        """End all sounds."""
+        for sound in self._sounds:
+            if sound.poll() is None:
+                sound.terminate()
+            sound.wait()
+
+    def _positions(self) -> List[int]:
+        with cable("motor"):
+            return [motor.position for motor in self._motors]
+
+    def _sound(self, command: List[str], source: Any = None) -> Any:
+        self._sounds = [sound for sound in self._sounds if sound.poll() is None]
+        out = subprocess.PIPE if "--stdout" in command else subprocess.DEVNULL
+        try:
+            process = subprocess.Popen(  # noqa: S603 - no shell
+                command, stdin=source or subprocess.DEVNULL, stdout=out, stderr=subprocess.DEVNULL
+            )
+        except OSError:
+            # A brick without that program stays silent.
+            return None
+        self._sounds.append(process)
+        return process
+
+
+def open_motor(motor: Callable[..., Any], port: str) -> Any:
+    """The motor at a port."""
+    try:
+        return motor(address="out" + port)
+    except Exception:  # noqa: BLE001 - ours and python-ev3dev2's say it with different errors
+        raise BrickError("has no motor at port {}".format(port)) from None
+
+
+def find_sensor(plugged: List[Any], kind: str, port: str) -> Optional[Tuple[Any, float]]:
+    """A sensor of that kind, in its mode, with the factor of its values."""
+    drivers, mode, factor = KINDS[kind]
+    for sensor in plugged:
+        where = re.search("in([1-4])", sensor.address)
+        if sensor.driver_name in drivers and (not port or (where and where.group(1) == port)):
+            if sensor.mode != mode:
+                sensor.mode = mode
+            return sensor, factor / 10**sensor.decimals
+    if port:
+        raise BrickError("has no sensor `{}` at port {}".format(kind, port))
+    return None
+
+
+def reading(sensor: Any, factor: float) -> Optional[float]:
+    """What a sensor reads."""
+    try:
+        return float(sensor.value() * factor)
+    except Exception:  # noqa: BLE001 - its cable is out; told as above with different errors
+        return None
+
+
+class cable:  # noqa: N801 - used like a function
+    """Within it a device may turn out to be unplugged."""
+
+    def __init__(self, device: str) -> None:
+        self._device = device
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, kind: object, error: object, traceback: object) -> None:
+        if isinstance(error, Exception):
+            raise BrickError("has lost a {}: is its cable in?".format(self._device)) from error
+
+
+class Guard:
+    """Answers the words of one client, and stops the motors when it falls silent.
+
+    Args:
+        brick: what is driven.
+        at_end: is called when this client is done with.
+    """
+
+    def __init__(self, brick: Brick, at_end: Callable[[], object]) -> None:
+        self._brick = brick
+        self._at_end = at_end
+        self._lock = threading.Lock()
+        self._moves = False
+        self._closed = threading.Event()
+        self.heard = time.monotonic()
+        self._thread = threading.Thread(target=self._watch, name="guard", daemon=True)
+        self._thread.start()
+
+    def answer(self, line: str) -> str:
+        """The answer to a line, as a line."""
+        try:
+            return json.dumps(self._answered(parsed(line)))
+        except BrickError as error:
+            return json.dumps({"error": str(error)})
+
+    def close(self) -> None:
+        """Stop the motors, and watch no more."""
+        self._closed.set()
+        with self._lock:
+            self._stop()
+            self._brick.hush()
+            self._at_end()
+
+    def _answered(self, word: Dict[str, Any]) -> Dict[str, Any]:
+        with self._lock:
+            if self._closed.is_set():
+                raise BrickError("has heard nothing for too long")
+            self.heard = time.monotonic()
+            if "drive" in word:
+                speeds = numbers(word["drive"])
+                self._moves = any(speeds)
+                self._brick.drive(speeds)
+            if "tone" in word:
+                self._brick.tone(numbers(word["tone"]))
+            if "say" in word:
+                self._brick.say(str(word["say"]))
+            return {"state": self._brick.state(), "speaks": bool(shutil.which("espeak"))}
+
+    def _watch(self) -> None:
+        while not self._closed.wait(0.05):
+            silent = time.monotonic() - self.heard
+            if silent > SILENCE and self._moves:
+                with self._lock:
+                    self._stop()
+            if silent > ABSENCE:
+                # Whoever comes back after that finds it closed.
+                self.close()
+
+    def _stop(self) -> None:
+        self._moves = False
+        try:
+            self._brick.drive([0, 0])
+        except BrickError:
+            # An unplugged motor stands anyway; nobody is there to be told.
+            return
+
+
+def parsed(line: str) -> Dict[str, Any]:
+    """A line of the client's."""
+    try:
+        word = json.loads(line)
+    except (ValueError, RecursionError):
+        word = None
+    if not isinstance(word, dict):
+        raise BrickError("was told what it does not understand")
+    return word
+
+
+def numbers(pair: Any) -> List[float]:
+    """Two finite numbers."""
+    try:
+        first, second = (float(number) for number in pair)
+    except (TypeError, ValueError, OverflowError):
+        raise BrickError("was told what it does not understand") from None
+    if not abs(first) + abs(second) < 1e9:
+        raise BrickError("was told what it does not understand")
+    return [first, second]
+
+
+def wished(word: Dict[str, Any]) -> Dict[str, Any]:
+    """The ports a client names."""
+    motors, sensors = word.get("motors"), word.get("sensors")
+    right = (
+        isinstance(motors, list)
+        and len(motors) == 2
+        and all(port in ("A", "B", "C", "D") for port in motors)
+        and isinstance(sensors, dict)
+        and all(kind in KINDS for kind in sensors)
+        and all(port in ("", "1", "2", "3", "4") for port in sensors.values())
+    )
+    if not right:
+        raise BrickError("was told what it does not understand")
+    return {"motors": motors, "sensors": sensors}
+
+
+def serve(
+    line: str,
+    motor: Callable[..., Any],
+    sensors: Callable[[], Any],
+    at_end: Callable[[], object] = lambda: None,
+) -> Guard:
+    """Begin to answer a client, whose line says what is plugged in where."""
+    return Guard(Brick(wished(parsed(line)), motor, sensors), at_end)
+
+
+class Conversation:
+    """A connection: a stranger at first, then the client."""
+
+    def __init__(self, connection: socket.socket) -> None:
+        connection.settimeout(0)
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        self.connection = connection
+        self.guard = None  # type: Optional[Guard]
+        self.since = time.monotonic()
+        self.nonce = binascii.hexlify(os.urandom(16)).decode()
+        self._begun = b""
+        self.put(json.dumps({"learnblock": 1, "nonce": self.nonce}))
+
+    def put(self, line: str) -> None:
+        """Send a line; a client that does not read is let go."""
+        self.connection.sendall(line.encode() + b"\n")
+
+    def lines(self) -> List[str]:
+        """The complete lines that have arrived."""
+        data = self.connection.recv(LONGEST_LINE)
+        if not data:
+            raise OSError("closed")
+        *complete, self._begun = (self._begun + data).split(b"\n")
+        if len(self._begun) > LONGEST_LINE:
+            raise OSError("too long")
+        return [line.decode("utf-8", "replace") for line in complete]
+
+    def close(self) -> None:
+        if self.guard:
+            self.guard.close()
+        self.connection.close()
+
+
+class Agent:
+    """Serves one client at a time.
+
+    Args:
+        listener: a socket that listens.
+        token: the secret that a client has to know.
+    """
+
+    def __init__(self, listener: socket.socket, token: str) -> None:
+        self._listener = listener
+        self._token = token.encode()
+        self._clients = {}  # type: Dict[socket.socket, Conversation]
+
+    def run(self) -> None:
+        """Serve until it is interrupted."""
+        try:
+            while True:
+                self._turn()
+        finally:
+            for client in self._clients.values():
+                client.close()
+
+    def _turn(self) -> None:
+        ready, _, _ = select.select([self._listener, *self._clients], [], [], 0.5)
+        for one in ready:
+            if one is self._listener:
+                self._welcome()
+            else:
+                self._hear(self._clients[one])
+        for client in list(self._clients.values()):
+            if not client.guard and time.monotonic() - client.since > INTRODUCTION:
+                self._dismiss(client)
+
+    def _welcome(self) -> None:
+        connection, _ = self._listener.accept()
+        if len(self._clients) >= MOST_CLIENTS:
+            connection.close()
+            return
+        try:
+            self._clients[connection] = Conversation(connection)
+        except OSError:
+            connection.close()
+
+    def _hear(self, client: Conversation) -> None:
+        try:
+            for line in client.lines():
+                if client.guard:
+                    client.put(client.guard.answer(line))
+                else:
+                    client.put(self._introduced(client, line))
+                    if not client.guard:
+                        raise OSError("refused")
+        except OSError:
+            self._dismiss(client)
+
+    def _introduced(self, client: Conversation, line: str) -> str:
+        """The answer to a stranger, who is the client from then on if all is well."""
+        try:
+            self._check(client, parsed(line))
+            client.guard = serve(line, Motor, list_sensors)
+        except BrickError as error:
+            return json.dumps({"error": str(error)})
+        return client.guard.answer("{}")
+
+    def _check(self, client: Conversation, word: Dict[str, Any]) -> None:
+        proof = hmac.new(self._token, client.nonce.encode(), hashlib.sha256).hexdigest()
+        if not hmac.compare_digest(proof.encode(), str(word.get("proof")).encode()):
+            raise BrickError("does not know this computer's `token`: learnblock robots setup ev3")
+        for other in list(self._clients.values()):
+            if other.guard:
+                if time.monotonic() - other.guard.heard < ABSENCE:
+                    raise BrickError(TAKEN)
+                self._dismiss(other)
+
+    def _dismiss(self, client: Conversation) -> None:
+        self._clients.pop(client.connection, None)
+        client.close()
+
+
+def listen(address: str, port: int) -> socket.socket:
+    """A socket that listens."""
+    listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    listener.bind((address, port))
+    listener.listen(MOST_CLIENTS)
+    return listener
+
+
+def main() -> None:
+    """Run on the brick."""
+    global SYSFS  # noqa: PLW0603 - set once, before all else
+    here = os.path.dirname(os.path.abspath(__file__))
+    parser = argparse.ArgumentParser(description="LearnBlock's agent on an EV3.")
+    parser.add_argument("--address", default="", help="where to listen; everywhere by default")
+    parser.add_argument("--port", type=int, default=PORT)
+    parser.add_argument("--token", default=os.path.join(here, ".learnblock-token"))
+    parser.add_argument("--sysfs", default=SYSFS)
+    options = parser.parse_args()
+    SYSFS = options.sysfs
+    with open(options.token) as file:
+        token = file.read().strip()
+    # By it, another setup finds the agent that it is to replace.
+    with open(os.path.join(os.path.dirname(options.token), ".learnblock-pid"), "w") as file:
+        file.write(str(os.getpid()))
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
+    with listen(options.address, options.port) as listener:
+        print("listening at port", listener.getsockname()[1], flush=True)  # noqa: T201 - for setup
+        try:
+            Agent(listener, token).run()
+        except KeyboardInterrupt:
+            return
+
+
+if __name__ == "__main__":
+    main()

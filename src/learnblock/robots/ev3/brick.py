@@ -1,0 +1,62 @@
+"""What is said to a brick, and what it says of itself, whichever way it is reached."""
+
+from dataclasses import dataclass
+
+import msgspec
+
+from learnblock.errors import RobotConnectionError
+
+
+class State(msgspec.Struct, frozen=True):
+    """How the brick is; a sensor that is not plugged in reads None.
+
+    Args:
+        left: degrees the left wheel has turned, forward positive.
+        right: the right wheel likewise.
+        ultrasonic: mm; 2550 when nothing is seen.
+        colour: reflected light, 0 to 100.
+        gyroscope: degrees, clockwise positive, since it was plugged in.
+        touch: above 0 while it is pressed.
+    """
+
+    left: float
+    right: float
+    ultrasonic: float | None = None
+    colour: float | None = None
+    gyroscope: float | None = None
+    touch: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """Only its state is asked for."""
+
+
+@dataclass(frozen=True, slots=True)
+class Drive:
+    """Turn the wheels at these speeds, degrees/s, forward positive, until told otherwise."""
+
+    left: float
+    right: float
+
+
+@dataclass(frozen=True, slots=True)
+class Tone:
+    """Sound for a while."""
+
+    hertz: float
+    milliseconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class Say:
+    """Speak."""
+
+    text: str
+
+
+Word = Look | Drive | Tone | Say
+
+
+class NoSuchWayError(RobotConnectionError):
+    """Nobody answers on this way to the brick; another way may be open."""

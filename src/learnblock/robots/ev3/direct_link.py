@@ -1,0 +1,162 @@
+"""The way to a brick with LEGO's own firmware: direct commands over WiFi, Bluetooth or USB."""
+
+import math
+from collections.abc import Callable
+from time import monotonic
+
+from learnblock.errors import RobotConnectionError
+from learnblock.robots.ev3 import direct
+from learnblock.robots.ev3.brick import Drive, NoSuchWayError, Say, State, Tone, Word
+from learnblock.robots.ev3.direct import Operation
+from learnblock.robots.ev3.link import PULSE, Link
+from learnblock.robots.ev3.settings import Settings
+from learnblock.robots.ev3.wires import open_wire
+
+#: How long a motor runs without being told again: the firmware has no watchdog, but timed commands.
+RUN = 400
+#: For each kind of sensor: its type, its mode, and what the value is multiplied with.
+KINDS = {
+    "ultrasonic": (30, 0, 10.0),
+    "colour": (29, 0, 1.0),
+    "gyroscope": (32, 0, 1.0),
+    "touch": (16, 0, 1.0),
+}
+#: The types of an EV3's two motors.
+MOTORS = (7, 8)
+#: The number of the first motor among the ports that can be asked what is plugged in.
+FIRST_MOTOR = 16
+
+
+class DirectLink(Link):
+    """Direct commands, one for each word: it drives, sounds and reads everything at once.
+
+    Args:
+        settings: of the robot.
+        told: is given each new state.
+
+    Raises:
+        NoSuchWayError: no such firmware answers.
+        RobotConnectionError: a motor or sensor is not where the settings say.
+    """
+
+    def __init__(self, settings: Settings, told: Callable[[State], None]) -> None:
+        super().__init__(settings.device or f"{settings.address}:{settings.direct_port}", told)
+        self._patience = settings.patience
+        self._counter = 0
+        self._motors = [Motor("ABCD".index(port)) for port in (settings.left, settings.right)]
+        self._per_percent = settings.full_speed / 100
+        self._sensors: dict[str, tuple[Operation, float]] = {}
+        self._renewed = 0.0
+        self._wire = open_wire(
+            settings.device, settings.address, settings.direct_port, settings.patience
+        )
+        try:
+            self._find_plugged(settings)
+        except (OSError, ValueError) as error:
+            self._wire.close()
+            if isinstance(error, RobotConnectionError):
+                raise
+            raise NoSuchWayError(f"what is at {self.where} does not answer as an EV3") from error
+        except BaseException:
+            self._wire.close()
+            raise
+
+    def exchange(self, word: Word) -> State:
+        operations = [*self._told_to(word), *self._driven(now=isinstance(word, Drive))]
+        operations += [direct.turned(motor.port) for motor in self._motors]
+        operations += [read for read, _ in self._sensors.values()]
+        left, right, *readings = self._asked(operations)
+        sensors = {
+            kind: None if math.isnan(reading) else reading * factor
+            for (kind, (_, factor)), reading in zip(self._sensors.items(), readings, strict=True)
+        }
+        return State(left=left, right=right, **sensors)
+
+    def hang_up(self) -> None:
+        self._wire.close()
+
+    def _told_to(self, word: Word) -> list[Operation]:
+        match word:
+            case Drive(left, right):
+                self._motors[0].speed = left / self._per_percent
+                self._motors[1].speed = right / self._per_percent
+            case Tone(hertz, milliseconds):
+                # What the firmware takes: audible, and at most half a minute.
+                return [
+                    direct.tone(
+                        round(min(max(hertz, 250), 10000)),
+                        round(min(max(milliseconds, 0), 32767)),
+                    )
+                ]
+            case Say():
+                raise RobotConnectionError(f"the EV3 at {self.where} cannot speak")
+        return []
+
+    def _driven(self, *, now: bool) -> list[Operation]:
+        """What keeps the motors turning as they do, when it is time for it."""
+        if not now and monotonic() - self._renewed < 0.9 * PULSE:
+            return []
+        self._renewed = monotonic()
+        return [operation for motor in self._motors for operation in motor.operations(told=now)]
+
+    def _find_plugged(self, settings: Settings) -> None:
+        ports = [*range(4), *(FIRST_MOTOR + motor.port for motor in self._motors)]
+        types = self._asked([direct.kind_of(port) for port in ports])[::2]
+        for there, port in zip(types[4:], (settings.left, settings.right), strict=True):
+            if there not in MOTORS:
+                raise RobotConnectionError(f"the EV3 at {self.where} has no motor at port {port}")
+        for kind, wished in settings.sensors.items():
+            self._find_sensor(kind, wished, types[:4])
+
+    def _find_sensor(self, kind: str, wished: str, types: list[float]) -> None:
+        number, mode, factor = KINDS[kind]
+        for port, there in enumerate(types):
+            if there == number and wished in {"", str(port + 1)}:
+                self._sensors[kind] = direct.reading(port, mode), factor
+                return
+        if wished:
+            raise RobotConnectionError(
+                f"the EV3 at {self.where} has no sensor `{kind}` at port {wished}"
+            )
+
+    def _asked(self, operations: list[Operation]) -> list[float]:
+        self._counter = (self._counter + 1) % 0x10000
+        self._wire.send(direct.command(self._counter, operations))
+        deadline = monotonic() + self._patience
+        while True:
+            reply = self._wire.receive(deadline - monotonic())
+            try:
+                results = direct.answered(reply, self._counter, operations)
+            except direct.RefusedError:
+                raise RobotConnectionError(
+                    f"the firmware of the EV3 at {self.where} refuses to do what it is told"
+                ) from None
+            if results is not None:
+                return results
+
+
+class Motor:
+    """A motor as the firmware takes it: at whole percents of its full speed.
+
+    What is rounded off is made up for with the next command, so that on the average it turns as
+    fast as it was told to: one percent is 5 mm/s.
+
+    Args:
+        port: 0 is port A.
+    """
+
+    def __init__(self, port: int) -> None:
+        self.port = port
+        #: Percent of the full speed, with fractions.
+        self.speed = 0.0
+        self._owed = 0.0
+
+    def operations(self, *, told: bool) -> list[Operation]:
+        """What keeps it turning; when it stands, only if it was just told to."""
+        if not self.speed:
+            self._owed = 0.0
+            return [direct.stop(self.port)] if told else []
+        wanted = min(max(self.speed, -100.0), 100.0) + self._owed
+        percent = min(max(round(wanted), -100), 100)
+        self._owed = min(max(wanted - percent, -0.5), 0.5)
+        return [direct.turn(self.port, percent, RUN) if percent else direct.stop(self.port)]

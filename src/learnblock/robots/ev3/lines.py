@@ -1,0 +1,92 @@
+"""What our agent and its like on rpyc are told and say: lines of JSON, as agent.py describes."""
+
+import hashlib
+import hmac
+from typing import TypeVar
+
+import msgspec
+
+from learnblock.errors import RobotConnectionError
+from learnblock.robots.ev3.brick import Drive, Look, Say, State, Tone, Word
+from learnblock.robots.ev3.settings import Settings
+
+#: Bytes of the longest line that is read.
+LONGEST_LINE = 4096
+
+
+class Greeting(msgspec.Struct, frozen=True):
+    """The first line of an agent."""
+
+    learnblock: int
+    nonce: str
+
+
+class Answer(msgspec.Struct, frozen=True):
+    """The answer to a word: how the brick is, or what is wrong."""
+
+    state: State | None = None
+    error: str | None = None
+    speaks: bool = False
+
+
+_Line = TypeVar("_Line", Greeting, Answer)
+
+
+def greeting(line: bytes) -> Greeting:
+    """Read the first line.
+
+    Raises:
+        ValueError: no agent says that.
+    """
+    return _read(line, Greeting)
+
+
+def answer(line: bytes | str, where: str) -> Answer:
+    """Read the answer to a word.
+
+    Args:
+        line: as it came.
+        where: the brick's place, for sentences.
+
+    Raises:
+        ValueError: no agent says that.
+        RobotConnectionError: the brick complains.
+    """
+    said = _read(line, Answer)
+    if said.error is not None:
+        raise RobotConnectionError(f"the EV3 at {where} {said.error[:200]}")
+    if said.state is None:
+        raise ValueError("an answer without a state")
+    return said
+
+
+def spoken(word: Word) -> bytes:
+    """A word as a line, without its end."""
+    match word:
+        case Drive(left, right):
+            return msgspec.json.encode({"drive": [left, right]})
+        case Tone(hertz, milliseconds):
+            return msgspec.json.encode({"tone": [hertz, milliseconds]})
+        case Say(text):
+            return msgspec.json.encode({"say": text[:500]})
+        case Look():
+            return b"{}"
+
+
+def introduction(settings: Settings, nonce: str) -> bytes:
+    """What a client says first: that it knows the secret, and what is plugged in where."""
+    proof = hmac.new(settings.token.encode(), nonce.encode(), hashlib.sha256).hexdigest()
+    return msgspec.json.encode(
+        {
+            "proof": proof,
+            "motors": [settings.left, settings.right],
+            "sensors": settings.sensors,
+        }
+    )
+
+
+def _read(line: bytes | str, kind: type[_Line]) -> _Line:
+    try:
+        return msgspec.json.decode(line, type=kind)
+    except msgspec.MsgspecError as error:
+        raise ValueError(str(error)) from error

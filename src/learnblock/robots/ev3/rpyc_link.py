@@ -1,0 +1,157 @@
+"""The way to a brick with ev3dev that runs rpyc 4.1 to 5.3, as the paper's did, and no agent.
+
+Our agent's part that answers words is executed there, with python-ev3dev2's motors and sensors: a
+word costs one round trip, where every attribute of a motor would cost one, and a speed as an object
+a dozen; and the motors stop there by themselves when this program is gone.
+"""
+
+from collections.abc import Callable
+from importlib import resources
+from types import ModuleType
+from typing import Any
+
+from learnblock.errors import RobotConnectionError
+from learnblock.robots.ev3 import lines
+from learnblock.robots.ev3.brick import NoSuchWayError, State, Word
+from learnblock.robots.ev3.link import Link
+from learnblock.robots.ev3.network import dial, hang_up
+from learnblock.robots.ev3.settings import Settings
+from learnblock.robots.real import require
+
+#: Bytes of the largest message: an answer, or the traceback of an error.
+LARGEST = 1 << 20
+#: What begins to answer us there, unless another program is being answered. The lock is the file's:
+#: it goes with the process, and ours is let go when the program has fallen silent.
+BEGIN = """
+import fcntl, os, tempfile
+from ev3dev2.motor import Motor as _Motor
+from ev3dev2.sensor import list_sensors as _list_sensors
+
+def begin(line):
+    global guard
+    lock = open(os.path.join(tempfile.gettempdir(), "learnblock-ev3.lock"), "w")
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        guard = serve(line, _Motor, _list_sensors, lock.close)
+    except BrickError as error:
+        lock.close()
+        return json.dumps({"error": str(error)})
+    except OSError:
+        lock.close()
+        return json.dumps({"error": TAKEN})
+    return guard.answer("{}")
+
+def answer(line):
+    return guard.answer(line)
+
+def end():
+    guard.close()
+"""
+
+
+class RpycLink(Link):
+    """The agent's words as calls over rpyc.
+
+    Args:
+        settings: of the robot.
+        told: is given each new state.
+
+    Raises:
+        NoSuchWayError: no rpyc answers there.
+        MissingPackageError: rpyc is not installed here.
+        RobotConnectionError: the brick has another client, or lacks a motor or python-ev3dev2.
+    """
+
+    def __init__(self, settings: Settings, told: Callable[[State], None]) -> None:
+        super().__init__(f"{settings.address}:{settings.rpyc_port}", told)
+        self._socket = dial(settings.address, settings.rpyc_port, settings.patience)
+        try:
+            self._rpyc = require("rpyc", "ev3")
+            self._connection = self._connected(settings.patience)
+            self._answer = self._begin(settings)
+        except BaseException:
+            self._socket.close()
+            raise
+
+    def exchange(self, word: Word) -> State:
+        said = self._asked(self._answer, lines.spoken(word).decode())
+        return self._read(said)
+
+    def farewell(self) -> None:
+        self._asked(self._connection.namespace["end"])
+        self._connection.close()
+
+    def hang_up(self) -> None:
+        hang_up(self._socket)
+
+    def _connected(self, patience: float) -> Any:
+        stream = _bounded_stream(self._rpyc)(self._socket)
+        try:
+            # Not the classic client, which would let the brick execute what it likes here.
+            return self._rpyc.connect_stream(
+                stream, self._rpyc.core.service.ClassicClient, {"sync_request_timeout": patience}
+            )
+        except Exception as error:
+            raise NoSuchWayError(f"what answers at {self.where} is no rpyc server") from error
+
+    def _begin(self, settings: Settings) -> Any:
+        agent = resources.files("learnblock.robots.ev3").joinpath("agent.py").read_text("utf-8")
+        try:
+            self._connection.execute(agent + BEGIN)
+            begin = self._connection.namespace["begin"]
+            answer = self._connection.namespace["answer"]
+            said = begin(lines.introduction(settings, "").decode())
+        except Exception as error:
+            raise RobotConnectionError(
+                f"the EV3 at {self.where} cannot be driven by rpyc ({_first_line(error)}):"
+                " learnblock robots setup ev3 puts our own agent there"
+            ) from error
+        self._read(said)
+        return answer
+
+    def _read(self, said: object) -> State:
+        if not isinstance(said, str):
+            raise ValueError("no text")
+        answer = lines.answer(said, self.where)
+        self.speaks = answer.speaks
+        assert answer.state is not None  # noqa: S101 - `lines.answer` refuses an answer without
+        return answer.state
+
+    def _asked(self, function: Any, *arguments: str) -> object:
+        try:
+            return function(*arguments)
+        except TimeoutError:
+            raise
+        except Exception as error:
+            # EOFError where the wire is cut; where it brings nonsense, whatever rpyc makes of it.
+            if self._socket.fileno() < 0 or isinstance(error, EOFError):
+                raise ConnectionResetError(str(error)) from error
+            raise ValueError(str(error)) from error
+
+
+def _bounded_stream(rpyc: ModuleType) -> Any:
+    """A stream that, unlike rpyc's, neither waits without end nor for more than is sensible."""
+
+    class Bounded(rpyc.core.stream.SocketStream):  # type: ignore[misc,name-defined]
+        __slots__ = ()
+
+        def read(self, count: int) -> bytes:
+            if count > LARGEST:
+                raise EOFError("nonsense")
+            data = b""
+            while len(data) < count:
+                try:
+                    piece = self.sock.recv(count - len(data))
+                except OSError as error:
+                    raise EOFError(str(error)) from error
+                if not piece:
+                    raise EOFError("closed by the brick")
+                data += piece
+            return data
+
+    return Bounded
+
+
+def _first_line(error: Exception) -> str:
+    """Without the traceback of the brick."""
+    return (str(error).strip() or type(error).__name__).splitlines()[0][:200]

@@ -1,0 +1,114 @@
+"""Looking for bricks: in the network, on cables, by Bluetooth."""
+
+import re
+import socket
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from time import monotonic
+from typing import Any
+
+from learnblock.errors import LearnBlockError
+from learnblock.robots import settings as user_settings
+from learnblock.robots.ev3 import lines
+from learnblock.robots.ev3.brick import NoSuchWayError
+from learnblock.robots.ev3.network import dial
+from learnblock.robots.ev3.settings import Settings
+
+Found = Mapping[str, Any]
+
+#: Where LEGO's firmware tells, every few seconds, that it is there.
+BEACONS = 3015
+#: LEGO's brick as the kernel names it: the bus, the vendor, the product.
+USB_ID = re.compile(r"^HID_ID=0003:00000694:00000005$", re.MULTILINE)
+_BEACON = re.compile(
+    rb"Serial-Number: (?P<serial>\w{1,32})\r\nPort: (?P<port>\d{1,5})\r\n"
+    rb"Name: [^\r\n]{0,64}\r\nProtocol: EV3\r\n"
+)
+
+
+def scan(seconds: float) -> Iterator[Found]:
+    """The settings with which each brick that is found is reached.
+
+    Args:
+        seconds: no longer than that.
+    """
+    looks: tuple[Callable[[float], Iterator[Found]], ...] = (_ev3dev, beacons, _devices)
+    with ThreadPoolExecutor(len(looks)) as pool:
+        for found in pool.map(lambda look: list(look(seconds)), looks):
+            yield from found
+
+
+def beacons(seconds: float, port: int = BEACONS) -> Iterator[Found]:
+    """The bricks with LEGO's firmware that tell of themselves within so many seconds."""
+    deadline = monotonic() + seconds
+    seen = set()
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ear:
+        ear.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            ear.bind(("", port))
+        except OSError:
+            # Another program listens for them, and gets them.
+            return
+        while (left := deadline - monotonic()) > 0:
+            ear.settimeout(left)
+            try:
+                data, (address, _) = ear.recvfrom(1024)
+            except TimeoutError:
+                return
+            told = read_beacon(data)
+            if told and address not in seen:
+                seen.add(address)
+                yield {"connection": "direct", "address": address, "direct_port": told}
+
+
+def read_beacon(data: bytes) -> int | None:
+    """The port that a beacon names; None if it is no EV3's."""
+    beacon = _BEACON.match(data)
+    port = int(beacon["port"]) if beacon else 0
+    return port if 0 < port < 65536 else None
+
+
+def _ev3dev(seconds: float) -> Iterator[Found]:
+    """What answers at the address that is set, and at the one a new brick has."""
+    try:
+        known = user_settings.load("ev3", Settings)
+    except LearnBlockError:
+        # Wrong settings are told when they are used.
+        known = Settings()
+    addresses = {known.address, Settings().address}
+    for address in sorted(addresses):
+        patience = seconds / len(addresses) / 2
+        if _is_agent(address, known.agent_port, patience):
+            yield {"connection": "agent", "address": address}
+        elif _listens(address, known.rpyc_port, patience):
+            yield {"connection": "rpyc", "address": address}
+
+
+def _is_agent(address: str, port: int, patience: float) -> bool:
+    try:
+        with dial(address, port, patience) as connection:
+            return bool(lines.greeting(connection.recv(lines.LONGEST_LINE)))
+    except (OSError, ValueError):
+        return False
+
+
+def _listens(address: str, port: int, patience: float) -> bool:
+    try:
+        dial(address, port, patience).close()
+    except NoSuchWayError:
+        return False
+    return True
+
+
+def _devices(seconds: float) -> Iterator[Found]:
+    """Bricks on a cable, and the serial ports that Bluetooth has made."""
+    del seconds
+    names = [
+        file.parents[1].name
+        for file in sorted(Path("/sys/class/hidraw").glob("*/device/uevent"))
+        if USB_ID.search(file.read_text("utf-8", "replace"))
+    ]
+    names += [file.name for file in sorted(Path("/dev").glob("rfcomm[0-9]*"))]
+    for name in names:
+        yield {"connection": "direct", "device": f"/dev/{name}"}
