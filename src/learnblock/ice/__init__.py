@@ -17,8 +17,28 @@ chapter "The Ice Protocol", without what RoboComp has no use for: classes, proxi
 optional values, facets, batches, compression and TLS.
 """
 
-from learnblock.ice.interface import Interface, Operation
-from learnblock.ice.proxy import Proxy
-from learnblock.ice.server import Adapter, Servant
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from learnblock.ice.interface import Interface, Operation
+    from learnblock.ice.proxy import Proxy
+    from learnblock.ice.server import Adapter, Servant
+
+# Imported when first asked for: a client needs none of the server's asyncio.
+_HOME = {
+    "Adapter": "server",
+    "Interface": "interface",
+    "Operation": "interface",
+    "Proxy": "proxy",
+    "Servant": "server",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_HOME[name]}"), name)
+
 
 __all__ = ["Adapter", "Interface", "Operation", "Proxy", "Servant"]

@@ -15,9 +15,20 @@ from learnblock.client import Client
 from learnblock.errors import LearnBlockError, UnknownNameError
 from learnblock.home import home, import_file
 
-_OURS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo", "coppeliasim", "cozmo", "ev3", "thymio")
+_OURS = (
+    "sim-ebo",
+    "sim-thymio",
+    "sim-ev3",
+    "sim-cozmo",
+    "coppeliasim",
+    "cozmo",
+    "ebo",
+    "ev3",
+    "rcis",
+    "thymio",
+)
 #: The robots of the paper that have a name and a module already, and get their driver next.
-_ANNOUNCED = ("ebo", "rcis")
+_ANNOUNCED: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,80 @@
+"""EBO as its client sees it: four components and a broker with its pictures, which move a twin."""
+
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
+from types import MappingProxyType
+from typing import Any
+
+from learnblock.emulators.ebo_camera import Broker, Stream, find_broker
+from learnblock.emulators.robocomp import Ranger, Servo, Wheels, row_of
+from learnblock.emulators.twin import Twin
+from learnblock.ice import Adapter, Servant
+from learnblock.ice.robocomp import Layout, interfaces
+
+_EMOTIONS = "joy", "sadness", "surprise", "fear", "anger", "disgust", "neutral"
+
+
+class Emulator:
+    """EBO; every component listens at a free port.
+
+    Its pictures go through mosquitto, the broker of the real one; where that is not installed it
+    has no camera, and its settings say so: ``camera_port`` is 0.
+
+    Args:
+        twin: the robot.
+        host: the address of this computer where they listen.
+        layout: in which they speak.
+    """
+
+    def __init__(
+        self, twin: Twin, *, host: str = "127.0.0.1", layout: Layout = Layout.ROBOT
+    ) -> None:
+        self._known = interfaces(layout)
+        self._ending = ExitStack()
+        self._adapter = self._ending.enter_context(Adapter(host))
+        wheels, servo = Wheels(twin, knows_place=False), Servo(twin, 1, is_told=False)
+        settings: dict[str, Any] = {
+            "address": host,
+            "base_port": self._serve("differentialrobot", wheels),
+            "laser_port": self._serve("laser", Ranger(lambda: row_of(twin))),
+            "joint_port": self._serve("jointmotor", servo),
+            "face_port": self._serve("emotionalmotor", _Face(twin)),
+            "camera_port": self._stream(twin, host),
+        }
+        self.settings: Mapping[str, Any] = MappingProxyType(settings)
+
+    def close(self) -> None:
+        self._ending.close()
+
+    def _stream(self, twin: Twin, host: str) -> int:
+        program = find_broker()
+        if program is None:
+            return 0
+        broker = self._ending.enter_context(Broker(program, host))
+        self._ending.callback(Stream(twin, host, broker.port).close)
+        return broker.port
+
+    def _serve(self, identity: str, component: object) -> int:
+        return self._adapter.serve({identity: Servant(self._known[identity], component)})
+
+
+class _Face:
+    """EmotionalMotor: one operation for each emotion."""
+
+    def __init__(self, twin: Twin) -> None:
+        self._twin = twin
+
+    def __getattr__(self, name: str) -> Callable[[], None]:
+        emotion = name.removeprefix("express").lower()
+        if emotion not in _EMOTIONS:
+            raise AttributeError(name)
+
+        def express() -> None:
+            with self._twin.body() as body:
+                body.show_emotion(emotion)
+
+        return express
+
+    def talking(self, talks: bool) -> None:  # noqa: FBT001 - it talks or it does not
+        with self._twin.body() as body:
+            body.note("Display", "talking", talks)

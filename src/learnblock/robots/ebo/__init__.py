@@ -1,0 +1,87 @@
+"""EBO, the paper's own robot: a Raspberry Pi on wheels with a face, made of RoboComp's components.
+
+It is a WiFi network of its own, in which it has the address 192.168.16.1.
+"""
+
+from typing import Annotated
+
+from msgspec import Meta
+
+from learnblock.devices import Base, Camera, Display, DistanceSensors, JointMotor
+from learnblock.ice.robocomp import Layout
+from learnblock.robots.ebo.camera import StreamedCamera
+from learnblock.robots.robocomp import RoboCompRobot, RoboCompSettings, by_side, in_range
+from learnblock.robots.settings import Address, Port
+
+__all__ = ["Robot", "Settings"]
+
+CameraPort = Annotated[
+    int, Meta(ge=0, le=65535, description="a port of the network; 0 does without a camera")
+]
+
+
+class Settings(RoboCompSettings, frozen=True):
+    """What can be set about an EBO; the ports are those of its components."""
+
+    address: Address = "192.168.16.1"
+    laser_port: Port = 10104
+    joint_port: Port = 10067
+    face_port: Port = 30001
+    camera_port: CameraPort = 50000
+
+
+class Robot(RoboCompRobot[Settings]):
+    """An EBO.
+
+    Its components know neither its pose nor the angle of its head.
+    """
+
+    settings_type = Settings
+    usual_layout = Layout.ROBOT
+
+    @classmethod
+    def device_names(cls) -> frozenset[str]:
+        return frozenset(
+            {
+                "Base:ROBOT",
+                "Camera:ROBOT",
+                "Display:ROBOT",
+                "DistanceSensors:ROBOT",
+                "JointMotor:CAMERA",
+            }
+        )
+
+    def laser_ports(self) -> tuple[int, ...]:
+        return (self.settings.laser_port,)
+
+    def connect(self) -> None:
+        super().connect()
+        self._laser = self.component("laser", "laser", self.settings.laser_port)
+        self._face = self.component("emotionalmotor", "face", self.settings.face_port)
+        self.add(Base(move=self.drive))
+        self.add(DistanceSensors(read=self._distances))
+        self.add(Display(show_emotion=self._express))
+        self.add(JointMotor(move=self.tilt), "CAMERA")
+        if self.settings.camera_port:
+            self._connect_camera()
+
+    def check_link(self) -> None:
+        super().check_link()
+        if self.settings.camera_port:
+            self._camera.check()
+
+    def _connect_camera(self) -> None:
+        settings = self.settings
+        self._camera = StreamedCamera(settings.address, settings.camera_port, settings.patience)
+        self._ending.callback(self._camera.close)
+        self._camera.open()
+        self.add(Camera(read=self._camera.read))
+
+    def _distances(self) -> dict[str, list[float]]:
+        return by_side([in_range(one.dist) for one in self._laser.ask("getLaserData")])
+
+    def _express(self, emotion: str) -> None:
+        operation = "expressNeutral" if emotion == "none" else f"express{emotion.capitalize()}"
+        # RoboComp's face of 2020 has no neutral expression: it keeps the one it has.
+        if self._face.can(operation):
+            self._face.ask(operation)

@@ -1,0 +1,104 @@
+"""EBO's camera: JPEG pictures that a broker of MQTT passes on, 20 a second."""
+
+import threading
+from time import monotonic
+from typing import TYPE_CHECKING, Any
+
+from learnblock.errors import RobotConnectionError
+from learnblock.robots.real import require
+
+if TYPE_CHECKING:
+    from learnblock.devices import Frame
+
+#: Under this name EBO publishes them.
+TOPIC = "camara"
+
+
+class StreamedCamera:
+    """The newest picture of a stream.
+
+    Args:
+        address: where the broker is.
+        port: of it.
+        patience: seconds within which it must answer, and a picture must come.
+    """
+
+    def __init__(self, address: str, port: int, patience: float) -> None:
+        self._place = address, port
+        self._patience = patience
+        self._subscribed = threading.Event()
+        self._latest: bytes | None = None
+        self._shown: bytes | None = None
+        self._frame: Frame | None = None
+        mqtt = require("paho.mqtt.client", "ebo")
+        self._client: Any = mqtt.Client(mqtt.CallbackAPIVersion.VERSION2)
+        self._client.connect_timeout = patience
+        self._client.on_connect = self._subscribe
+        self._client.on_subscribe = lambda *_: self._subscribed.set()
+        self._client.on_message = self._receive
+
+    def open(self) -> None:
+        """Subscribe to the stream.
+
+        Raises:
+            RobotConnectionError: there is no broker.
+        """
+        try:
+            self._client.connect(*self._place)
+        except OSError as error:
+            raise self._told(f"cannot be reached: {error}") from error
+        self._client.loop_start()
+        if not self._subscribed.wait(self._patience):
+            raise self._told("does not answer in time")
+        self._came = monotonic()
+
+    def read(self) -> "Frame | None":
+        """The newest picture; None before the first one.
+
+        Raises:
+            RobotConnectionError: none has come for too long.
+        """
+        self.check()
+        latest = self._latest
+        if latest is not None and latest is not self._shown:
+            self._shown = latest
+            self._decode(latest)
+        return self._frame
+
+    def check(self) -> None:
+        """Make sure that pictures come.
+
+        Raises:
+            RobotConnectionError: they do not.
+        """
+        if monotonic() - self._came > self._patience:
+            raise self._told(f"has sent no picture for {self._patience:g} s")
+
+    def close(self) -> None:
+        """Let go of the broker; the second time does nothing."""
+        self._client.disconnect()
+        self._client.loop_stop()
+
+    def _subscribe(self, *_: Any) -> None:
+        # Again whenever the connection is made anew, as the client does by itself.
+        self._client.subscribe(TOPIC)
+
+    def _receive(self, _client: Any, _data: Any, message: Any) -> None:
+        self._latest, self._came = message.payload, monotonic()
+
+    def _decode(self, picture: bytes) -> None:
+        # OpenCV is loaded with the first picture.
+        import cv2  # noqa: PLC0415
+        import numpy as np  # noqa: PLC0415
+
+        decoded = cv2.imdecode(np.frombuffer(picture, np.uint8), cv2.IMREAD_COLOR)
+        # A picture that arrives broken is left out.
+        if decoded is not None:
+            self._frame = np.asarray(cv2.cvtColor(decoded, cv2.COLOR_BGR2RGB), np.uint8)
+
+    def _told(self, trouble: str) -> RobotConnectionError:
+        address, port = self._place
+        return RobotConnectionError(
+            f"the camera of the robot `ebo` at {address}:{port} {trouble}; is its camera running?"
+            " Without one, set `camera_port` to 0"
+        )

@@ -1,0 +1,79 @@
+"""RCIS, RoboComp's simulator, with the paper's EBO in it."""
+
+from typing import TYPE_CHECKING
+
+from learnblock.devices import Base, Camera, Display, DistanceSensors, JointMotor
+from learnblock.ice.robocomp import Image, Layout
+from learnblock.robots.rcis.camera import Pictures
+from learnblock.robots.robocomp import RoboCompRobot, RoboCompSettings, by_side, in_range
+from learnblock.robots.settings import Port
+
+if TYPE_CHECKING:
+    from learnblock.devices import Frame
+
+__all__ = ["Robot", "Settings"]
+
+
+class Settings(RoboCompSettings, frozen=True):
+    """What can be set about a robot in RCIS; the ports are those of its components."""
+
+    laser_ports: tuple[Port, Port, Port, Port, Port] = (10102, 10103, 10104, 10105, 10106)
+    joint_port: Port = 20000
+    display_port: Port = 30000
+    camera_port: Port = 10097
+
+
+class Robot(RoboCompRobot[Settings]):
+    """An EBO in RCIS."""
+
+    settings_type = Settings
+    usual_layout = Layout.TOOL
+    # There the servo turns the other way round.
+    servo_scale = -RoboCompRobot.servo_scale
+
+    @classmethod
+    def device_names(cls) -> frozenset[str]:
+        return frozenset(
+            {
+                "Base:ROBOT",
+                "Camera:ROBOT",
+                "Display:ROBOT",
+                "DistanceSensors:ROBOT",
+                "JointMotor:CAMERA",
+            }
+        )
+
+    def laser_ports(self) -> tuple[int, ...]:
+        return self.settings.laser_ports
+
+    def connect(self) -> None:
+        super().connect()
+        self._lasers = [
+            self.component("laser", f"laser {number}", port)
+            for number, port in enumerate(self.settings.laser_ports, start=1)
+        ]
+        self._display = self.component("display", "display", self.settings.display_port)
+        self._camera = self.component("rgbd", "camera", self.settings.camera_port)
+        self._pictures = Pictures()
+        self.add(Base(move=self.drive, read=self.pose))
+        self.add(DistanceSensors(read=self._distances))
+        self.add(Display(show_emotion=self._express))
+        self.add(Camera(read=self._look))
+        self.add(JointMotor(move=self.tilt, read=self.tilted), "CAMERA")
+
+    def _distances(self) -> dict[str, list[float]]:
+        rows = (laser.ask("getLaserData") for laser in self._lasers)
+        nearest = (min((in_range(one.dist) for one in row), default=0.0) for row in rows)
+        return by_side([in_range(mm) for mm in nearest])
+
+    def _look(self) -> "Frame | None":
+        colour, *_ = self._camera.ask("getData")
+        return self._pictures.unpacked(colour)
+
+    def _express(self, emotion: str) -> None:
+        # Here, as OpenCV is loaded with the first face.
+        from learnblock.robots.rcis.face import draw_face  # noqa: PLC0415
+
+        face = draw_face(emotion)
+        height, width, depth = face.shape
+        self._display.ask("setImage", Image(width, height, depth, face.tobytes()))

@@ -1,0 +1,75 @@
+"""A face for RCIS's screen, as it has none of its own."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING
+
+import cv2
+import numpy as np
+
+if TYPE_CHECKING:
+    from learnblock.devices import Frame
+
+WIDTH, HEIGHT = 480, 320
+"""Of EBO's own screen."""
+_WHITE, _BLACK = (255, 255, 255), (0, 0, 0)
+_EYES = (160, 320)
+_EYE_LEVEL, _BROW_LEVEL, _MOUTH_LEVEL = 140, 80, 235
+
+
+@dataclass(frozen=True, slots=True)
+class _Look:
+    """An expression, all lengths in pixels.
+
+    Args:
+        eye: half the height of an eye.
+        brow: how much the inner end of a brow is above its outer end.
+        mouth: how far the corners of the mouth are above its middle.
+        gap: how far it is open.
+    """
+
+    eye: int = 34
+    brow: int = 0
+    mouth: int = 0
+    gap: int = 0
+
+
+_LOOKS: Mapping[str, _Look] = {
+    "joy": _Look(eye=34, brow=0, mouth=45),
+    "sadness": _Look(eye=26, brow=25, mouth=-40),
+    "surprise": _Look(eye=48, brow=10, gap=40),
+    "anger": _Look(eye=28, brow=-32, mouth=-22),
+    "fear": _Look(eye=44, brow=30, mouth=-15, gap=18),
+    "disgust": _Look(eye=16, brow=-18, mouth=-32),
+    "neutral": _Look(),
+    "none": _Look(),
+}
+
+
+@cache
+def draw_face(emotion: str) -> "Frame":
+    """The face that shows an emotion, the same seen in a mirror; not to be written to."""
+    look = _LOOKS[emotion]
+    face = np.full((HEIGHT, WIDTH, 3), 255, np.uint8)
+    for middle, inwards in zip(_EYES, (1, -1), strict=True):
+        cv2.ellipse(face, (middle, _EYE_LEVEL), (34, look.eye), 0, 0, 360, _BLACK, -1)
+        cv2.circle(face, (middle, _EYE_LEVEL), 6, _WHITE, -1)
+        outer = middle - inwards * 40, _BROW_LEVEL + look.brow // 2
+        inner = middle + inwards * 40, _BROW_LEVEL - look.brow // 2
+        cv2.line(face, outer, inner, _BLACK, 10)
+    _draw_mouth(face, look)
+    face.flags.writeable = False
+    return face
+
+
+def _draw_mouth(face: "Frame", look: _Look) -> None:
+    middle = WIDTH // 2, _MOUTH_LEVEL
+    if look.gap:
+        cv2.ellipse(face, middle, (40, look.gap), 0, 0, 360, _BLACK, 6)
+    elif look.mouth:
+        # The lower half of an ellipse smiles, the upper one frowns.
+        begin = 0 if look.mouth > 0 else 180
+        cv2.ellipse(face, middle, (80, abs(look.mouth)), 0, begin, begin + 180, _BLACK, 8)
+    else:
+        cv2.line(face, (middle[0] - 80, middle[1]), (middle[0] + 80, middle[1]), _BLACK, 8)

@@ -1,0 +1,71 @@
+"""Finds out in which layout a robot's components speak: none of them says it."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import astuple
+from typing import Any
+
+from learnblock.errors import IceEncodingError, IceRefusedError
+from learnblock.ice.connection import Endpoint
+from learnblock.ice.proxy import Proxy
+from learnblock.ice.robocomp import Layout, MotorGoalPosition, interfaces
+
+#: Questions whose answers stand in different orders.
+_QUESTIONS = (
+    ("jointmotor", "getBusParams"),
+    ("laser", "getLaserConfData"),
+    ("differentialrobot", "getBaseState"),
+)
+#: Numbers out of these bounds, but for 0, are other members read in a wrong place: 100 m, and a
+#: thousandth of a millimetre a second.
+_LEAST, _MOST = 1e-6, 1e5
+#: A joint that no robot has: to be told of it moves nothing.
+_NOBODY = MotorGoalPosition(name="which layout?")
+
+
+def layouts_of(endpoints: Mapping[str, Endpoint]) -> tuple[Layout, ...]:
+    """The layouts that fit what the components say, and what they understand.
+
+    Args:
+        endpoints: of the components differentialrobot, jointmotor and laser.
+
+    Raises:
+        IceLinkError: one of them cannot be reached.
+    """
+    return tuple(layout for layout in Layout if _fits(layout, endpoints))
+
+
+def _fits(layout: Layout, endpoints: Mapping[str, Endpoint]) -> bool:
+    proxies = {
+        identity: Proxy(interfaces(layout)[identity], identity, endpoint)
+        for identity, endpoint in endpoints.items()
+    }
+    return _understands_goals(proxies["jointmotor"]) and all(
+        _answers_well(proxies[identity], question) for identity, question in _QUESTIONS
+    )
+
+
+def _understands_goals(joints: Proxy) -> bool:
+    """Whether a goal can be told: what is in another order is refused unread."""
+    try:
+        joints.call("setSyncPosition", [_NOBODY])
+    except IceRefusedError as refusal:
+        return refusal.kind != "UnknownLocalException"
+    return True
+
+
+def _answers_well(component: Proxy, question: str) -> bool:
+    """Whether the answer makes sense; one that is refused says nothing."""
+    try:
+        answer = component.call(question)
+    except IceRefusedError:
+        return True
+    except IceEncodingError:
+        return False
+    return all(map(_makes_sense, astuple(answer)))
+
+
+def _makes_sense(value: Any) -> bool:
+    if isinstance(value, float):
+        return value == 0 or (math.isfinite(value) and _LEAST < abs(value) < _MOST)
+    return not isinstance(value, str) or value.isprintable()
