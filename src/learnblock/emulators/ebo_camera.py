@@ -8,6 +8,7 @@ import threading
 from contextlib import ExitStack
 from pathlib import Path
 from time import monotonic
+from typing import Self
 
 import cv2
 
@@ -63,7 +64,7 @@ class Broker:
             self.close()
             raise
 
-    def __enter__(self) -> "Broker":
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *error: object) -> None:

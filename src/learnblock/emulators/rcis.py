@@ -1,7 +1,7 @@
 """RCIS as its client sees it: nine components, which move a twin of EBO's."""
 
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, partial
 from types import MappingProxyType
 from typing import Any
 
@@ -34,8 +34,7 @@ class Emulator:
             "address": host,
             "base_port": self._serve("differentialrobot", wheels),
             "laser_ports": [
-                self._serve("laser", Ranger(lambda place=place: [row_of(twin)[place]]))
-                for place in range(5)
+                self._serve("laser", Ranger(partial(_one_of, twin, place))) for place in range(5)
             ],
             "joint_port": self._serve("jointmotor", Servo(twin, -1, is_told=True)),
             "display_port": self._serve("display", _Screen(twin)),
@@ -48,6 +47,10 @@ class Emulator:
 
     def _serve(self, identity: str, component: object) -> int:
         return self._adapter.serve({identity: Servant(self._known[identity], component)})
+
+
+def _one_of(twin: Twin, place: int) -> list[float]:
+    return [row_of(twin)[place]]
 
 
 class _Screen:

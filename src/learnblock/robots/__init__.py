@@ -27,8 +27,6 @@ _OURS = (
     "rcis",
     "thymio",
 )
-#: The robots of the paper that have a name and a module already, and get their driver next.
-_ANNOUNCED: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,9 +74,6 @@ def find(name: str) -> RobotEntry:
     for entry in known.values():
         if name in (entry.name, entry.module):
             return entry
-    announced = name.removeprefix("learnblock.robots.")
-    if announced in _ANNOUNCED:
-        raise LearnBlockError(_not_yet(announced))
     raise UnknownNameError("robot", name, known)
 
 
@@ -98,18 +93,12 @@ def module_of(name: str) -> str:
     Raises:
         UnknownNameError: no robot has that name.
     """
-    return module_name(name) if name in _ANNOUNCED else find(name).module
+    return find(name).module
 
 
 def module_name(name: str) -> str:
     """The module of one of our own robots."""
     return "learnblock.robots." + name.replace("-", "_")
-
-
-def _not_yet(name: str) -> str:
-    twin = f"sim-{name}"
-    advice = f"; its twin is here: --robot {twin}" if twin in _OURS else ""
-    return f"the driver of the robot `{name}` is not part of this version{advice}"
 
 
 def _plugins() -> dict[str, RobotEntry]:
