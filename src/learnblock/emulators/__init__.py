@@ -12,8 +12,9 @@ driver, or to try it without the robot (``learnblock emulate cozmo --world tags`
 
 import importlib
 import threading
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import ExitStack
+from functools import partial
 from types import TracebackType
 from typing import Any, Protocol, Self
 
@@ -31,10 +32,15 @@ TWINS: Mapping[str, str] = {
 }
 
 
+#: Robots with a simulator of their own, in which our worlds are built.
+SIMULATED_ELSEWHERE = frozenset({"thymio"})
+
+
 class Emulator(Protocol):
     """The robot's end of a wire: a class ``Emulator`` in the module of the robot's name.
 
-    It is made with the twin that it drives, and listens from then on.
+    It is made with the twin that it drives, or with the name of a world where a simulator of others
+    moves the robot, and listens from then on.
     """
 
     #: The settings with which a client reaches it.
@@ -47,17 +53,21 @@ class Emulator(Protocol):
 class Emulation:
     """An emulator with its twin, while they run: a context manager.
 
+    Args:
+        begin: makes the emulator.
+        twin: the robot that is moved; None where a simulator of others moves it.
+
     Attributes:
-        twin: the robot that is moved.
         settings: those with which a client reaches it.
     """
 
-    def __init__(self, make: Any, twin: Twin, **place: Any) -> None:
+    def __init__(self, begin: Callable[[], Emulator], twin: Twin | None = None) -> None:
         self.twin = twin
         self._ending = ExitStack()
-        self._ending.enter_context(twin)
+        if twin is not None:
+            self._ending.enter_context(twin)
         try:
-            emulator: Emulator = make(twin, **place)
+            emulator = begin()
         except BaseException:
             self._ending.close()
             raise
@@ -90,14 +100,18 @@ def emulate(robot: str, world: str | None = None, *, seed: int = 0, **place: Any
     Args:
         robot: its id, such as ``cozmo``.
         world: a world's name or the path of its file; by default the twin's own.
-        seed: of all noise.
+        seed: of all noise; a simulator of others has noise of its own.
         place: where the emulator listens, if not at a free port of this machine.
 
     Raises:
         UnknownNameError: this robot cannot be emulated, or there is no such world.
+        MissingPackageError: a simulator of others is not installed.
         OSError: it cannot listen there.
     """
-    if robot not in TWINS:
-        raise UnknownNameError("emulator", robot, TWINS)
-    module = importlib.import_module(f"learnblock.emulators.{robot}")
-    return Emulation(module.Emulator, Twin(TWINS[robot], world, seed=seed), **place)
+    if robot not in {*TWINS, *SIMULATED_ELSEWHERE}:
+        raise UnknownNameError("emulator", robot, [*TWINS, *SIMULATED_ELSEWHERE])
+    make = importlib.import_module(f"learnblock.emulators.{robot}").Emulator
+    if robot in SIMULATED_ELSEWHERE:
+        return Emulation(partial(make, world, **place))
+    twin = Twin(TWINS[robot], world, seed=seed)
+    return Emulation(partial(make, twin, **place), twin)
