@@ -22,6 +22,7 @@ from learnblock.devices import (
 from learnblock.errors import RobotConnectionError
 from learnblock.robots import settings as user_settings
 from learnblock.robots.cozmo import sound, units
+from learnblock.robots.guardian import Guardian
 from learnblock.robots.real import RealRobot, require
 from learnblock.robots.settings import Address, Patience, Port, RobotSettings
 
@@ -61,6 +62,7 @@ class Robot(RealRobot[CozmoSettings]):
 
     settings_type = CozmoSettings
     _session: "Session | None" = None
+    _guardian: Guardian | None = None
 
     @classmethod
     def device_names(cls) -> frozenset[str]:
@@ -83,12 +85,21 @@ class Robot(RealRobot[CozmoSettings]):
             return
         yield {"address": known.address, "port": known.port}
 
+    @classmethod
+    def halt(cls, settings: CozmoSettings) -> None:
+        require("pycozmo", "cozmo")
+        from learnblock.robots.cozmo.session import halt  # noqa: PLC0415 - it needs pycozmo
+
+        halt(settings.address, settings.port, settings.patience)
+
     def connect(self) -> None:
         chosen = self.settings
         self._session = session = _session(chosen.address, chosen.port, chosen.patience)
         session.prepare(
             colour=chosen.colour, stop_at_cliff=chosen.stop_at_cliff, volume=chosen.volume
         )
+        # Left alone, the robot itself waits for five seconds before it stops.
+        self._guardian = Guardian(type(self), chosen)
         self._add_sensors(session)
         self._add_joints(session)
         self._add_stage(session)
@@ -98,6 +109,8 @@ class Robot(RealRobot[CozmoSettings]):
     def disconnect(self) -> None:
         if self._session is not None:
             self._session.close()
+        if self._guardian is not None:
+            self._guardian.dismiss()
 
     def check_link(self) -> None:
         if self._session is not None:

@@ -130,11 +130,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
 
     def _introduce(self) -> None:
         until = monotonic() + self._patience
-        if not self.conn.establish(self._patience):
-            raise RobotConnectionError(
-                f"no answer from {self._name} within {self._patience:g} s: is it switched on, is"
-                " this machine in its network (Cozmo_...), and are address and port right?"
-            )
+        _establish(self.conn, self._name, self._patience)
         self._enable_robot()
         self._await(lambda: self.serial_number, until)
         self.conn.send(packets.SetOrigin())
@@ -174,3 +170,27 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         data = bytes(self._partial_data[: self._partial_size])
         encoding, resolution = self._partial_image_encoding, self._partial_image_resolution
         self._picture = Picture(data, encoding, resolution)
+
+
+def halt(address: str, port: int, patience: float) -> None:
+    """Take over a robot whose program is gone, stop its motors and let go of it.
+
+    Raises:
+        RobotConnectionError: it does not answer.
+    """
+    link = Link(resolved(address, port))
+    link.start()
+    try:
+        _establish(link, f"Cozmo at {address}:{port}", patience)
+        for packet in (packets.Enable(), packets.Enable(), packets.StopAllMotors()):
+            link.send(packet)
+    finally:
+        link.hang_up()
+
+
+def _establish(link: Link, name: str, patience: float) -> None:
+    if not link.establish(patience):
+        raise RobotConnectionError(
+            f"no answer from {name} within {patience:g} s: is it switched on, is this machine in"
+            " its network (Cozmo_...), and are address and port right?"
+        )
