@@ -70,7 +70,6 @@ class TwinScene:
         }
         self._scripts: Mapping[str, Mapping[str, Callable[..., Any]]] = {
             "/LearnBlock": {
-                "beat": self._hear,
                 "describe": self._describe,
                 "drive": self._drive,
                 "sense": self._sense,
@@ -244,7 +243,7 @@ class TwinScene:
     def _sense(self) -> Mapping[str, Any]:
         self._hear()
         with self._twin.body() as body:
-            senses: dict[str, Any] = {"pose": body.pose, "turned": self._gyroscope()}
+            senses: dict[str, Any] = {"pose": body.pose}
             senses["distances"] = {side: body.distances()[side] for side in self._sides}
             grounds = {side: seen for side, seen in body.ground().items() if seen is not None}
             light = body.light() if body.description.light else 0.0

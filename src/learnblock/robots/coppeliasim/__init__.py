@@ -72,7 +72,11 @@ class Robot(RealRobot[Settings]):
         for device, key in scene.devices():
             self.add(device, key)
 
-        self._heartbeat = Heartbeat(scene.beat or simulation.check)
+        def beat() -> None:
+            simulation.check()
+            scene.beat()
+
+        self._heartbeat = Heartbeat(beat)
         self._ending.callback(self._heartbeat.stop)
 
     @classmethod

@@ -92,8 +92,6 @@ class NamedParts:
         RobotConnectionError: the scene lacks one of the objects.
     """
 
-    beat = None
-
     def __init__(self, remote: Remote, settings: Settings) -> None:
         self._remote = remote
         self._settings = settings
@@ -102,11 +100,11 @@ class NamedParts:
         axle = self._axle()
         self._track = axle.track
         self._directions = axle.direction(axle.left), axle.direction(axle.right)
+        self._turning = Turning(lambda: self._axle().pose[2], lambda: None)
 
     def devices(self) -> Iterator[tuple[Device, str]]:
-        turning = Turning(lambda: self._axle().pose[2], lambda: None)
         yield Base(self.move, lambda: self._axle().pose), DEFAULT_KEY
-        yield Gyroscope(turning.read, turning.reset), "Z_AXIS"
+        yield Gyroscope(self._turning.read, self._turning.reset), "Z_AXIS"
         present = devices_of(self._settings)
         if "DistanceSensors:ROBOT" in present:
             yield DistanceSensors(self._distances()), DEFAULT_KEY
@@ -119,6 +117,10 @@ class NamedParts:
         difference = math.radians(rot) * self._track / 2
         self._turn(self._left, self._directions[0] * (adv + difference))
         self._turn(self._right, self._directions[1] * (adv - difference))
+
+    def beat(self) -> object:
+        """Nothing in such a scene listens for a sign of life."""
+        return self._turning.read()
 
     def _turn(self, joint: int, speed: float) -> None:
         """Let a wheel roll at that many mm/s."""

@@ -40,20 +40,22 @@ _INTEGERS, _NUMBERS = 0, 1
 class PaperScene:
     """The EV3 of the paper's scene; it has no watchdog, and does not tell where it is."""
 
-    beat = None
-
     def __init__(self, remote: Remote, settings: Settings) -> None:
         self._script = Script(remote, settings.script or "/Funciones", _ADVICE)
+        self._turning = Turning(self._heading, lambda: self._call("ResetGyroA"))
 
     def devices(self) -> Iterator[tuple[Device, str]]:
-        turning = Turning(self._heading, lambda: self._call("ResetGyroA"))
         yield Base(self.move), DEFAULT_KEY
-        yield Gyroscope(turning.read, turning.reset), "Z_AXIS"
+        yield Gyroscope(self._turning.read, self._turning.reset), "Z_AXIS"
         yield DistanceSensors(self._distances), DEFAULT_KEY
         yield GroundSensors(self._ground), DEFAULT_KEY
 
     def move(self, adv: float, rot: float) -> None:
         self._call("On", adv, math.radians(rot))
+
+    def beat(self) -> object:
+        """Its script listens for no sign of life."""
+        return self._turning.read()
 
     def _heading(self) -> float:
         return self._script.ask(_first(_INTEGERS), "SensorGyroA", [], [], [], "")

@@ -31,6 +31,8 @@ class NonsenseError(ValueError):
 class Turning:
     """A heading that comes wrapped, followed through full turns.
 
+    Somebody must ask before the robot has turned by 180 degrees.
+
     Args:
         read: answers degrees clockwise, wrapped or not.
         reset: lets the robot's own sensor begin at 0, where it has one.
@@ -41,14 +43,13 @@ class Turning:
         self._reset = reset
         self._lock = threading.Lock()
         self._turned = 0.0
-        self._last: float | None = None
+        self._last = read()
 
     def read(self) -> float:
         """Degrees turned since the reset, clockwise."""
         with self._lock:
             heading = self._read()
-            if self._last is not None:
-                self._turned += wrapped(heading - self._last)
+            self._turned += wrapped(heading - self._last)
             self._last = heading
             return self._turned
 

@@ -2,7 +2,7 @@
 --
 -- Attach this to a dummy called LearnBlock, as a non-threaded simulation script. When the simulation
 -- starts it builds a robot with two driven wheels where the dummy stands, looking along the dummy's x.
--- LearnBlock then calls the functions `describe`, `drive`, `beat`, `sense` and `show` below.
+-- LearnBlock then calls the functions `describe`, `drive`, `sense` and `show` below.
 --
 -- CoppeliaSim counts metres, and radians counterclockwise; LearnBlock mm, and degrees clockwise seen
 -- from above. This script speaks LearnBlock's units.
@@ -40,18 +40,14 @@ function describe()
 end
 
 function drive(adv, rot)
-    beat()
+    heard = sim.getSystemTime()
     local difference = math.rad(rot) * TRACK / 2
     sim.setJointTargetVelocity(leftWheel, (adv / 1000 + difference) / WHEEL_RADIUS)
     sim.setJointTargetVelocity(rightWheel, (adv / 1000 - difference) / WHEEL_RADIUS)
 end
 
-function beat()
-    heard = sim.getSystemTime()
-end
-
 function sense()
-    beat()
+    heard = sim.getSystemTime()
     local x, y, heading = place()
     local seen = {}
     for side, sensors in pairs(distances) do
@@ -65,13 +61,13 @@ function sense()
         floor[side] = 100 * intensity(sensor)
     end
     return {
-        pose = {x, y, heading}, turned = turned, distances = seen, ground = floor,
+        pose = {x, y, heading}, distances = seen, ground = floor,
         light = 1023 * intensity(camera),
     }
 end
 
 function show(emotion)
-    beat()
+    heard = sim.getSystemTime()
     sim.setShapeColor(face, nil, sim.colorcomponent_emission, FACES[emotion] or FACES.none)
 end
 
@@ -79,13 +75,11 @@ end
 
 function sysCall_init()
     heard = nil
-    turned = 0
     buildHull()
     leftWheel = buildWheel('left', 1)
     rightWheel = buildWheel('right', -1)
     buildCaster()
     buildSensors()
-    _, _, lastHeading = place()
 end
 
 function sysCall_actuation()
@@ -94,12 +88,6 @@ function sysCall_actuation()
         sim.setJointTargetVelocity(leftWheel, 0)
         sim.setJointTargetVelocity(rightWheel, 0)
     end
-end
-
-function sysCall_sensing()
-    local _, _, heading = place()
-    turned = turned + (heading - lastHeading + 180) % 360 - 180
-    lastHeading = heading
 end
 
 -- What is sensed.
@@ -190,14 +178,14 @@ function buildSensors()
 end
 
 function buildDistance(name, degrees)
-    -- A ray along the sensor's z, from the edge of the hull; to the right is a negative turn.
+    -- A ray along the sensor's z, from before the hull and its face; to the right is a negative turn.
     local sensor = sim.createProximitySensor(
         sim.proximitysensor_ray, 16, 0, {3, 3, 2, 2, 1, 1, 0, 0},
         {0, RANGE, 0.01, 0.01, 0.01, 0.01, 0, 0, 0, 0, 0, 0, 0.01, 0, 0}
     )
     local turn = math.rad(-degrees)
     local s, c = math.sin(turn / 2) / 2, math.cos(turn / 2) / 2
-    local edge = HULL[1] / 2 + 0.01
+    local edge = HULL[1] / 2 + 0.02
     local pose = {edge * math.cos(turn), 0.08 * math.sin(turn), 0, c - s, c + s, c + s, c - s}
     return attach(sensor, name, hull, pose)
 end

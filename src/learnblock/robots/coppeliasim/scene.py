@@ -1,6 +1,6 @@
 """What the three kinds of scenes have in common: devices, and a sign of life."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Protocol
 
 from learnblock.devices import Device
@@ -15,6 +15,5 @@ class Scene(Protocol):
     def move(self, adv: float, rot: float) -> None:
         """Drive at mm/s and degrees/s clockwise."""
 
-    @property
-    def beat(self) -> Callable[[], None] | None:
-        """Tells the robot that its program lives; None where nobody listens for that."""
+    def beat(self) -> object:
+        """Tell the robot that its program lives, and follow its turning."""

@@ -50,7 +50,6 @@ class Senses(msgspec.Struct, frozen=True):
     """Everything that the robot senses, at one moment: mm, degrees clockwise, 0 to 100."""
 
     pose: tuple[float, float, float]
-    turned: float = 0.0
     distances: Mapping[str, tuple[float, ...]] = {}
     ground: Mapping[str, float] = {}
     light: float = 0.0
@@ -63,6 +62,7 @@ class ScriptScene:
         self._remote = remote
         self._script = Script(remote, settings.script or "/LearnBlock", _ADVICE)
         self._about = self._script.ask(_description, "describe")
+        self._turning = Turning(lambda: self._sense().pose[2], lambda: None)
 
     def devices(self) -> Iterator[tuple[Device, str]]:
         known = self._known()
@@ -73,18 +73,17 @@ class ScriptScene:
     def move(self, adv: float, rot: float) -> None:
         self._script.call("drive", adv, rot)
 
-    def beat(self) -> None:
-        self._script.call("beat")
+    def beat(self) -> object:
+        return self._turning.read()
 
     def _known(self) -> Mapping[str, Device]:
-        turning = Turning(lambda: self._sense().turned, lambda: None)
         return {
             "Base": Base(self.move, lambda: self._sense().pose),
             "Camera": Camera(self._picture),
             "Display": Display(show_emotion=self._show),
             "DistanceSensors": DistanceSensors(self._distances),
             "GroundSensors": GroundSensors(self._ground),
-            "Gyroscope": Gyroscope(turning.read, turning.reset),
+            "Gyroscope": Gyroscope(self._turning.read, self._turning.reset),
             "LightSensor": LightSensor(lambda: self._sense().light),
         }
 
@@ -118,7 +117,6 @@ def _senses(reply: Any) -> Senses:
     senses: Senses = converted(reply, Senses)
     return Senses(
         pose=_pose(senses.pose),
-        turned=finite(senses.turned),
         distances={side: _distances(seen) for side, seen in senses.distances.items()},
         ground={side: percent(seen) for side, seen in senses.ground.items()},
         light=min(max(finite(senses.light), 0.0), _BRIGHTEST),
