@@ -225,6 +225,12 @@ def test_ten_megabytes_in_one_print_are_too_much_as_well(run):
 
 
 @needs_posix
+def test_what_a_program_has_flushed_is_seen_whatever_it_does_next(run):
+    result = run("import os\nprint('here', end='', flush=True)\nos._exit(0)")
+    assert result.output == "here"
+
+
+@needs_posix
 def test_what_a_program_writes_past_us_reaches_nobody(run, capfd):
     run("import os, sys\nos.write(1, b'sneaky')\nsys.__stdout__.write('sneaky')")
     assert capfd.readouterr().out == ""

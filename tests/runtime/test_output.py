@@ -36,6 +36,17 @@ def test_print_writes_to_it():
     assert lines == ["a 1\n"]
 
 
+def test_an_unfinished_line_is_handed_on_by_flush_alone_and_seen_at_once():
+    told = []
+    writer = LineWriter(told.append, lambda: told.append("seen"))
+    writer.write("a")
+    assert told == []
+    writer.flush()
+    assert told == ["a", "seen"]
+    writer.flush()
+    assert told == ["a", "seen"]
+
+
 def test_only_text_can_be_written():
     with pytest.raises(TypeError, match="must be str, not bytes"):
         LineWriter(print).write(b"x")

@@ -93,7 +93,7 @@ class _Program:
         self._cleanup = ExitStack()
         self._end_lines: Callable[[], object] = bool
         self._gate: Gate | None = None
-        self._output = LineWriter(self._printed)
+        self._output = LineWriter(self._printed, self._wire.flush)
 
     def run(self) -> Ended:
         try:

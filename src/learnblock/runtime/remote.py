@@ -140,6 +140,11 @@ class Wire:
             if self._put(message) > MOST_QUEUED or self._is_late():
                 self._flush_now()
 
+    def flush(self) -> None:
+        """Send what is queued."""
+        with self.turn:
+            self._flush_now()
+
     def send(self, message: Message) -> None:
         """Send a message that cannot wait."""
         with self.turn:
