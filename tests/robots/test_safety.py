@@ -24,7 +24,7 @@ from learnblock.robots.{module} import Robot
 
 robot = Robot()
 robot.set_move(60, 0)
-robot.sleep(1)
+robot.sleep(0.5)
 print("going", flush=True)
 {ending}
 """
@@ -78,12 +78,14 @@ def assert_stands(twin):
     deadline = monotonic() + 10
     while twin.time < now + LIMIT + 0.5 and monotonic() < deadline:
         pass
-    driving = [x for time, (x, _, _) in twin.path if now - 0.5 < time <= now]
+    driving = [x for time, (x, _, _) in twin.path if now - 0.4 < time <= now]
     after = [x for time, (x, _, _) in twin.path if time >= now + LIMIT]
-    assert driving[-1] - driving[0] > 10, "it did not drive"
+    assert driving[-1] - driving[0] > 5, "it did not drive"
     assert max(after) - min(after) < STILL, f"it went on driving: {after}"
 
 
+# What the host does then is the same for every robot.
+@pytest.mark.parametrize("emulation", ["cozmo"], indirect=True)
 @pytest.mark.parametrize("ending", ENDINGS)
 def test_it_stands_when_its_program(emulation, begin, ending):
     name, twin = emulation
