@@ -25,8 +25,8 @@ class ThymioSettings(RobotSettings, frozen=True, kw_only=True):
     address: Address = "127.0.0.1"
     port: Port = ASEBA_PORT
     suite_port: Port = SUITE_PORT
-    track: Annotated[float, Meta(ge=50, le=150, description="between its wheels, mm")] = 95.0
+    track: Annotated[float, Meta(ge=50, le=150, description="between its wheels, mm")] = 94.0
     speed_unit: Annotated[
         float, Meta(ge=0.1, le=1, description="mm/s of a wheel at motor speed 1")
-    ] = 0.334
+    ] = 0.332
     patience: Patience = 5.0

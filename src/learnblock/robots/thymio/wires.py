@@ -1,6 +1,8 @@
 """The ways to a Thymio: a network connection or a serial port, as bytes that come and go."""
 
 import socket
+from contextlib import suppress
+from time import monotonic
 from typing import Protocol
 
 from learnblock.errors import RobotConnectionError
@@ -10,6 +12,8 @@ from learnblock.robots.real import require
 MOMENT = 0.1
 #: Seconds within which what is sent must have left.
 SENDING = 0.5
+#: Seconds that the other end has to close a connection.
+PARTING = 0.3
 BAUD = 115_200
 
 
@@ -75,7 +79,14 @@ class TcpWire:
         self._socket.sendall(data)
 
     def close(self) -> None:
-        self._socket.close()
+        # With our last words still under way, and answers unread, a sudden end would be an error to
+        # the other side; Aseba's playground does not survive that.
+        with self._socket, suppress(OSError):
+            self._socket.shutdown(socket.SHUT_WR)
+            self._socket.settimeout(PARTING)
+            until = monotonic() + PARTING
+            while monotonic() < until and self._socket.recv(65536):
+                pass
 
 
 class SerialWire:
