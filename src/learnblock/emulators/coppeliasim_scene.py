@@ -14,7 +14,7 @@ from learnblock.devices import NOTHING_SEEN
 from learnblock.emulators.twin import Twin
 
 #: Seconds without a sign of life after which our scene script stops the motors.
-WATCHDOG = 0.5
+WATCHDOG = 0.35
 STOPPED, PAUSED, RUNNING = 0, 8, 17
 #: Of the API: constants have the values that CoppeliaSim gives them.
 CONSTANTS: Mapping[str, int] = {
@@ -50,7 +50,9 @@ class TwinScene:
                 side: range(len(seen)) for side, seen in body.distances().items() if seen
             }
         self._state = STOPPED
-        self._heard: float | None = None
+        self._heard = 0.0
+        self._alive = False
+        self._wanted = (0.0, 0.0)
         self._wheels = {"left": 0.0, "right": 0.0}
         self._handles = {path: 10 + number for number, path in enumerate(self._paths())}
         self.functions: Mapping[str, Callable[..., Any]] = {
@@ -104,8 +106,8 @@ class TwinScene:
 
     def watch(self) -> None:
         """Stop the motors of a script that has not been heard of."""
-        if self._heard is not None and monotonic() - self._heard > WATCHDOG:
-            self._heard = None
+        if self._alive and monotonic() - self._heard > WATCHDOG:
+            self._alive = False
             self._move(0, 0)
 
     # The API.
@@ -127,7 +129,7 @@ class TwinScene:
         raise SceneError(f"Object does not exist: {handle}.")
 
     def _simulate(self, state: int) -> None:
-        self._state = state
+        self._state, self._alive, self._wanted = state, False, (0.0, 0.0)
         if state != RUNNING:
             self._move(0, 0)
 
@@ -228,14 +230,19 @@ class TwinScene:
     # Our script.
 
     def _hear(self) -> None:
+        """Heard again, a program drives on as it commanded."""
         self._heard = monotonic()
+        if not self._alive:
+            self._alive = True
+            self._move(*self._wanted)
 
     def _drive(self, adv: float, rot: float) -> None:
+        self._wanted = (adv, rot)
         self._hear()
         self._move(adv, rot)
 
     def _describe(self) -> Mapping[str, Any]:
-        self._hear()
+        self._drive(0, 0)
         announced = {name.partition(":")[0] for name in self._about.devices()} | {"Gyroscope"}
         devices = [name for name in DEVICES if name in announced]
         return {"devices": devices, "camera": self._handles.get("/Robot/camera", -1)}

@@ -22,6 +22,7 @@ from learnblock.robots.coppeliasim.scene import Scene
 from learnblock.robots.coppeliasim.script_scene import ScriptScene
 from learnblock.robots.coppeliasim.settings import Settings
 from learnblock.robots.coppeliasim.simulation import Simulation
+from learnblock.robots.guardian import Guardian
 from learnblock.robots.real import RealRobot
 
 __all__ = ["Robot", "Settings"]
@@ -69,6 +70,8 @@ class Robot(RealRobot[Settings]):
         self._ending.callback(simulation.end)
         simulation.start()
         scene = _SCENES[settings.scene](remote, settings)
+        if not scene.has_watchdog:
+            self._ending.callback(_relieve, Guardian(type(self), settings), remote)
         for device, key in scene.devices():
             self.add(device, key)
 
@@ -114,3 +117,11 @@ class Robot(RealRobot[Settings]):
         path.parent.mkdir(parents=True, exist_ok=True)
         save(path, files(__package__).joinpath("scene.lua").read_bytes())
         tell(_HOW_TO_LOAD.format(path=path))
+
+
+def _relieve(guardian: Guardian, remote: Remote) -> None:
+    """At the end its motors stand, unless it could not be told."""
+    if remote.is_lost:
+        guardian.leave_in_charge()
+    else:
+        guardian.dismiss()

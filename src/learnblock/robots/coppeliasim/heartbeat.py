@@ -5,8 +5,8 @@ from collections.abc import Callable
 
 from learnblock.errors import RobotConnectionError
 
-#: Seconds between two beats: three of them fit into the 0.5 s after which our script stops.
-PERIOD = 0.15
+#: Seconds between two beats: three of them fit into the time after which our script stops.
+PERIOD = 0.1
 
 
 class Heartbeat:

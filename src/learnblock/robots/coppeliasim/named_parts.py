@@ -92,6 +92,8 @@ class NamedParts:
         RobotConnectionError: the scene lacks one of the objects.
     """
 
+    has_watchdog = False
+
     def __init__(self, remote: Remote, settings: Settings) -> None:
         self._remote = remote
         self._settings = settings

@@ -40,6 +40,8 @@ _INTEGERS, _NUMBERS = 0, 1
 class PaperScene:
     """The EV3 of the paper's scene; it has no watchdog, and does not tell where it is."""
 
+    has_watchdog = False
+
     def __init__(self, remote: Remote, settings: Settings) -> None:
         self._script = Script(remote, settings.script or "/Funciones", _ADVICE)
         self._turning = Turning(self._heading, lambda: self._call("ResetGyroA"))

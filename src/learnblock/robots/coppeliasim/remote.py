@@ -81,6 +81,11 @@ class Remote:
                 return value
         raise RefusedError(f"{self.place} has no sim.{names[0]}: CoppeliaSim 4.6 or later has")
 
+    @property
+    def is_lost(self) -> bool:
+        """Whether it has ceased to answer."""
+        return self._lost is not None
+
     def nonsense(self, what: str, error: object) -> RobotConnectionError:
         """The error for an answer that has not the form it should have."""
         return RobotConnectionError(f"{self.place} answers {what} with nonsense: {error}")

@@ -16,7 +16,7 @@ HULL = {0.18, 0.11, 0.06}
 HULL_Z = 0.07         -- m above the floor
 CASTER_RADIUS = 0.02
 RANGE = 1.0           -- m, of the distance sensors
-SILENCE = 0.5         -- s without a word from the program after which the motors stop
+SILENCE = 0.35        -- s without a word from the program after which the motors stop
 
 -- Degrees to the right of straight ahead, for the sensors of each side, from left to right.
 DIRECTIONS = {front = {-20, 0, 20}, left = {-60}, right = {60}, back = {180}}
@@ -29,7 +29,8 @@ FACES = {
 -- Called by LearnBlock.
 
 function describe()
-    heard = sim.getSystemTime()
+    -- A program begins: what another one commanded, which may be gone, is over.
+    drive(0, 0)
     return {
         devices = {
             'Base', 'Camera', 'Display', 'DistanceSensors', 'GroundSensors', 'Gyroscope',
@@ -42,8 +43,9 @@ end
 function drive(adv, rot)
     heard = sim.getSystemTime()
     local difference = math.rad(rot) * TRACK / 2
-    sim.setJointTargetVelocity(leftWheel, (adv / 1000 + difference) / WHEEL_RADIUS)
-    sim.setJointTargetVelocity(rightWheel, (adv / 1000 - difference) / WHEEL_RADIUS)
+    leftSpeed = (adv / 1000 + difference) / WHEEL_RADIUS
+    rightSpeed = (adv / 1000 - difference) / WHEEL_RADIUS
+    roll()
 end
 
 function sense()
@@ -74,7 +76,8 @@ end
 -- Called by CoppeliaSim.
 
 function sysCall_init()
-    heard = nil
+    heard = sim.getSystemTime()
+    leftSpeed, rightSpeed = 0, 0
     buildHull()
     leftWheel = buildWheel('left', 1)
     rightWheel = buildWheel('right', -1)
@@ -83,11 +86,14 @@ function sysCall_init()
 end
 
 function sysCall_actuation()
-    if heard and sim.getSystemTime() - heard > SILENCE then
-        heard = nil
-        sim.setJointTargetVelocity(leftWheel, 0)
-        sim.setJointTargetVelocity(rightWheel, 0)
-    end
+    roll()
+end
+
+function roll()
+    -- A program that is heard again, after its computer was busy, drives on as it commanded.
+    local alive = sim.getSystemTime() - heard <= SILENCE
+    sim.setJointTargetVelocity(leftWheel, alive and leftSpeed or 0)
+    sim.setJointTargetVelocity(rightWheel, alive and rightSpeed or 0)
 end
 
 -- What is sensed.

@@ -9,6 +9,10 @@ from learnblock.devices import Device
 class Scene(Protocol):
     """A robot in a scene of CoppeliaSim."""
 
+    @property
+    def has_watchdog(self) -> bool:
+        """Whether its motors stop by themselves when nothing more is heard of the program."""
+
     def devices(self) -> Iterator[tuple[Device, str]]:
         """Its devices with their keys."""
 
