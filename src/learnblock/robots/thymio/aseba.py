@@ -5,6 +5,7 @@ not used: over TCP it takes half a message for a whole one, goes round in circle
 closes, and its threads never end.
 """
 
+import secrets
 import threading
 from time import monotonic
 
@@ -40,6 +41,7 @@ class AsebaLink(Link):
         self._node: Node | None = None
         self._values: tuple[int, ...] = ()
         self._begin = 0
+        self._token = secrets.randbelow(2000)
         self._ready = False
         self._answered = True
         self._poller = threading.Thread(target=self._poll, name="thymio poller", daemon=True)
@@ -90,7 +92,7 @@ class AsebaLink(Link):
 
     def _upload(self, node: Node) -> None:
         try:
-            code = node.bytecode()
+            code = node.bytecode(self._token)
         except LookupError as error:
             raise RobotConnectionError(
                 f"the software in {self.name} is too old ({error}); Thymio Suite can renew it"
@@ -118,13 +120,20 @@ class AsebaLink(Link):
         if message.id == Message.ID_VARIABLES:
             self._note(node, message)
         elif message.id == READY.number:
-            self._ready = True
+            self._greet(message.user_event_arg)
         else:
             node.take(message)
 
+    def _greet(self, words: list[int]) -> None:
+        """A program has begun: ours, or that of another client, which a hub has let in."""
+        if words == [self._token]:
+            self._ready = True
+        elif self._ready:
+            self._lose("another program has taken the robot over")
+
     def _note(self, node: Node, message: Message) -> None:
         """Keep an answer to our own question: a hub passes on those to others as well."""
-        if (message.var_offset, len(message.var_data)) == node.span():
+        if node.complete and (message.var_offset, len(message.var_data)) == node.span():
             self._begin, self._values = message.var_offset, tuple(map(signed, message.var_data))
             self._answered = True
 

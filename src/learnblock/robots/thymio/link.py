@@ -112,7 +112,7 @@ class Link:
             try:
                 self._wire.send(data)
             except OSError as error:
-                self._lose(str(error))
+                self._lose(_reason(error))
         if self._lost is not None:
             self.check()
 
@@ -126,9 +126,14 @@ class Link:
             except GarbledError as error:
                 self._lose(f"what it sends makes no sense ({error})")
             except OSError as error:
-                self._lose(str(error))
+                self._lose(_reason(error))
 
     def _lose(self, reason: str) -> None:
         with self._changed:
             self._lost = self._lost or reason
             self._changed.notify_all()
+
+
+def _reason(error: OSError) -> str:
+    """What the system says, without its number."""
+    return (error.strerror or str(error)).lower()

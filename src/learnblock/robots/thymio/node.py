@@ -1,5 +1,6 @@
 """What a Thymio says of itself: its variables, events and functions, and where they are."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from thymiodirect.assembler import Assembler
@@ -8,19 +9,20 @@ from thymiodirect.message import Message
 
 from learnblock.robots.thymio.program import assembly
 
-#: What we read; they lie near each other, so that one request brings them all.
-READ = (
-    "button.backward",
-    "button.left",
-    "button.center",
-    "button.forward",
-    "button.right",
-    "prox.horizontal",
-    "prox.ground.delta",
-    "motor.left.target",
-    "motor.right.target",
-    "acc",
-)
+#: What we read, with how many numbers each has; they lie near each other, so that one request
+#: brings them all.
+READ: Mapping[str, int] = {
+    "button.backward": 1,
+    "button.left": 1,
+    "button.center": 1,
+    "button.forward": 1,
+    "button.right": 1,
+    "prox.horizontal": 7,
+    "prox.ground.delta": 2,
+    "motor.left.target": 1,
+    "motor.right.target": 1,
+    "acc": 3,
+}
 
 
 class Node:
@@ -66,7 +68,8 @@ class Node:
     @property
     def lacking(self) -> list[str]:
         """The variables that we read and it has not."""
-        return [name for name in READ if name not in self._remote.var_offset]
+        sizes = self._remote.var_size
+        return [name for name, size in READ.items() if sizes.get(name) != size]
 
     def place(self, variable: str) -> tuple[int, int]:
         """The first word of a variable and how many it has."""
@@ -77,14 +80,14 @@ class Node:
         offset, length = self._remote.data_span_for_variables(set(READ))
         return offset, length
 
-    def bytecode(self) -> list[int]:
-        """Our program for it.
+    def bytecode(self, token: int) -> list[int]:
+        """Our program for it, which says the token when it begins.
 
         Raises:
             LookupError: it lacks something that the program needs.
         """
         try:
-            code: list[int] = Assembler(self._remote, assembly()).assemble()
+            code: list[int] = Assembler(self._remote, assembly(token)).assemble()
         except Exception as error:
             # The assembler has no exception of its own.
             raise LookupError(str(error)) from error

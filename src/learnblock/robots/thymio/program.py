@@ -43,7 +43,8 @@ TONE = Event(4, "tone", 2)
 #: The number of one of the robot's sounds, or of one on its memory card.
 SOUND = Event(5, "sound", 1)
 PLAY = Event(6, "play", 1)
-#: What it tells us: that it runs, and what it has just shown or sounded, with the event's number.
+#: What it tells us: that it runs, with its token, and what it has just shown or sounded, with the
+#: event's number.
 READY = Event(7, "ready", 1)
 DONE = Event(8, "done", 4)
 
@@ -61,8 +62,12 @@ NATIVES: Mapping[Event, str] = {
 }
 
 
-def assembly() -> str:
-    """The program for `thymiodirect.assembler`; its variables lie where the robot's own end."""
+def assembly(token: int) -> str:
+    """The program for `thymiodirect.assembler`; its variables lie where the robot's own end.
+
+    Args:
+        token: what it says when it begins, 0 to 2000, by which it is known from another's.
+    """
     vectors = "\n".join(f"    dc {event.number}, {event.name}" for event in COMMANDS)
     calls = "\n".join(_call(event, native) for event, native in NATIVES.items())
     return f"""
@@ -76,7 +81,9 @@ end_of_vectors:
 start:
     push.s {TICK}
     store timer.period
-    emit {READY.number}, life, {READY.size}
+    push.s {token}
+    store done
+    emit {READY.number}, done, {READY.size}
 rest:
     push.s 0
     store motor.left.target
