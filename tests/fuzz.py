@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+import coppeliasim_answers
 from learnblock import language
 from learnblock.blocks import builtin, load_configurations
 from learnblock.errors import LearnBlockError
@@ -70,6 +71,7 @@ def targets(folder: Path) -> tuple[Target, ...]:
             texts(PACKAGE / "blocks" / "configurations", "*.json")
             + texts(TESTS / "blocks" / "malformed", "*.json"),
         ),
+        Target("CoppeliaSim's answers", coppeliasim_answers.read, coppeliasim_answers.texts()),
     )
 
 

@@ -1,15 +1,19 @@
 """CoppeliaSim's ZeroMQ remote API, by the vendor's own client with time limits and a lock."""
 
+import math
 import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from time import monotonic
 from types import ModuleType
 from typing import Any
 
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.real import require
 
+#: What a client may be told to do instead of an answer: nothing, wait, or ask again.
+_WAITS = (None, "_*wait*_", "_*repeat*_")
 #: How often a request is sent before the link counts as lost. Repeating one does no harm: all of
 #: ours either ask or set.
 ATTEMPTS = 3
@@ -37,7 +41,7 @@ class Remote:
         self._patience = patience
         self._zmq = library.zmq
         with _main_module_unchanged():
-            self._client = library.RemoteAPIClient(address, port)
+            self._client = _client_class(library)(address, port)
         self._prepare_socket(library.zmq)
         self._lock = threading.Lock()
         self._lost: str | None = None
@@ -115,6 +119,7 @@ class Remote:
             if self._lost:
                 raise RobotConnectionError(self._lost)
             for _ in range(ATTEMPTS):
+                self._client.deadline = monotonic() + self._patience / ATTEMPTS
                 try:
                     return request()
                 except self._zmq.Again:
@@ -135,6 +140,24 @@ class Remote:
     def _lose(self, why: str) -> RobotConnectionError:
         self._lost = f"{self.place} {why}"
         return RobotConnectionError(self._lost)
+
+
+def _client_class(library: ModuleType) -> Any:
+    """The vendor's client, which would wait as often as it is told to, and call what it is told."""
+
+    class BoundedClient(library.RemoteAPIClient):  # type: ignore[misc, name-defined]
+        #: By `monotonic`.
+        deadline = math.inf
+
+        def _recv(self) -> Any:
+            if monotonic() > self.deadline:
+                raise library.zmq.Again
+            reply = super()._recv()
+            if isinstance(reply, dict) and reply.get("func") not in _WAITS:
+                raise ValueError(f"it calls {reply['func']!r:.80}, which is not here")
+            return reply
+
+    return BoundedClient
 
 
 @contextmanager
