@@ -31,9 +31,13 @@ def test_the_base_stops_where_the_drive_fails():
     robot = FakeRobot(only=[Base])
     base = robot.device(Base)
     poses = iter([(0, 0, 0), (50, 0, 0)])
-    base.functions["read"] = lambda: next(poses, None) or (_ for _ in ()).throw(
-        RobotConnectionError("lost")
-    )
+
+    def read():
+        for pose in poses:
+            return pose
+        raise RobotConnectionError("lost")
+
+    base.functions["read"] = read
     (tried,) = try_out(robot, lambda question: True)
     assert (tried.works, tried.detail) == (False, "lost")
     assert ("Base.move", 0.0, 0.0) == robot.commands[-1]
