@@ -1,11 +1,13 @@
 """CoppeliaSim through the vendor's client: three scenes, the paper's programs, and broken wires."""
 
 import math
+import re
 import socket
 import subprocess
 import sys
 import threading
 from contextlib import closing, contextmanager
+from pathlib import Path
 from time import monotonic
 
 import pytest
@@ -426,3 +428,25 @@ def test_a_scan_where_nobody_is_ends_in_time(monkeypatch):
     began = monotonic()
     assert list(Robot.scan(0.5)) == []
     assert monotonic() - began < 1.5
+
+
+# Its page.
+
+PAGE = Path(__file__).parents[2] / "docs" / "robots" / "coppeliasim.md"
+
+
+def test_the_pages_example_is_a_file_of_settings(own_home):
+    (own_home / "settings.toml").write_text(
+        re.search("```toml\n(.*?)```", PAGE.read_text(), re.S)[1]
+    )
+    settings = user_settings.load("coppeliasim", Settings)
+    assert (settings.scene, settings.wheel_radius, len(settings.front)) == ("names", 97.5, 2)
+
+
+def test_the_page_names_every_setting_with_its_default():
+    rows = re.findall(r"^\| (`\w+`(?:, `\w+`)*) \| (.*?) \|", PAGE.read_text(), re.M)
+    told = {name: default for names, default in rows for name in re.findall(r"`(\w+)`", names)}
+    fields = {one.name: one.default for one in user_settings.describe("coppeliasim", Settings)}
+    assert fields.keys() <= told.keys()
+    for name in ("port", "patience", "wheel_radius"):
+        assert float(told[name]) == fields[name]
