@@ -27,6 +27,7 @@ def _robot(entry: robots.RobotEntry) -> dict[str, Any]:
     problem = ""
     try:
         devices = entry.load().device_names()
+        problem = "" if devices else "(what its settings say)"
     except LearnBlockError as error:
         problem = str(error)
     return {

@@ -12,7 +12,7 @@ from runs import EXAMPLES, WORLDS, run_example
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
 #: Seconds of each run: what is asked is that all its devices answer; the paper's own programs are
 #: run to their ends in the tests of each robot.
-SECONDS = 1.5
+SECONDS = 0.8
 
 
 def missing(name, robot):
