@@ -49,6 +49,10 @@ class Attribute:
     def close(self) -> None:
         self._file.close()
 
+    def lose(self) -> None:
+        """Have nothing to say any more, also to those who have it open."""
+        self._file.truncate(0)
+
     def _write(self) -> None:
         # At one go: a reader finds the old value or the new one.
         self._file.seek(0)
@@ -127,6 +131,7 @@ class Sensor(Device):
         decimals: int = 0,
     ) -> None:
         super().__init__(folder)
+        self.plugged = True
         self._measure, self._mode, self._decimals = measure, modes[0], decimals
         self._add("address", f"ev3-ports:in{port}")
         self._add("driver_name", driver)
@@ -143,6 +148,12 @@ class Sensor(Device):
         mode = self["mode"].written()
         if mode is not None and mode in self["modes"].value.split():
             self["mode"].tell(mode)
+
+    def unplug(self) -> None:
+        """Pull its cable: the kernel forgets it."""
+        self.plugged = False
+        for attribute in self._attributes.values():
+            attribute.lose()
 
     def report(self) -> None:
         """Let readers find what it measures; in other modes, nothing."""
@@ -202,8 +213,9 @@ class Tree:
         for port, motor in self.motors.items():
             motor.report(turned[port])
         for sensor in self.sensors.values():
-            sensor.obey()
-            sensor.report()
+            if sensor.plugged:
+                sensor.obey()
+                sensor.report()
 
     def close(self) -> None:
         for device in (*self.motors.values(), *self.sensors.values()):

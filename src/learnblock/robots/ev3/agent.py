@@ -24,7 +24,7 @@ From then on each word of the client is answered with the brick's state, or with
     {"say": "hello"}
     {}                          how is it?
 
-Motors stop when the client has said nothing for 0.4 s, and at the end of the conversation.
+Motors stop when the client has said nothing for 0.3 s, and at the end of the conversation.
 """
 
 import argparse
@@ -50,11 +50,11 @@ PORT = 18813
 LONGEST_LINE = 4096
 #: Seconds without a word until the motors stop, until a client makes room for another one, and
 #: until a stranger has to have shown that it knows the secret.
-SILENCE, ABSENCE, INTRODUCTION = 0.4, 3.0, 3.0
+SILENCE, ABSENCE, INTRODUCTION = 0.3, 1.5, 3.0
 #: Connections at a time; all but one are strangers.
 MOST_CLIENTS = 8
 #: What a second client is told.
-TAKEN = "is used by another program, or was until a moment ago"
+TAKEN = {"error": "is used by another program, or was until a moment ago", "taken": True}
 #: For each kind of sensor: its drivers, its mode, and what the value is multiplied with.
 KINDS = {
     "ultrasonic": (("lego-ev3-us", "lego-nxt-us"), "US-DIST-CM", 10.0),
@@ -306,7 +306,7 @@ class Guard:
             return {"state": self._brick.state(), "speaks": bool(shutil.which("espeak"))}
 
     def _watch(self) -> None:
-        while not self._closed.wait(0.05):
+        while not self._closed.wait(0.02):
             silent = time.monotonic() - self.heard
             if silent > SILENCE and self._moves:
                 with self._lock:
@@ -441,8 +441,9 @@ class Agent:
     def _welcome(self) -> None:
         connection, _ = self._listener.accept()
         if len(self._clients) >= MOST_CLIENTS:
-            connection.close()
-            return
+            # Who has waited longest without a proof makes room.
+            strangers = [client for client in self._clients.values() if not client.guard]
+            self._dismiss(min(strangers, key=lambda client: client.since))
         try:
             self._clients[connection] = Conversation(connection)
         except OSError:
@@ -464,6 +465,8 @@ class Agent:
         """The answer to a stranger, who is the client from then on if all is well."""
         try:
             self._check(client, parsed(line))
+            if self._is_taken():
+                return json.dumps(TAKEN)
             client.guard = serve(line, Motor, list_sensors)
         except BrickError as error:
             return json.dumps({"error": str(error)})
@@ -473,11 +476,15 @@ class Agent:
         proof = hmac.new(self._token, client.nonce.encode(), hashlib.sha256).hexdigest()
         if not hmac.compare_digest(proof.encode(), str(word.get("proof")).encode()):
             raise BrickError("does not know this computer's `token`: learnblock robots setup ev3")
+
+    def _is_taken(self) -> bool:
+        """Whether there is a client; one that has long been silent is let go."""
         for other in list(self._clients.values()):
             if other.guard:
                 if time.monotonic() - other.guard.heard < ABSENCE:
-                    raise BrickError(TAKEN)
+                    return True
                 self._dismiss(other)
+        return False
 
     def _dismiss(self, client: Conversation) -> None:
         self._clients.pop(client.connection, None)

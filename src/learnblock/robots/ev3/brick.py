@@ -60,3 +60,7 @@ Word = Look | Drive | Tone | Say
 
 class NoSuchWayError(RobotConnectionError):
     """Nobody answers on this way to the brick; another way may be open."""
+
+
+class TakenError(RobotConnectionError):
+    """The brick is used by another program."""

@@ -13,7 +13,7 @@ from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.wires import open_wire
 
 #: How long a motor runs without being told again: the firmware has no watchdog, but timed commands.
-RUN = 400
+RUN = 300
 #: For each kind of sensor: its type, its mode, and what the value is multiplied with.
 KINDS = {
     "ultrasonic": (30, 0, 10.0),

@@ -7,7 +7,7 @@ from typing import TypeVar
 import msgspec
 
 from learnblock.errors import RobotConnectionError
-from learnblock.robots.ev3.brick import Drive, Look, Say, State, Tone, Word
+from learnblock.robots.ev3.brick import Drive, Look, Say, State, TakenError, Tone, Word
 from learnblock.robots.ev3.settings import Settings
 
 #: Bytes of the longest line that is read.
@@ -27,6 +27,8 @@ class Answer(msgspec.Struct, frozen=True):
     state: State | None = None
     error: str | None = None
     speaks: bool = False
+    #: Whether another client is the reason.
+    taken: bool = False
 
 
 _Line = TypeVar("_Line", Greeting, Answer)
@@ -51,10 +53,12 @@ def answer(line: bytes | str, where: str) -> Answer:
     Raises:
         ValueError: no agent says that.
         RobotConnectionError: the brick complains.
+        TakenError: it has another client.
     """
     said = _read(line, Answer)
     if said.error is not None:
-        raise RobotConnectionError(f"the EV3 at {where} {said.error[:200]}")
+        kind = TakenError if said.taken else RobotConnectionError
+        raise kind(f"the EV3 at {where} {said.error[:200]}")
     if said.state is None:
         raise ValueError("an answer without a state")
     return said

@@ -9,7 +9,7 @@ from time import monotonic
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.ev3.brick import Look, State, Word
 
-#: Seconds between two words of a program that says nothing: the brick stops its motors after 0.4.
+#: Seconds between two words of a program that says nothing: the brick stops its motors after 0.3.
 PULSE = 0.1
 #: Seconds for which a state is good enough for another sensor: all come in one answer.
 FRESH = 0.01

@@ -36,9 +36,9 @@ def begin(line):
     except BrickError as error:
         lock.close()
         return json.dumps({"error": str(error)})
-    except OSError:
+    except BlockingIOError:
         lock.close()
-        return json.dumps({"error": TAKEN})
+        return json.dumps(TAKEN)
     return guard.answer("{}")
 
 def answer(line):
@@ -78,7 +78,7 @@ class RpycLink(Link):
         return self._read(said)
 
     def farewell(self) -> None:
-        self._asked(self._connection.namespace["end"])
+        self._asked(self._connection.root.eval, "end()")
         self._connection.close()
 
     def hang_up(self) -> None:
@@ -87,20 +87,24 @@ class RpycLink(Link):
     def _connected(self, patience: float) -> Any:
         stream = _bounded_stream(self._rpyc)(self._socket)
         try:
-            # Not the classic client, which would let the brick execute what it likes here.
-            return self._rpyc.connect_stream(
-                stream, self._rpyc.core.service.ClassicClient, {"sync_request_timeout": patience}
+            # A classic client would let the brick execute what it likes here, and needs many round
+            # trips to begin.
+            connection = self._rpyc.connect_stream(
+                stream, self._rpyc.core.service.FakeSlaveService, {"sync_request_timeout": patience}
             )
+            connection.ping(timeout=patience)
+            return connection
         except Exception as error:
             raise NoSuchWayError(f"what answers at {self.where} is no rpyc server") from error
 
     def _begin(self, settings: Settings) -> Any:
         agent = resources.files("learnblock.robots.ev3").joinpath("agent.py").read_text("utf-8")
         try:
-            self._connection.execute(agent + BEGIN)
-            begin = self._connection.namespace["begin"]
-            answer = self._connection.namespace["answer"]
-            said = begin(lines.introduction(settings, "").decode())
+            slave = self._connection.root
+            slave.execute(agent + BEGIN)
+            evaluate = slave.eval
+            said = evaluate(f"begin({lines.introduction(settings, '').decode()!r})")
+            answer = evaluate("answer")
         except Exception as error:
             raise RobotConnectionError(
                 f"the EV3 at {self.where} cannot be driven by rpyc ({_first_line(error)}):"

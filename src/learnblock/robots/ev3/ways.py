@@ -1,15 +1,20 @@
 """Which way a brick is reached: the one that was chosen, or the first that is open."""
 
 from collections.abc import Callable
+from time import monotonic, sleep
 
 import msgspec
 
 from learnblock.robots.ev3.agent_link import AgentLink
-from learnblock.robots.ev3.brick import NoSuchWayError, State
+from learnblock.robots.ev3.brick import NoSuchWayError, State, TakenError
 from learnblock.robots.ev3.direct_link import DirectLink
 from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.rpyc_link import RpycLink
 from learnblock.robots.ev3.settings import Settings
+
+#: Seconds for which a brick that is used by another program is asked again: it lets go of one that
+#: has been silent for 1.5.
+PATIENCE = 1.8
 
 _WAYS: dict[str, Callable[[Settings, Callable[[State], None]], Link]] = {
     "agent": AgentLink,
@@ -29,10 +34,22 @@ def find_way(settings: Settings, told: Callable[[State], None]) -> Link:
         RobotConnectionError: there is none; the sentence says what was tried.
     """
     if settings.connection != "auto":
-        return _WAYS[settings.connection](settings, told)
-    if settings.device:
-        return DirectLink(settings, told)
-    return _first_open(settings, told)
+        way = _WAYS[settings.connection]
+    else:
+        way = DirectLink if settings.device else _first_open
+    return _when_free(lambda: way(settings, told))
+
+
+def _when_free(attempt: Callable[[], Link]) -> Link:
+    """A brick does not always notice at once that its last program is gone."""
+    deadline = monotonic() + PATIENCE
+    while True:
+        try:
+            return attempt()
+        except TakenError:
+            if monotonic() > deadline:
+                raise
+        sleep(0.2)
 
 
 def _first_open(settings: Settings, told: Callable[[State], None]) -> Link:

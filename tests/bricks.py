@@ -1,0 +1,116 @@
+"""EV3 bricks in tests: an emulated one by each way in, and a clock that makes short work of it."""
+
+import socket
+import threading
+import time
+from contextlib import contextmanager
+
+from learnblock.clock import WallClock
+from learnblock.emulators import Emulation
+from learnblock.emulators.ev3 import Emulator
+from learnblock.emulators.twin import Twin
+from learnblock.testing import Relay
+
+WAYS = ("agent", "rpyc", "direct")
+#: How much faster than real time a quick world runs, and the programs in it.
+SPEED = 12
+
+
+class QuickClock(WallClock):
+    """The time of a robot whose world runs faster than real time."""
+
+    def time(self):
+        return super().time() * SPEED
+
+    def sleep(self, seconds):
+        super().sleep(seconds / SPEED)
+
+
+def quicken(monkeypatch):
+    """Let robots and programs go by a quick world's time."""
+    monkeypatch.setattr("learnblock.client.WallClock", QuickClock)
+    monkeypatch.setattr("learnblock.runtime.remote.WallClock", QuickClock)
+
+
+@contextmanager
+def brick(way, world="empty", *, speed=1, start=None):
+    """An emulated brick; patience is short, since nothing on this machine takes long."""
+    emulators = []
+
+    def begin():
+        emulators.append(Emulator(twin, connection=way))
+        return emulators[0]
+
+    twin = Twin("sim-ev3", world, speed=speed, start=start)
+    with Emulation(begin, twin) as emulation:
+        emulation.settings = {**emulation.settings, "patience": 0.8}
+        emulation.brick = emulators[0].brick
+        yield emulation
+
+
+@contextmanager
+def relayed(way, **others):
+    """An emulated brick behind a wire that can fail: the emulation, the relay, the settings."""
+    with brick(way, **others) as emulation:
+        settings = emulation.settings
+        port = port_of(settings)
+        with Relay((settings["address"], settings[port])) as relay:
+            yield emulation, relay, {**settings, port: relay.port}
+
+
+def port_of(settings):
+    """The name of the setting that holds the port of the way in."""
+    return f"{settings['connection']}_port"
+
+
+def wait_for(condition, what, seconds=5.0):
+    """Wait until it holds."""
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline, f"in vain: {what}"
+        time.sleep(0.005)
+
+
+def x_of(twin):
+    """How far the twin has come along x, mm."""
+    with twin.body() as body:
+        return body.pose[0]
+
+
+def stands_after(twin):
+    """Seconds of the world from now until the twin stands."""
+    began = twin.time
+    last, since = x_of(twin), began
+    deadline = time.monotonic() + 5
+    while twin.time < since + 0.3:
+        assert time.monotonic() < deadline, "it does not stand"
+        if abs(x_of(twin) - last) > 0.05:
+            last, since = x_of(twin), twin.time
+        time.sleep(0.002)
+    return since - began
+
+
+@contextmanager
+def mute_server():
+    """A machine that takes connections and says nothing; answers its port."""
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        held = []
+        listener.settimeout(0.05)
+        ended = threading.Event()
+
+        def take():
+            while not ended.is_set():
+                try:
+                    held.append(listener.accept()[0])
+                except TimeoutError:
+                    continue
+
+        thread = threading.Thread(target=take)
+        thread.start()
+        try:
+            yield listener.getsockname()[1]
+        finally:
+            ended.set()
+            thread.join()
+            for one in held:
+                one.close()
