@@ -8,7 +8,6 @@ does nothing but wait for the driver's end:
     self.guardian.dismiss()                                  in `disconnect`, when the motors stand
 """
 
-import importlib
 import signal
 import subprocess
 import sys
@@ -18,6 +17,7 @@ from typing import Any
 
 import msgspec
 
+from learnblock import robots
 from learnblock.errors import LearnBlockError
 from learnblock.robots.real import RealRobot
 from learnblock.robots.settings import RobotSettings
@@ -65,7 +65,7 @@ class Guardian:
 def _guard(module: str) -> None:
     # Ctrl-C is for the program, whose end is our beginning.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    robot = importlib.import_module(module).Robot
+    robot: Any = robots.find(module).load()
     settings = msgspec.json.decode(sys.stdin.buffer.readline(), type=robot.settings_type)
     # Returns when the other end is closed: nobody but the driver has it, and its death closes it.
     sys.stdin.buffer.read()
