@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import coppeliasim_answers
+import ev3_wires
 from learnblock import language
 from learnblock.blocks import builtin, load_configurations
 from learnblock.errors import LearnBlockError
@@ -72,6 +73,8 @@ def targets(folder: Path) -> tuple[Target, ...]:
             + texts(TESTS / "blocks" / "malformed", "*.json"),
         ),
         Target("CoppeliaSim's answers", coppeliasim_answers.read, coppeliasim_answers.texts()),
+        Target("EV3's agent", ev3_wires.read_agent, ev3_wires.agent_texts()),
+        Target("EV3's firmware", ev3_wires.read_firmware, ev3_wires.firmware_texts()),
     )
 
 

@@ -32,7 +32,7 @@ fi
 #: Starts it so that it stays when we log out, and waits until it listens.
 START = """
 nohup ./{agent} --port {port} > {log} 2>&1 < /dev/null &
-for attempt in $(seq 100); do
+while kill -0 $! 2> /dev/null; do
     if grep -q listening {log}; then exit 0; fi
     sleep 0.1
 done
