@@ -28,6 +28,7 @@ class Twin:
         speed: times real time.
 
     Attributes:
+        speed: times real time.
         path: (time s, pose) of the robot every 0.1 s.
 
     Raises:
@@ -51,6 +52,7 @@ class Twin:
         self._simulation.witnesses[self._body.name] = self
         self._closed = threading.Event()
         self._thread = threading.Thread(target=self._live, name="twin", daemon=True)
+        self.speed = speed
         self.path: list[tuple[float, Pose]] = []
 
     def __enter__(self) -> Self:

@@ -34,11 +34,11 @@ class Emulator:
     def __init__(self, twin: Twin, *, address: str = "127.0.0.1", port: int = 0) -> None:
         require("pycozmo", "cozmo")
         # They need pycozmo, which only those install who want a Cozmo.
-        from learnblock.emulators.cozmo.machine import Machine  # noqa: PLC0415
+        from learnblock.emulators.cozmo.machine import TICK, Machine  # noqa: PLC0415
         from learnblock.emulators.cozmo.server import Server  # noqa: PLC0415
 
         self.machine = Machine(twin)
-        self._server = Server(self.machine, address, port)
+        self._server = Server(self.machine, address, port, TICK / twin.speed)
         self.settings: Mapping[str, Any] = {"address": address, "port": self._server.port}
 
     def close(self) -> None:

@@ -4,7 +4,6 @@ import json
 import math
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator
-from time import monotonic
 from typing import Any
 
 from pycozmo import protocol_encoder as packets
@@ -19,6 +18,8 @@ TRACK = 45.0
 """mm between the treads (pycozmo.robot)."""
 PIVOT, ARM = 45.0, 66.0
 """mm: the height of the lift's pivot, and the length of its arm (pycozmo.robot)."""
+TICK = 0.03
+"""Seconds between two reports of its state."""
 PICTURE_PERIOD = 1 / 15
 """Seconds between two pictures."""
 CALIBRATION = 0.1
@@ -39,12 +40,14 @@ class Machine:
     Attributes:
         received: how many packets of each name have arrived.
         heard: the last frames of sound that arrived, each 744 samples in the robot's encoding.
+        felt: the emotions that it has shown, in their order.
         volume: 0 to 65535.
     """
 
     def __init__(self, twin: Twin) -> None:
         self.received: Counter[str] = Counter()
         self.heard: deque[bytes] = deque(maxlen=4500)
+        self.felt: list[str] = []
         self.volume = 65535
         self._twin = twin
         self._speeds = (0.0, 0.0)
@@ -96,7 +99,8 @@ class Machine:
             # A speed that is no number: the robot does what it did before.
             return ()
 
-    def tick(self, now: float) -> Iterator[Any]:
+    def tick(self) -> Iterator[Any]:
+        now = self._twin.time
         if self._calibrated_at is not None and now >= self._calibrated_at:
             self._calibrated_at = None
             yield from (packets.MotorCalibration(motor_id=motor) for motor in _JOINTS)
@@ -119,7 +123,7 @@ class Machine:
         if self._enabled:
             return ()
         self._enabled = True
-        self._calibrated_at = monotonic() + CALIBRATION
+        self._calibrated_at = self._twin.time + CALIBRATION
         return (
             packets.BodyInfo(serial_number=0x45A00001, body_hw_version=5, body_color=2),
             *(packets.MotorCalibration(motor_id=motor, calib_started=True) for motor in _JOINTS),
@@ -197,8 +201,9 @@ class Machine:
         with self._twin.body() as body:
             if name is None:
                 body.note("Display", "image")
-            else:
+            elif name != body.emotion:
                 body.show_emotion(name)
+                self.felt.append(name)
 
     # What it reports.
 

@@ -20,8 +20,6 @@ from learnblock.emulators.cozmo.frames import (
     following,
 )
 
-TICK = 0.03
-"""Seconds between two reports of the robot's state."""
 RESEND = 0.05
 """Seconds after which what was not acknowledged is sent again (Anki's ReliableConnection)."""
 SILENCE = 5.0
@@ -40,8 +38,8 @@ class Robot(Protocol):
     def handle(self, packet: Any) -> Iterable[Any]:
         """A packet arrived: what is answered."""
 
-    def tick(self, now: float) -> Iterable[Any]:
-        """Live on; `now` is in seconds: what is reported."""
+    def tick(self) -> Iterable[Any]:
+        """Live on: what is reported."""
 
     def rest(self) -> None:
         """Nobody is connected any more."""
@@ -99,13 +97,15 @@ class Server:
         robot: stands behind it.
         address: where it listens.
         port: of UDP; 0 takes a free one.
+        period: seconds between two reports of the robot.
 
     Raises:
         OSError: it cannot listen there.
     """
 
-    def __init__(self, robot: Robot, address: str, port: int) -> None:
+    def __init__(self, robot: Robot, address: str, port: int, period: float) -> None:
         self._robot = robot
+        self._period = period
         self._session: _Session | None = None
         self._closed = threading.Event()
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -133,7 +133,7 @@ class Server:
                 self._receive()
             if (now := monotonic()) >= due:
                 # Not one report after the other if the machine was busy.
-                due = max(due + TICK, now)
+                due = max(due + self._period, now)
                 self._tick(now)
         self._leave()
 
@@ -180,7 +180,7 @@ class Server:
             return
         self._emit(session, session.overdue(now))
         # Each of them may be lost without the others.
-        for packet in self._robot.tick(now):
+        for packet in self._robot.tick():
             self._send(session, (packet,))
 
     def _leave(self) -> None:

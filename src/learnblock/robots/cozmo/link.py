@@ -228,7 +228,7 @@ def resolved(address: str, port: int) -> Address:
     """
     try:
         found = socket.getaddrinfo(address, port, socket.AF_INET, socket.SOCK_DGRAM)
-    except OSError as error:
+    except (OSError, UnicodeError) as error:
         raise RobotConnectionError(
             f"Cozmo cannot be reached: the network knows no address `{address}` ({error})"
         ) from error

@@ -20,6 +20,8 @@ POLL = 0.005
 """Seconds after which it is looked whether the robot has answered."""
 CALIBRATION = 3.0
 """Seconds that it may take the robot to find out where its head and its lift are."""
+FIRST_PICTURE = 1.0
+"""Seconds for which a program waits for the camera to begin; then it starts without."""
 LOUDEST = 65535
 
 # What pycozmo notes is for its developers; users are told by our own errors.
@@ -125,6 +127,9 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         self.enable_camera(color=colour)
         self.conn.send(packets.EnableStopOnCliff(enable=stop_at_cliff))
         self.set_volume(LOUDEST * volume // 100)
+        until = monotonic() + FIRST_PICTURE
+        while self._picture is None and monotonic() < until:
+            threading.Event().wait(POLL)
 
     # How it is met.
 
@@ -164,6 +169,11 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         origin = (pkt.pose_frame_id, pkt.pose_origin_id)
         self.odometry.follow(origin, pkt.pose_x, pkt.pose_y, pkt.pose_angle_rad)
         self._reported = True
+
+    def _on_image_chunk(self, cli: Any, pkt: Any) -> None:
+        # A single byte comes as a list, with which pycozmo cannot go on.
+        pkt.data = bytes(pkt.data)
+        super()._on_image_chunk(cli, pkt)
 
     def _process_completed_image(self) -> None:
         # Decoded when somebody asks for it.
