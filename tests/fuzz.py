@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import coppeliasim_answers
+import cozmo_wires
 import ev3_wires
 from learnblock import language
 from learnblock.blocks import builtin, load_configurations
@@ -73,6 +74,9 @@ def targets(folder: Path) -> tuple[Target, ...]:
             + texts(TESTS / "blocks" / "malformed", "*.json"),
         ),
         Target("CoppeliaSim's answers", coppeliasim_answers.read, coppeliasim_answers.texts()),
+        Target("Cozmo's frames", cozmo_wires.read_frame, cozmo_wires.frame_texts()),
+        Target("Cozmo's pictures", cozmo_wires.read_picture, cozmo_wires.picture_texts()),
+        Target("Cozmo's screen", cozmo_wires.read_screen, cozmo_wires.screen_texts()),
         Target("EV3's agent", ev3_wires.read_agent, ev3_wires.agent_texts()),
         Target("EV3's firmware", ev3_wires.read_firmware, ev3_wires.firmware_texts()),
     )
