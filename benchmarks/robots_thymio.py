@@ -13,14 +13,12 @@ import math
 import socket
 import statistics
 import sys
-import tempfile
 import threading
 from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
 from time import monotonic, perf_counter, sleep
 
-import pytest
 from thymiodirect.connection import RemoteNode
 from thymiodirect.message import Message
 
@@ -31,7 +29,7 @@ from learnblock.simulator.geometry import Pose
 TESTS = Path(__file__).parents[1] / "tests"
 sys.path.insert(0, str(TESTS))
 
-from playground import Playground, bus, missing  # noqa: E402 - found through the line above
+from playground import Playground, missing  # noqa: E402 - found through the line above
 
 #: mm from the robot's middle to its front sensor.
 FRONT = 79.5
@@ -131,12 +129,7 @@ def bare(port: int) -> tuple[float, float]:
 
 def main() -> None:
     """Measure all of it and print it."""
-    patch = pytest.MonkeyPatch()
-    with (
-        tempfile.TemporaryDirectory() as folder,
-        bus(Path(folder), patch),
-        closing(Playground("empty")) as ground,
-    ):
+    with closing(Playground("empty")) as ground:
         with Robot(**ground.settings) as robot:
             unit, track = speed(ground, robot)
             print(f"a wheel at motor speed 1: {unit:.4f} mm/s; between the wheels: {track:.1f} mm")
@@ -153,7 +146,6 @@ def main() -> None:
         library = bare(ground.settings["port"])
         print(f"\nmove: {ours[0]:.1f} us, by thymiodirect alone {library[0]:.1f} us")
         print(f"read: {ours[1]:.1f} us, by thymiodirect alone {library[1]:.1f} us")
-    patch.undo()
 
 
 if __name__ == "__main__":

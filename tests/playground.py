@@ -1,11 +1,15 @@
 """Aseba's playground in tests, where its Thymio is seen and moved by D-Bus."""
 
+import os
 import re
 import shutil
 import subprocess
+import tempfile
 import threading
 from contextlib import contextmanager
+from pathlib import Path
 from time import monotonic
+from unittest.mock import patch
 
 import pytest
 
@@ -37,11 +41,23 @@ class Playground(thymio.Emulator):
     """A playground whose robot can be seen, lifted and touched."""
 
     def __init__(self, world, **place):
-        super().__init__(world, **place)
+        if missing():
+            pytest.skip(missing())
+        self._files = tempfile.TemporaryDirectory(prefix="bus-")
+        self._bus, address = begin_bus(Path(self._files.name))
+        self._environment = {**os.environ, "DBUS_SESSION_BUS_ADDRESS": address}
+        with patch.dict(os.environ, self._environment, QT_QPA_PLATFORM="offscreen"):
+            super().__init__(world, **place)
         robot = self._call("/world", "ch.epfl.mobots.EnkiWorld.PhysicalObjectsByType", "Thymio2")
         number = re.search(r"'(\w+)'", robot).group(1)
         self._robot = f"/world/objects/{number}"
         self._call("/world", "ch.epfl.mobots.EnkiWorld.PhysicalObject", number)
+
+    def close(self):
+        super().close()
+        self._bus.terminate()
+        self._bus.wait()
+        self._files.cleanup()
 
     @property
     def pose(self):
@@ -82,18 +98,17 @@ class Playground(thymio.Emulator):
         command = ["gdbus", "call", *SERVICE, path, "--method", method, *arguments]
         until = monotonic() + 10
         while True:
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            done = subprocess.run(
+                command, env=self._environment, capture_output=True, text=True, check=False
+            )
             if done.returncode == 0:
                 return done.stdout
             # It listens a moment before it is on the bus.
             assert monotonic() < until, done.stderr
 
 
-@contextmanager
-def bus(folder, monkeypatch):
-    """A D-Bus of our own, for the playground and for us; the environment leads to it."""
-    if missing():
-        pytest.skip(missing())
+def begin_bus(folder):
+    """A D-Bus for one playground alone, since all of them take the same name; and its address."""
     (folder / "bus.conf").write_text(BUS)
     daemon = subprocess.Popen(
         ["dbus-daemon", "--config-file", folder / "bus.conf", "--nofork", "--print-address"],
@@ -101,11 +116,5 @@ def bus(folder, monkeypatch):
         stderr=subprocess.DEVNULL,
         text=True,
     )
-    try:
-        monkeypatch.setenv("DBUS_SESSION_BUS_ADDRESS", daemon.stdout.readline().strip())
-        monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
-        yield
-    finally:
-        daemon.terminate()
-        daemon.wait()
-        daemon.stdout.close()
+    with daemon.stdout:
+        return daemon, daemon.stdout.readline().strip()

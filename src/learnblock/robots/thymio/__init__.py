@@ -41,7 +41,7 @@ class Robot(RealRobot[ThymioSettings]):
 
     @classmethod
     def device_names(cls) -> frozenset[str]:
-        lamps = {f"RGBLed:{slot}" for slot in equipment.LAMPS}
+        lamps = {f"RGBLed:{slot}" for slot in equipment.SLOTS}
         kinds = "Accelerometer Base Controller Display DistanceSensors GroundSensors Speaker"
         return frozenset(lamps | {f"{kind}:ROBOT" for kind in kinds.split()})
 
@@ -57,10 +57,11 @@ class Robot(RealRobot[ThymioSettings]):
         self.add(GroundSensors(lambda: units.ground(link.read("prox.ground.delta"))))
         self.add(Accelerometer(lambda: units.acceleration(link.read("acc"))))
         self.add(Controller(partial(equipment.buttons, link)))
-        self.add(Display(partial(equipment.show, link)))
         self.add(Speaker(play=partial(equipment.play, link), tone=partial(equipment.tone, link)))
-        for slot, lamp in equipment.LAMPS.items():
-            self.add(RGBLed(partial(equipment.light, link, lamp)), slot)
+        lamps = {slot: equipment.Lamp(link, event) for slot, event in equipment.SLOTS.items()}
+        self.add(Display(partial(equipment.show, lamps.values())))
+        for slot, lamp in lamps.items():
+            self.add(RGBLed(lamp.light), slot)
 
     def disconnect(self) -> None:
         with ExitStack() as ending:

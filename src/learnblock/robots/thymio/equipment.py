@@ -1,6 +1,6 @@
 """What a Thymio's lamps, loudspeaker and buttons are told and read through a link."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from learnblock.devices import Emotion
 from learnblock.robots.thymio import units
@@ -8,7 +8,7 @@ from learnblock.robots.thymio.link import Link
 from learnblock.robots.thymio.program import LEFT, PLAY, RIGHT, SOUND, TONE, TOP, Event
 
 #: Its coloured lamps, by the slots that programs use.
-LAMPS: Mapping[str, Event] = {"Up": TOP, "Left": LEFT, "Right": RIGHT}
+SLOTS: Mapping[str, Event] = {"Up": TOP, "Left": LEFT, "Right": RIGHT}
 #: The colour of all of them for each emotion.
 EMOTIONS: Mapping[str, tuple[int, int, int]] = {
     Emotion.JOY: (0, 255, 0),
@@ -31,15 +31,32 @@ ARROWS: Mapping[str, str] = {
 LACKING = ("rUp", "rLeft", "rRight", "rDown")
 
 
-def light(link: Link, lamp: Event, red: int, green: int, blue: int) -> None:
-    """Give a lamp a colour, each part 0 to 255."""
-    link.tell(lamp, units.level(red), units.level(green), units.level(blue))
+class Lamp:
+    """One of its coloured lamps.
+
+    Args:
+        link: to the robot.
+        event: by which the robot's program lights it.
+    """
+
+    def __init__(self, link: Link, event: Event) -> None:
+        self._link, self._event = link, event
+        self._shown: tuple[int, ...] | None = None
+
+    def light(self, red: int, green: int, blue: int) -> None:
+        """Give it a colour, each part 0 to 255; nothing is sent when it has that already."""
+        self._link.check()
+        levels = tuple(map(units.level, (red, green, blue)))
+        # A program that asks a thousand times a second would keep the cable from all else.
+        if levels != self._shown:
+            self._link.tell(self._event, *levels)
+            self._shown = levels
 
 
-def show(link: Link, emotion: str) -> None:
-    """Show an emotion as the colour of all lamps."""
-    for lamp in LAMPS.values():
-        light(link, lamp, *EMOTIONS[emotion])
+def show(lamps: Iterable[Lamp], emotion: str) -> None:
+    """Show an emotion as the colour of these lamps."""
+    for lamp in lamps:
+        lamp.light(*EMOTIONS[emotion])
 
 
 def tone(link: Link, hertz: float, milliseconds: float) -> None:

@@ -32,13 +32,20 @@ class Motors:
     def drive(self, left: int, right: int) -> None:
         """Turn the wheels at these motor speeds, -500 to 500, until told otherwise.
 
+        The same speeds again are left to the repetition: a program that asks a thousand times a
+        second would keep the cable from all else.
+
         Raises:
             RobotConnectionError: the robot is gone.
         """
         with self._telling:
-            self._speeds = left, right
+            if (left, right) == self._speeds == (0, 0):
+                # Whoever stands can be left alone, even when another program has the robot now.
+                return
             self._link.check()
-            self._link.tell(DRIVE, left, right)
+            if (left, right) != self._speeds:
+                self._speeds = left, right
+                self._link.tell(DRIVE, left, right)
 
     def close(self) -> None:
         """Repeat no more, and wait a moment for the robot to say that it stands."""

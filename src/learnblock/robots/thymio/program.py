@@ -14,7 +14,7 @@ from dataclasses import dataclass
 #: Milliseconds of a tick of the watchdog.
 TICK = 50
 #: Ticks without a command after which the motors stop.
-LIVES = 7
+LIVES = 5
 
 
 @dataclass(frozen=True, slots=True)
