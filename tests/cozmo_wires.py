@@ -52,7 +52,7 @@ def read_picture(text: str) -> None:
 def picture_texts() -> tuple[str, ...]:
     noise = np.random.default_rng(0).integers(0, 256, (240, 320, 3), np.uint8)
     smooth = np.full((240, 320, 3), 90, np.uint8)
-    coded = [code(one) for one in (noise, smooth) for code in (picture.minimized, picture.halved)]
+    coded = [code(one) for one in (noise, smooth) for code in (picture.grey, picture.coloured)]
     return tuple(data.decode("latin-1") for data in coded)
 
 

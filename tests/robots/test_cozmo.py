@@ -79,7 +79,7 @@ def test_two_seconds_at_slow_wire_are_enough_to_connect():
 #: mm by which the path may be from the twin's own in lock-step, while time runs four times as fast
 #: as ours on a machine that does other things as well. In real time it was 8 mm.
 TOLERANCE = 60
-PAPERS = [("square.bt", "empty", 80), ("tags.bt", "tags", 30)]
+PAPERS = [("square.bt", "empty", 80), ("tags.bt", "tags", 24)]
 
 
 @pytest.mark.parametrize(("name", "world", "seconds"), PAPERS)

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from PIL import Image
 from pycozmo import camera, protocol_encoder
 
+from learnblock.emulators.cozmo import huffman
+
 PIECE = 1000
 """Bytes of picture in a packet; a frame holds 1037."""
 
@@ -21,20 +23,18 @@ def pieces(
 
     Args:
         frame: 320 by 240.
-        colour: whether the robot was told to send colours; they come in half the width, and here as
-            whole JPEG files, which the protocol has as well, while a real robot cuts their header
-            off too.
+        colour: whether the robot was told to send colours; they come in half the width.
         number: of the picture.
         timestamp: of the robot, in milliseconds.
     """
-    kinds = protocol_encoder.ImageEncoding
-    data = halved(frame) if colour else minimized(frame)
+    data = coloured(frame) if colour else grey(frame)
     parts = [data[start : start + PIECE] for start in range(0, len(data), PIECE)]
     for index, part in enumerate(parts):
         yield protocol_encoder.ImageChunk(
             frame_timestamp=timestamp,
             image_id=number,
-            image_encoding=kinds.JPEGColorHalfWidth if colour else kinds.JPEGMinimizedGray,
+            # Of coloured ones as well: their first byte tells.
+            image_encoding=protocol_encoder.ImageEncoding.JPEGMinimizedGray,
             image_resolution=protocol_encoder.ImageResolution.QVGA,
             image_chunk_count=len(parts),
             chunk_id=index,
@@ -42,25 +42,22 @@ def pieces(
         )
 
 
-def halved(frame: NDArray[np.uint8]) -> bytes:
-    """A coloured picture of half the width, as JPEG."""
-    height, width = frame.shape[:2]
-    return _jpeg(Image.fromarray(frame).resize((width // 2, height)))
+def coloured(frame: NDArray[np.uint8]) -> bytes:
+    """A picture of half the width: 1, and its coded pixels."""
+    height, width = frame.shape[0], frame.shape[1] // 2
+    file = _jpeg(Image.fromarray(frame).resize((width, height)), subsampling="4:2:2")
+    return b"\1" + huffman.with_one_pair_of_tables(file, width, height)
 
 
-def minimized(frame: NDArray[np.uint8]) -> bytes:
-    """A grey picture as the robot sends it: 0, and the coded pixels without escapes."""
-    whole = _jpeg(Image.fromarray(frame).convert("L"))
-    start = whole.index(b"\xff\xda")
-    start += 2 + int.from_bytes(whole[start + 2 : start + 4], "big")
-    coded = whole[start:].removesuffix(b"\xff\xd9")
-    return b"\0" + coded.replace(b"\xff\0", b"\xff")
+def grey(frame: NDArray[np.uint8]) -> bytes:
+    """A picture of full width: 0, and its coded pixels."""
+    return b"\0" + huffman.scan(_jpeg(Image.fromarray(frame).convert("L")))
 
 
-def _jpeg(picture: Any) -> bytes:
+def _jpeg(picture: Any, **options: str) -> bytes:
     file = io.BytesIO()
     # With the standard Huffman tables: the receiver's header has these and no others.
-    picture.save(file, "JPEG", qtables=_quantization(), optimize=False)
+    picture.save(file, "JPEG", qtables=_quantization(), optimize=False, **options)
     return file.getvalue()
 
 
