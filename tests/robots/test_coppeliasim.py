@@ -62,8 +62,8 @@ class Place:
 
 
 @contextmanager
-def coppeliasim(robot="sim-ev3", world="empty"):
-    with Twin(robot, world) as twin, closing(Emulator(twin)) as emulator:
+def coppeliasim(robot="sim-ev3", world="empty", start=None):
+    with Twin(robot, world, start=start) as twin, closing(Emulator(twin)) as emulator:
         yield Place(twin, emulator)
 
 
@@ -220,7 +220,7 @@ def farthest(path, other):
 
 @pytest.mark.parametrize(
     ("example", "scene", "world", "seconds"),
-    [("square.bt", "script", "empty", 9), ("avoid.bt", "names", "obstacles", 5)],
+    [("square.bt", "script", "empty", 8), ("avoid.bt", "names", "obstacles", 4)],
 )
 def test_a_program_drives_as_the_twin_does(example, scene, world, seconds, own_home):
     with coppeliasim(world=world) as there:
@@ -232,6 +232,17 @@ def test_a_program_drives_as_the_twin_does(example, scene, world, seconds, own_h
     expected = path_of(pose for _, pose in twins.recorder.path)
     assert math.dist(driven[0], driven[-1]) > 100
     assert farthest(driven, expected) < 15
+
+
+def test_the_papers_tags_are_visited_with_the_twins_emotions(own_home):
+    start = (215.0, -84.2, 60.0)
+    with coppeliasim("sim-ebo", "tags", start) as there:
+        there.save_settings("script")
+        finished = run_example("tags.bt", "coppeliasim", seconds=4)
+        assert there.twin.goals()["tag 1"]
+    twins = run_example("tags.bt", "sim-ebo", world="tags", start=start, seconds=4)
+    assert finished.report.error is None
+    assert finished.report.emotions == twins.report.emotions == ("neutral", "joy")
 
 
 # Safety and broken wires.

@@ -7,14 +7,12 @@ under ``/Robot``. CoppeliaSim counts metres, and radians counterclockwise.
 
 import math
 from collections.abc import Callable, Mapping
-from time import monotonic
 from typing import Any
 
 from learnblock.devices import NOTHING_SEEN
+from learnblock.emulators.coppeliasim_scripts import OurScript, PaperScript
 from learnblock.emulators.twin import Twin
 
-#: Seconds without a sign of life after which our scene script stops the motors.
-WATCHDOG = 0.35
 STOPPED, PAUSED, RUNNING = 0, 8, 17
 #: Of the API: constants have the values that CoppeliaSim gives them.
 CONSTANTS: Mapping[str, int] = {
@@ -25,10 +23,6 @@ CONSTANTS: Mapping[str, int] = {
     "simulation_paused": PAUSED,
     "simulation_stopped": STOPPED,
 }
-#: What our scene script knows to serve.
-DEVICES = (
-    "Base", "Camera", "Display", "DistanceSensors", "GroundSensors", "Gyroscope", "LightSensor",
-)  # fmt: skip
 
 
 class SceneError(Exception):
@@ -50,9 +44,6 @@ class TwinScene:
                 side: range(len(seen)) for side, seen in body.distances().items() if seen
             }
         self._state = STOPPED
-        self._heard = 0.0
-        self._alive = False
-        self._wanted = (0.0, 0.0)
         self._wheels = {"left": 0.0, "right": 0.0}
         self._handles = {path: 10 + number for number, path in enumerate(self._paths())}
         self.functions: Mapping[str, Callable[..., Any]] = {
@@ -65,25 +56,15 @@ class TwinScene:
             "pauseSimulation": lambda: self._simulate(PAUSED),
             "readProximitySensor": self._proximity,
             "readVisionSensor": self._vision,
-            "setBoolParam": lambda _parameter, _value: None,
+            "setBoolParam": self._set_bool_param,
             "setJointTargetVelocity": self._turn,
             "startSimulation": lambda: self._simulate(RUNNING),
             "stopSimulation": lambda: self._simulate(STOPPED),
         }
+        self._ours = OurScript(twin, self._handles.get("/Robot/camera", -1))
         self._scripts: Mapping[str, Mapping[str, Callable[..., Any]]] = {
-            "/LearnBlock": {
-                "describe": self._describe,
-                "drive": self._drive,
-                "sense": self._sense,
-                "show": self._show,
-            },
-            "/Funciones": {
-                "On": self._on,
-                "ResetGyroA": self._reset_gyroscope,
-                "SensorGyroA": lambda *_: ([round(self._gyroscope())], [], [], ""),
-                "SensorLight": lambda *_: ([round(self._ground("central"))], [], [], ""),
-                "SensorSonar": lambda *_: ([], [self._nearest()], [], ""),
-            },
+            "/LearnBlock": self._ours.functions,
+            "/Funciones": PaperScript(twin).functions,
         }
 
     @property
@@ -105,10 +86,8 @@ class TwinScene:
         }
 
     def watch(self) -> None:
-        """Stop the motors of a script that has not been heard of."""
-        if self._alive and monotonic() - self._heard > WATCHDOG:
-            self._alive = False
-            self._move(0, 0)
+        """Let time pass for the script."""
+        self._ours.watch()
 
     # The API.
 
@@ -128,10 +107,15 @@ class TwinScene:
                 return path
         raise SceneError(f"Object does not exist: {handle}.")
 
+    def _set_bool_param(self, _parameter: int, value: object) -> None:
+        """Its only one is real time, which is all there is here."""
+        if not isinstance(value, bool):
+            raise SceneError("one of the function's argument type is not correct")
+
     def _simulate(self, state: int) -> None:
-        self._state, self._alive, self._wanted = state, False, (0.0, 0.0)
+        self._state = state
         if state != RUNNING:
-            self._move(0, 0)
+            self._ours.begin()
 
     def _call_script_function(self, function: str, handle: int, *arguments: Any) -> Any:
         if self._state == STOPPED:
@@ -187,7 +171,8 @@ class TwinScene:
     def _vision(self, handle: int) -> Any:
         """A detection, and 15 numbers: the average intensity is the eleventh."""
         side = self._path(handle).removeprefix("/Robot/ground_")
-        level = self._ground(side) / 100
+        with self._twin.body() as body:
+            level = (body.ground()[side] or 0.0) / 100
         return -1, [level] * 15, []
 
     def _image(self, handle: int) -> Any:
@@ -198,65 +183,3 @@ class TwinScene:
         height, width = frame.shape[:2]
         # The lowest row comes first.
         return frame[::-1].tobytes(), [width, height]
-
-    # The paper's script; it is called as its client in the paper calls it.
-
-    def _on(self, _integers: Any, numbers: Any, _texts: Any, _buffer: Any) -> Any:
-        adv, rot = numbers
-        self._move(adv, math.degrees(rot))
-        return [], [], [], ""
-
-    def _reset_gyroscope(self, *_: Any) -> Any:
-        with self._twin.body() as body:
-            body.reset_gyroscope()
-        return [], [], [], ""
-
-    def _gyroscope(self) -> float:
-        with self._twin.body() as body:
-            if body.description.gyroscope:
-                return body.gyroscope()
-            return body.chassis.turned
-
-    def _ground(self, side: str) -> float:
-        with self._twin.body() as body:
-            return body.ground()[side] or 0.0
-
-    def _nearest(self) -> float:
-        """m; 0 where nothing is seen, which is what V-REP's proximity sensors answer then."""
-        with self._twin.body() as body:
-            seen = min(body.distances()["front"], default=NOTHING_SEEN)
-        return 0.0 if seen >= NOTHING_SEEN else seen / 1000
-
-    # Our script.
-
-    def _hear(self) -> None:
-        """Heard again, a program drives on as it commanded."""
-        self._heard = monotonic()
-        if not self._alive:
-            self._alive = True
-            self._move(*self._wanted)
-
-    def _drive(self, adv: float, rot: float) -> None:
-        self._wanted = (adv, rot)
-        self._hear()
-        self._move(adv, rot)
-
-    def _describe(self) -> Mapping[str, Any]:
-        self._drive(0, 0)
-        announced = {name.partition(":")[0] for name in self._about.devices()} | {"Gyroscope"}
-        devices = [name for name in DEVICES if name in announced]
-        return {"devices": devices, "camera": self._handles.get("/Robot/camera", -1)}
-
-    def _sense(self) -> Mapping[str, Any]:
-        self._hear()
-        with self._twin.body() as body:
-            senses: dict[str, Any] = {"pose": body.pose}
-            senses["distances"] = {side: body.distances()[side] for side in self._sides}
-            grounds = {side: seen for side, seen in body.ground().items() if seen is not None}
-            light = body.light() if body.description.light else 0.0
-        return {**senses, "light": light, **({"ground": grounds} if grounds else {})}
-
-    def _show(self, emotion: str) -> None:
-        self._hear()
-        with self._twin.body() as body:
-            body.show_emotion(emotion)

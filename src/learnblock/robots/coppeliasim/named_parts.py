@@ -129,11 +129,10 @@ class NamedParts:
         self._remote.call("setJointTargetVelocity", joint, speed / self._settings.wheel_radius)
 
     def _axle(self) -> Axle:
-        return Axle(*(self._ask(matrix, "getObjectMatrix", one) for one in self._wheels))
+        return Axle(self._place(self._left), self._place(self._right))
 
-    @property
-    def _wheels(self) -> tuple[int, int]:
-        return self._left, self._right
+    def _place(self, joint: int) -> Matrix:
+        return self._ask(matrix, "getObjectMatrix", joint, self._remote.constant("handle_world"))
 
     def _distances(self) -> Callable[[], Mapping[str, Sequence[float]]]:
         sides = {

@@ -139,7 +139,8 @@ end
 function buildWheel(name, side)
     -- A joint turns about its z, which looks to the left: so a positive speed is forward.
     local half = math.sqrt(0.5)
-    local joint = sim.createJoint(sim.joint_revolute, sim.jointmode_dynamic, 0, {0.04, 0.01})
+    local kind = sim.joint_revolute or sim.joint_revolute_subtype
+    local joint = sim.createJoint(kind, sim.jointmode_dynamic, 0, {0.04, 0.01})
     local pose = {AXLE_X, side * TRACK / 2, WHEEL_RADIUS - HULL_Z, -half, 0, 0, half}
     attach(joint, name .. 'Motor', hull, pose)
     sim.setObjectInt32Param(joint, sim.jointintparam_dynctrlmode, sim.jointdynctrl_velocity)
@@ -185,8 +186,9 @@ end
 
 function buildDistance(name, degrees)
     -- A ray along the sensor's z, from before the hull and its face; to the right is a negative turn.
+    local kind = sim.proximitysensor_ray or sim.proximitysensor_ray_subtype
     local sensor = sim.createProximitySensor(
-        sim.proximitysensor_ray, 16, 0, {3, 3, 2, 2, 1, 1, 0, 0},
+        kind, 16, 0, {3, 3, 2, 2, 1, 1, 0, 0},
         {0, RANGE, 0.01, 0.01, 0.01, 0.01, 0, 0, 0, 0, 0, 0, 0.01, 0, 0}
     )
     local turn = math.rad(-degrees)
@@ -212,7 +214,11 @@ function makeBody(shape, density, friction)
     -- Its parts do not touch each other, and everything else.
     sim.setObjectInt32Param(shape, sim.shapeintparam_respondable_mask, 0xff00)
     sim.computeMassAndInertia(shape, density)
-    sim.setEngineFloatParam(sim.bullet_body_friction, shape, friction)
+    if sim.setFloatProperty then
+        sim.setFloatProperty(shape, 'bullet.friction', friction)
+    else
+        sim.setEngineFloatParam(sim.bullet_body_friction, shape, friction)
+    end
 end
 
 function attach(object, name, parent, pose)

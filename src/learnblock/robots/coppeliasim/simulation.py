@@ -31,7 +31,8 @@ class Simulation:
         Raises:
             RobotConnectionError: it does not start.
         """
-        self._remote.call("setBoolParam", self._remote.constant("boolparam_realtime_simulation"), 1)
+        real_time = self._remote.constant("boolparam_realtime_simulation")
+        self._remote.call("setBoolParam", real_time, True)  # noqa: FBT003 - as the API has it
         deadline, pause = monotonic() + self._patience, Event()
         while (state := self._state()) not in MOVING:
             if monotonic() > deadline:

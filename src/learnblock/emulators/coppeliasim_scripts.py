@@ -1,0 +1,132 @@
+"""The scripts of the emulated scene: ours, and the paper's."""
+
+import math
+from collections.abc import Callable, Mapping
+from time import monotonic
+from typing import Any
+
+from learnblock.devices import NOTHING_SEEN
+from learnblock.emulators.twin import Twin
+
+#: Seconds without a word from the program after which our scene script stops the motors.
+WATCHDOG = 0.35
+#: What our scene script knows to serve.
+DEVICES = (
+    "Base", "Camera", "Display", "DistanceSensors", "GroundSensors", "Gyroscope", "LightSensor",
+)  # fmt: skip
+
+Functions = Mapping[str, Callable[..., Any]]
+
+
+class OurScript:
+    """What `scene.lua` does: our units, and a watchdog.
+
+    Args:
+        twin: the robot.
+        camera: the handle of its camera, or -1.
+    """
+
+    def __init__(self, twin: Twin, camera: int) -> None:
+        self._twin = twin
+        self._camera = camera
+        self._heard = 0.0
+        self._alive = False
+        self._wanted = (0.0, 0.0)
+        self.functions: Functions = {
+            "describe": self._describe,
+            "drive": self._drive,
+            "sense": self._sense,
+            "show": self._show,
+        }
+
+    def begin(self) -> None:
+        """Stand, and hear of nobody."""
+        self._alive, self._wanted = False, (0.0, 0.0)
+        self._move(0, 0)
+
+    def watch(self) -> None:
+        """Stop the motors when nothing is heard."""
+        if self._alive and monotonic() - self._heard > WATCHDOG:
+            self._alive = False
+            self._move(0, 0)
+
+    def _hear(self) -> None:
+        """Heard again, a program drives on as it commanded."""
+        self._heard = monotonic()
+        if not self._alive:
+            self._alive = True
+            self._move(*self._wanted)
+
+    def _move(self, adv: float, rot: float) -> None:
+        with self._twin.body() as body:
+            body.drive(adv, rot)
+
+    def _drive(self, adv: float, rot: float) -> None:
+        self._wanted = (adv, rot)
+        self._hear()
+        self._move(adv, rot)
+
+    def _describe(self) -> Mapping[str, Any]:
+        self._drive(0, 0)
+        with self._twin.body() as body:
+            present = {name.partition(":")[0] for name in body.description.devices()}
+        devices = [name for name in DEVICES if name in present | {"Gyroscope"}]
+        return {"devices": devices, "camera": self._camera}
+
+    def _sense(self) -> Mapping[str, Any]:
+        self._hear()
+        with self._twin.body() as body:
+            distances = {side: seen for side, seen in body.distances().items() if seen}
+            grounds = {side: seen for side, seen in body.ground().items() if seen is not None}
+            light = body.light() if body.description.light else 0.0
+            senses = {"pose": body.pose, "distances": distances, "ground": grounds, "light": light}
+        # A table of Lua that is empty says not whether it is one of keys.
+        return {name: sensed for name, sensed in senses.items() if sensed != {}}
+
+    def _show(self, emotion: str) -> None:
+        self._hear()
+        with self._twin.body() as body:
+            body.show_emotion(emotion)
+
+
+class PaperScript:
+    """What `Funciones` does: each function takes and answers three lists and a buffer.
+
+    Args:
+        twin: the robot.
+    """
+
+    def __init__(self, twin: Twin) -> None:
+        self._twin = twin
+        self.functions: Functions = {
+            "On": self._on,
+            "ResetGyroA": self._reset_gyroscope,
+            "SensorGyroA": lambda *_: ([round(self._turned())], [], [], ""),
+            "SensorLight": lambda *_: ([round(self._light())], [], [], ""),
+            "SensorSonar": lambda *_: ([], [self._nearest()], [], ""),
+        }
+
+    def _on(self, _integers: Any, numbers: Any, _texts: Any, _buffer: Any) -> Any:
+        adv, rot = numbers
+        with self._twin.body() as body:
+            body.drive(adv, math.degrees(rot))
+        return [], [], [], ""
+
+    def _reset_gyroscope(self, *_: Any) -> Any:
+        with self._twin.body() as body:
+            body.reset_gyroscope()
+        return [], [], [], ""
+
+    def _turned(self) -> float:
+        with self._twin.body() as body:
+            return body.gyroscope()
+
+    def _light(self) -> float:
+        with self._twin.body() as body:
+            return body.ground()["central"] or 0.0
+
+    def _nearest(self) -> float:
+        """In m; 0 where nothing is seen, as V-REP's proximity sensors answer then."""
+        with self._twin.body() as body:
+            seen = min(body.distances()["front"], default=NOTHING_SEEN)
+        return 0.0 if seen >= NOTHING_SEEN else seen / 1000
