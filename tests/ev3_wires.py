@@ -10,7 +10,7 @@ from learnblock.robots.ev3 import agent, direct, lines, scan, wires
 from learnblock.robots.ev3.brick import Look, State
 from learnblock.robots.ev3.link import Link
 
-OPERATIONS = (direct.kind_of(2), direct.turned(1), direct.reading(3, 0))
+QUESTION = direct.Question([direct.kind_of(2), direct.turned(1), direct.reading(3, 0)])
 REPLY = struct.pack("<HBbb2xif", 7, 2, 30, 1, -720, 12.5)
 
 
@@ -30,7 +30,7 @@ def firmware_texts():
     """Messages of the firmware, its commands and its beacon."""
     whole = struct.pack("<H", len(REPLY)) + REPLY
     beacon = b"Serial-Number: 0016533f0c1e\r\nPort: 5555\r\nName: EV3\r\nProtocol: EV3\r\n"
-    command = direct.command(7, [*OPERATIONS, direct.turn(1, 50, 300), direct.tone(440, 100)])
+    command = direct.command(7, direct.turn(1, 50, 300) + direct.tone(440, 100), QUESTION)
     return tuple(data.decode("latin-1") for data in (whole, REPLY, beacon, command))
 
 
@@ -56,7 +56,7 @@ def read_firmware(text):
 def read_reply(data):
     body = Bytes(data).receive(1)
     try:
-        direct.answered(body, 7, OPERATIONS)
+        direct.answered(body, 7, QUESTION)
     except direct.RefusedError as refusal:
         raise LearnBlockError from refusal
     return State(0, 0)
@@ -66,6 +66,7 @@ class Bytes(wires.Stream):
     """A wire on which these bytes come."""
 
     def __init__(self, data):
+        super().__init__()
         self.data = data
 
     def read(self, most, patience):

@@ -1,5 +1,6 @@
 """EV3 by each way in: agent, rpyc and LEGO's own firmware, to a brick that moves a twin."""
 
+import ast
 import math
 import re
 import signal
@@ -26,7 +27,8 @@ from bricks import (
 from learnblock.devices import Base, Bumper, DistanceSensors, GroundSensors, Gyroscope, Speaker
 from learnblock.errors import RobotConnectionError
 from learnblock.robots import connect, find
-from learnblock.robots.ev3 import Settings
+from learnblock.robots import settings as user_settings
+from learnblock.robots.ev3 import Robot, Settings
 from learnblock.robots.ev3.brick import State
 from learnblock.robots.ev3.wheels import Odometry, turns
 from learnblock.running import Options, Session, program, read
@@ -220,6 +222,13 @@ def test_a_link_that_is_cut_during_a_run_ends_it_with_a_sentence_and_the_next_ru
         assert (again.ended, again.error) == ("finished", None)
 
 
+def test_the_example_of_the_guide_drives(capsys):
+    guide = (EXAMPLES.parent / "docs" / "robots" / "ev3.md").read_text(encoding="utf-8")
+    exec(re.search(r"```python\n(.*?)```", guide, re.DOTALL)[1], {})  # noqa: S102 - our own guide
+    x, _, _ = ast.literal_eval(capsys.readouterr().out)
+    assert 15 < x < 40
+
+
 # A brick without its program.
 
 
@@ -272,6 +281,19 @@ def test_of_two_programs_on_one_brick_the_second_is_refused_and_the_first_drives
         wait_for(lambda: x_of(emulation.twin) > begun + 20, "the first one drives on")
         first.stop()
         ev3(emulation.settings).stop()
+
+
+@pytest.mark.parametrize("way", ["agent", "rpyc"])
+def test_a_scan_finds_a_brick_at_the_address_that_is_set(way):
+    with brick(way) as emulation:
+        user_settings.change("ev3", Settings, "address", "127.0.0.1")
+        for other in ("agent_port", "rpyc_port"):
+            port = emulation.settings.get(other, closed_port())
+            user_settings.change("ev3", Settings, other, str(port))
+        began = time.monotonic()
+        found = list(Robot.scan(1.0))
+        assert time.monotonic() - began < 2.5
+    assert {"connection": way, "address": "127.0.0.1"} in found
 
 
 # Bricks that are not there, or not as they should be.

@@ -31,39 +31,39 @@ def test_numbers_take_as_few_bytes_as_in_legos_examples():
 
 
 def test_a_tone_is_legos_example():
-    assert direct.tone(1000, 1000, volume=2).code.hex() == "94010282e80382e803"
+    assert direct.tone(1000, 1000, volume=2).hex() == "94010282e80382e803"
 
 
 def test_a_motor_is_turned_for_a_time_and_stopped():
-    assert direct.turn(1, 50, 300).code.hex() == "af00028132" + "00822c0100" + "01"
-    assert direct.stop(3).code.hex() == "a3000801"
+    assert direct.turn(1, 50, 300).hex() == "af00028132" + "00822c0100" + "01"
+    assert direct.stop(3).hex() == "a3000801"
 
 
 def test_a_command_names_the_places_of_its_results_each_at_a_multiple_of_its_size():
-    operations = [direct.kind_of(2), direct.turned(1), direct.reading(3, 0)]
+    question = direct.Question([direct.kind_of(2), direct.turned(1), direct.reading(3, 0)])
     code = "99050002" + "6061" + "b30001" + "64" + "991d0003000001" + "68"
-    body = struct.pack("<HBH", 7, 0, 12) + bytes.fromhex(code)
-    assert direct.command(7, operations) == struct.pack("<H", len(body)) + body
+    body = struct.pack("<HBH", 7, 0, 12) + bytes.fromhex("01" + code)
+    assert direct.command(7, bytes.fromhex("01"), question) == struct.pack("<H", len(body)) + body
 
 
 def test_a_reply_gives_the_results_in_order():
-    operations = [direct.kind_of(2), direct.turned(1), direct.reading(3, 0)]
+    question = direct.Question([direct.kind_of(2), direct.turned(1), direct.reading(3, 0)])
     body = struct.pack("<HB", 7, 2) + struct.pack("<bb2xif", 30, 1, -720, 12.5)
-    assert direct.answered(body, 7, operations) == [30, 1, -720, 12.5]
+    assert direct.answered(body, 7, question) == (30, 1, -720, 12.5)
 
 
 def test_the_reply_to_an_earlier_command_is_passed_over_and_a_refusal_told():
-    assert direct.answered(struct.pack("<HB", 6, 2), 7, []) is None
+    assert direct.answered(struct.pack("<HB", 6, 2), 7, direct.Question([])) is None
     with pytest.raises(direct.RefusedError):
-        direct.answered(struct.pack("<HB", 7, 4), 7, [])
+        direct.answered(struct.pack("<HB", 7, 4), 7, direct.Question([]))
 
 
 @settings(max_examples=500, deadline=None)
 @given(st.binary(max_size=40) | st.binary(max_size=40).map(lambda rest: b"\x07\0\x02" + rest))
 def test_a_reply_is_read_or_refused(body):
-    operations = [direct.kind_of(2), direct.turned(1), direct.reading(3, 0)]
+    question = direct.Question([direct.kind_of(2), direct.turned(1), direct.reading(3, 0)])
     try:
-        results = direct.answered(body, 7, operations)
+        results = direct.answered(body, 7, question)
     except (ValueError, direct.RefusedError):
         return
     assert results is None or len(results) == 4
@@ -73,6 +73,7 @@ class Bytes(wires.Stream):
     """A wire on which these bytes come."""
 
     def __init__(self, data):
+        super().__init__()
         self.data = data
 
     def read(self, most, patience):
@@ -94,14 +95,14 @@ def test_bytes_of_a_wire_are_messages_or_refused(data):
 def test_what_is_rounded_off_a_speed_is_made_up_for_later():
     motor = Motor(1)
     motor.speed = 2.4
-    percents = [motor.operations(told=False)[0] for _ in range(10)]
+    percents = [motor.orders(told=False) for _ in range(10)]
     assert sum(one == direct.turn(1, 3, 300) for one in percents) == 4
     assert sum(one == direct.turn(1, 2, 300) for one in percents) == 6
     motor.speed = 250.0
-    assert motor.operations(told=True) == [direct.turn(1, 100, 300)]
+    assert motor.orders(told=True) == direct.turn(1, 100, 300)
     motor.speed = 0.0
-    assert motor.operations(told=True) == [direct.stop(1)]
-    assert motor.operations(told=False) == []
+    assert motor.orders(told=True) == direct.stop(1)
+    assert motor.orders(told=False) == b""
 
 
 # Beacons.

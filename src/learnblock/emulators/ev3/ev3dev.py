@@ -31,6 +31,7 @@ class Attribute(io.FileIO):
 ev3dev2.io = types.SimpleNamespace(FileIO=Attribute)
 ev3dev2.Device.DEVICE_ROOT_PATH = sys.argv[1]
 server = ThreadedServer(SlaveService, hostname=sys.argv[2], port=int(sys.argv[3]))
+server._listen()
 print("listening at port", server.port, flush=True)
 server.start()
 """

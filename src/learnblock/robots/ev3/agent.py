@@ -516,7 +516,11 @@ def main() -> None:
     # By it, another setup finds the agent that it is to replace.
     with open(os.path.join(os.path.dirname(options.token), ".learnblock-pid"), "w") as file:
         file.write(str(os.getpid()))
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        # What nohup lets it ignore, it ignores.
+        if number and signal.getsignal(number) != signal.SIG_IGN:
+            signal.signal(number, lambda *_: sys.exit(0))
     with listen(options.address, options.port) as listener:
         print("listening at port", listener.getsockname()[1], flush=True)  # noqa: T201 - for setup
         try:

@@ -1,6 +1,6 @@
 """What is said to a brick, and what it says of itself, whichever way it is reached."""
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import msgspec
 
@@ -27,29 +27,25 @@ class State(msgspec.Struct, frozen=True):
     touch: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Look:
+class Look(NamedTuple):
     """Only its state is asked for."""
 
 
-@dataclass(frozen=True, slots=True)
-class Drive:
+class Drive(NamedTuple):
     """Turn the wheels at these speeds, degrees/s, forward positive, until told otherwise."""
 
     left: float
     right: float
 
 
-@dataclass(frozen=True, slots=True)
-class Tone:
+class Tone(NamedTuple):
     """Sound for a while."""
 
     hertz: float
     milliseconds: float
 
 
-@dataclass(frozen=True, slots=True)
-class Say:
+class Say(NamedTuple):
     """Speak."""
 
     text: str

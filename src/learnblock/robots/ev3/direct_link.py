@@ -1,13 +1,13 @@
 """The way to a brick with LEGO's own firmware: direct commands over WiFi, Bluetooth or USB."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from time import monotonic
 
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.ev3 import direct
 from learnblock.robots.ev3.brick import Drive, NoSuchWayError, Say, State, Tone, Word
-from learnblock.robots.ev3.direct import Operation
+from learnblock.robots.ev3.direct import Question
 from learnblock.robots.ev3.link import PULSE, Link
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.wires import open_wire
@@ -45,13 +45,13 @@ class DirectLink(Link):
         self._counter = 0
         self._motors = [Motor("ABCD".index(port)) for port in (settings.left, settings.right)]
         self._per_percent = settings.full_speed / 100
-        self._sensors: dict[str, tuple[Operation, float]] = {}
+        self._factors: dict[str, float] = {}
         self._renewed = 0.0
         self._wire = open_wire(
             settings.device, settings.address, settings.direct_port, settings.patience
         )
         try:
-            self._find_plugged(settings)
+            self._question = self._find_plugged(settings)
         except (OSError, ValueError) as error:
             self._wire.close()
             if isinstance(error, RobotConnectionError):
@@ -62,71 +62,72 @@ class DirectLink(Link):
             raise
 
     def exchange(self, word: Word) -> State:
-        operations = [*self._told_to(word), *self._driven(now=isinstance(word, Drive))]
-        operations += [direct.turned(motor.port) for motor in self._motors]
-        operations += [read for read, _ in self._sensors.values()]
-        left, right, *readings = self._asked(operations)
+        orders = self._told_to(word) + self._driven(now=isinstance(word, Drive))
+        left, right, *readings = self._asked(orders, self._question)
         sensors = {
             kind: None if math.isnan(reading) else reading * factor
-            for (kind, (_, factor)), reading in zip(self._sensors.items(), readings, strict=True)
+            for (kind, factor), reading in zip(self._factors.items(), readings, strict=True)
         }
         return State(left=left, right=right, **sensors)
 
     def hang_up(self) -> None:
         self._wire.close()
 
-    def _told_to(self, word: Word) -> list[Operation]:
+    def _told_to(self, word: Word) -> bytes:
         match word:
             case Drive(left, right):
                 self._motors[0].speed = left / self._per_percent
                 self._motors[1].speed = right / self._per_percent
             case Tone(hertz, milliseconds):
                 # What the firmware takes: audible, and at most half a minute.
-                return [
-                    direct.tone(
-                        round(min(max(hertz, 250), 10000)),
-                        round(min(max(milliseconds, 0), 32767)),
-                    )
-                ]
+                return direct.tone(
+                    round(min(max(hertz, 250), 10000)), round(min(max(milliseconds, 0), 32767))
+                )
             case Say():
                 raise RobotConnectionError(f"the EV3 at {self.where} cannot speak")
-        return []
+        return b""
 
-    def _driven(self, *, now: bool) -> list[Operation]:
+    def _driven(self, *, now: bool) -> bytes:
         """What keeps the motors turning as they do, when it is time for it."""
         if not now and monotonic() - self._renewed < 0.9 * PULSE:
-            return []
+            return b""
         self._renewed = monotonic()
-        return [operation for motor in self._motors for operation in motor.operations(told=now)]
+        return b"".join(motor.orders(told=now) for motor in self._motors)
 
-    def _find_plugged(self, settings: Settings) -> None:
+    def _find_plugged(self, settings: Settings) -> Question:
+        """What is asked from now on: how far the motors have turned, and what the sensors read."""
         ports = [*range(4), *(FIRST_MOTOR + motor.port for motor in self._motors)]
-        types = self._asked([direct.kind_of(port) for port in ports])[::2]
-        for there, port in zip(types[4:], (settings.left, settings.right), strict=True):
+        types = self._asked(b"", Question([direct.kind_of(port) for port in ports]))[::2]
+        for there, name in zip(types[4:], (settings.left, settings.right), strict=True):
             if there not in MOTORS:
-                raise RobotConnectionError(f"the EV3 at {self.where} has no motor at port {port}")
+                raise RobotConnectionError(f"the EV3 at {self.where} has no motor at port {name}")
+        queries = [direct.turned(motor.port) for motor in self._motors]
         for kind, wished in settings.sensors.items():
-            self._find_sensor(kind, wished, types[:4])
+            number, mode, factor = KINDS[kind]
+            port = self._port_of(kind, number, wished, types[:4])
+            if port is not None:
+                queries.append(direct.reading(port, mode))
+                self._factors[kind] = factor
+        return Question(queries)
 
-    def _find_sensor(self, kind: str, wished: str, types: list[float]) -> None:
-        number, mode, factor = KINDS[kind]
+    def _port_of(self, kind: str, number: int, wished: str, types: Sequence[float]) -> int | None:
         for port, there in enumerate(types):
             if there == number and wished in {"", str(port + 1)}:
-                self._sensors[kind] = direct.reading(port, mode), factor
-                return
+                return port
         if wished:
             raise RobotConnectionError(
                 f"the EV3 at {self.where} has no sensor `{kind}` at port {wished}"
             )
+        return None
 
-    def _asked(self, operations: list[Operation]) -> list[float]:
+    def _asked(self, orders: bytes, question: Question) -> tuple[float, ...]:
         self._counter = (self._counter + 1) % 0x10000
-        self._wire.send(direct.command(self._counter, operations))
+        self._wire.send(direct.command(self._counter, orders, question))
         deadline = monotonic() + self._patience
         while True:
             reply = self._wire.receive(deadline - monotonic())
             try:
-                results = direct.answered(reply, self._counter, operations)
+                results = direct.answered(reply, self._counter, question)
             except direct.RefusedError:
                 raise RobotConnectionError(
                     f"the firmware of the EV3 at {self.where} refuses to do what it is told"
@@ -151,12 +152,12 @@ class Motor:
         self.speed = 0.0
         self._owed = 0.0
 
-    def operations(self, *, told: bool) -> list[Operation]:
+    def orders(self, *, told: bool) -> bytes:
         """What keeps it turning; when it stands, only if it was just told to."""
         if not self.speed:
             self._owed = 0.0
-            return [direct.stop(self.port)] if told else []
+            return direct.stop(self.port) if told else b""
         wanted = min(max(self.speed, -100.0), 100.0) + self._owed
         percent = min(max(round(wanted), -100), 100)
         self._owed = min(max(wanted - percent, -0.5), 0.5)
-        return [direct.turn(self.port, percent, RUN) if percent else direct.stop(self.port)]
+        return direct.turn(self.port, percent, RUN) if percent else direct.stop(self.port)

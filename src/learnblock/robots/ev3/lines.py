@@ -32,6 +32,8 @@ class Answer(msgspec.Struct, frozen=True):
 
 
 _Line = TypeVar("_Line", Greeting, Answer)
+_GREETING, _ANSWER = msgspec.json.Decoder(Greeting), msgspec.json.Decoder(Answer)
+_ENCODER = msgspec.json.Encoder()
 
 
 def greeting(line: bytes) -> Greeting:
@@ -40,7 +42,7 @@ def greeting(line: bytes) -> Greeting:
     Raises:
         ValueError: no agent says that.
     """
-    return _read(line, Greeting)
+    return _read(line, _GREETING)
 
 
 def answer(line: bytes | str, where: str) -> Answer:
@@ -55,7 +57,7 @@ def answer(line: bytes | str, where: str) -> Answer:
         RobotConnectionError: the brick complains.
         TakenError: it has another client.
     """
-    said = _read(line, Answer)
+    said = _read(line, _ANSWER)
     if said.error is not None:
         kind = TakenError if said.taken else RobotConnectionError
         raise kind(f"the EV3 at {where} {said.error[:200]}")
@@ -68,11 +70,11 @@ def spoken(word: Word) -> bytes:
     """A word as a line, without its end."""
     match word:
         case Drive(left, right):
-            return msgspec.json.encode({"drive": [left, right]})
+            return _ENCODER.encode({"drive": [left, right]})
         case Tone(hertz, milliseconds):
-            return msgspec.json.encode({"tone": [hertz, milliseconds]})
+            return _ENCODER.encode({"tone": [hertz, milliseconds]})
         case Say(text):
-            return msgspec.json.encode({"say": text[:500]})
+            return _ENCODER.encode({"say": text[:500]})
         case Look():
             return b"{}"
 
@@ -89,8 +91,8 @@ def introduction(settings: Settings, nonce: str) -> bytes:
     )
 
 
-def _read(line: bytes | str, kind: type[_Line]) -> _Line:
+def _read(line: bytes | str, decoder: msgspec.json.Decoder[_Line]) -> _Line:
     try:
-        return msgspec.json.decode(line, type=kind)
+        return decoder.decode(line)
     except msgspec.MsgspecError as error:
         raise ValueError(str(error)) from error

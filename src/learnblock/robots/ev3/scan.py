@@ -107,8 +107,16 @@ def _devices(seconds: float) -> Iterator[Found]:
     names = [
         file.parents[1].name
         for file in sorted(Path("/sys/class/hidraw").glob("*/device/uevent"))
-        if USB_ID.search(file.read_text("utf-8", "replace"))
+        if _is_brick(file)
     ]
     names += [file.name for file in sorted(Path("/dev").glob("rfcomm[0-9]*"))]
     for name in names:
         yield {"connection": "direct", "device": f"/dev/{name}"}
+
+
+def _is_brick(file: Path) -> bool:
+    try:
+        return bool(USB_ID.search(file.read_text("utf-8", "replace")))
+    except OSError:
+        # Its cable was pulled just now.
+        return False

@@ -49,6 +49,9 @@ class Wire(Protocol):
 class Stream:
     """Bytes one after the other: a message is its length, in two bytes, and so many more."""
 
+    def __init__(self) -> None:
+        self._held = b""
+
     def send(self, message: bytes) -> None:
         self.write(message)
 
@@ -61,12 +64,12 @@ class Stream:
 
     def take(self, count: int, deadline: float) -> bytes:
         """So many bytes."""
-        data = b""
-        while len(data) < count:
-            piece = self.read(count - len(data), deadline - monotonic())
+        while len(self._held) < count:
+            piece = self.read(LARGEST, deadline - monotonic())
             if not piece:
                 raise ConnectionResetError("closed by the brick")
-            data += piece
+            self._held += piece
+        data, self._held = self._held[:count], self._held[count:]
         return data
 
     def write(self, data: bytes) -> None:
@@ -84,6 +87,7 @@ class WiFi(Stream):
     """
 
     def __init__(self, address: str, port: int, patience: float) -> None:
+        super().__init__()
         self._socket = dial(address, port, patience)
         try:
             self._unlock(f"{address}:{port}", patience)
@@ -122,6 +126,7 @@ class DeviceFile(Stream):
     """
 
     def __init__(self, path: str) -> None:
+        super().__init__()
         self._file = _opened(path)
         self._closed = False
         self._lock = threading.Lock()

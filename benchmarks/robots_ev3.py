@@ -1,0 +1,145 @@
+"""What driving an EV3 costs by each way in, to an emulated brick on this machine.
+
+Run it with ``python benchmarks/robots_ev3.py``. A control cycle is a command to the wheels and the
+state of all sensors that comes with its answer. Beside it stands the same conversation without us:
+the same bytes on a bare socket, or the same call of bare rpyc.
+"""
+
+import socket
+from collections.abc import Callable
+from contextlib import closing
+from time import perf_counter
+from typing import Any
+
+import rpyc
+
+from learnblock.devices import Gyroscope
+from learnblock.emulators import emulate
+from learnblock.emulators.ev3 import AGENT
+from learnblock.robots import connect
+from learnblock.robots.ev3 import direct, lines
+from learnblock.robots.ev3.brick import Drive
+from learnblock.robots.ev3.rpyc_link import BEGIN
+from learnblock.robots.ev3.settings import Settings
+from learnblock.robots.ev3.wires import UNLOCK
+
+ROUNDS = 7
+DRIVE = Drive(10, 10)
+#: What a call may cost more than the bare conversation: this part of it, or so many microseconds.
+PART, LITTLE = 0.05, 20.0
+
+
+def cost(work: Callable[[], object], cycles: int = 1000) -> float:
+    """Microseconds of one call, at the best of some rounds."""
+    best = float("inf")
+    for _ in range(ROUNDS):
+        began = perf_counter()
+        for _ in range(cycles):
+            work()
+        best = min(best, perf_counter() - began)
+    return best / cycles * 1e6
+
+
+def bare_agent(settings: Any) -> float:
+    """Lines on a socket."""
+    chosen = Settings(**settings)
+    with socket.create_connection((chosen.address, chosen.agent_port)) as connection:
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        heard = connection.makefile("rb")
+        nonce = lines.greeting(heard.readline()).nonce
+        connection.sendall(lines.introduction(chosen, nonce) + b"\n")
+        heard.readline()
+        word = lines.spoken(DRIVE) + b"\n"
+
+        def cycle() -> None:
+            connection.sendall(word)
+            heard.readline()
+
+        return cost(cycle)
+
+
+def bare_rpyc(settings: Any) -> float:
+    """A call of the function there that does the same."""
+    with classic(settings) as connection:
+        connection.execute(AGENT.read_text() + BEGIN)
+        introduction = lines.introduction(Settings(**settings), "").decode()
+        connection.eval(f"begin({introduction!r})")
+        answer, word = connection.namespace["answer"], lines.spoken(DRIVE).decode()
+        figure = cost(lambda: answer(word))
+        connection.eval("end()")
+    return figure
+
+
+def papers_rpyc(settings: Any) -> float:
+    """As the paper's client did it: python-ev3dev2's motors driven from here, speeds made once."""
+    with classic(settings) as connection:
+        motors = connection.modules["ev3dev2.motor"]
+        speed, gyroscope = motors.SpeedDPS(10), connection.modules["ev3dev2.sensor.lego"].GyroSensor
+        left, right, gyroscope = motors.LargeMotor("outB"), motors.LargeMotor("outD"), gyroscope()
+
+        def cycle() -> None:
+            left.on(speed)
+            right.on(speed)
+            _ = left.position, right.position, gyroscope.angle
+
+        figure = cost(cycle, 100)
+        left.off()
+        right.off()
+    return figure
+
+
+def classic(settings: Any) -> Any:
+    """A connection of rpyc's own kind."""
+    return closing(rpyc.classic.connect(settings["address"], settings["rpyc_port"]))
+
+
+def bare_direct(settings: Any) -> float:
+    """Direct commands on a socket."""
+    chosen = Settings(**settings)
+    orders = direct.turn(1, 2, 300) + direct.turn(3, 2, 300)
+    queries = [direct.turned(1), direct.turned(3)]
+    queries += [direct.reading(port, 0) for port in range(4)]
+    command = direct.command(1, orders, direct.Question(queries))
+    with socket.create_connection((chosen.address, chosen.direct_port)) as connection:
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        connection.sendall(UNLOCK)
+        connection.recv(100)
+
+        def cycle() -> None:
+            connection.sendall(command)
+            connection.recv(1024)
+
+        return cost(cycle)
+
+
+BARE = {"agent": bare_agent, "rpyc": bare_rpyc, "direct": bare_direct}
+
+
+def measure(way: str) -> None:
+    """Print one way's figures."""
+    with emulate("ev3", "empty", connection=way) as emulation:
+        settings = dict(emulation.settings)
+        bare = BARE[way](settings)
+        paper = papers_rpyc(settings) if way == "rpyc" else None
+        with connect("ev3", skills=("move_straight",), **settings) as robot:
+            skill = cost(lambda: robot.move_straight(1))
+            latest = cost(lambda: robot.read(Gyroscope, "Z_AXIS"))
+    over = skill - bare
+    met = over <= max(LITTLE, PART * bare)
+    print(f"{way:<7} bare cycle {bare:8.1f} us  {1e6 / bare:8.0f}/s")
+    print(
+        f"        skill      {skill:8.1f} us  {1e6 / skill:8.0f}/s  {over:+.1f} us"
+        f" ({over / bare:+.1%}): aim of {PART:.0%} or {LITTLE:g} us {'met' if met else 'MISSED'}"
+    )
+    if paper:
+        print(f"        ev3dev2    {paper:8.1f} us  {1e6 / paper:8.0f}/s, driven from here")
+    print(f"        reading    {latest:8.1f} us, polled beside the program")
+
+
+def main() -> None:
+    for way in BARE:
+        measure(way)
+
+
+if __name__ == "__main__":
+    main()
