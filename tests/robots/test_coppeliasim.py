@@ -428,15 +428,13 @@ def test_set_up_copies_the_script_and_says_how_it_is_loaded(own_home):
     assert str(script) in told[0]
 
 
-def test_a_scan_finds_it_at_its_usual_port(place, monkeypatch):
-    usual = Settings(port=place.port)
-    monkeypatch.setattr("learnblock.robots.coppeliasim.Settings", lambda: usual)
+def test_a_scan_finds_it_where_the_settings_say(place, own_home):
+    user_settings.change("coppeliasim", Settings, "port", str(place.port))
     assert list(Robot.scan(1.0)) == [{"address": "127.0.0.1", "port": place.port}]
 
 
-def test_a_scan_where_nobody_is_ends_in_time(monkeypatch):
-    usual = Settings(port=9)
-    monkeypatch.setattr("learnblock.robots.coppeliasim.Settings", lambda: usual)
+def test_a_scan_where_nobody_is_ends_in_time(own_home):
+    user_settings.change("coppeliasim", Settings, "port", "9")
     began = monotonic()
     assert list(Robot.scan(0.5)) == []
     assert monotonic() - began < 1.5

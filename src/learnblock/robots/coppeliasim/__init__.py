@@ -101,20 +101,19 @@ class Robot(RealRobot[Settings]):
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
-        """Ask at the usual place on this machine."""
-        usual = Settings()
+        """Ask where the settings say that it runs, by default on this machine."""
+        saved = user_settings.load(cls.name(), Settings)
         try:
-            with closing(Remote(usual.address, usual.port, seconds)) as remote:
+            with closing(Remote(saved.address, saved.port, seconds)) as remote:
                 remote.open()
         except (MissingPackageError, RobotConnectionError):
             return
-        yield {"address": usual.address, "port": usual.port}
+        yield {"address": saved.address, "port": saved.port}
 
     @classmethod
     def set_up(cls, settings: Settings, tell: Callable[[str], object]) -> None:  # noqa: ARG003
         """Copy our scene script to where the user finds it, and say how it gets into a scene."""
         path = home() / "coppeliasim" / "scene.lua"
-        path.parent.mkdir(parents=True, exist_ok=True)
         save(path, files(__package__).joinpath("scene.lua").read_bytes())
         tell(_HOW_TO_LOAD.format(path=path))
 
