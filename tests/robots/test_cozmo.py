@@ -2,9 +2,11 @@
 
 import math
 import os
+import re
 import socket
 import threading
 import wave
+from pathlib import Path
 from time import monotonic
 
 import numpy as np
@@ -36,6 +38,7 @@ from learnblock.errors import (
     UnknownNameError,
 )
 from learnblock.robots import connect, find
+from learnblock.robots import settings as user_settings
 from learnblock.robots.cozmo import CozmoSettings, Robot, behaviours, face, sound, units
 from learnblock.robots.cozmo.camera import Picture
 from learnblock.robots.cozmo.link import batches, decoded
@@ -504,3 +507,28 @@ def test_no_thread_and_no_process_is_left():
     assert threading.active_count() == threads
     with pytest.raises(ProcessLookupError):
         os.kill(guardian, 0)
+
+
+# Its page.
+
+PAGE = (Path(__file__).parents[2] / "docs" / "robots" / "cozmo.md").read_text()
+
+
+def test_the_page_names_every_setting_with_its_default():
+    rows = dict(re.findall(r"^\| `(\w+)` \| `(.*?)` \|", PAGE, re.M))
+    defaults = {one.name: one.default for one in user_settings.describe("cozmo", CozmoSettings)}
+    assert rows.keys() == defaults.keys()
+    texts = {name: str(value).lower() for name, value in defaults.items()}
+    assert rows == texts
+
+
+def test_the_page_names_every_device():
+    kinds = {name.partition(":")[0] for name in Robot.device_names()}
+    assert set(re.findall(r"^\| `(\w+):", PAGE, re.M)) == kinds
+
+
+def test_the_pages_program_drives_a_cozmo(capsys):
+    exec(re.search("```python\n(.*?)```", PAGE, re.S)[1], {})  # noqa: S102 - our own
+    x, y, heading = eval(capsys.readouterr().out)  # noqa: S307 - our own
+    assert 25 < x < 90
+    assert (round(y), round(heading)) == (0, 0)
