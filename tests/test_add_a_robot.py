@@ -141,7 +141,7 @@ def test_a_wrong_setting_is_refused_by_name(folder, pins):
         robots.connect("pi-rover", lamp=40)
 
 
-def test_it_drives_the_papers_square(folder, pins):
-    finished = run_example("square.bt", "pi-rover", seconds=1)
+def test_it_runs_an_example_and_stands_afterwards(folder, pins):
+    finished = run_example("polygons.bt", "pi-rover", seconds=1)
     assert finished.report.ended == "time limit"
     assert powers(pins) == (0, 0, 0, 0)
