@@ -51,6 +51,10 @@ class Components:
         assert line is not None, "the components have ended"
         return json.loads(line)
 
+    def has_told_nothing(self):
+        """Whether no object has been told anything."""
+        return self._lines.empty()
+
     def kill(self):
         """End them without a word."""
         self._process.kill()

@@ -61,8 +61,9 @@ class Base(RoboCompDifferentialRobot.DifferentialRobot):
 
 
 class Laser(RoboCompLaser.Laser):
-    def __init__(self, dist=(), driver="", device=""):
+    def __init__(self, dist=(), driver="", device="", silent=False):
         self.dist = dist
+        self.silent = silent
         self.driver, self.device = driver, device
 
     def getLaserData(self, current):
@@ -72,13 +73,16 @@ class Laser(RoboCompLaser.Laser):
         return self.getLaserData(current), STATE(x=7.0)
 
     def getLaserConfData(self, current):
+        if self.silent:
+            return RoboCompLaser.LaserConfData()
         return RoboCompLaser.LaserConfData(
             maxRange=2000, angleIni=-1.5, driver=self.driver, device=self.device
         )
 
 
 class Joints(RoboCompJointMotor.JointMotor):
-    def __init__(self, known=("servo",), handler="", stamp=""):
+    def __init__(self, known=("servo",), handler="", stamp="", silent=False):
+        self.silent = silent
         self.known = known
         self.handler = handler
         self.stamp = stamp
@@ -120,6 +124,8 @@ class Joints(RoboCompJointMotor.JointMotor):
         return [self.getMotorParams(name, current) for name in self.known]
 
     def getBusParams(self, current):
+        if self.silent:
+            return RoboCompJointMotor.BusParams()
         return RoboCompJointMotor.BusParams(handler=self.handler, numMotors=3, basicPeriod=20)
 
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Generic, Literal, TypeVar
 from msgspec import Meta
 
 from learnblock.devices import NOTHING_SEEN, Pose
-from learnblock.errors import IceError, IceRefusedError, RobotConnectionError
+from learnblock.errors import IceEncodingError, IceError, IceRefusedError, RobotConnectionError
 from learnblock.ice.connection import Endpoint
 from learnblock.ice.proxy import Proxy
 from learnblock.ice.robocomp import BaseState, Layout, MotorGoalPosition, interfaces
@@ -25,6 +25,8 @@ LayoutChoice = Annotated[
 
 #: The joint that tilts the camera, as the robots call it.
 SERVO = "servo"
+#: Ice's name of what a component says that cannot read what it was told.
+_NOT_UNDERSTOOD = "UnknownLocalException"
 
 
 class RoboCompSettings(RobotSettings, frozen=True):
@@ -53,6 +55,11 @@ class Component:
         self._proxy = proxy
         self._name = f"the {title} of the robot `{robot}` at {proxy.endpoint}"
 
+    @property
+    def endpoint(self) -> Endpoint:
+        """Where it is."""
+        return self._proxy.endpoint
+
     def ask(self, operation: str, *values: Any) -> Any:
         """Call an operation.
 
@@ -62,7 +69,12 @@ class Component:
         try:
             return self._proxy.call(operation, *values)
         except IceError as error:
-            raise self._told(error) from error
+            raise self.told(error) from error
+
+    def speak(self, layout: Layout) -> None:
+        """Go on in another layout."""
+        identity, endpoint = self._proxy.identity, self._proxy.endpoint
+        self._proxy = Proxy(interfaces(layout)[identity], identity, endpoint)
 
     def can(self, operation: str) -> bool:
         """Whether its interface has the operation."""
@@ -77,7 +89,7 @@ class Component:
         try:
             self._proxy.check()
         except IceError as error:
-            raise self._told(error) from error
+            raise self.told(error) from error
 
     def ping(self) -> None:
         """Make sure that it is still there.
@@ -91,18 +103,20 @@ class Component:
         """Let go of it; the second time does nothing."""
         self._proxy.close()
 
-    def _told(self, error: IceError) -> RobotConnectionError:
-        if not isinstance(error, IceRefusedError):
+    def told(self, error: IceError) -> RobotConnectionError:
+        """What went wrong, in words for the person at the robot."""
+        refusal = error.kind if isinstance(error, IceRefusedError) else ""
+        if isinstance(error, IceEncodingError) or refusal == _NOT_UNDERSTOOD:
             return RobotConnectionError(
-                f"{self._name} cannot be reached: {error}; is the robot on, its components running,"
-                " and this computer in its network?"
+                f"{self._name} speaks in another order: {error}; does it have another `layout`?"
+                " Choose one in the robot's settings"
             )
-        if error.kind == "UnknownLocalException":
-            return RobotConnectionError(
-                f"{self._name} did not understand what it was told: {error}; does it have another"
-                " `layout`? Choose one in the robot's settings"
-            )
-        return RobotConnectionError(f"{self._name} refuses: {error}")
+        if refusal:
+            return RobotConnectionError(f"{self._name} refuses: {error}")
+        return RobotConnectionError(
+            f"{self._name} cannot be reached: {error}; is the robot on, its components running,"
+            " and this computer in its network?"
+        )
 
 
 class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
@@ -116,14 +130,15 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
     def connect(self) -> None:
         self._ending = ExitStack()
         self._stands = True
-        chosen = self.settings.layout
-        self.layout = self.usual_layout if chosen == "auto" else Layout(chosen)
+        self.layout = self.usual_layout
         self._base = self.component("differentialrobot", "base", self.settings.base_port)
         self._guardian = Guardian(type(self), self.settings)
         self._ending.callback(self._end_guard)
-        if chosen == "auto":
-            self.layout = self._find_layout()
         self._joint = self.component("jointmotor", "joint", self.settings.joint_port)
+        self.lasers = [
+            self.component("laser", title, port) for title, port in self.laser_places().items()
+        ]
+        self._settle_layout()
 
     def disconnect(self) -> None:
         if "_ending" in vars(self):
@@ -162,8 +177,8 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
                 return False
         return True
 
-    def laser_ports(self) -> tuple[int, ...]:
-        """Where its lasers listen."""
+    def laser_places(self) -> Mapping[str, int]:
+        """Its lasers in words, from left to right, and the ports where they listen."""
         raise NotImplementedError
 
     # For the two.
@@ -211,21 +226,24 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
         """The camera's angle, degrees."""
         return float(self._joint.ask("getMotorState", SERVO).pos / self.servo_scale)
 
-    def _find_layout(self) -> Layout:
-        """What its components show of their layout, or the usual one where they show nothing."""
-        ports = {
-            "differentialrobot": self.settings.base_port,
-            "jointmotor": self.settings.joint_port,
-            "laser": self.laser_ports()[0],
+    def _settle_layout(self) -> None:
+        """Speak in the layout of the settings, or in the one that the components show."""
+        chosen = self.settings.layout
+        self.layout = self._found_layout() if chosen == "auto" else Layout(chosen)
+        for component in (self._base, self._joint, *self.lasers):
+            component.speak(self.layout)
+
+    def _found_layout(self) -> Layout:
+        """The usual layout, unless the components show that they have another one."""
+        components = {
+            "differentialrobot": self._base,
+            "jointmotor": self._joint,
+            "laser": self.lasers[0],
         }
-        with ExitStack() as asked:
-            endpoints = {
-                identity: asked.enter_context(
-                    Endpoint(self.settings.address, port, self.settings.patience)
-                )
-                for identity, port in ports.items()
-            }
-            fitting = layouts_of(endpoints)
+        try:
+            fitting = layouts_of({name: one.endpoint for name, one in components.items()})
+        except IceError as error:
+            raise self._base.told(error) from error
         if not fitting:
             raise RobotConnectionError(
                 f"the components of the robot `{self.name()}` at {self.settings.address} answer in"

@@ -3,6 +3,7 @@
 It is a WiFi network of its own, in which it has the address 192.168.16.1.
 """
 
+from collections.abc import Mapping
 from typing import Annotated
 
 from msgspec import Meta
@@ -51,12 +52,11 @@ class Robot(RoboCompRobot[Settings]):
             }
         )
 
-    def laser_ports(self) -> tuple[int, ...]:
-        return (self.settings.laser_port,)
+    def laser_places(self) -> Mapping[str, int]:
+        return {"laser": self.settings.laser_port}
 
     def connect(self) -> None:
         super().connect()
-        self._laser = self.component("laser", "laser", self.settings.laser_port)
         self._face = self.component("emotionalmotor", "face", self.settings.face_port)
         self.add(Base(move=self.drive))
         self.add(DistanceSensors(read=self._distances))
@@ -78,7 +78,7 @@ class Robot(RoboCompRobot[Settings]):
         self.add(Camera(read=self._camera.read))
 
     def _distances(self) -> dict[str, list[float]]:
-        return by_side([in_range(one.dist) for one in self._laser.ask("getLaserData")])
+        return by_side([in_range(one.dist) for one in self.lasers[0].ask("getLaserData")])
 
     def _express(self, emotion: str) -> None:
         operation = "expressNeutral" if emotion == "none" else f"express{emotion.capitalize()}"

@@ -26,7 +26,8 @@ class StreamedCamera:
     def __init__(self, address: str, port: int, patience: float) -> None:
         self._place = address, port
         self._patience = patience
-        self._subscribed = threading.Event()
+        self._seen = threading.Event()
+        self._came = monotonic()
         self._latest: bytes | None = None
         self._shown: bytes | None = None
         self._frame: Frame | None = None
@@ -34,26 +35,24 @@ class StreamedCamera:
         self._client: Any = mqtt.Client(mqtt.CallbackAPIVersion.VERSION2)
         self._client.connect_timeout = patience
         self._client.on_connect = self._subscribe
-        self._client.on_subscribe = lambda *_: self._subscribed.set()
         self._client.on_message = self._receive
 
     def open(self) -> None:
-        """Subscribe to the stream.
+        """Subscribe to the stream, and wait for its first picture.
 
         Raises:
-            RobotConnectionError: there is no broker.
+            RobotConnectionError: there is no broker, or nobody who sends pictures.
         """
         try:
             self._client.connect(*self._place)
         except OSError as error:
             raise self._told(f"cannot be reached: {error}") from error
         self._client.loop_start()
-        if not self._subscribed.wait(self._patience):
-            raise self._told("does not answer in time")
-        self._came = monotonic()
+        if not self._seen.wait(self._patience):
+            raise self._told(f"has sent no picture for {self._patience:g} s")
 
     def read(self) -> "Frame | None":
-        """The newest picture; None before the first one.
+        """The newest picture; None while none could be read.
 
         Raises:
             RobotConnectionError: none has come for too long.
@@ -85,6 +84,7 @@ class StreamedCamera:
 
     def _receive(self, _client: Any, _data: Any, message: Any) -> None:
         self._latest, self._came = message.payload, monotonic()
+        self._seen.set()
 
     def _decode(self, picture: bytes) -> None:
         # OpenCV is loaded with the first picture.

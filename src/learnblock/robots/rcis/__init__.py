@@ -1,5 +1,6 @@
 """RCIS, RoboComp's simulator, with the paper's EBO in it."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from learnblock.devices import Base, Camera, Display, DistanceSensors, JointMotor
@@ -43,15 +44,11 @@ class Robot(RoboCompRobot[Settings]):
             }
         )
 
-    def laser_ports(self) -> tuple[int, ...]:
-        return self.settings.laser_ports
+    def laser_places(self) -> Mapping[str, int]:
+        return {f"laser {n}": port for n, port in enumerate(self.settings.laser_ports, start=1)}
 
     def connect(self) -> None:
         super().connect()
-        self._lasers = [
-            self.component("laser", f"laser {number}", port)
-            for number, port in enumerate(self.settings.laser_ports, start=1)
-        ]
         self._display = self.component("display", "display", self.settings.display_port)
         self._camera = self.component("rgbd", "camera", self.settings.camera_port)
         self._pictures = Pictures()
@@ -62,7 +59,7 @@ class Robot(RoboCompRobot[Settings]):
         self.add(JointMotor(move=self.tilt, read=self.tilted), "CAMERA")
 
     def _distances(self) -> dict[str, list[float]]:
-        rows = (laser.ask("getLaserData") for laser in self._lasers)
+        rows = (laser.ask("getLaserData") for laser in self.lasers)
         nearest = (min((in_range(one.dist) for one in row), default=0.0) for row in rows)
         return by_side([in_range(mm) for mm in nearest])
 

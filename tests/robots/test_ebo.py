@@ -1,0 +1,335 @@
+"""EBO: on the real Ice and the real mosquitto, and on its emulator."""
+
+import math
+import threading
+
+import cv2
+import numpy as np
+import paho.mqtt.client as mqtt
+import pytest
+
+from driven import assert_drives_like_its_twin, assert_told_when_gone, settle
+from ice_runtime import components
+from learnblock.devices import Base, Camera, Display, DistanceSensors, Emotion, JointMotor
+from learnblock.emulators import emulate
+from learnblock.emulators.ebo import Emulator
+from learnblock.emulators.ebo_camera import Broker, find_broker
+from learnblock.emulators.twin import Twin
+from learnblock.errors import RobotConnectionError, SettingsError
+from learnblock.ice.robocomp import Layout
+from learnblock.robots.ebo import Robot
+from learnblock.robots.ebo.camera import TOPIC, StreamedCamera
+from learnblock.testing import CLAIMS, Fault, Relay, check_robot
+
+OBJECTS = {
+    "differentialrobot": {},
+    "laser": {"dist": [100.0, 200.0, 300.0, 8190.0, -1.0], "silent": True},
+    "jointmotor": {"silent": True},
+    "emotionalmotor": {},
+}
+PORTS = ("base_port", "laser_port", "joint_port", "face_port")
+NO_ODOMETRY = "EBO's components know neither its pose nor the angle of its head"
+
+
+@pytest.fixture(scope="module")
+def broker():
+    program = find_broker()
+    if program is None:
+        pytest.skip("needs a broker of MQTT: apt-get install mosquitto")
+    with Broker(program) as broker:
+        yield broker
+
+
+class Publisher:
+    """EBO's camera: sends a picture, again and again."""
+
+    def __init__(self, port):
+        self.picture = encoded(halves())
+        self._client = mqtt.Client(mqtt.CallbackAPIVersion.VERSION2)
+        self._client.connect("127.0.0.1", port)
+        self._client.loop_start()
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._send, daemon=True)
+        self._thread.start()
+
+    def close(self):
+        self._ended.set()
+        self._thread.join()
+        self._client.disconnect()
+        self._client.loop_stop()
+
+    def _send(self):
+        while not self._ended.wait(0.05):
+            self._client.publish(TOPIC, self.picture)
+
+
+def halves():
+    """Red on the left, blue on the right."""
+    frame = np.zeros((240, 320, 3), np.uint8)
+    frame[:, :160, 0] = frame[:, 160:, 2] = 255
+    return frame
+
+
+def encoded(frame):
+    return cv2.imencode(".jpg", cv2.cvtColor(frame, cv2.COLOR_RGB2BGR))[1].tobytes()
+
+
+@pytest.fixture
+def publisher(broker):
+    publisher = Publisher(broker.port)
+    yield publisher
+    publisher.close()
+
+
+@pytest.fixture(scope="module", params=list(Layout))
+def brain(request, tmp_path_factory):
+    """EBO's components on the real Ice, and the settings that reach them."""
+    layout = request.param
+    with components(tmp_path_factory.mktemp("ebo"), layout, *OBJECTS.items()) as running:
+        ports = dict(zip(PORTS, running.ports, strict=True))
+        # Without a camera, where a test does not speak of it.
+        yield layout, running, {"address": "127.0.0.1", "camera_port": 0, **ports}
+
+
+def test_it_drives_in_radians(brain):
+    _, running, settings = brain
+    with Robot(**settings) as robot:
+        robot.device(Base).move(100, 90)
+        assert running.told() == ["setSpeedBase", 100.0, pytest.approx(math.pi / 2)]
+        robot.device(Base).move(-20.5, -45)
+        assert running.told() == ["setSpeedBase", -20.5, pytest.approx(-math.pi / 4)]
+    assert running.told() == ["setSpeedBase", 0.0, 0.0]
+
+
+def test_its_servo_looks_up_at_positive_angles(brain):
+    _, running, settings = brain
+    with Robot(**settings) as robot:
+        robot.device(JointMotor, "CAMERA").move(30)
+        assert running.told() == ["setPosition", "servo", pytest.approx(math.pi / 6), 0.0]
+    running.told()
+
+
+def test_it_reads_five_distances_from_left_to_right(brain):
+    _, running, settings = brain
+    with Robot(**settings) as robot:
+        assert robot.read(DistanceSensors) == {
+            "left": [100, 200],
+            "front": [200, 300, 2000],
+            "right": [2000, 2000],
+        }
+    running.told()
+
+
+@pytest.mark.parametrize("emotion", Emotion)
+def test_its_face_shows_every_emotion_that_it_has(brain, emotion):
+    layout, running, settings = brain
+    with Robot(**settings, **known_layout(layout)) as robot:
+        robot.device(Display).show_emotion(emotion)
+        shown = "neutral" if emotion is Emotion.NONE else emotion
+        if shown != "neutral" or layout is not Layout.SINCE_2020:
+            assert running.told() == [f"express{shown.capitalize()}"]
+    assert running.told() == ["setSpeedBase", 0.0, 0.0]
+
+
+def known_layout(layout):
+    """The one that EBO's silent components do not show."""
+    return {"layout": layout} if layout is Layout.SINCE_2020 else {}
+
+
+def test_its_layout_is_found_out_unless_it_is_set(brain):
+    layout, running, settings = brain
+    with Robot(**settings) as robot:
+        assert robot.layout is (Layout.ROBOT if layout is Layout.ROBOT else Layout.TOOL)
+    with Robot(**settings, layout="2020") as robot:
+        assert robot.layout is Layout.SINCE_2020
+    assert [running.told(), running.told()] == [["setSpeedBase", 0.0, 0.0]] * 2
+
+
+def test_a_wrong_layout_is_told_by_the_first_goal(brain):
+    layout, running, settings = brain
+    wrong = "tool" if layout is Layout.ROBOT else "robot"
+    with (
+        Robot(**settings, layout=wrong) as robot,
+        pytest.raises(RobotConnectionError, match=r"the joint of the robot `ebo`.*`layout`"),
+    ):
+        robot.device(JointMotor, "CAMERA").move(30)
+    assert running.told() == ["setSpeedBase", 0.0, 0.0]
+
+
+def test_a_layout_that_there_is_not_is_refused():
+    with pytest.raises(SettingsError, match=r"(?s)layout.*2019"):
+        Robot(layout="2019")
+
+
+def test_a_base_whose_hardware_fails_says_so(tmp_path):
+    broken = {**OBJECTS, "differentialrobot": {"broken": True}}
+    with components(tmp_path, "robot", *broken.items()) as running:
+        ports = dict(zip(PORTS, running.ports, strict=True))
+        robot = Robot(address="127.0.0.1", camera_port=0, **ports)
+        sentence = "the base of the robot `ebo` at .* refuses: the battery is empty"
+        with pytest.raises(RobotConnectionError, match=sentence):
+            robot.device(Base).move(10, 0)
+        with pytest.raises(RobotConnectionError, match=sentence):
+            robot.stop()
+        assert robot.stopped
+
+
+# Its camera.
+
+
+def test_a_picture_arrives_in_red_green_and_blue(broker, publisher):
+    camera = StreamedCamera("127.0.0.1", broker.port, patience=5)
+    camera.open()
+    frame = camera.read()
+    assert (frame.shape, frame.dtype) == ((240, 320, 3), np.uint8)
+    assert frame[:, :150].mean(axis=(0, 1)) == pytest.approx([255, 0, 0], abs=4)
+    assert frame[:, 170:].mean(axis=(0, 1)) == pytest.approx([0, 0, 255], abs=4)
+    camera.close()
+    camera.close()
+
+
+def test_a_picture_that_is_none_is_left_out(broker, publisher):
+    camera = StreamedCamera("127.0.0.1", broker.port, patience=5)
+    camera.open()
+    frame = camera.read()
+    publisher.picture = b"\xff\xd8 no picture"
+    while camera._latest != publisher.picture:
+        camera.check()
+    assert camera.read() is frame
+    camera.close()
+
+
+def test_a_camera_without_a_broker_is_told(broker):
+    camera = StreamedCamera("127.0.0.1", 1, patience=1)
+    with pytest.raises(RobotConnectionError, match=r"robot `ebo` at 127\.0\.0\.1:1 cannot"):
+        camera.open()
+    camera.close()
+
+
+def test_a_camera_that_sends_nothing_is_told(broker):
+    camera = StreamedCamera("127.0.0.1", broker.port, patience=0.3)
+    with pytest.raises(RobotConnectionError, match=r"has sent no picture for 0\.3 s"):
+        camera.open()
+    camera.close()
+
+
+@pytest.mark.parametrize("fault", [Fault.CUT, Fault.SILENT, Fault.GARBAGE])
+def test_a_stream_that_ends_is_told_and_goes_on_when_it_can(broker, publisher, fault):
+    with Relay(("127.0.0.1", broker.port)) as relay:
+        camera = StreamedCamera("127.0.0.1", relay.port, patience=0.5)
+        camera.open()
+        relay.fault = fault
+        with pytest.raises(RobotConnectionError, match=r"has sent no picture for 0\.5 s"):
+            use_up(camera)
+        camera.close()
+
+
+def use_up(camera):
+    """Check it until it says something."""
+    while True:
+        camera.check()
+
+
+# The whole robot, through its wires.
+
+
+@pytest.fixture
+def emulation():
+    if find_broker() is None:
+        pytest.skip("needs a broker of MQTT: apt-get install mosquitto")
+    with emulate("ebo", "empty") as emulation:
+        yield emulation
+
+
+def test_it_conforms(emulation):
+    with Relay(("127.0.0.1", emulation.settings["base_port"])) as relay:
+        settings = {**emulation.settings, "base_port": relay.port, "patience": 1.0}
+        certificate = check_robot(lambda: Robot(**settings), relay=relay)
+    outcomes = {finding.claim: finding.outcome for finding in certificate.findings}
+    assert list(outcomes) == list(CLAIMS)
+    silent = {claim for claim, outcome in outcomes.items() if outcome == "silent"}
+    assert silent == {
+        "its accelerometer shows 1 g upwards at rest",
+        "positive speed is forward",
+        "positive rotation is to the right",
+        "its gyroscope reads 0 after a reset",
+    }, NO_ODOMETRY
+
+
+def pose(twin):
+    with twin.body() as body:
+        return body.pose
+
+
+def test_positive_speeds_are_forward_and_to_the_right(emulation):
+    twin = emulation.twin
+    with Robot(**emulation.settings) as robot:
+        start = pose(twin)
+        robot.device(Base).move(50, 30)
+        while pose(twin)[2] < start[2] + 20:
+            robot.check_link()
+    x, y, _ = pose(twin)
+    assert x > start[0] + 10
+    assert y < start[1]
+
+
+@pytest.mark.parametrize(
+    ("setting", "title"),
+    [("base_port", "base"), ("laser_port", "laser"), ("joint_port", "joint"),
+     ("face_port", "face")],
+)  # fmt: skip
+@pytest.mark.parametrize("fault", [Fault.CUT, Fault.SILENT])
+def test_each_component_that_is_gone_is_told_by_name(emulation, setting, title, fault):
+    use = {
+        "base": lambda robot: robot.check_link(),
+        "laser": lambda robot: robot.device(DistanceSensors).read(),
+        "joint": lambda robot: robot.device(JointMotor, "CAMERA").move(10),
+        "face": lambda robot: robot.device(Display).show_emotion("joy"),
+    }[title]
+    sentence = f"the {title} of the"
+    assert_told_when_gone(
+        Robot, emulation.settings, setting, sentence=sentence, fault=fault, use=use
+    )
+
+
+def test_no_camera_is_no_device(emulation):
+    with Robot(**{**emulation.settings, "camera_port": 0}) as robot:
+        assert robot.device(Camera) is None
+
+
+def test_two_programs_may_drive_it_and_the_last_one_is_obeyed(emulation):
+    with Robot(**emulation.settings) as one, Robot(**emulation.settings) as another:
+        one.device(Base).move(50, 0)
+        another.device(Base).move(-50, 0)
+        start = pose(emulation.twin)[0]
+        while pose(emulation.twin)[0] > start - 20:
+            one.check_link()
+            another.check_link()
+
+
+def test_a_robot_at_the_address_of_the_settings_is_found(emulation):
+    settle("ebo", emulation.settings)
+    assert list(Robot.scan(1.0)) == [{"address": "127.0.0.1"}]
+
+
+def test_where_nobody_is_nothing_is_found(own_home):
+    settle("ebo", {"address": "127.0.0.1", "base_port": 1})
+    assert list(Robot.scan(0.4)) == []
+
+
+# The paper's programs, unchanged. The worlds go faster than real time, as the wire has no time of
+# its own; so the program is slower to react, and the tolerances allow for it.
+
+
+def test_it_follows_the_line_as_its_twin_does():
+    with Twin("sim-ebo", "line", speed=2) as twin:
+        assert_drives_like_its_twin("ebo", Emulator, twin, "line-ebo.bt", seconds=12, tolerance=20)
+
+
+def test_it_visits_the_tags_as_its_twin_does():
+    with Twin("sim-ebo", "tags", speed=2) as twin:
+        emotions = assert_drives_like_its_twin(
+            "ebo", Emulator, twin, "tags.bt", seconds=14, tolerance=80
+        )
+        assert emotions[:2] == ("neutral", "joy")
+        assert twin.goals()["tag 1"]
