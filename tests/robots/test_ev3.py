@@ -338,6 +338,27 @@ def test_what_is_no_such_brick_is_told(way, wrong):
         assert time.monotonic() - began < 3
 
 
+RPYC_ALONE = """
+import sys
+sys.modules["ev3dev2"] = None
+from rpyc.core.service import SlaveService
+from rpyc.utils.server import ThreadedServer
+server = ThreadedServer(SlaveService, hostname="127.0.0.1", port=0)
+server._listen()
+print("listening at port", server.port, flush=True)
+server.start()
+"""
+
+
+def test_a_brick_that_has_rpyc_but_not_python_ev3dev2_is_told():
+    with brick("rpyc") as emulation:
+        port = emulation.brick.start("-c", RPYC_ALONE)
+        with pytest.raises(
+            RobotConnectionError, match=r"by rpyc \(.*ev3dev2.*\): learnblock robots"
+        ):
+            ev3(emulation.settings, rpyc_port=port)
+
+
 @pytest.mark.parametrize("way", WAYS)
 def test_the_way_in_is_found_by_itself(way):
     with brick(way) as emulation:

@@ -115,10 +115,12 @@ class Link(ABC):
     def _take_leave(self) -> None:
         # Not while somebody waits for an answer that may never come.
         if self._lock.acquire(timeout=PULSE):
-            with suppress(OSError, ValueError):
-                if not self._broken:
-                    self.farewell()
-            self._lock.release()
+            try:
+                with suppress(OSError, ValueError, EOFError):
+                    if not self._broken:
+                        self.farewell()
+            finally:
+                self._lock.release()
 
     def _break(self, error: Exception) -> None:
         self._broken = f"{self._what_happened(error)}: is it switched on, and near enough?"

@@ -50,7 +50,10 @@ def resolve(name: str, patience: float) -> str:
     # The system's own limit is many seconds where a .local name is not there.
     search.join(patience)
     if not found:
-        raise NoSuchWayError(f"the network knows no `{name}`")
+        raise NoSuchWayError(
+            f"the network knows no `{name}`: is the brick switched on, and this computer in its"
+            " network?"
+        )
     return found[0]
 
 

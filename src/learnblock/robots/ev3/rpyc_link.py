@@ -20,6 +20,8 @@ from learnblock.robots.real import require
 
 #: Bytes of the largest message: an answer, or the traceback of an error.
 LARGEST = 1 << 20
+#: Seconds in which python-ev3dev2 must have been imported, on a slow processor.
+IMPORTING = 20.0
 #: What begins to answer us there, unless another program is being answered. The lock is the file's:
 #: it goes with the process, and ours is let go when the program has fallen silent.
 BEGIN = """
@@ -101,7 +103,10 @@ class RpycLink(Link):
         agent = resources.files("learnblock.robots.ev3").joinpath("agent.py").read_text("utf-8")
         try:
             slave = self._connection.root
-            slave.execute(agent + BEGIN)
+            beginning = self._rpyc.async_(slave.execute)(agent + BEGIN)
+            beginning.set_expiry(IMPORTING)
+            # Raises what went wrong there.
+            _ = beginning.value
             evaluate = slave.eval
             said = evaluate(f"begin({lines.introduction(settings, '').decode()!r})")
             answer = evaluate("answer")

@@ -9,6 +9,7 @@ from learnblock.robots.ev3.agent_link import AgentLink
 from learnblock.robots.ev3.brick import NoSuchWayError, State, TakenError
 from learnblock.robots.ev3.direct_link import DirectLink
 from learnblock.robots.ev3.link import Link
+from learnblock.robots.ev3.network import resolve
 from learnblock.robots.ev3.rpyc_link import RpycLink
 from learnblock.robots.ev3.settings import Settings
 
@@ -53,8 +54,11 @@ def _when_free(attempt: Callable[[], Link]) -> Link:
 
 
 def _first_open(settings: Settings, told: Callable[[State], None]) -> Link:
+    number = resolve(settings.address, settings.patience)
     # Together they take no longer than one may.
-    hasty = msgspec.structs.replace(settings, patience=settings.patience / len(_WAYS))
+    hasty = msgspec.structs.replace(
+        settings, address=number, patience=settings.patience / len(_WAYS)
+    )
     refusals = []
     for name, way in _WAYS.items():
         try:
