@@ -323,13 +323,13 @@ def test_where_nobody_is_nothing_is_found(own_home):
 
 def test_it_follows_the_line_as_its_twin_does():
     with Twin("sim-ebo", "line", speed=2) as twin:
-        assert_drives_like_its_twin("ebo", Emulator, twin, "line-ebo.bt", seconds=12, tolerance=20)
+        assert_drives_like_its_twin("ebo", Emulator, twin, "line-ebo.bt", seconds=6, tolerance=20)
 
 
 def test_it_visits_the_tags_as_its_twin_does():
     with Twin("sim-ebo", "tags", speed=2) as twin:
         emotions = assert_drives_like_its_twin(
-            "ebo", Emulator, twin, "tags.bt", seconds=14, tolerance=80
+            "ebo", Emulator, twin, "tags.bt", seconds=9, tolerance=80
         )
         assert emotions[:2] == ("neutral", "joy")
         assert twin.goals()["tag 1"]
