@@ -4,14 +4,14 @@ CoppeliaSim's angles are radians, counterclockwise seen from above; ours are deg
 Positions are metres there, with x and y as ours.
 """
 
-import math
 import threading
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from learnblock.devices import NOTHING_SEEN
+from learnblock.devices import NOTHING_SEEN, number
+from learnblock.errors import DeviceValueError
 
 if TYPE_CHECKING:
     import numpy as np
@@ -72,9 +72,10 @@ def finite(value: object) -> float:
     Raises:
         NonsenseError: it is none.
     """
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise NonsenseError(f"{value!r:.80} is no number")
-    return float(value)
+    try:
+        return number("reading", value)
+    except DeviceValueError as error:
+        raise NonsenseError(str(error)) from None
 
 
 def matrix(reply: object) -> tuple[float, ...]:
