@@ -188,12 +188,13 @@ def test_a_picture_arrives_in_red_green_and_blue(broker, publisher):
     camera.close()
 
 
-def test_a_picture_that_is_none_is_left_out(broker, publisher):
+@pytest.mark.parametrize("nonsense", [b"", b"\xff\xd8 no picture"])
+def test_a_picture_that_is_none_is_left_out(broker, publisher, nonsense):
     camera = StreamedCamera("127.0.0.1", broker.port, patience=5)
     camera.open()
     frame = camera.read()
-    publisher.picture = b"\xff\xd8 no picture"
-    while camera._latest != publisher.picture:
+    publisher.picture = nonsense
+    while camera._latest != nonsense:
         camera.check()
     assert camera.read() is frame
     camera.close()

@@ -61,7 +61,9 @@ class StreamedCamera:
         latest = self._latest
         if latest is not None and latest is not self._shown:
             self._shown = latest
-            self._decode(latest)
+            # A picture that arrives broken is left out.
+            frame = decoded(latest)
+            self._frame = self._frame if frame is None else frame
         return self._frame
 
     def check(self) -> None:
@@ -86,19 +88,23 @@ class StreamedCamera:
         self._latest, self._came = message.payload, monotonic()
         self._seen.set()
 
-    def _decode(self, picture: bytes) -> None:
-        # OpenCV is loaded with the first picture.
-        import cv2  # noqa: PLC0415
-        import numpy as np  # noqa: PLC0415
-
-        decoded = cv2.imdecode(np.frombuffer(picture, np.uint8), cv2.IMREAD_COLOR)
-        # A picture that arrives broken is left out.
-        if decoded is not None:
-            self._frame = np.asarray(cv2.cvtColor(decoded, cv2.COLOR_BGR2RGB), np.uint8)
-
     def _told(self, trouble: str) -> RobotConnectionError:
         address, port = self._place
         return RobotConnectionError(
             f"the camera of the robot `ebo` at {address}:{port} {trouble}; is its camera running?"
             " Without one, set `camera_port` to 0"
         )
+
+
+def decoded(picture: bytes) -> "Frame | None":
+    """A picture as a frame; None where it is none."""
+    # OpenCV is loaded with the first picture.
+    import cv2  # noqa: PLC0415
+    import numpy as np  # noqa: PLC0415
+
+    try:
+        frame = cv2.imdecode(np.frombuffer(picture, np.uint8), cv2.IMREAD_COLOR)
+    except cv2.error:
+        # Of no bytes at all, or of a size that no picture has.
+        return None
+    return None if frame is None else np.asarray(cv2.cvtColor(frame, cv2.COLOR_BGR2RGB), np.uint8)
