@@ -49,6 +49,9 @@ def path_of_twin(example: str, robot: str, seconds: float, home: str) -> Track:
     trace = Path(home) / f"{example}.jsonl"
     world = WORLDS.get(example, "empty")
     run(example, TWINS[robot], seconds, home, "--world", world, "--trace", str(trace))
+    if not trace.exists():
+        # Its check refused it: the real robot has more than its twin.
+        return []
     lines = map(json.loads, trace.read_text().splitlines())
     return [(line["t"], *line["pose"][:2]) for line in lines if "pose" in line]
 
@@ -83,8 +86,9 @@ def outcome(example: str, robot: str, seconds: float) -> str:
             message = report["error"]["message"]
             return "needs " + message.split("`")[3] if message.count("`") > 3 else message
         twins = path_of_twin(example, robot, seconds, home)
+    apart = f" {away(driven, twins):.0f} mm" if twins else ""
     reached = f" {sum(goals.values())}/{len(goals)} goals" if goals else ""
-    return f"{report['ended']}{reached} {away(driven, twins):.0f} mm"
+    return f"{report['ended']}{reached}{apart}"
 
 
 def column(robot: str, seconds: float) -> dict[str, str]:
