@@ -44,9 +44,10 @@ def frame_texts() -> tuple[str, ...]:
 
 
 def read_picture(text: str) -> None:
-    """Read a picture of the camera, whole or without its header."""
-    for encoding in (packets.ImageEncoding.JPEGMinimizedGray, packets.ImageEncoding.JPEGColor):
-        Picture(_bytes(text) or b"\0", encoding, packets.ImageResolution.QVGA).frame()
+    """Read a picture of the camera, of the usual size and of another."""
+    encoding = packets.ImageEncoding.JPEGMinimizedGray
+    for resolution in (packets.ImageResolution.QVGA, packets.ImageResolution.ImageResolutionCount):
+        Picture(_bytes(text) or b"\0", encoding, resolution).frame()
 
 
 def picture_texts() -> tuple[str, ...]:

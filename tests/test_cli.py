@@ -148,7 +148,6 @@ def test_a_question_that_can_never_be_answered_is_refused_unless_run_anyway():
     ("arguments", "sentence"),
     [
         (["--robot", "sim-ebbo"], "there is no robot `sim-ebbo`; did you mean `sim-ebo`?"),
-        (["--robot", "cozmo"], "its twin is here: --robot sim-cozmo"),
         (["--world", "lin"], "there is no world `lin`; did you mean `line`?"),
         (["--pace", "fast"], "`pace` must be free, real or a positive factor"),
     ],

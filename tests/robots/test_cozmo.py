@@ -52,8 +52,10 @@ from runs import run_example
 
 
 def test_it_keeps_what_every_robot_promises_also_when_its_wire_fails():
-    with cozmo() as there:
-        certificate = check_robot(lambda: there.robot(patience=1.0), relay=there.wire)
+    with cozmo(speed=FastClock.speed) as there:
+        certificate = check_robot(
+            lambda: there.robot(patience=1.0, clock=FastClock()), relay=there.wire
+        )
     assert certificate.passed
     assert {finding.outcome for finding in certificate.findings} == {"holds"}
 
@@ -418,15 +420,17 @@ def test_a_scan_finds_the_robot_of_the_settings_and_does_not_wait_for_others():
         assert monotonic() - began < 1.0
 
 
-def test_a_robot_whose_program_is_gone_can_be_halted():
-    with cozmo() as there:
-        robot = there.robot()
+@pytest.mark.parametrize("loss", [0.0, 0.2])
+def test_a_robot_whose_program_is_gone_can_be_halted(loss):
+    with cozmo(loss=loss) as there, there.robot() as robot:
         robot.device(Base).move(80, 0)
         wait_for(lambda: there.speed() > 40, "it drives")
         Robot.halt(robot.settings)
         wait_for(lambda: there.speed() < 1, "it stands", 0.5)
         assert there.machine.received["StopAllMotors"] == 1
-        robot.stop()
+        there.wire.fault = Fault.CUT
+        with pytest.raises(RobotConnectionError, match="no answer from Cozmo"):
+            Robot.halt(CozmoSettings(address="127.0.0.1", port=there.port, patience=0.2))
 
 
 # Decoders.

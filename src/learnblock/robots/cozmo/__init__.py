@@ -21,7 +21,8 @@ from learnblock.devices import (
 )
 from learnblock.errors import RobotConnectionError
 from learnblock.robots import settings as user_settings
-from learnblock.robots.cozmo import sound, units
+from learnblock.robots.cozmo import units
+from learnblock.robots.cozmo.halt import halt
 from learnblock.robots.guardian import Guardian
 from learnblock.robots.real import RealRobot, require
 from learnblock.robots.settings import Address, Patience, Port, RobotSettings
@@ -87,9 +88,6 @@ class Robot(RealRobot[CozmoSettings]):
 
     @classmethod
     def halt(cls, settings: CozmoSettings) -> None:
-        require("pycozmo", "cozmo")
-        from learnblock.robots.cozmo.session import halt  # noqa: PLC0415 - it needs pycozmo
-
         halt(settings.address, settings.port, settings.patience)
 
     def connect(self) -> None:
@@ -135,7 +133,7 @@ class Robot(RealRobot[CozmoSettings]):
 
     def _add_stage(self, session: "Session") -> None:
         # Both need pycozmo, as the session does.
-        from learnblock.robots.cozmo import face  # noqa: PLC0415
+        from learnblock.robots.cozmo import face, sound  # noqa: PLC0415
         from learnblock.robots.cozmo.stage import Stage  # noqa: PLC0415
 
         stage = Stage(session.anim_controller)

@@ -17,8 +17,8 @@ class Picture:
     """A picture as it came over the wire.
 
     Args:
-        data: all its pieces; of a JPEG whose header was cut off the first byte tells whether it has
-            colours.
+        data: all its pieces: a first byte that tells whether it has colours, and the coded pixels of
+            a JPEG without its header.
         encoding: one of pycozmo's `ImageEncoding`.
         resolution: one of pycozmo's `ImageResolution`.
     """
@@ -29,21 +29,21 @@ class Picture:
 
     def frame(self) -> Frame | None:
         """The picture as uint8 RGB (240, 320, 3), not to be written to; None if it is damaged."""
-        size = camera.RESOLUTIONS[self.resolution]
         try:
-            picture = Image.open(io.BytesIO(self._whole(*size))).convert("RGB")
+            size = camera.RESOLUTIONS[self.resolution]
+            file = io.BytesIO(self._with_header(*size))
+            picture = Image.open(file, formats=("JPEG",)).convert("RGB")
             # Coloured ones come in half the width.
             frame = np.asarray(picture if picture.size == size else picture.resize(size))
-        except (IndexError, OSError, SyntaxError, ValueError):
+        except (LookupError, OSError, SyntaxError, ValueError):
             # What libjpeg, pillow and numpy raise when bits are wrong.
             return None
         frame.flags.writeable = False
         return frame
 
-    def _whole(self, width: int, height: int) -> bytes:
-        """The picture with its header."""
+    def _with_header(self, width: int, height: int) -> bytes:
         if self.encoding != protocol_encoder.ImageEncoding.JPEGMinimizedGray:
-            return self.data
+            raise ValueError(f"no robot sends {self.encoding}")
         pixels = np.frombuffer(self.data, np.uint8)
         if self.data[0]:
             return bytes(camera.minicolor_to_jpeg(pixels, width // 2, height))

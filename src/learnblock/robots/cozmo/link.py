@@ -11,7 +11,6 @@ In pycozmo 0.8.0
 """
 
 import select
-import socket
 import threading
 from collections.abc import Iterator, Sequence
 from queue import Empty
@@ -23,9 +22,7 @@ from pycozmo.conn import Connection, ReceiveThread, SendThread
 from pycozmo.frame import Frame
 from pycozmo.protocol_declaration import MAX_FRAME_PAYLOAD_SIZE, MAX_SEQ, OOB_SEQ
 
-from learnblock.errors import RobotConnectionError
-
-Address = tuple[str, int]
+from learnblock.robots.cozmo.halt import Address
 
 RESEND = 0.05
 """Seconds after which what was not acknowledged is sent again (Anki's ReliableConnection)."""
@@ -218,18 +215,3 @@ def decoded(datagram: bytes) -> Any:
         return Frame.from_bytes(datagram)
     except Exception:  # noqa: BLE001 - pycozmo raises whatever its slices and asserts raise
         return None
-
-
-def resolved(address: str, port: int) -> Address:
-    """The robot's number in the network.
-
-    Raises:
-        RobotConnectionError: the network knows no such name.
-    """
-    try:
-        found = socket.getaddrinfo(address, port, socket.AF_INET, socket.SOCK_DGRAM)
-    except (OSError, UnicodeError) as error:
-        raise RobotConnectionError(
-            f"Cozmo cannot be reached: the network knows no address `{address}` ({error})"
-        ) from error
-    return str(found[0][4][0]), port

@@ -13,7 +13,8 @@ from pycozmo import protocol_encoder as packets
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.cozmo import units
 from learnblock.robots.cozmo.camera import Frame, Picture
-from learnblock.robots.cozmo.link import Link, resolved
+from learnblock.robots.cozmo.halt import named, resolved, unanswered
+from learnblock.robots.cozmo.link import Link
 from learnblock.robots.cozmo.odometry import Odometry
 
 POLL = 0.005
@@ -53,7 +54,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         self.conn = Link(place)
         self.conn.add_child_dispatcher(self)
         self.odometry = Odometry()
-        self._name = f"Cozmo at {address}:{port}"
+        self._name = named(address, port)
         self._patience = patience
         self._reported = False
         self._calibrating: set[Any] = set()
@@ -135,7 +136,8 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
 
     def _introduce(self) -> None:
         until = monotonic() + self._patience
-        _establish(self.conn, self._name, self._patience)
+        if not self.conn.establish(self._patience):
+            raise unanswered(self._name, self._patience)
         self._enable_robot()
         self._await(lambda: self.serial_number, until)
         self.conn.send(packets.SetOrigin())
@@ -180,27 +182,3 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         data = bytes(self._partial_data[: self._partial_size])
         encoding, resolution = self._partial_image_encoding, self._partial_image_resolution
         self._picture = Picture(data, encoding, resolution)
-
-
-def halt(address: str, port: int, patience: float) -> None:
-    """Take over a robot whose program is gone, stop its motors and let go of it.
-
-    Raises:
-        RobotConnectionError: it does not answer.
-    """
-    link = Link(resolved(address, port))
-    link.start()
-    try:
-        _establish(link, f"Cozmo at {address}:{port}", patience)
-        for packet in (packets.Enable(), packets.Enable(), packets.StopAllMotors()):
-            link.send(packet)
-    finally:
-        link.hang_up()
-
-
-def _establish(link: Link, name: str, patience: float) -> None:
-    if not link.establish(patience):
-        raise RobotConnectionError(
-            f"no answer from {name} within {patience:g} s: is it switched on, is this machine in"
-            " its network (Cozmo_...), and are address and port right?"
-        )
