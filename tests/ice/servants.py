@@ -154,7 +154,7 @@ for emotion in ["Joy", "Sadness", "Surprise", "Fear", "Anger", "Disgust", "Neutr
 
 
 class Eyes(RoboCompRGBD.RGBD):
-    def __init__(self, rows=240, columns=320):
+    def __init__(self, rows=240, columns=320, depths=None):
         # The red of a pixel is its row, its green its column, its blue 7.
         self.color = bytes(
             level % 256
@@ -162,7 +162,8 @@ class Eyes(RoboCompRGBD.RGBD):
             for column in range(columns)
             for level in (row, column, 7)
         )
-        self.depth = [float(i % 100) for i in range(rows * columns)]
+        count = rows * columns if depths is None else depths
+        self.depth = [float(i % 100) for i in range(count)]
         self.registration = RoboCompRGBD.Registration.DepthInColor
 
     def getRGBDParams(self, current):
