@@ -136,6 +136,8 @@ def emulate_command(name: str, world: str | None, seed: int) -> None:
         for setting, value in emulation.settings.items():
             click.echo(f"    learnblock robots set {name} {setting} {_shown(value)}")
         click.echo(f"    learnblock run PROGRAM --robot {name}")
+        if emulation.note:
+            click.echo(emulation.note)
         click.echo("Ctrl-C ends it.")
         emulation.wait()
 

@@ -6,10 +6,10 @@ from contextlib import ExitStack, contextmanager
 import pytest
 
 from ice_runtime import components
-from learnblock.ice.connection import Endpoint
+from learnblock.ice.endpoint import Endpoint
 from learnblock.ice.robocomp import BaseState, Layout
 from learnblock.robots.robocomp import by_side, in_range, pose_of
-from learnblock.robots.robocomp_layout import layouts_of
+from learnblock.robots.robocomp.layouts import layouts_of
 
 ROBOT, TOOL, SINCE_2020 = Layout
 

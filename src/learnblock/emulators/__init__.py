@@ -59,6 +59,7 @@ class Emulation:
 
     Attributes:
         settings: those with which a client reaches it.
+        note: what the emulator lacks, and what to do about it; empty where it lacks nothing.
     """
 
     def __init__(self, begin: Callable[[], Emulator], twin: Twin | None = None) -> None:
@@ -73,6 +74,7 @@ class Emulation:
             raise
         self._ending.callback(emulator.close)
         self.settings = emulator.settings
+        self.note: str = getattr(emulator, "note", "")
 
     def __enter__(self) -> Self:
         return self

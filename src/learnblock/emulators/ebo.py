@@ -18,7 +18,7 @@ class Emulator:
     """EBO; every component listens at a free port.
 
     Its pictures go through mosquitto, the broker of the real one; where that is not installed it
-    has no camera, and its settings say so: ``camera_port`` is 0.
+    has no camera, its ``camera_port`` is 0, and its ``note`` says what to install.
 
     Args:
         twin: the robot.
@@ -29,29 +29,34 @@ class Emulator:
     def __init__(
         self, twin: Twin, *, host: str = "127.0.0.1", layout: Layout = Layout.ROBOT
     ) -> None:
+        self.note = ""
         self._known = interfaces(layout)
-        self._ending = ExitStack()
-        self._adapter = self._ending.enter_context(Adapter(host))
-        wheels, servo = Wheels(twin, knows_place=False), Servo(twin, 1, is_told=False)
-        settings: dict[str, Any] = {
-            "address": host,
-            "base_port": self._serve("differentialrobot", wheels),
-            "laser_port": self._serve("laser", Ranger(lambda: row_of(twin))),
-            "joint_port": self._serve("jointmotor", servo),
-            "face_port": self._serve("emotionalmotor", _Face(twin)),
-            "camera_port": self._stream(twin, host),
-        }
+        with ExitStack() as beginning:
+            self._adapter = beginning.enter_context(Adapter(host))
+            wheels, servo = Wheels(twin, knows_place=False), Servo(twin, 1, is_told=False)
+            settings: dict[str, Any] = {
+                "address": host,
+                "base_port": self._serve("differentialrobot", wheels),
+                "laser_port": self._serve("laser", Ranger(lambda: row_of(twin))),
+                "joint_port": self._serve("jointmotor", servo),
+                "face_port": self._serve("emotionalmotor", _Face(twin)),
+                "camera_port": self._stream(twin, host, beginning),
+            }
+            self._ending = beginning.pop_all()
         self.settings: Mapping[str, Any] = MappingProxyType(settings)
 
     def close(self) -> None:
         self._ending.close()
 
-    def _stream(self, twin: Twin, host: str) -> int:
+    def _stream(self, twin: Twin, host: str, ending: ExitStack) -> int:
         program = find_broker()
         if program is None:
+            self.note = (
+                "It has no camera: that needs the broker mosquitto (apt-get install mosquitto)."
+            )
             return 0
-        broker = self._ending.enter_context(Broker(program, host))
-        self._ending.callback(Stream(twin, host, broker.port).close)
+        broker = ending.enter_context(Broker(program, host))
+        ending.callback(Stream(twin, host, broker.port).close)
         return broker.port
 
     def _serve(self, identity: str, component: object) -> int:

@@ -1,6 +1,7 @@
 """RCIS as its client sees it: nine components, which move a twin of EBO's."""
 
 from collections.abc import Mapping
+from contextlib import ExitStack
 from functools import cache, partial
 from types import MappingProxyType
 from typing import Any
@@ -28,22 +29,25 @@ class Emulator:
         self, twin: Twin, *, host: str = "127.0.0.1", layout: Layout = Layout.TOOL
     ) -> None:
         self._known = interfaces(layout)
-        self._adapter = Adapter(host)
         wheels = Wheels(twin, knows_place=True)
-        settings: dict[str, Any] = {
-            "address": host,
-            "base_port": self._serve("differentialrobot", wheels),
-            "laser_ports": [
-                self._serve("laser", Ranger(partial(_one_of, twin, place))) for place in range(5)
-            ],
-            "joint_port": self._serve("jointmotor", Servo(twin, -1, is_told=True)),
-            "display_port": self._serve("display", _Screen(twin)),
-            "camera_port": self._serve("rgbd", _Eyes(twin, wheels)),
-        }
+        with ExitStack() as beginning:
+            self._adapter = beginning.enter_context(Adapter(host))
+            settings: dict[str, Any] = {
+                "address": host,
+                "base_port": self._serve("differentialrobot", wheels),
+                "laser_ports": [
+                    self._serve("laser", Ranger(partial(_one_of, twin, place)))
+                    for place in range(5)
+                ],
+                "joint_port": self._serve("jointmotor", Servo(twin, -1, is_told=True)),
+                "display_port": self._serve("display", _Screen(twin)),
+                "camera_port": self._serve("rgbd", _Eyes(twin, wheels)),
+            }
+            self._ending = beginning.pop_all()
         self.settings: Mapping[str, Any] = MappingProxyType(settings)
 
     def close(self) -> None:
-        self._adapter.close()
+        self._ending.close()
 
     def _serve(self, identity: str, component: object) -> int:
         return self._adapter.serve({identity: Servant(self._known[identity], component)})

@@ -1,11 +1,9 @@
-"""A client's connection to a component: many calls at a time, and a new one after it broke."""
+"""A client's connection to a component, over which many calls go at a time."""
 
 import threading
 from dataclasses import dataclass
 from itertools import count
 from time import monotonic
-from types import TracebackType
-from typing import Self
 
 from learnblock.errors import IceEncodingError, IceLinkError
 from learnblock.ice.encoding import Reader
@@ -183,82 +181,3 @@ class Connection:
         for call in self._calls.values():
             call.failure = call.failure or error
         self._turn.notify_all()
-
-
-class Endpoint:
-    """Where a component listens: a context manager that keeps one connection to it.
-
-    It connects at the first call, and at the next one after the connection broke.
-
-    Args:
-        host: name or number of the computer.
-        port: of it.
-        patience: seconds within which a call has to be answered.
-    """
-
-    def __init__(self, host: str, port: int, patience: float) -> None:
-        self.host = host
-        self.port = port
-        self.patience = patience
-        self._lock = threading.Lock()
-        self._connection: Connection | None = None
-        self._closed = threading.Event()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        self.close()
-
-    def __str__(self) -> str:
-        return f"{self.host}:{self.port}"
-
-    def call(self, opening: bytes, parameters: bytes, *, again: bool) -> Reader:
-        """Make a call and wait for its reply.
-
-        Args:
-            opening: see `Connection.call`.
-            parameters: see there.
-            again: whether it does no harm to make it twice, when nobody knows whether the first
-                one was heard.
-
-        Raises:
-            IceLinkError: the component cannot be reached, or does not answer in time.
-        """
-        deadline = monotonic() + self.patience
-        connection, is_new = self._connected(deadline)
-        try:
-            return connection.call(opening, parameters, deadline)
-        except IceLinkError as error:
-            heard = not isinstance(error, NeverReadError)
-            if is_new or (heard and not again) or monotonic() >= deadline:
-                raise
-        connection, _ = self._connected(deadline)
-        return connection.call(opening, parameters, deadline)
-
-    def close(self) -> None:
-        """Close the connection for good; the second time it does nothing."""
-        # Not under the lock, which is held by a thread that connects.
-        self._closed.set()
-        if self._connection:
-            self._connection.close()
-
-    def _connected(self, deadline: float) -> tuple[Connection, bool]:
-        """A usable connection, and whether it was made just now."""
-        with self._lock:
-            if self._closed.is_set():
-                raise IceLinkError("the connection was closed here")
-            if self._connection and self._connection.is_usable(deadline):
-                return self._connection, False
-            if self._connection:
-                self._connection.close()
-            self._connection = Connection(self.host, self.port, deadline)
-            if self._closed.is_set():
-                # Closed while it was made.
-                self._connection.close()
-            return self._connection, True

@@ -5,8 +5,8 @@ from types import TracebackType
 from typing import Any, Self
 
 from learnblock.errors import IceEncodingError, IceRefusedError
-from learnblock.ice.connection import Endpoint
 from learnblock.ice.encoding import Writer
+from learnblock.ice.endpoint import Endpoint
 from learnblock.ice.interface import Interface, Mode, Operation, read_all, write_all
 from learnblock.ice.messages import open_reply, request_opening
 

@@ -1,4 +1,4 @@
-"""What robots made of RoboComp's components share: links, layouts, the base, the joint."""
+"""A robot made of RoboComp's components: its links, its layout, its base, its joint."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -7,15 +7,16 @@ from typing import Annotated, Any, ClassVar, Generic, Literal, TypeVar
 
 from msgspec import Meta
 
-from learnblock.devices import NOTHING_SEEN, Pose
-from learnblock.errors import IceEncodingError, IceError, IceRefusedError, RobotConnectionError
-from learnblock.ice.connection import Endpoint
+from learnblock.devices import Pose
+from learnblock.errors import IceError, RobotConnectionError
 from learnblock.ice.proxy import Proxy
-from learnblock.ice.robocomp import BaseState, Layout, MotorGoalPosition, interfaces
+from learnblock.ice.robocomp import Layout, MotorGoalPosition, interfaces
 from learnblock.robots import settings as user_settings
 from learnblock.robots.guardian import Guardian
 from learnblock.robots.real import RealRobot
-from learnblock.robots.robocomp_layout import layouts_of
+from learnblock.robots.robocomp.component import Component
+from learnblock.robots.robocomp.layouts import layouts_of
+from learnblock.robots.robocomp.units import pose_of
 from learnblock.robots.settings import Address, Patience, Port, RobotSettings
 
 LayoutChoice = Annotated[
@@ -25,8 +26,6 @@ LayoutChoice = Annotated[
 
 #: The joint that tilts the camera, as the robots call it.
 SERVO = "servo"
-#: Ice's name of what a component says that cannot read what it was told.
-_NOT_UNDERSTOOD = "UnknownLocalException"
 
 
 class RoboCompSettings(RobotSettings, frozen=True):
@@ -40,83 +39,6 @@ class RoboCompSettings(RobotSettings, frozen=True):
 
 
 RoboCompT = TypeVar("RoboCompT", bound=RoboCompSettings)
-
-
-class Component:
-    """One of a robot's components, which says who and where it is when something goes wrong.
-
-    Args:
-        robot: the robot's id.
-        title: what it is, in words: ``base``.
-        proxy: the way to it.
-    """
-
-    def __init__(self, robot: str, title: str, proxy: Proxy) -> None:
-        self._proxy = proxy
-        self._name = f"the {title} of the robot `{robot}` at {proxy.endpoint}"
-
-    @property
-    def endpoint(self) -> Endpoint:
-        """Where it is."""
-        return self._proxy.endpoint
-
-    def ask(self, operation: str, *values: Any) -> Any:
-        """Call an operation.
-
-        Raises:
-            RobotConnectionError: the component cannot be reached, or refuses.
-        """
-        try:
-            return self._proxy.call(operation, *values)
-        except IceError as error:
-            raise self.told(error) from error
-
-    def speak(self, layout: Layout) -> None:
-        """Go on in another layout."""
-        identity, endpoint = self._proxy.identity, self._proxy.endpoint
-        self._proxy = Proxy(interfaces(layout)[identity], identity, endpoint)
-
-    def can(self, operation: str) -> bool:
-        """Whether its interface has the operation."""
-        return any(one.name == operation for one in self._proxy.interface.operations)
-
-    def check(self) -> None:
-        """Make sure that it is there, and what it should be.
-
-        Raises:
-            RobotConnectionError: it is not.
-        """
-        try:
-            self._proxy.check()
-        except IceError as error:
-            raise self.told(error) from error
-
-    def ping(self) -> None:
-        """Make sure that it is still there.
-
-        Raises:
-            RobotConnectionError: it is not.
-        """
-        self.ask("ice_ping")
-
-    def close(self) -> None:
-        """Let go of it; the second time does nothing."""
-        self._proxy.close()
-
-    def told(self, error: IceError) -> RobotConnectionError:
-        """What went wrong, in words for the person at the robot."""
-        refusal = error.kind if isinstance(error, IceRefusedError) else ""
-        if isinstance(error, IceEncodingError) or refusal == _NOT_UNDERSTOOD:
-            return RobotConnectionError(
-                f"{self._name} speaks in another order: {error}; does it have another `layout`?"
-                " Choose one in the robot's settings"
-            )
-        if refusal:
-            return RobotConnectionError(f"{self._name} refuses: {error}")
-        return RobotConnectionError(
-            f"{self._name} cannot be reached: {error}; is the robot on, its components running,"
-            " and this computer in its network?"
-        )
 
 
 class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
@@ -256,18 +178,3 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
             self._guardian.dismiss()
         else:
             self._guardian.leave_in_charge()
-
-
-def pose_of(state: BaseState) -> Pose:
-    """A base's state as a pose: RoboComp looks along z at alpha 0 and has x to its right."""
-    return state.z, 0.0 - state.x, math.degrees(state.alpha)
-
-
-def in_range(mm: float) -> float:
-    """A ranger's distance; what it answers when it sees nothing, or fails, becomes 2000."""
-    return mm if 0 < mm < NOTHING_SEEN else NOTHING_SEEN
-
-
-def by_side(row: list[float]) -> dict[str, list[float]]:
-    """A row of distances from left to right, by the sides to which they look."""
-    return {"left": row[:2], "front": row[1:4], "right": row[3:]}

@@ -6,7 +6,7 @@ from dataclasses import astuple
 from typing import Any
 
 from learnblock.errors import IceEncodingError, IceRefusedError
-from learnblock.ice.connection import Endpoint
+from learnblock.ice.endpoint import Endpoint
 from learnblock.ice.proxy import Proxy
 from learnblock.ice.robocomp import Layout, MotorGoalPosition, interfaces
 
