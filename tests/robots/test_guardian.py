@@ -37,7 +37,7 @@ def runs(pid):
     """Whether a process is there, and is not only waiting to be buried."""
     try:
         status = Path(f"/proc/{pid}/stat").read_text()
-    except FileNotFoundError:
+    except (FileNotFoundError, ProcessLookupError):
         return False
     # Its state stands behind its name in brackets.
     return status.rpartition(")")[2].split()[0] != "Z"
