@@ -137,7 +137,7 @@ def listens(port):
 
 def test_it_keeps_what_every_robot_promises(hub, relay):
     chosen = {**hub.settings, "port": relay.port, "patience": 1.0}
-    certificate = check_robot(lambda: Robot(**chosen), relay=relay, excused=EXCUSED, patience=2.5)
+    certificate = check_robot(lambda: Robot(**chosen), relay=relay, excused=EXCUSED, patience=3.5)
     assert certificate.passed
 
 
@@ -348,7 +348,7 @@ def test_it_stands_by_itself_when_the_wire_falls_silent(hub, relay):
         assert until(lambda: path and path[-1][1].x > 20)
         relay.fault = Fault.SILENT
         ended = path[-1][0]
-        assert until(lambda: path[-1][0] > ended + STOPPING + 1.2, 5)
+        assert until(lambda: path[-1][0] > ended + STOPPING + 2.2, 6)
     with pytest.raises(RobotConnectionError, match="said nothing"):
         robot.stop()
     assert_stood(path, ended)

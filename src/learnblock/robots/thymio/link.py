@@ -9,7 +9,7 @@ from learnblock.robots.thymio.program import Event
 from learnblock.robots.thymio.wires import Wire
 
 #: Seconds of silence after which the robot counts as gone; it is asked 50 times a second.
-SILENCE = 1.5
+SILENCE = 2.5
 
 
 class GarbledError(Exception):

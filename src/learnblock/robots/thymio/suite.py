@@ -100,6 +100,8 @@ class SuiteLink(Link):
 
     def _get_acquainted(self) -> None:
         self._expect(lambda: bool(self._client.nodes), "it names no robot")
+        taken = "the Suite lends no robot, since another program has it or it is switched off,"
+        self._expect(lambda: self._free() is not None, taken)
         self._node = self._free()
         watched = tdmclient.ThymioFB.WATCHABLE_INFO_VARIABLES
         run = tdmclient.ThymioFB.VM_EXECUTION_STATE_COMMAND_RUN
@@ -113,12 +115,9 @@ class SuiteLink(Link):
         self._expect(lambda: set(READ) <= set(self._values), "it does not say what it senses")
 
     def _free(self) -> Any:
-        for node in self._client.nodes:
-            if node.status == tdmclient.ThymioFB.NODE_STATUS_AVAILABLE:
-                return node
-        raise RobotConnectionError(
-            f"{self.name} is not free: another program has it, or the robot is switched off"
-        )
+        """The first robot that no program has, or None."""
+        free = tdmclient.ThymioFB.NODE_STATUS_AVAILABLE
+        return next((node for node in self._client.nodes if node.status == free), None)
 
     def _request(self, what: str, send: Callable[..., None], *arguments: Any) -> None:
         """Ask for something and wait for the answer.
