@@ -20,6 +20,7 @@ import coppeliasim_answers
 import cozmo_wires
 import ev3_wires
 import ice_wires
+import thymio_wires
 from learnblock import language
 from learnblock.blocks import builtin, load_configurations
 from learnblock.errors import LearnBlockError
@@ -80,6 +81,8 @@ def targets(folder: Path) -> tuple[Target, ...]:
         Target("Cozmo's screen", cozmo_wires.read_screen, cozmo_wires.screen_texts()),
         Target("EV3's agent", ev3_wires.read_agent, ev3_wires.agent_texts()),
         Target("EV3's firmware", ev3_wires.read_firmware, ev3_wires.firmware_texts()),
+        Target("Thymio's messages", thymio_wires.read_robot, thymio_wires.robot_texts()),
+        Target("Thymio Suite's", thymio_wires.read_suite, thymio_wires.suite_texts()),
         Target("Ice's requests", ice_wires.read_asked, tuple(ice_wires.request_texts())),
         Target("Ice's replies", ice_wires.read_answer, tuple(ice_wires.reply_texts())),
     )

@@ -48,6 +48,7 @@ floor = { size = [1200, 1200] }
 start = [{ x = -60, y = -150, heading = 180 }]
 
 [[line]]
+width = 60
 start = [-100, -150, 180]
 closed = true
 path = [

@@ -133,7 +133,9 @@ class AsebaLink(Link):
 
     def _note(self, node: Node, message: Message) -> None:
         """Keep an answer to our own question: a hub passes on those to others as well."""
-        if node.complete and (message.var_offset, len(message.var_data)) == node.span():
+        if not node.complete or node.lacking:
+            return
+        if (message.var_offset, len(message.var_data)) == node.span():
             self._begin, self._values = message.var_offset, tuple(map(signed, message.var_data))
             self._answered = True
 

@@ -25,6 +25,20 @@ _LENGTH = struct.Struct("<I")
 _LONGEST = 102_400
 
 
+#: What `tdmclient` knows what to do with; the rest it prints into the pupil's output.
+_UNDERSTOOD = frozenset(
+    {
+        tdmclient.ThymioFB.MESSAGE_TYPE_CONNECTION_HANDSHAKE,
+        tdmclient.ThymioFB.MESSAGE_TYPE_NODES_CHANGED,
+        tdmclient.ThymioFB.MESSAGE_TYPE_REQUEST_COMPLETED,
+        tdmclient.ThymioFB.MESSAGE_TYPE_ERROR,
+        tdmclient.ThymioFB.MESSAGE_TYPE_COMPILATION_RESULT_FAILURE,
+        tdmclient.ThymioFB.MESSAGE_TYPE_COMPILATION_RESULT_SUCCESS,
+        tdmclient.ThymioFB.MESSAGE_TYPE_VARIABLES_CHANGED,
+    }
+)
+
+
 class Packets:
     """Cuts a stream of bytes into packets: a length of 32 bits, the lowest byte first, and them."""
 
@@ -140,7 +154,8 @@ class SuiteLink(Link):
         for packet in self._packets.feed(data):
             self._heard = monotonic()
             try:
-                self._client.process_message(packet)
+                if _is_understood(packet):
+                    self._client.process_message(packet)
             except Exception as error:
                 # Its reader fails on what is no message with whatever comes first.
                 raise GarbledError(f"{type(error).__name__}: {error}") from error
@@ -164,3 +179,10 @@ class SuiteLink(Link):
         except RobotConnectionError:
             # Whoever uses the robot next is told.
             return
+
+
+def _is_understood(packet: bytes) -> bool:
+    """Whether it is a message that matters to us."""
+    buffer = tdmclient.FlatBuffer()
+    buffer.parse(packet, tdmclient.ThymioFB.SCHEMA)
+    return getattr(buffer.root, "union_type", None) in _UNDERSTOOD
