@@ -65,7 +65,7 @@ def cozmo(world: str = "empty", *, speed: float = 1.0, loss: float = 0.0) -> Ite
 
 
 class FastClock(WallClock):
-    """The time of a program whose robot lives four times as fast as we do."""
+    """The time of a program whose robot lives faster than we do."""
 
     speed = 4.0
 

@@ -81,29 +81,36 @@ def test_two_seconds_at_slow_wire_are_enough_to_connect():
 
 # The paper's programs.
 
-#: mm by which the path may be from the twin's own in lock-step, while time runs four times as fast
-#: as ours on a machine that does other things as well. In real time it was 8 mm.
+#: mm by which the path may be from the twin's own in lock-step, while time runs faster than ours
+#: on a machine that does other things as well. In real time it was 8 mm.
 TOLERANCE = 60
-PAPERS = [("square.bt", "empty", 80), ("tags.bt", "tags", 24)]
+PAPERS = [("square.bt", "empty", 80, 4.0), ("tags.bt", "tags", 26, 2.0)]
 
 
-@pytest.mark.parametrize(("name", "world", "seconds"), PAPERS)
-def test_the_papers_programs_drive_it_as_they_drive_its_twin(name, world, seconds, monkeypatch):
+@pytest.mark.parametrize(("name", "world", "seconds", "speed"), PAPERS)
+def test_the_papers_programs_drive_it_as_they_drive_its_twin(
+    name, world, seconds, speed, monkeypatch
+):
     own = run_example(name, "sim-cozmo", world=world, seconds=seconds)
+    monkeypatch.setattr(FastClock, "speed", speed)
     monkeypatch.setattr("learnblock.client.WallClock", FastClock)
     monkeypatch.setattr("learnblock.runtime.remote.WallClock", FastClock)
-    with cozmo(world, speed=FastClock.speed) as there:
+    with cozmo(world, speed=speed) as there:
         there.is_default()
         finished = run_example(name, "cozmo", seconds=seconds, worker=ThreadWorker)
         path = [pose for _, pose in there.twin.path]
         reached = {goal for goal, is_reached in there.twin.goals().items() if is_reached}
     assert finished.report.error is None
     assert finished.report.ended == own.report.ended
-    assert finished.report.emotions == own.report.emotions
-    assert tuple(there.machine.felt) == own.report.emotions
+    # In a program that goes on for ever, there may be time for one more.
+    assert finished.report.emotions[: len(own.report.emotions)] == own.report.emotions
+    assert tuple(there.machine.felt) == finished.report.emotions
     assert reached == {goal.name for goal in own.report.goals if goal.state == "reached"}
     of_twin = [pose for _, pose in own.recorder.path]
-    assert max(furthest(path, of_twin), furthest(of_twin, path)) < TOLERANCE
+    assert furthest(path, of_twin) < TOLERANCE
+    if own.report.ended == "finished":
+        # The other one was stopped somewhere on its way.
+        assert furthest(of_twin, path) < TOLERANCE
 
 
 def furthest(path, other):

@@ -64,7 +64,7 @@ class Machine:
         self._shown = b""
         self._handlers: dict[type, Callable[[Any], Iterable[Any] | None]] = {
             packets.DriveWheels: self._drive,
-            packets.StopAllMotors: lambda _: self._set_speeds(0.0, 0.0),
+            packets.StopAllMotors: lambda _: self.rest(),
             packets.SetHeadAngle: self._set_head,
             packets.SetLiftHeight: self._set_lift,
             packets.LightStateCenter: lambda packet: self._light("Front Center Rear", packet),
@@ -116,6 +116,9 @@ class Machine:
 
     def rest(self) -> None:
         self._set_speeds(0.0, 0.0)
+        with self._twin.body() as body:
+            for key in ("ARM", "CAMERA"):
+                body.set_joint(key, body.joint(key))
 
     # What packets do.
 

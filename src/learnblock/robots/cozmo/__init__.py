@@ -1,7 +1,8 @@
-"""Anki's Cozmo, over its own Wi-Fi, by pycozmo."""
+"""Anki's Cozmo, over its own WiFi, by pycozmo."""
 
 import importlib.util
 from collections.abc import Iterator, Mapping
+from contextlib import ExitStack
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -46,7 +47,7 @@ class CozmoSettings(RobotSettings, frozen=True):
 
 
 class Robot(RealRobot[CozmoSettings]):
-    """A Cozmo whose Wi-Fi this machine has joined.
+    """A Cozmo whose WiFi this machine has joined.
 
         from learnblock.robots.cozmo import Robot
 
@@ -105,10 +106,12 @@ class Robot(RealRobot[CozmoSettings]):
             self.add(RGBLed(set_color=partial(session.light, slot)), slot)
 
     def disconnect(self) -> None:
-        if self._session is not None:
-            self._session.close()
-        if self._guardian is not None:
-            self._guardian.dismiss()
+        # The last one first, and both of them whatever happens.
+        with ExitStack() as ending:
+            if self._guardian is not None:
+                ending.callback(self._guardian.dismiss)
+            if self._session is not None:
+                ending.callback(self._session.close)
 
     def check_link(self) -> None:
         if self._session is not None:

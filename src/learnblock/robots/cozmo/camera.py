@@ -17,8 +17,8 @@ class Picture:
     """A picture as it came over the wire.
 
     Args:
-        data: all its pieces: a first byte that tells whether it has colours, and the coded pixels of
-            a JPEG without its header.
+        data: all its pieces: a byte that tells whether it has colours, and the coded pixels of a
+            JPEG without its header.
         encoding: one of pycozmo's `ImageEncoding`.
         resolution: one of pycozmo's `ImageResolution`.
     """

@@ -157,6 +157,11 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
         self._welcomed = threading.Event()
 
     @property
+    def is_open(self) -> bool:
+        """Whether the robot has granted the connection."""
+        return bool(self.state == self.CONNECTED)
+
+    @property
     def silence(self) -> float:
         """Seconds since the robot was heard."""
         return monotonic() - float(self.recv_thread.heard)
@@ -177,10 +182,10 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
 
     def hang_up(self) -> None:
         """Let what was sent arrive, dismiss the robot and end all threads; in 0.5 s at most."""
-        if self.state == self.CONNECTED:
+        if self.is_open:
             self._deliver_all()
         self.send_thread.stop()
-        if self.state == self.CONNECTED:
+        if self.is_open:
             self.send_thread.say_goodbye()
         self.stop()
 

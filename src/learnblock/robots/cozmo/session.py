@@ -72,7 +72,8 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         """Stop the motors and let go of the robot, in less than 0.5 s."""
         # First, since it may be about to move something.
         self.anim_controller.stop()
-        self.stop_all_motors()
+        if self.conn.is_open:
+            self.stop_all_motors()
         self.conn.hang_up()
         self.del_all_handlers()
 
