@@ -63,8 +63,7 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
         self._settle_layout()
 
     def disconnect(self) -> None:
-        if "_ending" in vars(self):
-            self._ending.close()
+        self._ending.close()
 
     def check_link(self) -> None:
         self._base.ping()
