@@ -1,6 +1,8 @@
 """Our worlds as scenes of Aseba's playground."""
 
 import math
+import re
+from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 import pytest
@@ -10,6 +12,8 @@ from learnblock.emulators import emulate, thymio
 from learnblock.emulators.playground import GROUND, place, pose, write_scene
 from learnblock.errors import MissingPackageError, UnknownNameError
 from learnblock.robots import connect
+from learnblock.robots.settings import describe
+from learnblock.robots.thymio import Robot, ThymioSettings
 from learnblock.simulator import load_world
 from learnblock.simulator.geometry import Pose
 from playground import missing
@@ -108,3 +112,19 @@ def test_who_emulates_a_thymio_can_connect_to_it(monkeypatch):
             reading = robot.device(GroundSensors).read()
     # It stands on the black line of the twin's own world.
     assert max(reading["left"], reading["right"]) < 50
+
+
+@pytest.mark.skipif(bool(missing()), reason=missing())
+def test_the_example_of_its_page_runs(monkeypatch):
+    monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
+    page = (Path(__file__).parents[2] / "docs" / "robots" / "thymio.md").read_text("utf-8")
+    (example,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    exec(compile(example, "thymio.md", "exec"), {})  # noqa: S102 - our own page
+
+
+def test_its_page_has_every_setting_with_its_default_and_every_device():
+    page = (Path(__file__).parents[2] / "docs" / "robots" / "thymio.md").read_text("utf-8")
+    rows = dict(re.findall(r"^\| `(\w+)` \| (?:`(.*?)`)? ?\|", page, re.MULTILINE))
+    assert rows == {one.name: str(one.default) for one in describe("thymio", ThymioSettings)}
+    named = set(re.findall(r"^\| `(\w+):", page, re.MULTILINE))
+    assert named == {name.partition(":")[0] for name in Robot.device_names()}
