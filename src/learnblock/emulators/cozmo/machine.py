@@ -7,24 +7,20 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from pycozmo import protocol_encoder as packets
-from pycozmo.robot import RobotStatusFlag
 
-from learnblock.devices import Pose
-from learnblock.emulators.cozmo import face, picture
+from learnblock.emulators.cozmo import face, picture, reports
+from learnblock.emulators.cozmo.reports import ARM, PIVOT, Reports
 from learnblock.emulators.twin import Twin
 from learnblock.simulator.colours import RGB
 
 TRACK = 45.0
 """mm between the treads (pycozmo.robot)."""
-PIVOT, ARM = 45.0, 66.0
-"""mm: the height of the lift's pivot, and the length of its arm (pycozmo.robot)."""
 TICK = 0.03
 """Seconds between two reports of its state."""
 PICTURE_PERIOD = 1 / 15
 """Seconds between two pictures."""
 CALIBRATION = 0.1
 """Seconds in which it finds out where its head and its lift are; a real one takes longer."""
-FULL_TURN = 2 * math.pi
 
 _JOINTS = (packets.MotorID.MOTOR_HEAD, packets.MotorID.MOTOR_LIFT)
 
@@ -51,14 +47,12 @@ class Machine:
         self.volume = 65535
         self._twin = twin
         self._speeds = (0.0, 0.0)
-        self._enabled = self._reports = self._animates = False
+        self._enabled = self._tells = self._animates = False
         self._films = self._coloured = False
         self._stops_at_cliffs = True
         self._calibrated_at: float | None = None
         self._on_cliff = False
-        self._origin: Pose = (0.0, 0.0, 0.0)
-        self._origin_numbers = (0, 1)
-        self._last: tuple[float, float] | None = None
+        self._reports = Reports()
         self._pictures, self._picture_due = 0, 0.0
         self._sound_frames = self._frames_of_this_sound = 0
         self._shown = b""
@@ -85,7 +79,7 @@ class Machine:
     # What the server asks of it.
 
     def greet(self) -> Iterable[Any]:
-        self._enabled = self._reports = self._animates = self._films = self._coloured = False
+        self._enabled = self._tells = self._animates = self._films = self._coloured = False
         self._stops_at_cliffs = True
         yield packets.HardwareInfo(serial_number_head=0x02E00001)
         yield packets.FirmwareSignature(signature=json.dumps(_FIRMWARE))
@@ -104,7 +98,7 @@ class Machine:
         if self._calibrated_at is not None and now >= self._calibrated_at:
             self._calibrated_at = None
             yield from (packets.MotorCalibration(motor_id=motor) for motor in _JOINTS)
-        if self._reports:
+        if self._tells:
             yield self._state(now)
         if self._animates:
             yield packets.AnimationState(
@@ -133,7 +127,7 @@ class Machine:
         )
 
     def _synchronize(self, _packet: Any) -> None:
-        self._reports = self._enabled
+        self._tells = self._enabled
 
     def _animate(self, _packet: Any) -> None:
         self._animates = self._enabled
@@ -153,8 +147,7 @@ class Machine:
     def _set_origin(self, packet: Any) -> None:
         """Where it stands is from now on this place, looking along the x axis."""
         with self._twin.body() as body:
-            self._origin = body.pose
-        self._origin_numbers = (packet.pose_frame_id, packet.pose_origin_id)
+            self._reports.set_origin(body.pose, packet.pose_frame_id, packet.pose_origin_id)
 
     def _drive(self, packet: Any) -> None:
         self._set_speeds(packet.lwheel_speed_mmps, packet.rwheel_speed_mmps)
@@ -215,53 +208,14 @@ class Machine:
 
     def _state(self, now: float) -> Any:
         with self._twin.body() as body:
-            pose = body.pose
-            accelerations = [1000 * axis for axis in body.acceleration()]
-            head, arm = body.joint("CAMERA"), body.joint("ARM")
-            on_cliff = body.ground()["central"] == 0
-        self._meet_cliff(on_cliff)
-        x, y, angle = _seen_from(self._origin, pose)
-        return packets.RobotState(
-            timestamp=self._milliseconds(),
-            pose_frame_id=self._origin_numbers[0],
-            pose_origin_id=self._origin_numbers[1],
-            pose_x=x,
-            pose_y=y,
-            pose_angle_rad=angle,
-            lwheel_speed_mmps=self._speeds[0],
-            rwheel_speed_mmps=self._speeds[1],
-            head_angle_rad=math.radians(head),
-            lift_height_mm=PIVOT + ARM * math.sin(math.radians(arm)),
-            accel_x=accelerations[0],
-            accel_y=accelerations[1],
-            accel_z=accelerations[2],
-            gyro_z=self._turn_rate(now, angle),
-            battery_voltage=4.0,
-            status=self._status(),
-            cliff_data_raw=(0 if on_cliff else 1000,) * 4,
-        )
+            self._meet_cliff(reports.is_on_cliff(body))
+            return self._reports.state(body, now, self._speeds)
 
     def _meet_cliff(self, on_cliff: bool) -> None:  # noqa: FBT001 - it is on one or it is not
         """The robot itself stops where the floor ends; it may be told to go on."""
         if on_cliff and not self._on_cliff and self._stops_at_cliffs:
             self._set_speeds(0.0, 0.0)
         self._on_cliff = on_cliff
-
-    def _turn_rate(self, now: float, angle: float) -> float:
-        """rad/s to the left since the last report."""
-        before, self._last = self._last, (now, angle)
-        if before is None or now <= before[0]:
-            return 0.0
-        return math.remainder(angle - before[1], FULL_TURN) / (now - before[0])
-
-    def _status(self) -> int:
-        flag = RobotStatusFlag
-        status = flag.LIFT_IN_POS | flag.HEAD_IN_POS
-        if self._on_cliff:
-            status |= flag.CLIFF_DETECTED
-        if any(self._speeds):
-            status |= flag.IS_MOVING | flag.ARE_WHEELS_MOVING
-        return int(status)
 
     def _picture(self) -> Iterable[Any]:
         self._pictures += 1
@@ -273,15 +227,6 @@ class Machine:
             number=self._pictures,
             timestamp=self._milliseconds(),
         )
-
-
-def _seen_from(origin: Pose, pose: Pose) -> tuple[float, float, float]:
-    """A pose in the robot's own frame: mm ahead and to the left, and rad to the left."""
-    x, y = pose[0] - origin[0], pose[1] - origin[1]
-    angle = math.radians(origin[2])
-    along, across = math.cos(angle), math.sin(angle)
-    turned = math.remainder(math.radians(origin[2] - pose[2]), FULL_TURN)
-    return x * along - y * across, x * across + y * along, turned
 
 
 def _rgb(colour: int) -> RGB:

@@ -34,6 +34,13 @@ if TYPE_CHECKING:
 __all__ = ["CozmoSettings", "Robot"]
 
 
+#: A voice of espeak-ng, perhaps with a variant: ``en``, ``en-us+f3``.
+Voice = Annotated[
+    str,
+    Meta(pattern=r"^[\w-]+(\+\w+)?$", min_length=1, max_length=40, description="of espeak-ng"),
+]
+
+
 class CozmoSettings(RobotSettings, frozen=True):
     """What can be set about a Cozmo."""
 
@@ -43,7 +50,7 @@ class CozmoSettings(RobotSettings, frozen=True):
     colour: Annotated[bool, Meta(description="colours, in half the width, or else grey")] = True
     stop_at_cliff: Annotated[bool, Meta(description="whether it stops where the floor ends")] = True
     volume: Annotated[int, Meta(ge=0, le=100, description="how loud it is")] = 60
-    voice: Annotated[str, Meta(pattern=r"^[\w-]+(\+\w+)?$", description="of espeak-ng")] = "en"
+    voice: Voice = "en"
 
 
 class Robot(RealRobot[CozmoSettings]):
