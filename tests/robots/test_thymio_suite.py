@@ -1,25 +1,35 @@
 """A Thymio of Thymio Suite, with `tdmclient`'s own server as the Suite.
 
-The Suite itself is not in Debian: its compiler and its true timing are not tried here.
+The Suite itself is not in Debian, so its true timing is not tried here. The program for its
+compiler is compiled by another tool of Aseba's instead.
 """
 
+import shutil
 import socket
 import struct
+import subprocess
 import threading
-from contextlib import contextmanager, suppress
+import urllib.request
+from contextlib import closing, contextmanager, suppress
+from pathlib import Path
 from time import monotonic
+from xml.etree import ElementTree as Xml
 
 import pytest
 from tdmclient import ThymioFB
 from tdmclient.server import ServerHandler, ServerNode
 
 from learnblock.devices import DistanceSensors, GroundSensors
+from learnblock.emulators.thymio import Emulator, _free_port
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.thymio import Robot
 from learnblock.robots.thymio.node import READ
+from learnblock.robots.thymio.program import DRIVE, EVENTS, source
 from learnblock.testing import Fault, Relay
 
 PATIENCE = 1.0
+#: From which a locale is made.
+ENGLISH = Path("/usr/share/i18n/locales/en_US")
 
 
 class Thymio(ServerNode):
@@ -160,3 +170,69 @@ def test_a_wire_that_fails_is_told_and_it_can_be_connected_again(thymio, fault, 
         robot.stop()
         relay.fault = Fault.NONE
         connect(relay.port).stop()
+
+
+# The program that the Suite gets, through the compiler of Aseba's HTTP switch.
+
+
+@pytest.fixture(scope="module")
+def bridge(tmp_path_factory):
+    """Aseba's HTTP switch before a playground: a function that asks it for a path."""
+    if shutil.which("asebahttp") is None or not ENGLISH.exists():
+        pytest.skip("apt-get install aseba locales")
+    # It only begins where American English is known.
+    folder = tmp_path_factory.mktemp("locale")
+    locale = folder / "en_US.UTF-8"
+    subprocess.run(["localedef", "-i", "en_US", "-f", "UTF-8", locale], check=True)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("QT_QPA_PLATFORM", "offscreen")
+        patch.setenv("LOCPATH", str(folder))
+        with closing(Emulator("empty")) as ground:
+            yield from bridged(ground.settings["port"])
+
+
+def bridged(robot):
+    port = _free_port()
+    process = subprocess.Popen(
+        ["asebahttp", "-p", str(port), f"tcp:host=127.0.0.1;port={robot}"],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    yield lambda *request: ask(port, *request)
+    process.kill()
+    process.wait()
+
+
+def ask(port, path, program=None):
+    """What the switch answers to a GET, or to a PUT of a program; None where it refuses."""
+    place = f"http://127.0.0.1:{port}{path}"
+    request = urllib.request.Request(place, data=program, method="PUT" if program else "GET")
+    try:
+        with urllib.request.urlopen(request, timeout=3) as answer:  # noqa: S310 - http
+            return answer.read().decode()
+    except OSError:
+        return None
+
+
+def aesl(text):
+    """A program as Aseba's tools keep it, with its events."""
+    network = Xml.Element("network")
+    for event in EVENTS:
+        Xml.SubElement(network, "event", name=event.name, size=str(event.size))
+    Xml.SubElement(network, "node", name="thymio-II", nodeId="1").text = text
+    return b"<!DOCTYPE aesl-source>" + Xml.tostring(network)
+
+
+def test_asebas_own_compiler_takes_the_source_and_it_drives_and_watches(bridge):
+    assert until(lambda: "thymio-II" in (bridge("/nodes") or ""), 10)
+    assert bridge("/nodes/thymio-II", aesl(source())) == ""
+    assert until(lambda: bridge("/nodes/thymio-II/life") == "[0]")
+    bridge(f"/nodes/thymio-II/{DRIVE.name}/100/50")
+    assert until(lambda: bridge("/nodes/thymio-II/motor.right.target") == "[50]")
+    assert until(lambda: bridge("/nodes/thymio-II/motor.right.target") == "[0]")
+
+
+def test_asebas_own_compiler_refuses_what_is_no_source(bridge):
+    assert until(lambda: "thymio-II" in (bridge("/nodes") or ""), 10)
+    bridge("/nodes/thymio-II", aesl(source() + "\nlife = nonsense\n"))
+    assert bridge("/nodes/thymio-II/life") is None
