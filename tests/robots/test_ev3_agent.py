@@ -74,7 +74,7 @@ def test_motors_stop_in_silence_and_a_client_that_comes_back_much_later_is_told(
     assert "too long" in json.loads(guard.answer("{}"))["error"]
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(
     st.one_of(
         st.text(),
@@ -98,7 +98,7 @@ def test_whatever_an_agent_is_told_it_answers_with_a_state_or_a_sentence(line):
         agent.wished(agent.parsed(line))
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(
     st.one_of(
         st.binary(),

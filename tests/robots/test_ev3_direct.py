@@ -58,7 +58,7 @@ def test_the_reply_to_an_earlier_command_is_passed_over_and_a_refusal_told():
         direct.answered(struct.pack("<HB", 7, 4), 7, direct.Question([]))
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=250, deadline=None)
 @given(st.binary(max_size=40) | st.binary(max_size=40).map(lambda rest: b"\x07\0\x02" + rest))
 def test_a_reply_is_read_or_refused(body):
     question = direct.Question([direct.kind_of(2), direct.turned(1), direct.reading(3, 0)])
@@ -81,7 +81,7 @@ class Bytes(wires.Stream):
         return piece
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(st.binary(max_size=60))
 def test_bytes_of_a_wire_are_messages_or_refused(data):
     wire = Bytes(data)
@@ -94,21 +94,19 @@ def test_bytes_of_a_wire_are_messages_or_refused(data):
 
 def test_what_is_rounded_off_a_speed_is_made_up_for_later():
     motor = Motor(1)
-    motor.speed = 2.4
-    percents = [motor.orders(told=False) for _ in range(10)]
-    assert sum(one == direct.turn(1, 3, 300) for one in percents) == 4
-    assert sum(one == direct.turn(1, 2, 300) for one in percents) == 6
-    motor.speed = 250.0
-    assert motor.orders(told=True) == direct.turn(1, 100, 300)
-    motor.speed = 0.0
-    assert motor.orders(told=True) == direct.stop(1)
-    assert motor.orders(told=False) == b""
+    turns = [motor.turn(2.4) for _ in range(10)]
+    assert sum(one == direct.turn(1, 3, 300) for one in turns) == 4
+    assert sum(one == direct.turn(1, 2, 300) for one in turns) == 6
+    assert motor.turn(250.0) == direct.turn(1, 100, 300)
+    assert motor.turn(0.0) == direct.stop(1)
+    assert motor.turn(0.3) == direct.stop(1)
+    assert motor.turn(0.3) == direct.turn(1, 1, 300)
 
 
 # Beacons.
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(st.binary() | st.from_regex(scan._BEACON))
 def test_a_beacon_is_read_or_passed_over(data):
     port = scan.read_beacon(data)

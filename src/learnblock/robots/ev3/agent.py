@@ -24,7 +24,8 @@ From then on each word of the client is answered with the brick's state, or with
     {"say": "hello"}
     {}                          how is it?
 
-Motors stop when the client has said nothing for 0.3 s, and at the end of the conversation.
+Motors stop when the client has said nothing for 0.3 s, until it says again what they are to do, and
+at the end of the conversation.
 """
 
 import argparse

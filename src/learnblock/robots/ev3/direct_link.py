@@ -8,7 +8,7 @@ from learnblock.errors import RobotConnectionError
 from learnblock.robots.ev3 import direct
 from learnblock.robots.ev3.brick import Drive, NoSuchWayError, Say, State, Tone, Word
 from learnblock.robots.ev3.direct import Question
-from learnblock.robots.ev3.link import PULSE, Link
+from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.wires import open_wire
 
@@ -46,7 +46,6 @@ class DirectLink(Link):
         self._motors = [Motor("ABCD".index(port)) for port in (settings.left, settings.right)]
         self._per_percent = settings.full_speed / 100
         self._factors: dict[str, float] = {}
-        self._renewed = 0.0
         self._wire = open_wire(
             settings.device, settings.address, settings.direct_port, settings.patience
         )
@@ -62,8 +61,7 @@ class DirectLink(Link):
             raise
 
     def exchange(self, word: Word) -> State:
-        orders = self._told_to(word) + self._driven(now=isinstance(word, Drive))
-        left, right, *readings = self._asked(orders, self._question)
+        left, right, *readings = self._asked(self._orders(word), self._question)
         sensors = {
             kind: None if math.isnan(reading) else reading * factor
             for (kind, factor), reading in zip(self._factors.items(), readings, strict=True)
@@ -73,11 +71,13 @@ class DirectLink(Link):
     def hang_up(self) -> None:
         self._wire.close()
 
-    def _told_to(self, word: Word) -> bytes:
+    def _orders(self, word: Word) -> bytes:
         match word:
-            case Drive(left, right):
-                self._motors[0].speed = left / self._per_percent
-                self._motors[1].speed = right / self._per_percent
+            case Drive():
+                return b"".join(
+                    motor.turn(speed / self._per_percent)
+                    for motor, speed in zip(self._motors, word, strict=True)
+                )
             case Tone(hertz, milliseconds):
                 # What the firmware takes: audible, and at most half a minute.
                 return direct.tone(
@@ -86,13 +86,6 @@ class DirectLink(Link):
             case Say():
                 raise RobotConnectionError(f"the EV3 at {self.where} cannot speak")
         return b""
-
-    def _driven(self, *, now: bool) -> bytes:
-        """What keeps the motors turning as they do, when it is time for it."""
-        if not now and monotonic() - self._renewed < 0.9 * PULSE:
-            return b""
-        self._renewed = monotonic()
-        return b"".join(motor.orders(told=now) for motor in self._motors)
 
     def _find_plugged(self, settings: Settings) -> Question:
         """What is asked from now on: how far the motors have turned, and what the sensors read."""
@@ -148,16 +141,14 @@ class Motor:
 
     def __init__(self, port: int) -> None:
         self.port = port
-        #: Percent of the full speed, with fractions.
-        self.speed = 0.0
         self._owed = 0.0
 
-    def orders(self, *, told: bool) -> bytes:
-        """What keeps it turning; when it stands, only if it was just told to."""
-        if not self.speed:
+    def turn(self, speed: float) -> bytes:
+        """Have it turn for a moment at this speed, in percent with fractions."""
+        if not speed:
             self._owed = 0.0
-            return direct.stop(self.port) if told else b""
-        wanted = min(max(self.speed, -100.0), 100.0) + self._owed
+            return direct.stop(self.port)
+        wanted = min(max(speed, -100.0), 100.0) + self._owed
         percent = min(max(round(wanted), -100), 100)
         self._owed = min(max(wanted - percent, -0.5), 0.5)
         return direct.turn(self.port, percent, RUN) if percent else direct.stop(self.port)

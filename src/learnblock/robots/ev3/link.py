@@ -7,7 +7,7 @@ from contextlib import suppress
 from time import monotonic
 
 from learnblock.errors import RobotConnectionError
-from learnblock.robots.ev3.brick import Look, State, Word
+from learnblock.robots.ev3.brick import Drive, Look, State, Word
 
 #: Seconds between two words of a program that says nothing: the brick stops its motors after 0.3.
 PULSE = 0.1
@@ -17,6 +17,9 @@ FRESH = 0.01
 
 class Link(ABC):
     """One word and its answer at a time, from any thread; a failure is the end of it.
+
+    What the wheels are to do is said again ten times a second: a brick stops them when it hears
+    nothing, and turns them again when a wire that was slow for a moment is well.
 
     A subclass says how a word travels. What it raises as OSError (a wire that failed or was too
     slow) or ValueError (nonsense) becomes a sentence; a RobotConnectionError is one already, and
@@ -33,6 +36,8 @@ class Link(ABC):
         self._lock = threading.Lock()
         self._closed = threading.Event()
         self._broken = ""
+        self._wish = Drive(0, 0)
+        self._driven = 0.0
         self._state: State | None = None
         self._heard = 0.0
         self._thread = threading.Thread(target=self._keep_alive, name="ev3", daemon=True)
@@ -72,7 +77,7 @@ class Link(ABC):
         with self._lock:
             self.check()
             try:
-                state = self.exchange(word)
+                state = self.exchange(self._due(word))
             except RobotConnectionError:
                 raise
             except (OSError, ValueError) as error:
@@ -111,6 +116,19 @@ class Link(ABC):
         self.hang_up()
         if self._thread.is_alive() and self._thread is not threading.current_thread():
             self._thread.join()
+
+    def _due(self, word: Word) -> Word:
+        """The word, or what the wheels are to do, if it is time to say that again."""
+        if isinstance(word, Drive):
+            self._wish = word
+        elif isinstance(word, Look) and any(self._wish) and self._is_late():
+            word = self._wish
+        if isinstance(word, Drive):
+            self._driven = monotonic()
+        return word
+
+    def _is_late(self) -> bool:
+        return monotonic() - self._driven > 0.9 * PULSE
 
     def _take_leave(self) -> None:
         # Not while somebody waits for an answer that may never come.

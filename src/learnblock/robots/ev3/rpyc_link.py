@@ -20,8 +20,8 @@ from learnblock.robots.real import require
 
 #: Bytes of the largest message: an answer, or the traceback of an error.
 LARGEST = 1 << 20
-#: Seconds in which python-ev3dev2 must have been imported, on a slow processor.
-IMPORTING = 20.0
+#: Seconds in which a slow processor must have imported python-ev3dev2 and found its devices.
+BEGINNING = 20.0
 #: What begins to answer us there, unless another program is being answered. The lock is the file's:
 #: it goes with the process, and ours is let go when the program has fallen silent.
 BEGIN = """
@@ -103,13 +103,10 @@ class RpycLink(Link):
         agent = resources.files("learnblock.robots.ev3").joinpath("agent.py").read_text("utf-8")
         try:
             slave = self._connection.root
-            beginning = self._rpyc.async_(slave.execute)(agent + BEGIN)
-            beginning.set_expiry(IMPORTING)
-            # Raises what went wrong there.
-            _ = beginning.value
-            evaluate = slave.eval
-            said = evaluate(f"begin({lines.introduction(settings, '').decode()!r})")
-            answer = evaluate("answer")
+            self._slowly(slave.execute, agent + BEGIN)
+            introduction = lines.introduction(settings, "").decode()
+            said = self._slowly(slave.eval, f"begin({introduction!r})")
+            answer = slave.eval("answer")
         except Exception as error:
             raise RobotConnectionError(
                 f"the EV3 at {self.where} cannot be driven by rpyc ({_first_line(error)}):"
@@ -117,6 +114,13 @@ class RpycLink(Link):
             ) from error
         self._read(said)
         return answer
+
+    def _slowly(self, function: Any, argument: str) -> object:
+        """What the brick may take its time for."""
+        doing = self._rpyc.async_(function)(argument)
+        doing.set_expiry(BEGINNING)
+        # Waits for it, and raises what went wrong there.
+        return doing.value
 
     def _read(self, said: object) -> State:
         if not isinstance(said, str):

@@ -31,7 +31,8 @@ fi
 """
 #: Starts it so that it stays when we log out, and waits until it listens.
 START = """
-nohup ./{agent} --port {port} > {log} 2>&1 < /dev/null &
+: > {log}
+nohup ./{agent} --port {port} >> {log} 2>&1 < /dev/null &
 while kill -0 $! 2> /dev/null; do
     if grep -q listening {log}; then exit 0; fi
     sleep 0.1
