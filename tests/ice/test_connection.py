@@ -12,6 +12,7 @@ import pytest
 from ice_runtime import components
 from learnblock.errors import IceLinkError
 from learnblock.ice import Adapter, Interface, Operation, Proxy, Servant
+from learnblock.ice.endpoint import Endpoint
 from learnblock.ice.interface import Mode
 from learnblock.ice.messages import HEADER, Kind, message
 from learnblock.ice.robocomp import Layout, interfaces
@@ -126,12 +127,13 @@ def test_a_component_that_is_not_there_is_told():
         proxy.ping()
 
 
-def test_an_address_that_does_not_exist_is_told():
+@pytest.mark.parametrize("host", ["no.such.host.invalid", "two words", "x" * 70, "a..b", "\udc80"])
+def test_an_address_that_does_not_exist_is_told(host):
     with (
-        Proxy.parse("it:tcp -h no.such.host.invalid -p 5", COUNTER, 5) as proxy,
+        Endpoint(host, 5, patience=5) as endpoint,
         pytest.raises(IceLinkError, match="there is no such address"),
     ):
-        proxy.ping()
+        Proxy(COUNTER, "it", endpoint).ping()
 
 
 @pytest.mark.parametrize("fault", [Fault.SILENT, Fault.CUT, Fault.GARBAGE])

@@ -24,6 +24,9 @@ class Stream:
     def __init__(self, host: str, port: int, deadline: float) -> None:
         try:
             self._inwards = socket.create_connection((host, port), _left(deadline))
+        except UnicodeError as error:
+            # Some texts cannot even be looked up.
+            raise IceLinkError("there is no such address") from error
         except OSError as error:
             raise IceLinkError(_reason(error)) from error
         self._inwards.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

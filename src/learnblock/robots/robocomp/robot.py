@@ -9,6 +9,7 @@ from msgspec import Meta
 
 from learnblock.devices import Pose
 from learnblock.errors import IceError, RobotConnectionError
+from learnblock.ice.endpoint import Endpoint
 from learnblock.ice.proxy import Proxy
 from learnblock.ice.robocomp import Layout, MotorGoalPosition, interfaces
 from learnblock.robots import settings as user_settings
@@ -71,8 +72,8 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
     @classmethod
     def halt(cls, settings: RoboCompT) -> None:
         # A guardian has to be quick: it tries again if this was too short.
-        endpoint = cls.proxy("differentialrobot", settings, settings.base_port, patience=0.5)
-        with closing(Component(cls.name(), "base", endpoint)) as base:
+        proxy = cls.proxy("differentialrobot", settings, settings.base_port, patience=0.5)
+        with closing(Component(cls.name(), "base", proxy)) as base:
             base.ask("setSpeedBase", 0.0, 0.0)
 
     @classmethod
@@ -116,8 +117,8 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
     ) -> Proxy:
         """The way to one of the components; nothing is asked yet."""
         interface = interfaces(layout or cls.usual_layout)[identity]
-        text = f"{identity}:tcp -h {settings.address} -p {port}"
-        return Proxy.parse(text, interface, patience or settings.patience)
+        endpoint = Endpoint(settings.address, port, patience or settings.patience)
+        return Proxy(interface, identity, endpoint)
 
     def component(self, identity: str, title: str, port: int) -> Component:
         """One of the components, which is there; it is let go of when the robot is."""
