@@ -375,6 +375,19 @@ def test_on_a_real_robot_thinking_long_is_no_fault(run):
     assert result.how == How.FINISHED
 
 
+class EndsWhenLookedAt(ThreadWorker):
+    """A program that says its last words and ends after we have listened and before we look."""
+
+    def wait(self, timeout):
+        self._thread.join(5)
+        return super().wait(timeout)
+
+
+def test_a_programs_last_words_are_heard_though_it_is_gone(run):
+    result = run("robot.clock.sleep(0.2)", real=True, worker=EndsWhenLookedAt)
+    assert result.how == How.FINISHED
+
+
 def test_programs_in_one_world_take_turns_in_order(stage):
     shared = Listener()
     for name, period in (("a", 0.2), ("b", 0.1)):

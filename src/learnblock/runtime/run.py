@@ -264,7 +264,7 @@ class Run:
         if message is None:
             self.watcher.tick()
             if self._worker.wait(0) is not None:
-                raise EOFError("the program's process is gone")
+                message = self._last_words()
         elif not self._heard:
             self._heard = True
             self._status.enter(State.RUNNING)
@@ -272,6 +272,13 @@ class Run:
             self._look_after_time()
             if self._wants_variables():
                 self._ask_variables()
+        return message
+
+    def _last_words(self) -> Any:
+        """What the program still said between our last look and its end."""
+        message = self._link.receive_now()
+        if message is None:
+            raise EOFError("the program's process is gone")
         return message
 
     def _handle(self, message: Any) -> None:
