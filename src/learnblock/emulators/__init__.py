@@ -15,9 +15,9 @@ import threading
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from functools import partial
-from types import TracebackType
-from typing import Any, Protocol, Self
+from typing import Any, Protocol
 
+from learnblock.closing import Closing
 from learnblock.emulators.twin import Twin
 from learnblock.errors import UnknownNameError
 
@@ -50,7 +50,7 @@ class Emulator(Protocol):
         """Listen no more."""
 
 
-class Emulation:
+class Emulation(Closing):
     """An emulator with its twin, while they run: a context manager.
 
     Args:
@@ -75,17 +75,6 @@ class Emulation:
         self._ending.callback(emulator.close)
         self.settings = emulator.settings
         self.note: str = getattr(emulator, "note", "")
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def wait(self) -> None:
         """Wait for ever, or for Ctrl-C."""

@@ -3,17 +3,17 @@
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from types import TracebackType
 from typing import Self
 
 from learnblock import robots
+from learnblock.closing import Closing
 from learnblock.devices import Pose
 from learnblock.errors import LearnBlockError
 from learnblock.robots.simulated import SimulatedRobot
 from learnblock.simulator import RobotBody
 
 
-class Twin:
+class Twin(Closing):
     """A robot in a world that goes on by itself: a context manager.
 
         with Twin("sim-cozmo", "tags") as twin:
@@ -58,14 +58,6 @@ class Twin:
     def __enter__(self) -> Self:
         self._thread.start()
         return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        self.close()
 
     @contextmanager
     def body(self) -> Iterator[RobotBody]:

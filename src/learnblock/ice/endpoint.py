@@ -2,15 +2,14 @@
 
 import threading
 from time import monotonic
-from types import TracebackType
-from typing import Self
 
+from learnblock.closing import Closing
 from learnblock.errors import IceLinkError
 from learnblock.ice.connection import Connection, NeverReadError
 from learnblock.ice.encoding import Reader
 
 
-class Endpoint:
+class Endpoint(Closing):
     """Where a component listens: a context manager that keeps one connection to it.
 
     It connects at the first call, and at the next one after the connection broke.
@@ -28,17 +27,6 @@ class Endpoint:
         self._lock = threading.Lock()
         self._connection: Connection | None = None
         self._closed = threading.Event()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def __str__(self) -> str:
         return f"{self.host}:{self.port}"

@@ -1,9 +1,9 @@
 """A component as its client sees it."""
 
 import re
-from types import TracebackType
 from typing import Any, Self
 
+from learnblock.closing import Closing
 from learnblock.errors import IceEncodingError, IceRefusedError
 from learnblock.ice.encoding import Writer
 from learnblock.ice.endpoint import Endpoint
@@ -13,7 +13,7 @@ from learnblock.ice.messages import open_reply, request_opening
 _TEXT = re.compile(r"(?P<identity>\S+?)\s*:\s*tcp(?=\s)(?P<options>(?:\s+-\w\s+\S+)*)\s*")
 
 
-class Proxy:
+class Proxy(Closing):
     """A component's object: its operations are calls.
 
         base = Proxy.parse("differentialrobot:tcp -h 192.168.16.1 -p 10004", interface)
@@ -52,17 +52,6 @@ class Proxy:
             )
         endpoint = Endpoint(options.get("h", "localhost"), int(port), patience)
         return cls(interface, found["identity"], endpoint)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def __repr__(self) -> str:
         return f"<Proxy {self.identity}:tcp -h {self.endpoint.host} -p {self.endpoint.port}>"

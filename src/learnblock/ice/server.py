@@ -4,9 +4,9 @@ import asyncio
 import threading
 from collections.abc import Mapping
 from dataclasses import dataclass
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 
+from learnblock.closing import Closing
 from learnblock.errors import IceEncodingError, IceRefusedError
 from learnblock.ice.encoding import Writer
 from learnblock.ice.interface import OBJECT, Interface, Mode, Operation, read_all, write_all
@@ -42,7 +42,7 @@ class Servant:
     implementation: object
 
 
-class Adapter:
+class Adapter(Closing):
     """Listens for calls, and has servants answer them, one after the other in one thread.
 
     It is a context manager: from its beginning to its end it listens where `serve` says.
@@ -58,17 +58,6 @@ class Adapter:
         self._servers: list[asyncio.Server] = []
         self._clients: dict[asyncio.Task[None], asyncio.StreamWriter] = {}
         self._thread.start()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def serve(self, servants: Mapping[str, Servant], port: int = 0) -> int:
         """Listen at one more port.

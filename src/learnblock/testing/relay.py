@@ -5,8 +5,9 @@ import random
 import socket
 import threading
 from enum import Enum, auto
-from types import TracebackType
 from typing import Any, Self
+
+from learnblock.closing import Closing
 
 _CHUNK = 65536
 
@@ -25,7 +26,7 @@ class Fault(Enum):
     CUT = auto()
 
 
-class Relay:
+class Relay(Closing):
     """Passes on what client and robot say, over TCP or UDP, as well as its fault allows.
 
         with Relay(("127.0.0.1", port)) as relay:
@@ -82,14 +83,10 @@ class Relay:
         self._thread.start()
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        self._loop.call_soon_threadsafe(self._ended.set)
-        self._thread.join()
+    def close(self) -> None:
+        if self._thread.is_alive():
+            self._loop.call_soon_threadsafe(self._ended.set)
+            self._thread.join()
 
     def _run(self) -> None:
         try:
