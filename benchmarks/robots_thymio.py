@@ -16,6 +16,7 @@ import sys
 import threading
 from collections.abc import Callable
 from contextlib import closing
+from itertools import cycle
 from pathlib import Path
 from time import monotonic, perf_counter, sleep
 
@@ -142,7 +143,12 @@ def main() -> None:
                 print(f"{distance:>12} {spread} {made:>20.0f}")
             print(f"\nreadings renewed {renewals(robot):.1f} times a second; the playground's 33.3")
             base = robot.device(Base)
-            ours = cost(lambda: base.move(0, 0)), cost(robot.device(DistanceSensors).read)
+            # The same speeds again would not be sent.
+            speeds = cycle((10, 20))
+            ours = (
+                cost(lambda: base.move(next(speeds), 0)),
+                cost(robot.device(DistanceSensors).read),
+            )
         library = bare(ground.settings["port"])
         print(f"\nmove: {ours[0]:.1f} us, by thymiodirect alone {library[0]:.1f} us")
         print(f"read: {ours[1]:.1f} us, by thymiodirect alone {library[1]:.1f} us")

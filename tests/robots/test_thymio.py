@@ -287,8 +287,8 @@ def test_a_program_takes_it_where_it_takes_its_twin(ground):
     expected = from_its_start([(time, x, y) for time, (x, y, _) in twin])
     actual = from_its_start([(time, pose.x, pose.y) for time, pose in path])
     gaps = [math.dist(at(actual, time), (x, y)) for time, x, y in expected if time < 8]
-    # Stated tolerance: 25 mm over the 200 mm that it drives, with a turn in them.
-    assert max(gaps) < 25, max(gaps)
+    # Stated tolerance: 15 mm over the 200 mm that it drives, with a turn in them.
+    assert max(gaps) < 15, max(gaps)
 
 
 def from_its_start(track):

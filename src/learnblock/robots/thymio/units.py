@@ -111,7 +111,8 @@ def acceleration(readings: Sequence[int]) -> tuple[float, float, float]:
     it against gravity, which is what an accelerometer feels, points the other way.
     """
     to_left, to_rear, down = (reading / ACC_PER_G * GRAVITY for reading in readings)
-    return to_rear, -to_left, down
+    # Not its negative: that of 0 would be shown as -0.0.
+    return to_rear, 0 - to_left, down
 
 
 def level(value: int) -> int:
