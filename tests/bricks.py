@@ -12,7 +12,7 @@ from learnblock.testing import Relay
 
 WAYS = ("agent", "rpyc", "direct")
 #: How much faster than real time a quick world runs.
-SPEED = 4
+SPEED = 6
 
 
 class TwinsClock:
@@ -53,7 +53,7 @@ def brick(way, world="empty", *, speed=1, start=None):
 
     twin = Twin("sim-ev3", world, speed=speed, start=start)
     with Emulation(begin, twin) as emulation:
-        emulation.settings = {**emulation.settings, "patience": 2.0 if way == "rpyc" else 0.8}
+        emulation.settings = {**emulation.settings, "patience": 1.2 if way == "rpyc" else 0.8}
         emulation.brick = emulators[0].brick
         yield emulation
 

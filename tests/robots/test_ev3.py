@@ -204,7 +204,7 @@ def driven_path(way, program, monkeypatch):
             path = list(emulation.twin.path)
         assert (report.ended, report.error) == ("finished", None)
         # A turn is right to one degree, which is 3.5 mm a leg; in real time all comes to 3 mm, but
-        # in the 50 ms that a busy machine may keep us waiting this quick world drives 8.
+        # in the 50 ms that a busy machine may keep us waiting this quick world drives 12.
         apart = max(
             *(nearest(pose, own) for _, pose in path), *(nearest(pose, path) for _, pose in own)
         )
