@@ -334,6 +334,28 @@ def test_the_observer_is_told_of_a_missing_device_once_a_call():
     ]
 
 
+def test_what_is_asked_in_one_breath_is_answered_from_one_picture():
+    pictures = []
+
+    class Watching(Client):
+        sensing_period = None
+
+        def connect(self):
+            self.add(Camera(read=lambda: None, detect=self.detect_in_a_new_picture))
+
+        def detect_in_a_new_picture(self, name):
+            pictures.append(name)
+            return ()
+
+    with Watching() as robot:
+        robot.is_tag(1)
+        robot.is_tag(2)
+        robot.tag_on_the_left()
+        assert pictures == ["tags"]
+        robot.is_tag(1)
+        assert pictures == ["tags", "tags"]
+
+
 def test_the_observer_is_told_of_a_detector_that_is_not_there():
     observer = Observer()
     with FakeRobot(only=[Camera], observer=observer) as robot:

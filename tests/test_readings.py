@@ -3,7 +3,7 @@ import threading
 import pytest
 
 from learnblock.clock import WallClock
-from learnblock.readings import PolledReadings, Readings
+from learnblock.readings import Glance, PolledReadings, Readings
 from learnblock.testing import VirtualClock
 
 
@@ -65,6 +65,24 @@ def test_within_a_snapshot_every_reading_is_made_once_whatever_the_clock(sensor)
         readings.forget()
         assert readings.latest("a", sensor) == 1
     assert readings.latest("a", sensor) == 2
+
+
+def test_different_questions_of_one_glance_see_one_picture(clock, sensor):
+    glance = Glance(clock)
+    assert [glance.see(question, "lines", sensor) for question in "abc"] == [1, 1, 1]
+    assert glance.see("d", "tags", lambda: "tag") == "tag"
+
+
+def test_a_question_that_is_repeated_is_a_new_glance(clock, sensor):
+    glance = Glance(clock)
+    assert [glance.see(question, "lines", sensor) for question in "abaab"] == [1, 1, 2, 3, 3]
+
+
+def test_a_glance_is_short(clock, sensor):
+    glance = Glance(clock)
+    glance.see("a", "lines", sensor)
+    clock.sleep(Glance.LASTS)
+    assert glance.see("b", "lines", sensor) == 2
 
 
 def test_a_snapshot_begins_with_new_readings(clock, sensor):

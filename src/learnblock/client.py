@@ -20,7 +20,7 @@ from learnblock.errors import (
     did_you_mean,
 )
 from learnblock.events import Events
-from learnblock.readings import PolledReadings, Readings
+from learnblock.readings import Glance, PolledReadings, Readings
 
 D = TypeVar("D", bound=Device)
 
@@ -125,10 +125,13 @@ class Client(Events):
         self.observer = observer
         self._devices: dict[type[Device], dict[str, Device]] = {}
         self._skill: str | None = None
+        #: The skill in use with what it was given.
+        self._question: tuple[object, ...] | None = None
         self._noted: set[str] = set()
         self._state = State.CONNECTING
         self._stopping = threading.Lock()
         self._readings = self._make_readings()
+        self._glance = Glance(self.clock)
         self._attach(skills)
         self._connect()
 
@@ -242,7 +245,7 @@ class Client(Events):
         camera = self.device(Camera, key)
         if camera is None:
             return None
-        found = self._readings.latest((Camera, key, name), lambda: camera.detect(name))
+        found = self._seen((Camera, key, name), lambda: camera.detect(name))
         if found is None:
             self._note_missing(f"Detector:{name}")
         return found
@@ -347,18 +350,29 @@ class Client(Events):
         def skill(*args: Any, **kwargs: Any) -> Any:
             if self._skill is not None:
                 return function(self, *args, **kwargs)
-            self._skill = name
+            self._skill, self._question = name, (name, args, kwargs)
             self._noted.clear()
             try:
                 if self.observer:
                     self.observer.called(name, args, kwargs)
                 return function(self, *args, **kwargs)
             finally:
-                self._skill = None
+                self._skill = self._question = None
 
         skill.__name__ = skill.__qualname__ = name
         skill.__doc__ = function.__doc__
         return skill
+
+    def _seen(self, key: tuple[object, ...], detect: Callable[[], Any]) -> Any:
+        """What a detector finds, by the newest picture or that of the question before."""
+
+        def look() -> Any:
+            return self._readings.latest(key, detect)
+
+        if self.clock.instant is not None or self._readings.frozen:
+            return look()
+        # As text: what a skill is given need not know how to be compared.
+        return self._glance.see(repr(self._question or key), key, look)
 
     def _note_missing(self, device: str) -> None:
         if self.observer and self._skill and device not in self._noted:
