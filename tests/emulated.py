@@ -9,9 +9,14 @@ from learnblock.robots import find, settings
 @contextmanager
 def reachable(name, world="empty"):
     """Emulate a robot, and have the user's settings lead to it; answers the twin."""
-    kind = find(name).load().settings_type
     with emulate(name, world) as emulation:
-        for setting, value in emulation.settings.items():
-            text = value if isinstance(value, str) else repr(value)
-            settings.change(name, kind, setting, text)
+        settle(name, emulation.settings)
         yield emulation.twin
+
+
+def settle(name, chosen):
+    """Have the user's settings lead to a robot."""
+    kind = find(name).load().settings_type
+    for setting, value in chosen.items():
+        text = value if isinstance(value, str) else repr(value)
+        settings.change(name, kind, setting, text)

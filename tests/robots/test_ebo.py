@@ -8,7 +8,8 @@ import numpy as np
 import paho.mqtt.client as mqtt
 import pytest
 
-from driven import assert_drives_like_its_twin, assert_told_when_gone, emotion, pose, settle
+from driven import assert_drives_like_its_twin, assert_told_when_gone, emotion, pose
+from emulated import settle
 from ice_runtime import components
 from learnblock.devices import Base, Camera, Display, DistanceSensors, Emotion, JointMotor
 from learnblock.emulators import emulate

@@ -9,7 +9,8 @@ import cv2
 import numpy as np
 import pytest
 
-from driven import assert_drives_like_its_twin, assert_told_when_gone, pose, settle
+from driven import assert_drives_like_its_twin, assert_told_when_gone, pose
+from emulated import settle
 from ice_runtime import components
 from learnblock.devices import Base, Camera, Display, DistanceSensors, Emotion, JointMotor
 from learnblock.emulators import emulate
