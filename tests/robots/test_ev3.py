@@ -248,7 +248,7 @@ def test_a_link_that_is_cut_during_a_run_ends_it_with_a_sentence_and_the_next_ru
         assert stands_after(emulation.twin) < 0.5
         relay.fault = Fault.NONE
         again = run_on(settings, short, monkeypatch)
-        assert (again.ended, again.error) == ("finished", None)
+        assert (again.error, again.ended) == (None, "finished")
 
 
 def test_the_example_of_the_guide_drives(capsys):

@@ -18,7 +18,9 @@ from learnblock.emulators.twin import Twin
 from learnblock.errors import RobotConnectionError
 from learnblock.robots import connect
 from learnblock.robots.ev3 import direct, scan, wires
+from learnblock.robots.ev3.brick import Look
 from learnblock.robots.ev3.direct_link import Motor
+from learnblock.robots.ev3.link import Link
 
 # Examples of LEGO's "EV3 Communication Developer Kit", chapter 4.
 
@@ -101,6 +103,24 @@ def test_what_is_rounded_off_a_speed_is_made_up_for_later():
     assert motor.turn(0.0) == direct.stop(1)
     assert motor.turn(0.3) == direct.stop(1)
     assert motor.turn(0.3) == direct.turn(1, 1, 300)
+
+
+class Silence(Link):
+    """A link that is closed while somebody waits to say something."""
+
+    def exchange(self, word):
+        raise AssertionError("a wire that was let go is used")
+
+    def hang_up(self):
+        """There is no wire."""
+
+
+def test_a_link_that_was_closed_says_nothing_more_and_is_not_broken():
+    link = Silence("there", lambda state: None)
+    link.close()
+    with pytest.raises(RobotConnectionError, match="has been let go"):
+        link.say(Look())
+    link.check()
 
 
 # Beacons.

@@ -76,6 +76,8 @@ class Link(ABC):
         """
         with self._lock:
             self.check()
+            if self._closed.is_set():
+                raise RobotConnectionError(f"the EV3 at {self.where} has been let go")
             try:
                 state = self.exchange(self._due(word))
             except RobotConnectionError:
