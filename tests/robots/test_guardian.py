@@ -56,50 +56,56 @@ def x_of(twin):
         return body.pose[0]
 
 
-def begin(tmp_path, *options):
-    program = tmp_path / "drive.py"
-    program.write_text(PROGRAM)
-    process = subprocess.Popen(
-        [sys.executable, program, *options], stdout=subprocess.PIPE, text=True
-    )
-    return process, int(process.stdout.readline())
+@pytest.fixture
+def begin(tmp_path):
+    """Run the program; answers its process and its guardian's number."""
+    begun = []
+
+    def begin(*options):
+        program = tmp_path / "drive.py"
+        program.write_text(PROGRAM)
+        command = [sys.executable, program, *options]
+        begun.append(subprocess.Popen(command, stdout=subprocess.PIPE, text=True))
+        return begun[-1], int(begun[-1].stdout.readline())
+
+    yield begin
+    for process in begun:
+        process.kill()
+        process.wait()
+        process.stdout.close()
 
 
-def end(process):
-    process.kill()
-    process.wait()
-    process.stdout.close()
+def wait_for(twin, seconds):
+    until = twin.time + seconds
+    while twin.time < until:
+        pass
 
 
-def test_a_killed_program_leaves_neither_a_driving_robot_nor_a_process(tmp_path):
+def test_a_killed_program_leaves_neither_a_driving_robot_nor_a_process(begin):
     with reachable("rcis") as twin:
-        process, guardian = begin(tmp_path)
+        process, guardian = begin()
         start = x_of(twin)
         while x_of(twin) < start + 20:
             assert process.poll() is None
         assert runs(guardian)
         process.send_signal(signal.SIGKILL)
-        killed = twin.time
-        while twin.time < killed + LIMIT:
-            pass
+        wait_for(twin, LIMIT)
         there = x_of(twin)
-        while twin.time < killed + LIMIT + 0.5:
-            pass
+        wait_for(twin, LIMIT)
         assert abs(x_of(twin) - there) < STILL
         assert gone_within(guardian, 2)
-        end(process)
 
 
-def test_a_guardian_that_has_hardly_begun_does_its_duty(tmp_path):
+def test_a_guardian_that_has_hardly_begun_does_its_duty(begin):
     with reachable("rcis") as twin:
-        process, guardian = begin(tmp_path, "--at-once")
+        process, guardian = begin("--at-once")
         process.wait()
         assert gone_within(guardian, 5)
-        there, time = x_of(twin), twin.time
-        while twin.time < time + 0.5:
-            pass
+        # Wheels need their time to stand.
+        wait_for(twin, 0.2)
+        there = x_of(twin)
+        wait_for(twin, LIMIT)
         assert abs(x_of(twin) - there) < STILL
-        end(process)
 
 
 def test_ctrl_c_does_not_end_a_guardian(tmp_path):

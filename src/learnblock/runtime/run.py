@@ -291,7 +291,8 @@ class Run:
             self._look_after_preparation(silent)
         elif self.simulation is None:
             # On a real robot thinking long is no fault, but its time goes on.
-            self.client.check_link()
+            if not self.client.stopped:
+                self.client.check_link()
             self._look_after_limit(self.client)
         elif silent > self._limits.silence:
             self._end_soon(

@@ -518,11 +518,11 @@ def _notices(bench: _Bench, fault: Fault) -> str:
 
 def _wait_for_loss(bench: _Bench, robot: Client) -> tuple[str, float]:
     began = monotonic()
-    while (took := monotonic() - began) < bench.patience:
+    while monotonic() - began < bench.patience:
         try:
             _use(robot)
         except RobotConnectionError as error:
-            return str(error), took
+            return str(error), monotonic() - began
         robot.clock.sleep(0.02)
     raise _Broken(f"nothing was said for {bench.patience:g} s")
 
