@@ -12,6 +12,7 @@ from time import monotonic
 
 import pytest
 
+from driven import emotion, run_until
 from learnblock.devices import Base, Camera, Display, DistanceSensors, GroundSensors, Gyroscope
 from learnblock.emulators.coppeliasim import Emulator
 from learnblock.emulators.twin import Twin
@@ -238,11 +239,14 @@ def test_the_papers_tags_are_visited_with_the_twins_emotions(own_home):
     start = (215.0, -84.2, 60.0)
     with coppeliasim("sim-ebo", "tags", start) as there:
         there.save_settings("script")
-        finished = run_example("tags.bt", "coppeliasim", seconds=4)
-        assert there.twin.goals()["tag 1"]
+
+        def is_happy_there():
+            return emotion(there.twin) == "joy" and there.twin.goals()["tag 1"]
+
+        report = run_until(is_happy_there, "coppeliasim", "tags.bt")
     twins = run_example("tags.bt", "sim-ebo", world="tags", start=start, seconds=4)
-    assert finished.report.error is None
-    assert finished.report.emotions == twins.report.emotions == ("neutral", "joy")
+    assert report.ended == "stopped"
+    assert report.emotions == twins.report.emotions == ("neutral", "joy")
 
 
 # Safety and broken wires.
