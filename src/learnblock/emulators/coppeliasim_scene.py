@@ -12,6 +12,7 @@ from typing import Any
 from learnblock.devices import NOTHING_SEEN
 from learnblock.emulators.coppeliasim_scripts import OurScript, PaperScript
 from learnblock.emulators.twin import Twin
+from learnblock.wheels import body_speeds
 
 STOPPED, PAUSED, RUNNING = 0, 8, 17
 #: Of the API: constants have the values that CoppeliaSim gives them.
@@ -134,8 +135,7 @@ class TwinScene:
         side = self._path(handle).removeprefix("/Robot/")
         wheels = self._about.wheels
         self._wheels[side] = velocity * wheels.radius * (1 if side == "left" else -1)
-        left, right = self._wheels["left"], self._wheels["right"]
-        self._move((left + right) / 2, math.degrees((left - right) / wheels.track))
+        self._move(*body_speeds((self._wheels["left"], self._wheels["right"]), wheels.track))
 
     def _matrix(self, handle: int, _relative_to: int = -1) -> list[float]:
         """A joint's; its axis, the third column, looks to the left, the right joint's to the right.

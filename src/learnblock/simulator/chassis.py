@@ -7,7 +7,7 @@ import pymunk
 from learnblock.simulator import robot_description
 from learnblock.simulator.geometry import Pose, wrapped
 from learnblock.simulator.physics import DT, GRAVITY, ROBOT, Physics
-from learnblock.simulator.wheels import Wheels, accelerated, limited, wheel_speeds
+from learnblock.wheels import Wheels, accelerated, limited, wheel_speeds
 
 TYRE_FRICTION = 0.9
 """Of rubber on a dry floor: it bounds how hard a robot can push."""

@@ -12,6 +12,7 @@ from learnblock.emulators.cozmo import face, picture, reports
 from learnblock.emulators.cozmo.reports import ARM, PIVOT, Reports
 from learnblock.emulators.twin import Twin
 from learnblock.simulator.colours import RGB
+from learnblock.wheels import body_speeds
 
 TRACK = 45.0
 """mm between the treads (pycozmo.robot)."""
@@ -155,7 +156,7 @@ class Machine:
     def _set_speeds(self, left: float, right: float) -> None:
         self._speeds = (left, right)
         with self._twin.body() as body:
-            body.drive((left + right) / 2, math.degrees((left - right) / TRACK))
+            body.drive(*body_speeds((left, right), TRACK))
 
     def _set_head(self, packet: Any) -> Iterable[Any]:
         with self._twin.body() as body:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 
 from learnblock.emulators.twin import Twin
-from learnblock.simulator.wheels import body_speeds
+from learnblock.wheels import body_speeds
 
 #: The motors of the twin: the left wheel's, the right wheel's.
 LEFT, RIGHT = "B", "D"

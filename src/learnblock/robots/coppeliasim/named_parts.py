@@ -30,6 +30,7 @@ from learnblock.robots.coppeliasim.readings import (
 from learnblock.robots.coppeliasim.remote import RefusedError, Remote
 from learnblock.robots.coppeliasim.script import understood
 from learnblock.robots.coppeliasim.settings import Settings
+from learnblock.wheels import wheel_speeds
 
 T = TypeVar("T")
 Matrix = tuple[float, ...]
@@ -116,9 +117,9 @@ class NamedParts:
             yield Camera(self._camera()), DEFAULT_KEY
 
     def move(self, adv: float, rot: float) -> None:
-        difference = math.radians(rot) * self._track / 2
-        self._turn(self._left, self._directions[0] * (adv + difference))
-        self._turn(self._right, self._directions[1] * (adv - difference))
+        left, right = wheel_speeds(adv, rot, self._track)
+        self._turn(self._left, self._directions[0] * left)
+        self._turn(self._right, self._directions[1] * right)
 
     def beat(self) -> object:
         """Nothing in such a scene listens for a sign of life."""

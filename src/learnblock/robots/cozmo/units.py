@@ -2,6 +2,8 @@
 
 import math
 
+from learnblock.wheels import limited, wheel_speeds
+
 TRACK = 45.0
 """mm between the treads (pycozmo.robot)."""
 MAXIMUM_SPEED = 200.0
@@ -26,10 +28,7 @@ def treads(adv: float, rot: float) -> tuple[float, float]:
         adv: mm/s, forward positive.
         rot: degrees/s, to the right positive.
     """
-    difference = math.radians(rot) * TRACK / 2
-    left, right = adv + difference, adv - difference
-    excess = max(1.0, abs(left) / MAXIMUM_SPEED, abs(right) / MAXIMUM_SPEED)
-    return left / excess, right / excess
+    return limited(wheel_speeds(adv, rot, TRACK), MAXIMUM_SPEED)
 
 
 def head_angle(degrees: float) -> float:

@@ -5,6 +5,7 @@ import threading
 
 from learnblock.devices import Pose
 from learnblock.robots.ev3.brick import Drive, State
+from learnblock.wheels import body_speeds, wheel_speeds
 
 
 def turns(adv: float, rot: float, radius: float, track: float) -> Drive:
@@ -16,8 +17,7 @@ def turns(adv: float, rot: float, radius: float, track: float) -> Drive:
         radius: of a wheel, mm.
         track: between the wheels, mm.
     """
-    difference = math.radians(rot) * track / 2
-    left, right = adv + difference, adv - difference
+    left, right = wheel_speeds(adv, rot, track)
     return Drive(math.degrees(left / radius), math.degrees(right / radius))
 
 
@@ -47,9 +47,9 @@ class Odometry:
             last, self._last = self._last or state, state
             left = math.radians(state.left - last.left) * self._radius
             right = math.radians(state.right - last.right) * self._radius
-            turned = math.degrees((left - right) / self._track)
+            ahead, turned = body_speeds((left, right), self._track)
             # The direction half way: exact enough for the short arcs between two states.
             middle = math.radians(self._heading + turned / 2)
-            self._x += (left + right) / 2 * math.cos(middle)
-            self._y -= (left + right) / 2 * math.sin(middle)
+            self._x += ahead * math.cos(middle)
+            self._y -= ahead * math.sin(middle)
             self._heading += turned

@@ -4,13 +4,13 @@ Sources: the robot's programming interface as Aseba documents it, and measuremen
 playground, whose sensors were fitted to real robots (`benchmarks/robots_thymio.py` repeats them).
 """
 
-import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from learnblock.devices import NOTHING_SEEN
 from learnblock.errors import DeviceValueError, did_you_mean
+from learnblock.wheels import limited, wheel_speeds
 
 #: The most that a motor may be told.
 FASTEST = 500
@@ -73,11 +73,8 @@ def wheels(adv: float, rot: float, *, track: float, unit: float) -> tuple[int, i
         Both reduced alike where a wheel would have to run faster than it can, so that the curve
         stays the same.
     """
-    difference = math.radians(rot) * track / 2
-    speeds = (adv + difference) / unit, (adv - difference) / unit
-    excess = max(1.0, *(abs(speed) / FASTEST for speed in speeds))
-    left, right = (round(speed / excess) for speed in speeds)
-    return left, right
+    left, right = limited(wheel_speeds(adv, rot, track), FASTEST * unit)
+    return round(left / unit), round(right / unit)
 
 
 def distance(reading: int) -> float:

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from learnblock.simulator.wheels import accelerated, body_speeds, limited, wheel_speeds
+from learnblock.wheels import accelerated, body_speeds, limited, wheel_speeds
 
 speeds = st.floats(-1000, 1000)
 
