@@ -40,18 +40,6 @@ class Robot(RoboCompRobot[Settings]):
     settings_type = Settings
     usual_layout = Layout.ROBOT
 
-    @classmethod
-    def device_names(cls) -> frozenset[str]:
-        return frozenset(
-            {
-                "Base:ROBOT",
-                "Camera:ROBOT",
-                "Display:ROBOT",
-                "DistanceSensors:ROBOT",
-                "JointMotor:CAMERA",
-            }
-        )
-
     def laser_places(self) -> Mapping[str, int]:
         return {"laser": self.settings.laser_port}
 

@@ -32,18 +32,6 @@ class Robot(RoboCompRobot[Settings]):
     # There the servo turns the other way round.
     servo_scale = -RoboCompRobot.servo_scale
 
-    @classmethod
-    def device_names(cls) -> frozenset[str]:
-        return frozenset(
-            {
-                "Base:ROBOT",
-                "Camera:ROBOT",
-                "Display:ROBOT",
-                "DistanceSensors:ROBOT",
-                "JointMotor:CAMERA",
-            }
-        )
-
     def laser_places(self) -> Mapping[str, int]:
         return {f"laser {n}": port for n, port in enumerate(self.settings.laser_ports, start=1)}
 

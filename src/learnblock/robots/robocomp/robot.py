@@ -50,6 +50,18 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
     #: The servo's angle for one degree of ours, rad.
     servo_scale: ClassVar[float] = math.radians(1)
 
+    @classmethod
+    def device_names(cls) -> frozenset[str]:
+        return frozenset(
+            {
+                "Base:ROBOT",
+                "Camera:ROBOT",
+                "Display:ROBOT",
+                "DistanceSensors:ROBOT",
+                "JointMotor:CAMERA",
+            }
+        )
+
     def connect(self) -> None:
         self._ending = ExitStack()
         self._stands = True
