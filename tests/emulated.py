@@ -18,5 +18,7 @@ def settle(name, chosen):
     """Have the user's settings lead to a robot."""
     kind = find(name).load().settings_type
     for setting, value in chosen.items():
-        text = value if isinstance(value, str) else repr(value)
+        # As it would be typed.
+        typed = list(value) if isinstance(value, tuple) else value
+        text = value if isinstance(value, str) else repr(typed)
         settings.change(name, kind, setting, text)

@@ -13,6 +13,7 @@ from time import monotonic
 import pytest
 
 from driven import emotion, run_until
+from emulated import settle
 from learnblock.devices import Base, Camera, Display, DistanceSensors, GroundSensors, Gyroscope
 from learnblock.emulators.coppeliasim import Emulator
 from learnblock.emulators.twin import Twin
@@ -45,10 +46,7 @@ class Place:
         return Robot(**self.settings(scene, **others))
 
     def save_settings(self, scene):
-        for name, value in self.settings(scene).items():
-            shown = list(value) if isinstance(value, tuple) else value
-            text = value if isinstance(value, str) else repr(shown)
-            user_settings.change("coppeliasim", Settings, name, text)
+        settle("coppeliasim", self.settings(scene))
 
     @property
     def pose(self):

@@ -11,13 +11,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from bricks import stands_after, wait_for, x_of
+from ev3_wires import Bytes
 from learnblock.devices import Base, Gyroscope
 from learnblock.emulators.ev3.firmware import Firmware
 from learnblock.emulators.ev3.vehicle import Vehicle
 from learnblock.emulators.twin import Twin
 from learnblock.errors import RobotConnectionError
 from learnblock.robots import connect
-from learnblock.robots.ev3 import direct, scan, wires
+from learnblock.robots.ev3 import direct, scan
 from learnblock.robots.ev3.brick import Look
 from learnblock.robots.ev3.direct_link import Motor
 from learnblock.robots.ev3.link import Link
@@ -69,18 +70,6 @@ def test_a_reply_is_read_or_refused(body):
     except (ValueError, direct.RefusedError):
         return
     assert results is None or len(results) == 4
-
-
-class Bytes(wires.Stream):
-    """A wire on which these bytes come."""
-
-    def __init__(self, data):
-        super().__init__()
-        self.data = data
-
-    def read(self, most, patience):
-        piece, self.data = self.data[:most], self.data[most:]
-        return piece
 
 
 @settings(max_examples=150, deadline=None)

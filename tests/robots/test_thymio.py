@@ -13,6 +13,7 @@ from time import monotonic
 
 import pytest
 
+from emulated import settle
 from learnblock.devices import (
     Accelerometer,
     Base,
@@ -24,8 +25,7 @@ from learnblock.devices import (
 )
 from learnblock.emulators.thymio import Emulator, _free_port
 from learnblock.errors import RobotConnectionError
-from learnblock.robots import settings as user_settings
-from learnblock.robots.thymio import Robot, ThymioSettings
+from learnblock.robots.thymio import Robot
 from learnblock.robots.thymio.equipment import EMOTIONS
 from learnblock.robots.thymio.frames import Frames
 from learnblock.robots.thymio.program import DONE, LEFT, RIGHT, SOUND, TONE, TOP
@@ -252,9 +252,7 @@ def test_lamps_and_sounds_reach_the_robots_own_functions(hub):
 
 def reach(place, **others):
     """Have the user's settings lead there."""
-    for name, value in {**place, **others}.items():
-        text = value if isinstance(value, str) else repr(value)
-        user_settings.change("thymio", ThymioSettings, name, text)
+    settle("thymio", {**place, **others})
 
 
 def test_the_papers_program_follows_a_line(tmp_path):

@@ -216,12 +216,19 @@ def _has_usual_keys(bench: _Bench) -> str:
 
 def _reads(bench: _Bench) -> str:
     with bench.robot() as robot:
-        sensors = [(key, one) for key, one in robot.devices() if isinstance(one, Sensor)]
-        if not sensors:
-            raise _Silent("it has no sensor")
-        for key, sensor in sensors:
-            _check_reading(bench, f"{type(sensor).__name__}:{key}", sensor)
+        sensors = _sensors(robot)
+        for name, sensor in sensors.items():
+            _check_reading(bench, name, sensor)
     return f"{len(sensors)} sensors"
+
+
+def _sensors(robot: Client) -> dict[str, Sensor[Any]]:
+    """Its sensors as ``Type:KEY``."""
+    devices = [(f"{type(device).__name__}:{key}", device) for key, device in robot.devices()]
+    sensors = {name: device for name, device in devices if isinstance(device, Sensor)}
+    if not sensors:
+        raise _Silent("it has no sensor")
+    return sensors
 
 
 def _check_reading(bench: _Bench, name: str, sensor: Sensor[Any]) -> None:
@@ -289,10 +296,7 @@ def _weighs(bench: _Bench) -> str:
 
 def _reads_often(bench: _Bench) -> str:
     with bench.robot() as robot:
-        sensors = [(key, one) for key, one in robot.devices() if isinstance(one, Sensor)]
-        if not sensors:
-            raise _Silent("it has no sensor")
-        rates = {f"{type(one).__name__}:{key}": _rate(one) for key, one in sensors}
+        rates = {name: _rate(sensor) for name, sensor in _sensors(robot).items()}
     slow = [name for name, rate in rates.items() if rate < 5]
     _require(not slow, f"{', '.join(slow)} are read less than 5 times a second")
     return ", ".join(f"{name} {min(rate, 9999):.0f}/s" for name, rate in sorted(rates.items()))
