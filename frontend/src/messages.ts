@@ -39,6 +39,16 @@ export interface CameraFrame {
   seen?: Seen[];
 }
 
+export interface CheckOwnBlock {
+  kind: "CheckOwnBlock";
+  request: number;
+  name: string;
+  source: string;
+  configuration?: string;
+  replaces?: string;
+  language?: string;
+}
+
 export interface CheckWorld {
   kind: "CheckWorld";
   world: Record<string, unknown>;
@@ -80,6 +90,11 @@ export interface Completions {
 
 export interface Delete {
   kind: "Delete";
+  name: string;
+}
+
+export interface DeleteOwnBlock {
+  kind: "DeleteOwnBlock";
   name: string;
 }
 
@@ -126,6 +141,12 @@ export interface Drive {
   rotation: number;
 }
 
+export interface DuplicateOwnBlock {
+  kind: "DuplicateOwnBlock";
+  name: string;
+  new: string;
+}
+
 export interface EditBlocks {
   kind: "EditBlocks";
   edit: number;
@@ -150,6 +171,9 @@ export interface Ended {
   emotions?: string[];
   no_effect?: [string, string][];
   trace_sha256?: string;
+  own_block?: string;
+  own_line?: number;
+  tried?: boolean;
 }
 
 export interface ExampleChoice {
@@ -163,6 +187,11 @@ export interface ExampleChoice {
 export interface Export {
   kind: "Export";
   format: "bt" | "learnblock" | "py";
+}
+
+export interface ExportOwnBlock {
+  kind: "ExportOwnBlock";
+  name: string;
 }
 
 export interface Failed {
@@ -200,6 +229,12 @@ export interface Import {
   text: string;
 }
 
+export interface ImportOwnBlock {
+  kind: "ImportOwnBlock";
+  content: string;
+  replace?: boolean;
+}
+
 export interface Input {
   block?: Block | null;
   shadow?: Block | null;
@@ -213,6 +248,10 @@ export interface InputWanted {
 
 export interface ListHistory {
   kind: "ListHistory";
+}
+
+export interface ListOwnBlocks {
+  kind: "ListOwnBlocks";
 }
 
 export interface ListProjects {
@@ -236,6 +275,53 @@ export interface Opened {
   robot: string;
   world: string;
   breakpoints?: string[];
+}
+
+export interface OwnBlock {
+  name: string;
+  category: string;
+  blocks: string[];
+  source: string;
+  configuration: string;
+  problems: OwnBlockProblem[];
+}
+
+export interface OwnBlockChecked {
+  kind: "OwnBlockChecked";
+  request: number;
+  problems?: OwnBlockProblem[];
+  configuration?: string;
+  previews?: OwnBlockPreview[];
+}
+
+export interface OwnBlockPreview {
+  name: string;
+  definition: Record<string, unknown>;
+  block: Record<string, unknown>;
+}
+
+export interface OwnBlockProblem {
+  part: "configuration" | "name" | "source";
+  code: string;
+  message: string;
+  severity: "error" | "warning";
+  line?: number;
+  column?: number;
+  end_column?: number;
+}
+
+export interface OwnBlockSaved {
+  kind: "OwnBlockSaved";
+  name: string;
+}
+
+export interface OwnBlocks {
+  kind: "OwnBlocks";
+  blocks: OwnBlock[];
+}
+
+export interface PaletteChanged {
+  kind: "PaletteChanged";
 }
 
 export interface PastRun {
@@ -313,6 +399,11 @@ export interface Restore {
   version: string;
 }
 
+export interface RestoreOwnBlock {
+  kind: "RestoreOwnBlock";
+  name: string;
+}
+
 export interface Resume {
   kind: "Resume";
 }
@@ -348,6 +439,14 @@ export interface RunState {
 export interface SaveAs {
   kind: "SaveAs";
   name: string;
+}
+
+export interface SaveOwnBlock {
+  kind: "SaveOwnBlock";
+  name: string;
+  source: string;
+  configuration?: string;
+  replaces?: string;
 }
 
 export interface SaveWorld {
@@ -418,6 +517,14 @@ export interface Telemetry {
   sensors?: Record<string, number | boolean | null>;
   block?: string | null;
   goals?: GoalNow[];
+}
+
+export interface TryOwnBlock {
+  kind: "TryOwnBlock";
+  name: string;
+  source: string;
+  function?: string;
+  arguments?: unknown[];
 }
 
 export interface Undo {
@@ -527,7 +634,16 @@ export type FromPage =
   | WatchCamera
   | ReadWorld
   | CheckWorld
-  | SaveWorld;
+  | SaveWorld
+  | ListOwnBlocks
+  | CheckOwnBlock
+  | SaveOwnBlock
+  | TryOwnBlock
+  | DuplicateOwnBlock
+  | DeleteOwnBlock
+  | RestoreOwnBlock
+  | ExportOwnBlock
+  | ImportOwnBlock;
 
 export type ToPage =
   | Welcome
@@ -552,4 +668,8 @@ export type ToPage =
   | CameraFrame
   | Scene
   | WorldToEdit
-  | WorldChecked;
+  | WorldChecked
+  | OwnBlocks
+  | OwnBlockChecked
+  | OwnBlockSaved
+  | PaletteChanged;

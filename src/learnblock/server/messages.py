@@ -14,12 +14,16 @@ from learnblock.language.workspace import Workspace
 #: Longer texts are no program that a person wrote.
 LONGEST_TEXT = 1_000_000
 MOST_BREAKPOINTS = 1000
+#: Of a function.
+MOST_ARGUMENTS = 100
 
 Notation = Literal["blocktext", "python"]
 View = Literal["blocks", "blocktext", "python"]
 StateName = Literal["idle", "starting", "running", "paused", "held", "input", "ended"]
 Text = Annotated[str, Meta(max_length=LONGEST_TEXT)]
 Name = Annotated[str, Meta(min_length=1, max_length=100)]
+#: A name, or nothing.
+ShortText = Annotated[str, Meta(max_length=100)]
 #: Of a block.
 Id = Annotated[str, Meta(min_length=1, max_length=100)]
 Coordinate = Annotated[float, Meta(ge=-5000, le=5000)]
@@ -278,6 +282,104 @@ class SaveWorld(Message, frozen=True):
     replace: bool = False
 
 
+# The page speaks: blocks of one's own.
+
+
+class ListOwnBlocks(Message, frozen=True):
+    """Ask for `OwnBlocks`."""
+
+
+class CheckOwnBlock(Message, frozen=True):
+    """Ask what is wrong with a block, and how it looks: `OwnBlockChecked`.
+
+    Args:
+        request: comes back with the answer.
+        name: of its file, without the ending; empty where it has none yet.
+        source: the Python of its functions.
+        configuration: what is chosen for them, as JSON; empty for nothing.
+        replaces: the name that it is saved under, since it clashes with everything but itself.
+        language: of the previews.
+    """
+
+    request: int
+    name: ShortText
+    source: Text
+    configuration: Text = ""
+    replaces: ShortText = ""
+    language: Name = "en"
+
+
+class SaveOwnBlock(Message, frozen=True):
+    """Save a block: `OwnBlockSaved`, or `OwnBlockChecked` with the request 0 when it is wrong.
+
+    Args:
+        name: to be, of its file.
+        source: see `CheckOwnBlock`.
+        configuration: likewise.
+        replaces: the name that it had until now; empty for a new one.
+    """
+
+    name: Name
+    source: Text
+    configuration: Text = ""
+    replaces: ShortText = ""
+
+
+class TryOwnBlock(Message, frozen=True):
+    """Run one function on the current robot, as a program of one line, without saving it.
+
+    What it returns is printed; how it ends is `Ended`, with `tried`.
+
+    Args:
+        name: see `CheckOwnBlock`.
+        source: likewise.
+        function: which; empty for the first.
+        arguments: in the order of its parameters; those left out have their defaults.
+    """
+
+    name: ShortText
+    source: Text
+    function: ShortText = ""
+    arguments: Annotated[list[Any], Meta(max_length=MOST_ARGUMENTS)] = field(default_factory=list)
+
+
+class DuplicateOwnBlock(Message, frozen=True):
+    """Copy a block; its functions get names that are free. `OwnBlockSaved` follows."""
+
+    name: Name
+    new: Name
+
+
+class DeleteOwnBlock(Message, frozen=True):
+    """Delete a block; it is kept until one of the same name is deleted."""
+
+    name: Name
+
+
+class RestoreOwnBlock(Message, frozen=True):
+    """Take back that a block was deleted: `OwnBlockSaved`."""
+
+    name: Name
+
+
+class ExportOwnBlock(Message, frozen=True):
+    """Ask for a block as one file: `File`."""
+
+    name: Name
+
+
+class ImportOwnBlock(Message, frozen=True):
+    """Add the block in a file that was exported: `OwnBlockSaved`, or `Failed` if it cannot be.
+
+    Args:
+        content: of the file.
+        replace: the block of the same name, if there is one; otherwise that is refused.
+    """
+
+    content: Text
+    replace: bool = False
+
+
 FromPage = (
     Open
     | New
@@ -313,6 +415,15 @@ FromPage = (
     | ReadWorld
     | CheckWorld
     | SaveWorld
+    | ListOwnBlocks
+    | CheckOwnBlock
+    | SaveOwnBlock
+    | TryOwnBlock
+    | DuplicateOwnBlock
+    | DeleteOwnBlock
+    | RestoreOwnBlock
+    | ExportOwnBlock
+    | ImportOwnBlock
 )
 
 
@@ -609,6 +720,9 @@ class Ended(Message, frozen=True):
         message: a sentence when it did not end well.
         block: where it went wrong.
         no_effect: skills that had none, each with the device that is missing.
+        own_block: the file's name of the own block in which it went wrong, if in one.
+        own_line: the line of its source, from 1; 0 where it is not known.
+        tried: it was `TryOwnBlock` and no program.
     """
 
     ended: str
@@ -620,6 +734,9 @@ class Ended(Message, frozen=True):
     emotions: tuple[str, ...] = ()
     no_effect: tuple[tuple[str, str], ...] = ()
     trace_sha256: str = ""
+    own_block: str = ""
+    own_line: int = 0
+    tried: bool = False
 
 
 class WhenNow(Struct, frozen=True):
@@ -757,6 +874,98 @@ class WorldChecked(Message, frozen=True):
     lines: tuple[tuple[tuple[float, float], ...], ...] = ()
 
 
+# The server speaks: blocks of one's own.
+
+
+class OwnBlockProblem(Struct, frozen=True, omit_defaults=True):
+    """What is wrong or doubtful in a block.
+
+    Args:
+        part: where `line` and `column` lie.
+        code: what kind of problem, for tests and help.
+        message: what is wrong and what to do.
+        severity: an error keeps the block from being saved, and from being used.
+        line: from 1; 0 for all of it.
+        column: from 1; 0 for the whole line.
+        end_column: behind the last character; 0 where it is not known.
+    """
+
+    part: Literal["name", "source", "configuration"]
+    code: str
+    message: str
+    severity: Literal["error", "warning"]
+    line: int = 0
+    column: int = 0
+    end_column: int = 0
+
+
+class OwnBlock(Struct, frozen=True):
+    """A file of the user's own, which makes one block or several.
+
+    Args:
+        name: of the file, without the ending.
+        category: the tab of the palette.
+        blocks: the names of its functions.
+        source: its Python.
+        configuration: what is chosen for them, as JSON; empty for nothing.
+        problems: of both.
+    """
+
+    name: str
+    category: str
+    blocks: tuple[str, ...]
+    source: str
+    configuration: str
+    problems: tuple[OwnBlockProblem, ...] = ()
+
+
+class OwnBlocks(Message, frozen=True):
+    """Every block of the user's own; all pages hear it whenever one has changed."""
+
+    blocks: tuple[OwnBlock, ...]
+
+
+class OwnBlockPreview(Struct, frozen=True):
+    """A block as it would look.
+
+    Args:
+        name: of the function.
+        definition: of the block, as Blockly's JSON has it.
+        block: as it lies in the palette, with its shadows.
+    """
+
+    name: str
+    definition: dict[str, Any]
+    block: dict[str, Any]
+
+
+class OwnBlockChecked(Message, frozen=True):
+    """What is wrong with a block, and how it looks.
+
+    Args:
+        request: of the question; 0 where it could not be saved.
+        problems: of the source, the configuration and the name.
+        configuration: complete, as JSON: what the source says and what was chosen; it is what is
+            saved. Empty where the source cannot be read.
+        previews: each block, in the language that was asked for.
+    """
+
+    request: int
+    problems: tuple[OwnBlockProblem, ...] = ()
+    configuration: str = ""
+    previews: tuple[OwnBlockPreview, ...] = ()
+
+
+class OwnBlockSaved(Message, frozen=True):
+    """A block is saved under this name."""
+
+    name: str
+
+
+class PaletteChanged(Message, frozen=True):
+    """Other blocks are there than before: fetch the palette anew."""
+
+
 ToPage = (
     Welcome
     | Worlds
@@ -781,4 +990,8 @@ ToPage = (
     | Scene
     | WorldToEdit
     | WorldChecked
+    | OwnBlocks
+    | OwnBlockChecked
+    | OwnBlockSaved
+    | PaletteChanged
 )
