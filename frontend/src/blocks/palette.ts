@@ -5,6 +5,7 @@ import "blockly/blocks";
 import * as english from "blockly/msg/en";
 
 import { registerCodeField } from "./code_field";
+import { defineFields, learnAllowed, type Definition } from "./fields";
 import { keepFocus } from "./focus";
 import { registerMutators } from "./mutators";
 import { offerPlainly } from "./offered";
@@ -18,7 +19,7 @@ type Toolbox = Blockly.utils.toolbox.ToolboxInfo;
 /** What the server makes of the block configurations. */
 export interface Palette {
   readonly language: string;
-  readonly definitions: readonly { type: string }[];
+  readonly definitions: readonly Definition[];
   readonly toolbox: Toolbox;
   readonly messages: Messages;
 }
@@ -54,6 +55,7 @@ export function installPalette(palette: Palette): void {
   // Defining a type again is how its words change; Blockly would warn of each.
   for (const { type } of palette.definitions) delete Blockly.Blocks[type];
   Blockly.common.defineBlocksWithJsonArray([...palette.definitions]);
+  learnAllowed(palette.definitions);
 }
 
 /** Teach Blockly, once, what is the same in every language. */
@@ -62,6 +64,7 @@ export function prepareBlockly(): void {
   registerMutators();
   registerWhen();
   registerCodeField();
+  defineFields();
   leaveChecksToServer();
   offerPlainly();
   tuneRendering();

@@ -1,0 +1,129 @@
+/** Fields for texts: one of some choices, a colour, the name of a tag. */
+
+import * as Blockly from "blockly/core";
+
+import { t } from "../../i18n";
+import { allowedAt } from "./allowed";
+import { openPanel } from "./panel";
+import { tagNames } from "./tagnames";
+
+/** A choice among those that the parameter names; what a program says besides is kept and shown. */
+export class FieldChoice extends Blockly.FieldDropdown {
+  constructor() {
+    super(choices);
+  }
+
+  // Anew each time: only a block that has found its place knows what is allowed there.
+  override getOptions(): Blockly.MenuOption[] {
+    return super.getOptions(false);
+  }
+
+  protected override doClassValidation_(value?: string): string | null {
+    return value ?? null;
+  }
+
+  protected override getText_(): string | null {
+    const found = this.getOptions().find((option) => option[1] === this.getValue());
+    return found ? String(found[0]) : this.getValue();
+  }
+}
+
+function choices(this: Blockly.FieldDropdown): Blockly.MenuOption[] {
+  const { options = [] } = allowedAt(this as Blockly.Field);
+  const found = options.map((one): Blockly.MenuOption => (typeof one === "string" ? [one, one] : [one[0], one[1]]));
+  const own = this.getValue() ?? "";
+  return found.length && found.some((option) => option[1] === own) ? found : [[own, own], ...found];
+}
+
+/** What a colour's panel offers besides any other: enough to be told apart on a lamp. */
+const COLOURS = {
+  red: "#ff0000",
+  orange: "#ff8800",
+  yellow: "#ffff00",
+  green: "#00ff00",
+  cyan: "#00ffff",
+  blue: "#0000ff",
+  purple: "#8800ff",
+  pink: "#ff66aa",
+  white: "#ffffff",
+  black: "#000000",
+} as const;
+const HEXADECIMAL = /^#[0-9a-f]{6}$/i;
+
+/** A colour as it is written in the web, shown as itself. */
+export class FieldColour extends Blockly.FieldTextInput {
+  protected override showEditor_(): void {
+    const before = this.getValue();
+    openPanel(this as Blockly.Field, this.panel(), { undo: () => this.setValue(before) });
+  }
+
+  protected override render_(): void {
+    super.render_();
+    const colour = colourOf(this.getValue());
+    const block = this.getSourceBlock();
+    if (!colour || !(block instanceof Blockly.BlockSvg)) return;
+    const text = isLight(colour) ? "#000000" : "#ffffff";
+    block.pathObject.svgPath.setAttribute("fill", colour);
+    this.textElement_?.style.setProperty("fill", text, "important");
+  }
+
+  override applyColour(): void {
+    super.applyColour();
+    this.forceRerender();
+  }
+
+  override getAriaTypeName(): string {
+    return t("blocks.colour");
+  }
+
+  private panel(): HTMLElement {
+    const panel = document.createElement("div");
+    const own = Object.assign(document.createElement("input"), { type: "color", ariaLabel: t("blocks.other_colour") });
+    own.value = colourOf(this.getValue()) ?? "#000000";
+    own.title = own.ariaLabel;
+    own.addEventListener("input", () => this.setValue(own.value));
+    panel.append(...Object.entries(COLOURS).map(([name, colour]) => this.swatch(name, colour)), own);
+    return panel;
+  }
+
+  private swatch(name: string, colour: string): HTMLButtonElement {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.ariaLabel = button.title = t(`blocks.colour_${name}`);
+    button.style.background = colour;
+    button.addEventListener("click", () => {
+      this.setValue(colour);
+      Blockly.DropDownDiv.hideIfOwner(this as Blockly.Field);
+    });
+    return button;
+  }
+}
+
+function colourOf(value: string | null): string | null {
+  return value !== null && HEXADECIMAL.test(value) ? value : null;
+}
+
+/** Whether black is read better on it than white: by its luminance. */
+function isLight(colour: string): boolean {
+  const [red = 0, green = 0, blue = 0] = [1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16));
+  return 0.299 * red + 0.587 * green + 0.114 * blue > 140;
+}
+
+const TAGS = "lb-tag-names";
+
+/** A tag by its number or its name; the names that there are, are offered. */
+export class FieldTag extends Blockly.FieldTextInput {
+  protected override widgetCreate_(): HTMLInputElement {
+    const input = super.widgetCreate_() as HTMLInputElement;
+    const list = document.createElement("datalist");
+    list.id = TAGS;
+    list.append(...tagNames.peek().map((name) => new Option(name)));
+    input.setAttribute("list", TAGS);
+    input.after(list);
+    return input;
+  }
+
+  override getAriaTypeName(): string {
+    return t("blocks.tag");
+  }
+}
