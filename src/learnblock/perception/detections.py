@@ -13,6 +13,8 @@ CENTRE_REACH = 40
 # So many pixels of a colour are a line, and so many red and black ones in the centre a crossing.
 LINE_PIXELS = 20
 CROSSING_PIXELS = 40
+# The columns, of a frame 320 wide, between which an object counts as being in the centre.
+LEFT_BORDER, RIGHT_BORDER = 120, 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,3 +174,61 @@ class Face:
 
     def _row(self) -> int:
         return min(2, int(3 * self.center[1] / self.frame_height))
+
+
+@dataclass(frozen=True, slots=True)
+class FaceEmotion:
+    """A face in a frame and what it expresses.
+
+    Args:
+        face: where it is.
+        emotion: ``fear``, ``surprise``, ``anger``, ``sadness``, ``disgust``, ``joy`` or
+            ``neutral``, as `learnblock.devices.Emotion` names them.
+        confidence: how sure the classifier is, 0 to 1.
+    """
+
+    face: Face
+    emotion: str
+    confidence: float
+
+
+@dataclass(frozen=True, slots=True)
+class ColouredObject:
+    """A connected patch of one colour in a frame, by the rectangle around it.
+
+    Args:
+        colour: ``red``, ``orange``, ``yellow``, ``green``, ``blue`` or ``purple``.
+        center: (column, row) of its centre of mass in pixels.
+        area: its pixels.
+        x: column of its left edge, pixels.
+        y: row of its top edge, pixels.
+        width: pixels.
+        height: pixels.
+        frame_width: pixels.
+        frame_height: pixels.
+    """
+
+    colour: str
+    center: Point
+    area: int
+    x: int
+    y: int
+    width: int
+    height: int
+    frame_width: int = 320
+    frame_height: int = 240
+
+    @property
+    def is_left(self) -> bool:
+        """In the left three eighths of the frame."""
+        return self.center[0] * 320 < LEFT_BORDER * self.frame_width
+
+    @property
+    def is_right(self) -> bool:
+        """In the right three eighths of the frame."""
+        return self.center[0] * 320 > RIGHT_BORDER * self.frame_width
+
+    @property
+    def is_center(self) -> bool:
+        """In the quarter of the frame between."""
+        return not self.is_left and not self.is_right

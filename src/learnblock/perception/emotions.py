@@ -1,0 +1,98 @@
+"""What faces express, by the expression net of face-api (Mühler 2018), run by `cv2.dnn`.
+
+The weights come with the package and are made when it is built: `hatch_weights.py` says from what.
+"""
+
+import threading
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+from typing import cast
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from learnblock.errors import LearnBlockError
+from learnblock.perception.detections import Face, FaceEmotion
+from learnblock.perception.faces import detect_faces
+from learnblock.perception.frames import Frame, checked
+
+WEIGHTS = Path(__file__).with_name("weights") / "emotions.onnx"
+#: The net's classes in its own order, named as the robots' emotions are.
+EMOTIONS = ("neutral", "joy", "sadness", "anger", "fear", "disgust", "surprise")
+# The side of the square that the net looks at, and the mean colour (RGB) it takes off, as in
+# face-api's FaceFeatureExtractor.
+SIDE = 112
+MEAN = np.array([122.782, 117.001, 104.298], np.float32)
+# A net of OpenCV keeps working memory of its own: one face at a time.
+_TURN = threading.Lock()
+
+
+class WeightsMissingError(LearnBlockError, FileNotFoundError):
+    """The net's weights were not made when this checkout was installed."""
+
+
+def detect_emotions(frame: Frame) -> tuple[FaceEmotion, ...]:
+    """The faces in a frame with what they express, from left to right.
+
+    Args:
+        frame: RGB, uint8, shape (height, width, 3).
+
+    Raises:
+        FrameError: `frame` is no picture.
+        WeightsMissingError: the net's weights are not there.
+    """
+    return emotions_of(frame, detect_faces(frame))
+
+
+def emotions_of(frame: Frame, faces: Iterable[Face]) -> tuple[FaceEmotion, ...]:
+    """What faces found in a frame express.
+
+    Args:
+        frame: RGB, uint8, shape (height, width, 3).
+        faces: as `detect_faces` finds them in it.
+
+    Raises:
+        FrameError: `frame` is no picture.
+        WeightsMissingError: the net's weights are not there.
+    """
+    checked(frame)
+    return tuple(_read(frame, face) for face in faces)
+
+
+def _read(frame: Frame, face: Face) -> FaceEmotion:
+    confidences = _softmax(_logits(_square(frame, face)))
+    best = int(confidences.argmax())
+    return FaceEmotion(face, EMOTIONS[best], float(confidences[best]))
+
+
+def _square(frame: Frame, face: Face) -> NDArray[np.float32]:
+    """The face as the net wants it: float32, shape (1, 3, SIDE, SIDE)."""
+    crop = frame[face.y : face.y + face.height, face.x : face.x + face.width]
+    method = cv2.INTER_AREA if face.width > SIDE else cv2.INTER_LINEAR
+    scaled = cv2.resize(crop, (SIDE, SIDE), interpolation=method).astype(np.float32)
+    return np.ascontiguousarray(((scaled - MEAN) / 255).transpose(2, 0, 1)[None])
+
+
+def _logits(square: NDArray[np.float32]) -> NDArray[np.float32]:
+    with _TURN:
+        net = _net()
+        net.setInput(square)
+        return cast(NDArray[np.float32], net.forward()[0])
+
+
+def _softmax(logits: NDArray[np.float32]) -> NDArray[np.float32]:
+    powers = np.exp(logits - logits.max())
+    return cast(NDArray[np.float32], powers / powers.sum())
+
+
+@cache
+def _net() -> cv2.dnn.Net:
+    if not WEIGHTS.is_file():
+        raise WeightsMissingError(
+            f"the weights for emotions, {WEIGHTS}, are not there: install LearnBlock again from"
+            " its checkout (`pip install -e .`), which makes them"
+        )
+    # Read from memory: OpenCV cannot open every path that Windows can have.
+    return cv2.dnn.readNetFromONNX(np.fromfile(WEIGHTS, np.uint8))
