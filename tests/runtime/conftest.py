@@ -2,8 +2,10 @@
 
 import io
 import json
+import os
 import subprocess
 import threading
+import time
 from dataclasses import dataclass, field
 
 import pytest
@@ -121,8 +123,14 @@ class Result:
         return [json.loads(line) for line in self.trace.splitlines()]
 
     def left_over(self):
-        """The process groups of the run in which something still lives."""
-        return [group for group in self.processes if alive(group)]
+        """The process groups of the run in which something still lives.
+
+        What has been killed needs the processor once more to be gone.
+        """
+        deadline = time.monotonic() + 5
+        while (living := list(filter(alive, self.processes))) and time.monotonic() < deadline:
+            os.sched_yield()
+        return living
 
 
 def alive(group):

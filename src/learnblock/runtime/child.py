@@ -123,10 +123,13 @@ class _Program:
             self._watch_gate(self._setup.debug)
         exec(code, namespace)  # noqa: S102 - running the user's program is what we are for
 
-    def _interrupt(self, number: int, frame: FrameType | None) -> NoReturn:  # noqa: ARG002
+    def _interrupt(self, number: int, frame: FrameType | None) -> None:  # noqa: ARG002
+        stopped = ProgramStopped("stopped")
+        if self._wire.turn.postpones(stopped):
+            return
         at = program_frame(self._setup.filename, frame)
         self._wire.interrupted(at.f_lineno if at else 0)
-        raise ProgramStopped("stopped")
+        raise stopped
 
     def _stop_robot(self) -> None:
         self._end_lines()

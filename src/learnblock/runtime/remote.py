@@ -48,21 +48,64 @@ LONGEST_WAIT = 0.05
 
 
 class Turn:
-    """A lock that refuses a thread to whom it is forbidden."""
+    """A lock that refuses a thread to whom it is forbidden, and that no signal breaks into.
+
+    A signal's handler runs in the main thread, between any two of its steps. If it raised while
+    half a message is sent, or before the lock can be given back, nobody would understand the
+    program or hear of it any more; so it `postpones` that until the turn is over.
+    """
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self.acquire, self.release = self._lock.acquire, self._lock.release
         #: The thread that may not even wait for it.
         self.forbidden_to: int | None = None
+        #: Whether the main thread has the lock, or waits for it.
+        self._main_inside = False
+        self._postponed: BaseException | None = None
 
     def __enter__(self) -> None:
         if self.forbidden_to is not None and self.forbidden_to == get_ident():
             raise LearnBlockError("a variable's description cannot ask the robot or print")
-        self._lock.acquire()
+        self.take()
 
     def __exit__(self, *error: object) -> None:
+        self.give_back()
+
+    def take(self, *, wait: bool = True) -> bool:
+        """Take the turn; whether it was to be had, where one does not wait for it."""
+        in_main = _in_main_thread()
+        if in_main:
+            self._main_inside = True
+        taken = self._lock.acquire(blocking=wait)
+        if in_main and not taken:
+            self._leave()
+        return taken
+
+    def give_back(self) -> None:
+        """End the turn, and raise what was postponed."""
         self._lock.release()
+        if _in_main_thread():
+            self._leave()
+
+    def postpones(self, error: BaseException) -> bool:
+        """Whether a signal's handler must not raise `error`: it is raised at the turn's end.
+
+        What describes a variable is the program's own code, which may be interrupted anywhere.
+        """
+        if not self._main_inside or self.forbidden_to == get_ident():
+            return False
+        self._postponed = error
+        return True
+
+    def _leave(self) -> None:
+        self._main_inside = False
+        postponed, self._postponed = self._postponed, None
+        if postponed:
+            raise postponed
+
+
+def _in_main_thread() -> bool:
+    return get_ident() == threading.main_thread().ident
 
 
 class Wire:
@@ -170,21 +213,21 @@ class Wire:
 
     def listen(self) -> None:
         """Hear what the host has said unasked, without waiting for it."""
-        if self.turn.acquire(blocking=False):
+        if self.turn.take(wait=False):
             try:
                 while message := self._heard():
                     self._obey(message)
             finally:
-                self.turn.release()
+                self.turn.give_back()
 
     def interrupted(self, line: int) -> None:
-        """Say where a signal found the program, unless it was in the middle of a message."""
-        if self.turn.acquire(blocking=False):
+        """Say where a signal found the program, unless another thread is speaking."""
+        if self.turn.take(wait=False):
             try:
                 self._put(Interrupted(line))
                 self._flush()
             finally:
-                self.turn.release()
+                self.turn.give_back()
 
     # With the lock held.
 
@@ -342,11 +385,10 @@ def _read(wire: Wire, index: int, convert: Callable[[Any], Any]) -> Any:
 
 
 def _detect(wire: Wire, index: int, detector: str) -> Any:
-    from learnblock.perception.detections import Face, Lines, Tag  # noqa: PLC0415 - few programs see
+    from learnblock.perception.detections import KINDS  # noqa: PLC0415 - few programs see
 
     found = wire.ask(Ask(index, "detect", (detector,)))
-    kinds: dict[str, Any] = {"lines": Lines, "tags": tuple[Tag, ...], "faces": tuple[Face, ...]}
-    return None if found is None else msgspec.convert(found, kinds[detector])
+    return None if found is None else msgspec.convert(found, KINDS[detector])
 
 
 def _tuple(value: list[float] | None) -> tuple[float, ...] | None:
