@@ -4,7 +4,10 @@ Columns grow to the right and rows downwards. Thresholds are given for a frame o
 and scale with the frame that a detection carries the size of.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
 
 Point = tuple[float, float]
 
@@ -232,3 +235,15 @@ class ColouredObject:
     def is_center(self) -> bool:
         """In the quarter of the frame between."""
         return not self.is_left and not self.is_right
+
+
+#: What each detector answers, by its name.
+KINDS: Mapping[str, Any] = MappingProxyType(
+    {
+        "lines": Lines,
+        "tags": tuple[Tag, ...],
+        "objects": tuple[ColouredObject, ...],
+        "faces": tuple[Face, ...],
+        "emotions": tuple[FaceEmotion, ...],
+    }
+)
