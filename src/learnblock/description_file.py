@@ -51,9 +51,32 @@ def read(
         check: finds what `struct`'s types let through.
     """
     source = _text(file, error)
-    return convert(
-        _document(file, source, error), struct, error, check, name=file.name, source=source
-    )
+    document = parse(source, file.name, error)
+    return convert(document, struct, error, check, name=file.name, source=source)
+
+
+def parse(source: str, name: str, error: type[FileError]) -> dict[str, Any]:
+    """The values of a file's text by their keys.
+
+    Args:
+        source: TOML.
+        name: of the file.
+        error: what to raise, with the diagnostic and the text.
+    """
+    try:
+        return tomllib.loads(source)
+    except tomllib.TOMLDecodeError as broken:
+        text, _, place = str(broken).partition(" (at line ")
+        line, column = map(int, re.findall(r"\d+", place)) if place else (0, 0)
+        diagnostic = Diagnostic("invalid-toml", f"this is not TOML: {text}", line, column)
+        raise error(name, [diagnostic], source) from None
+    except RecursionError:
+        diagnostic = Diagnostic("invalid-toml", "brackets stand too deep inside brackets")
+        raise error(name, [diagnostic], source) from None
+    except ValueError as broken:
+        # A number of more digits than Python converts, or a day that no month has.
+        diagnostic = Diagnostic("invalid-toml", f"this is not TOML: {broken}")
+        raise error(name, [diagnostic], source) from None
 
 
 def convert(
@@ -109,7 +132,12 @@ def _document_of(value: Any) -> Any:
         return value
     fields = msgspec.structs.fields(value)
     values = ((field, getattr(value, field.name)) for field in fields)
-    return {field.name: _document_of(given) for field, given in values if given != field.default}
+    return {field.name: _document_of(given) for field, given in values if given != _default(field)}
+
+
+def _default(field: msgspec.structs.FieldInfo) -> Any:
+    made = field.default_factory
+    return field.default if made is msgspec.NODEFAULT else made()
 
 
 def locate(kind: str, name_or_path: str | Path, folders: Sequence[Path]) -> Path:
@@ -143,23 +171,6 @@ def _text(file: Path, error: type[FileError]) -> str:
     except UnicodeDecodeError as broken:
         message = f"byte {broken.start} is not UTF-8; save the file with the encoding UTF-8"
         raise error(file.name, [Diagnostic("not-utf-8", message)]) from None
-
-
-def _document(file: Path, source: str, error: type[FileError]) -> dict[str, Any]:
-    try:
-        return tomllib.loads(source)
-    except tomllib.TOMLDecodeError as broken:
-        text, _, place = str(broken).partition(" (at line ")
-        line, column = map(int, re.findall(r"\d+", place)) if place else (0, 0)
-        diagnostic = Diagnostic("invalid-toml", f"this is not TOML: {text}", line, column)
-        raise error(file.name, [diagnostic], source) from None
-    except RecursionError:
-        diagnostic = Diagnostic("invalid-toml", "brackets stand too deep inside brackets")
-        raise error(file.name, [diagnostic], source) from None
-    except ValueError as broken:
-        # A number of more digits than Python converts, or a day that no month has.
-        diagnostic = Diagnostic("invalid-toml", f"this is not TOML: {broken}")
-        raise error(file.name, [diagnostic], source) from None
 
 
 _UNKNOWN = re.compile(r"Object contains unknown field `(.+?)`")

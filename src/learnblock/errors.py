@@ -90,6 +90,10 @@ class BlockConfigurationError(FileError):
     """A block configuration is wrong."""
 
 
+class BlockSetError(FileError):
+    """A set of blocks is wrong, or its name."""
+
+
 class ProjectError(FileError):
     """A project's file or name is wrong, or it cannot be saved."""
 
@@ -148,6 +152,10 @@ class IceRefusedError(IceError):
 
     def __reduce__(self) -> tuple[type, tuple[object, ...]]:
         return type(self), (str(self), self.kind)
+
+
+class NotWrittenError(LearnBlockError, NotImplementedError):
+    """A robot's author has not yet filled in a function that its devices are built from."""
 
 
 class MissingPackageError(LearnBlockError, ImportError):

@@ -88,7 +88,8 @@ def parameter_shadow(parameter: Parameter) -> Shadow | None:
 
 # The tabs that are no skills: their words in the translations, the style of the tab, and the types
 # of the blocks, with fields where the block's own are not meant and an extra state where it needs
-# one.
+# one. Of several blocks of one type each but the first has a `variant`, by which sets of blocks
+# tell it from the others; a call is told by the name of what it calls.
 _TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
     (
         "LB_CATEGORY_EVENTS",
@@ -100,7 +101,7 @@ _TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
         "loop_category",
         (
             ("controls_if", {}),
-            ("controls_if", {"extraState": {"hasElse": True}}),
+            ("controls_if", {"extraState": {"hasElse": True}, "variant": "else"}),
             ("controls_whileUntil", {"fields": {"MODE": "WHILE"}}),
             ("controls_repeat_ext", {}),
             ("controls_for", {"fields": {"VAR": {"name": "i"}}}),
@@ -168,12 +169,15 @@ _TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
         "LB_CATEGORY_LISTS",
         "list_category",
         (
-            ("lists_create_with", {"extraState": {"itemCount": 0}}),
+            ("lists_create_with", {"extraState": {"itemCount": 0}, "variant": "empty"}),
             ("lists_create_with", {"extraState": {"itemCount": 3}}),
             ("lists_length", {}),
             ("lists_getIndex", {"fields": {"MODE": "GET", "WHERE": "FROM_START"}}),
             ("lists_setIndex", {"fields": {"MODE": "SET", "WHERE": "FROM_START"}}),
-            ("lists_setIndex", {"fields": {"MODE": "INSERT", "WHERE": "LAST"}}),
+            (
+                "lists_setIndex",
+                {"fields": {"MODE": "INSERT", "WHERE": "LAST"}, "variant": "insert"},
+            ),
             ("lb_change_index", {}),
             ("math_on_list", {"fields": {"OP": "SUM"}}),
             ("lists_split", {"fields": {"MODE": "SPLIT"}, "extraState": {"mode": "SPLIT"}}),
@@ -201,11 +205,11 @@ def toolbox(
         configurations: of the skills, by name.
         words: the names of the tabs.
     """
-    tabs = [_tab(words[name], style, blocks) for name, style, blocks in _TABS]
-    custom = [
-        {"kind": "category", "name": words[name], "categorystyle": style, "custom": kind}
-        for name, style, kind in _CUSTOM
+    tabs = [
+        {**_category(name, style, words), "contents": list(map(_item, blocks))}
+        for name, style, blocks in _TABS
     ]
+    custom = [{**_category(name, style, words), "custom": kind} for name, style, kind in _CUSTOM]
     events, *others = tabs
     skills = _skill_tabs(configurations.values(), words)
     return {
@@ -224,11 +228,24 @@ def category_word(category: str) -> str:
     return "LB_SKILLS_" + "_".join(category.upper().split())
 
 
-def _tab(name: str, style: str, blocks: Iterable[tuple[str, dict[str, Any]]]) -> dict[str, Any]:
-    contents = [
-        {"kind": "block", "type": kind, **state, **_inputs(kind, state)} for kind, state in blocks
-    ]
-    return {"kind": "category", "name": name, "categorystyle": style, "contents": contents}
+def _category(name: str, style: str, words: Mapping[str, str]) -> dict[str, Any]:
+    """A tab of the language; `category` is what sets of blocks call it."""
+    category = "lb_" + name.removeprefix("LB_CATEGORY_").lower()
+    return {
+        "kind": "category",
+        "name": words[name],
+        "category": category,
+        "categorystyle": style,
+    }
+
+
+def _item(entry: tuple[str, dict[str, Any]]) -> dict[str, Any]:
+    """A block of the language; `block` is what sets of blocks call it."""
+    kind, state = entry
+    variant = state.get("variant") or state.get("extraState", {}).get("name")
+    name = f"{kind}:{variant}" if variant else kind
+    shown = {key: value for key, value in state.items() if key != "variant"}
+    return {"kind": "block", "type": kind, "block": name, **shown, **_inputs(kind, state)}
 
 
 def _inputs(kind: str, state: Mapping[str, Any]) -> dict[str, Any]:
@@ -252,6 +269,7 @@ def _skill_tabs(
         {
             "kind": "category",
             "name": words.get(category_word(category), category),
+            "category": category,
             "categorystyle": f"lb_{by_category[category][0].type}_category",
             "contents": [_skill(one) for one in by_category[category]],
         }
@@ -266,6 +284,7 @@ def _skill(configuration: BlockConfiguration) -> dict[str, Any]:
     return {
         "kind": "block",
         "type": SKILL + configuration.name,
+        "block": f"function.{configuration.name}",
         **({"inputs": inputs} if inputs else {}),
         # What a new block shows is what the texts say: `sleep(5)`, and not `sleep()`.
         **({"data": json.dumps({"given": given})} if given else {}),

@@ -1,0 +1,139 @@
+"""Sets of blocks: ours name what there is, and a user's file is read whatever stands in it."""
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from learnblock.blocks import block_sets, builtin
+from learnblock.blocks.block_sets import BlockSet, Names
+from learnblock.blocks.palette import palette
+from learnblock.errors import BlockSetError, UnknownNameError
+
+LESSON = """\
+[title]
+en = "Tuesday"
+
+[show]
+categories = ["Base"]
+blocks = ["lb_main", "function.somebody_elses"]
+"""
+
+words = st.text(st.characters(codec="utf-8", exclude_characters="\0"), min_size=1, max_size=20)
+names = st.builds(
+    Names,
+    categories=st.lists(words, max_size=3).map(tuple),
+    blocks=st.lists(words, max_size=3).map(tuple),
+)
+texts = st.dictionaries(st.sampled_from(["en", "es", "eu-ES"]), words, max_size=3)
+sets = st.builds(
+    BlockSet,
+    name=st.just("lesson"),
+    title=texts,
+    description=texts,
+    show=names,
+    hide=names,
+)
+
+
+@pytest.fixture(autouse=True)
+def own_home(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    return tmp_path
+
+
+@pytest.fixture(scope="module")
+def tabs():
+    return palette(builtin(), "en")["toolbox"]["contents"]
+
+
+def test_a_first_lesson_shows_ten_blocks():
+    first = block_sets.built_in()["first-steps"]
+    assert (len(first.show.blocks), first.show.categories, first.hide) == (10, (), Names())
+
+
+def test_the_last_of_our_sets_hides_nothing():
+    everything = block_sets.built_in()[block_sets.EVERYTHING]
+    assert (everything.show, everything.hide) == (Names(), Names())
+
+
+@pytest.mark.parametrize("name", block_sets.BUILT_IN)
+def test_our_sets_name_blocks_that_there_are_in_every_language_of_the_page(name, tabs):
+    ours = block_sets.built_in()[name]
+    blocks = {one["block"] for tab in tabs for one in tab.get("contents", ())}
+    assert set(ours.show.blocks + ours.hide.blocks) - blocks == set()
+    mentioned = set(ours.show.categories + ours.hide.categories)
+    assert mentioned - {tab["category"] for tab in tabs} == set()
+    assert {"en", "es"} == set(ours.title) == set(ours.description)
+
+
+def test_no_two_blocks_of_a_tab_have_one_name(tabs):
+    for tab in tabs:
+        blocks = [one["block"] for one in tab.get("contents", ())]
+        assert len(blocks) == len(set(blocks))
+
+
+@given(sets)
+def test_what_is_written_is_read_again(block_set):
+    assert block_sets.parse(block_sets.write(block_set), "lesson") == block_set
+
+
+def test_what_is_not_installed_is_kept():
+    lesson = block_sets.parse(LESSON, "tuesday")
+    assert "function.somebody_elses" in lesson.show.blocks
+    assert "function.somebody_elses" in block_sets.write(lesson)
+
+
+def test_a_set_is_saved_listed_and_deleted(own_home):
+    lesson = block_sets.parse(LESSON, "tuesday")
+    block_sets.save_own(lesson, replace=False)
+    assert block_sets.own() == ((lesson,), ())
+    block_sets.delete_own("tuesday")
+    assert block_sets.own() == ((), ())
+
+
+def test_a_set_is_replaced_only_when_that_is_wanted():
+    lesson = block_sets.parse(LESSON, "tuesday")
+    block_sets.save_own(lesson, replace=False)
+    with pytest.raises(BlockSetError, match="already"):
+        block_sets.save_own(lesson, replace=False)
+    other = msgspec.structs.replace(lesson, show=Names())
+    block_sets.save_own(other, replace=True)
+    assert block_sets.own()[0] == (other,)
+
+
+@pytest.mark.parametrize("name", ["../x", "a/b", "", ".x", "nul", "first-steps", "x" * 61, "a\0"])
+def test_a_name_that_no_file_can_have_is_refused(name, own_home):
+    with pytest.raises(BlockSetError):
+        block_sets.save_own(BlockSet(name=name), replace=True)
+    assert list(own_home.rglob("*.toml")) == []
+
+
+def test_what_is_not_there_cannot_be_deleted():
+    with pytest.raises(UnknownNameError):
+        block_sets.delete_own("tuesday")
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "message"),
+    [
+        ("[show]\nblock = []\n", 2, "did you mean `blocks`"),
+        ('[show]\nblocks = "lb_main"\n', 2, "expected a list"),
+        ("[title]\nen = 3\n", 1, "`title`"),
+        ("show = ]", 1, "this is not TOML"),
+        (f"[show]\nblocks = {['x'] * 1001}\n", 2, "0 to 1000 entries"),
+    ],
+)
+def test_a_wrong_file_is_told_with_its_line(text, line, message):
+    with pytest.raises(BlockSetError) as refused:
+        block_sets.parse(text, "lesson")
+    (diagnostic,) = refused.value.diagnostics
+    assert (diagnostic.line, message in diagnostic.message) == (line, True), diagnostic
+
+
+def test_a_wrong_file_in_the_folder_keeps_the_others_in_use(own_home):
+    (own_home / "sets").mkdir()
+    (own_home / "sets" / "broken.toml").write_text("show = 3")
+    (own_home / "sets" / "good.toml").write_text(LESSON)
+    found, wrong = block_sets.own()
+    assert ([one.name for one in found], len(wrong)) == (["good"], 1)
