@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from learnblock.errors import ProgramError
 from learnblock.language import format as format_program
 from learnblock.language import from_python, parse, to_python
-from learnblock.language.nodes import Raw
+from learnblock.language.nodes import Import, Raw
 
 SKELETON = "from learnblock.robots.ebo import Robot\n\nrobot = Robot()\n\n"
 LIBRARY = sorted(Path(os.__file__).parent.rglob("*.py"))
@@ -271,3 +271,23 @@ def test_long_sums_are_kept_in_a_form_that_can_be_read_again():
     text = SKELETON + "x = " + "1 + " * 600 + "1\n"
     program = from_python(text)
     assert program == parse(format_program(program))
+
+
+def test_an_import_is_read_in_its_old_spelling_and_written_in_ours():
+    program = from_python("from dance import *\n" + SKELETON)
+    ours = "from learnblock.libraries.dance import *\n" + SKELETON.rstrip("\n") + "\n"
+    assert format_program(program) == 'import "dance"\n'
+    assert to_python(parse(format_program(program)), "learnblock.robots.ebo").text == ours
+
+
+@pytest.mark.parametrize("module", ["math", "os.path", "learnblock.client", "__future__"])
+def test_what_only_python_can_import_stays_python(module):
+    text = f"from {module} import *\n" + SKELETON
+    assert not any(isinstance(item, Import) for item in from_python(text).items)
+    assert to_python(from_python(text), None).text == text
+
+
+@pytest.mark.parametrize("module", ["dance", "songs.slow", "math", "learnblock.client"])
+def test_whatever_is_imported_comes_back_from_python(module):
+    program = parse(f'import "{module}"\n')
+    assert program == from_python(to_python(program).text)

@@ -345,7 +345,7 @@ Body = tuple[Statement, ...]
 
 @dataclass(frozen=True, slots=True)
 class Import:
-    """``import "dance"``: everything that the Python file ``dance.py`` defines."""
+    """``import "dance"``: a library, or everything that the Python file ``dance.py`` defines."""
 
     module: str
     comment: str | None = None

@@ -10,7 +10,7 @@ import warnings
 from dataclasses import dataclass, field, replace
 
 from learnblock.errors import Diagnostic, ProgramError
-from learnblock.language import markers, names
+from learnblock.language import markers, names, python_imports
 from learnblock.language.layout import normalized, prologue_length
 from learnblock.language.lexer import MAX_CHARACTERS
 from learnblock.language.library import MODULES
@@ -342,12 +342,18 @@ class _Reader(StatementReader):
 
     def item(self, node: ast.stmt) -> Item:
         match node:
-            case ast.ImportFrom(module=str(module), names=[ast.alias(name="*")], level=0):
-                return Import(module, self.comment_of(end_of(node)), span_of(node))
+            case ast.ImportFrom(module=str(), names=[ast.alias(name="*")], level=0):
+                return self.import_(node)
             case ast.FunctionDef():
                 return self.function(node)
             case _:
                 return self.statement(node)
+
+    def import_(self, node: ast.ImportFrom) -> Import:
+        module = python_imports.from_python(node.module or "")
+        if module is None:
+            raise Unlike
+        return Import(module, self.comment_of(end_of(node)), span_of(node))
 
     def function(self, node: ast.FunctionDef) -> Def | When:
         arguments = node.args

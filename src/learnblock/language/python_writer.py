@@ -4,7 +4,7 @@ import ast
 import re
 from collections.abc import Set as AbstractSet
 
-from learnblock.language import markers, names, ranges
+from learnblock.language import markers, names, python_imports, ranges
 from learnblock.language.expression_writer import LOOSEST, SIGN, TIGHTEST
 from learnblock.language.layout import placed, prologue_length
 from learnblock.language.library import MODULES, TEMPLATES, is_builtin
@@ -147,7 +147,8 @@ class PythonWriter(ProgramWriter):
         self.line(comment_text(markers.escaped(node.text)), node)
 
     def import_(self, node: Import) -> None:
-        self.line(f"from {node.module} import *", node, node.comment)
+        module = python_imports.to_python(node.module)
+        self.line(f"from {module} import *", node, node.comment)
 
     def setup(self, node: Setup) -> None:
         arguments = self.arguments(node.arguments, node.keywords)

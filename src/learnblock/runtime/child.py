@@ -1,6 +1,7 @@
 """The child: the process (or thread) that holds the user's program and nothing else."""
 
 import builtins
+import os
 import random
 import signal
 import socket
@@ -111,7 +112,7 @@ class _Program:
         code = compile(self._setup.source, self._setup.filename, "exec", dont_inherit=True)
         namespace = {
             "__name__": "__main__",
-            "__file__": self._setup.filename,
+            "__file__": os.path.join(self._setup.folder, self._setup.filename),  # noqa: PTH118 - text
             "__builtins__": self._builtins(),
         }
         if self._owns_process:

@@ -1,6 +1,6 @@
 # Follows a line.
-from dance import *  # ours
-from songs.slow import *
+from learnblock.libraries.dance import *  # ours
+from learnblock.libraries.songs.slow import *
 import math
 
 from learnblock.robots.ebo import Robot

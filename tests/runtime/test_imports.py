@@ -1,0 +1,96 @@
+"""What `import` of Block-Text finds, in a child and in a program that runs by itself."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+LIBRARY = '''
+steps = []
+
+def waltz(robot, times=2):
+    """Dance."""
+    for _ in range(times):
+        step(robot)
+
+def step(robot):
+    steps.append(len(steps))
+    robot.sleep(0.1)
+    print("step", len(steps))
+'''
+PROGRAM = """from learnblock.libraries.dance import *
+from learnblock.robots.{robot} import Robot
+
+robot = Robot()
+robot.waltz(1)
+robot.waltz()
+"""
+
+
+def installed(home):
+    folder = home / "libraries" / "dance"
+    folder.mkdir(parents=True)
+    (folder / "__init__.py").write_text(LIBRARY)
+
+
+@pytest.fixture
+def home(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
+    return tmp_path / "home"
+
+
+def test_the_skills_of_an_installed_library_are_the_robots(run, home):
+    installed(home)
+    result = run(PROGRAM.format(robot="tiny"), header="")
+    assert result.output == "step 1\nstep 2\nstep 3\n"
+
+
+def test_a_skill_of_a_library_stands_in_the_trace_and_those_it_uses_do_not(run, home):
+    installed(home)
+    result = run(PROGRAM.format(robot="tiny"), header="")
+    assert ["waltz", "waltz"] == [event["call"] for event in result.events if "call" in event]
+
+
+def test_a_library_is_not_there_before_it_is_imported(run, home):
+    installed(home)
+    result = run("robot.waltz(1)")
+    assert "a robot has no skill `waltz`" in result.ending.sentence
+
+
+def test_a_file_beside_the_program_brings_plain_functions_and_skills(run, home, tmp_path):
+    (tmp_path / "dance.py").write_text(LIBRARY + "def greet(name):\n    print('hello', name)\n")
+    result = run(PROGRAM.format(robot="tiny") + "greet('Ana')\nprint(hasattr(robot, 'greet'))",
+                 header="", folder=str(tmp_path))  # fmt: skip
+    assert result.output == "step 1\nstep 2\nstep 3\nhello Ana\nFalse\n"
+
+
+def test_a_file_beside_the_program_is_found_before_an_installed_library(run, home, tmp_path):
+    installed(home)
+    (tmp_path / "dance.py").write_text("def waltz(robot, times=0):\n    print('mine')\n")
+    result = run(PROGRAM.format(robot="tiny"), header="", folder=str(tmp_path))
+    assert result.output == "mine\nmine\n"
+
+
+def test_a_skill_of_ours_is_not_hidden_by_a_library(run, home):
+    folder = home / "libraries" / "dance"
+    folder.mkdir(parents=True)
+    (folder / "__init__.py").write_text("def sleep(robot, s=0): print('asleep')\n")
+    text = "from learnblock.libraries.dance import *\nfrom learnblock.robots.tiny import Robot\n"
+    result = run(text + "robot = Robot()\nrobot.sleep(0.1)\nprint('awake')", header="")
+    assert result.output == "awake\n"
+
+
+def test_a_program_that_runs_by_itself_finds_both(home, tmp_path):
+    installed(home)
+    (tmp_path / "names.py").write_text("def greet(name):\n    print('hello', name)\n")
+    (tmp_path / "program.py").write_text(
+        "from learnblock.libraries.names import *\n" + PROGRAM.format(robot="sim_ebo")
+        + "greet('Ana')\n"
+    )  # fmt: skip
+    done = subprocess.run(
+        [sys.executable, str(tmp_path / "program.py")],
+        env={**os.environ, "LEARNBLOCK_HOME": str(home)},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.stdout == "step 1\nstep 2\nstep 3\nhello Ana\n", done.stderr
