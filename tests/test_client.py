@@ -180,19 +180,14 @@ def test_why_a_robot_could_not_be_connected_is_not_hidden_by_its_disconnection()
     assert "disconnecting failed as well: RobotAttributeError" in caught.value.__notes__[0]
 
 
-def test_nothing_is_connected_where_a_skill_cannot_be_attached(tmp_path, monkeypatch):
-    (tmp_path / "skills").mkdir()
-    (tmp_path / "skills" / "bad.py").write_text("def stop(robot): pass\n")
-    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
-    log = []
+def test_a_skill_of_the_user_s_does_not_hide_what_every_robot_has(own_home):
+    (own_home / "skills").mkdir()
+    (own_home / "skills" / "mine.py").write_text("def stop(robot): pass\ndef clock(robot): pass\n")
 
-    class Never(Client):
-        def connect(self):
-            log.append("connect")
-
-    with pytest.raises(KeyTakenError, match="a skill cannot be called `stop`"):
-        Never(skills=["stop"])
-    assert log == []
+    with FakeRobot() as robot:
+        robot.stop()
+        assert robot.stopped
+        assert robot.clock.time() == 0
 
 
 # The end, of a process.

@@ -340,11 +340,9 @@ class Client(Events):
 
     def _attach(self, names: Collection[str] | None) -> None:
         for name, function in skill_registry.find(names).items():
-            if hasattr(Client, name):
-                raise KeyTakenError(
-                    f"a skill cannot be called `{name}`: every robot has that already"
-                )
-            setattr(self, name, self._method(name, function))
+            # A skill of somebody else's does not hide what every robot has; who writes one is told.
+            if not hasattr(Client, name) and name not in vars(self):
+                setattr(self, name, self._method(name, function))
 
     def _method(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
         def skill(*args: Any, **kwargs: Any) -> Any:

@@ -45,8 +45,7 @@ def call(robot: FakeRobot, block: BlockConfiguration):
 def test_every_skill_of_ours_is_a_block_and_every_block_a_skill(monkeypatch, tmp_path):
     monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
 
-    ours = {name for module in skills._ours() for name, _ in skills.functions(module)}
-    assert sorted(ours) == sorted(builtin())
+    assert sorted(skills.find()) == sorted(builtin())
 
 
 @pytest.mark.parametrize("block", BLOCKS, ids=by_name)
@@ -122,28 +121,39 @@ def test_a_skill_of_a_plugin_or_of_the_user_never_hides_one_of_ours(monkeypatch,
     assert 3 == found["waltz"](None)
 
 
-def test_when_all_names_are_found_no_other_file_is_imported(monkeypatch, tmp_path):
-    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
-    (tmp_path / "skills").mkdir()
-    (tmp_path / "skills" / "a.py").write_text("def waltz(robot): return 3\n")
-    (tmp_path / "skills" / "b.py").write_text("raise SystemExit\n")
+def test_a_file_runs_when_one_of_its_skills_is_called(own_home):
+    (own_home / "skills").mkdir()
+    (own_home / "skills" / "mine.py").write_text(
+        "def waltz(robot): return 3\n\n\nraise SystemExit\n"
+    )
+    waltz = skills.find(["waltz"])["waltz"]
 
-    assert {"waltz", "turn"} == set(skills.find(["turn", "waltz"]))
+    with pytest.raises(
+        LearnBlockError, match=r"mine\.py: the skills in it cannot be loaded: System"
+    ):
+        waltz(None)
 
 
-def test_a_name_that_no_skill_has_is_left_out(monkeypatch, tmp_path):
-    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
-
+def test_a_name_that_no_skill_has_is_left_out():
     assert {"turn"} == set(skills.find(["turn", "fly"]))
     assert {} == skills.find([])
 
 
-def test_a_file_of_skills_that_cannot_be_imported_is_named(monkeypatch, tmp_path):
-    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
-    (tmp_path / "skills").mkdir()
-    (tmp_path / "skills" / "mine.py").write_text("import no_such_module\n")
-
-    with pytest.raises(
-        LearnBlockError, match=r"mine\.py: the skills in it cannot be loaded: No mo"
-    ):
-        skills.find(["waltz"])
+@pytest.mark.parametrize(
+    ("source", "message"),
+    [
+        ("import no_such_module\ndef waltz(robot): ...\n", "ModuleNotFoundError: No module named"),
+        ("x = 1\ndef waltz(robot):\n    return (\n", r"line 3: '\(' was never closed"),
+        ("def waltz(robot): ...\nwaltz = 3\n", "`waltz` is no function any more"),
+    ],
+)
+def test_a_file_of_skills_that_cannot_be_used_is_named_with_what_is_wrong(
+    own_home, source, message
+):
+    (own_home / "skills").mkdir()
+    (own_home / "skills" / "mine.py").write_text(source)
+    (own_home / "skills" / "other.py").write_text("def rumba(robot): return 4\n")
+    with FakeRobot() as robot:
+        assert 4 == robot.rumba()
+        with pytest.raises(LearnBlockError, match=rf"mine\.py: .*{message}"):
+            robot.waltz()

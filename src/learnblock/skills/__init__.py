@@ -1,18 +1,21 @@
 """Robot-agnostic skills: plain functions that take the robot first.
 
-`find` collects them: ours, those of installed plugins (entry points of the group
-``learnblock.skills``, each naming a module), and those in the ``skills`` folder of `home`.
+`find` collects them: ours, those of libraries that the program has imported, those in the
+``skills`` folder of `home`, and those of installed plugins (entry points of the group
+``learnblock.skills``, each naming a module).
 """
 
 import importlib
 import inspect
+import sys
 from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from learnblock import skill_files
 from learnblock.errors import LearnBlockError
-from learnblock.home import home, import_file
+from learnblock.home import import_file
 
 Skill = Callable[..., Any]
 
@@ -35,18 +38,24 @@ _MODULES = (
     "mp3",
     "cozmo",
 )
+#: Begins the name of whatever Block-Text imports.
+_LIBRARIES = "learnblock.libraries."
 
 
 def find(names: Collection[str] | None = None) -> dict[str, Skill]:
     """The skills of these names, or all there are.
 
-    Ours come first, then the user's, then those of plugins: another skill of the same name is not
-    reached. A name that no skill has is left out, since the program may never call it.
+    Ours come first, then those of imported libraries, then the user's, then those of plugins:
+    another skill of the same name is not reached. A name that no skill has is left out, since the
+    program may never call it.
+
+    A file of the user's own runs when one of its skills is first called, and not before: what is
+    wrong with it concerns nobody else.
     """
     found: dict[str, Skill] = {}
-    for modules in (_ours, _users, _plugins):
+    for search in (_ours, _imported, _users, _plugins):
         missing = None if names is None else set(names) - found.keys()
-        found = _of_modules(modules(), missing) | found
+        found = search(missing) | found
     return found
 
 
@@ -57,7 +66,7 @@ def _of_modules(modules: Iterator[ModuleType], names: Collection[str] | None) ->
         module = next(modules, None)
         if module is None:
             break
-        skills = functions(module)
+        skills = _skills_of(module)
         found = {name: skill for name, skill in skills if names is None or name in names} | found
     return found
 
@@ -73,21 +82,60 @@ def functions(module: ModuleType) -> Iterator[tuple[str, Skill]]:
             yield name, value
 
 
-def _ours() -> Iterator[ModuleType]:
-    for name in _MODULES:
-        yield importlib.import_module(f"{__name__}.{name}")
+def _skills_of(module: ModuleType) -> Iterator[tuple[str, Skill]]:
+    """An imported file may hold plain functions as well: its skills are those that take `robot`."""
+    taken = functions(module)
+    if not module.__name__.startswith(_LIBRARIES):
+        return taken
+    return ((name, skill) for name, skill in taken if _takes_robot(skill))
 
 
-def _plugins() -> Iterator[ModuleType]:
+def _takes_robot(function: Skill) -> bool:
+    return inspect.getfullargspec(function).args[:1] == ["robot"]
+
+
+def _ours(names: Collection[str] | None) -> dict[str, Skill]:
+    return _of_modules((importlib.import_module(f"{__name__}.{name}") for name in _MODULES), names)
+
+
+def _imported(names: Collection[str] | None) -> dict[str, Skill]:
+    loaded = [module for name, module in sys.modules.items() if name.startswith(_LIBRARIES)]
+    return _of_modules(iter(loaded), names)
+
+
+def _plugins(names: Collection[str] | None) -> dict[str, Skill]:
+    if names is not None and not names:
+        return {}
     from importlib.metadata import entry_points  # noqa: PLC0415 - it searches all that is installed
 
-    for point in entry_points(group="learnblock.skills"):
-        yield point.load()
+    points = entry_points(group="learnblock.skills")
+    return _of_modules((point.load() for point in points), names)
 
 
-def _users() -> Iterator[ModuleType]:
-    for path in sorted((home() / "skills").glob("*.py")):
-        yield load(path)
+def _users(names: Collection[str] | None) -> dict[str, Skill]:
+    found: dict[str, Skill] = {}
+    for path in skill_files.own_files() if names is None or names else ():
+        for name in skill_files.names(path):
+            if names is None or name in names:
+                found.setdefault(name, _later(path, name))
+    return found
+
+
+def _later(path: Path, name: str) -> Skill:
+    """A skill of a file that is imported with the first call."""
+
+    def skill(robot: Any, *args: Any, **kwargs: Any) -> Any:
+        return _loaded(path, name)(robot, *args, **kwargs)
+
+    skill.__name__ = skill.__qualname__ = name
+    return skill
+
+
+def _loaded(path: Path, name: str) -> Skill:
+    function = getattr(load(path), name, None)
+    if not inspect.isfunction(function):
+        raise LearnBlockError(f"{path}: when it has run, `{name}` is no function any more")
+    return function
 
 
 def load(path: Path) -> ModuleType:
@@ -98,5 +146,13 @@ def load(path: Path) -> ModuleType:
     """
     try:
         return import_file(path)
-    except Exception as error:
-        raise LearnBlockError(f"{path}: the skills in it cannot be loaded: {error}") from error
+    except (Exception, SystemExit) as error:
+        raise LearnBlockError(
+            f"{path}: the skills in it cannot be loaded: {_told(error)}"
+        ) from error
+
+
+def _told(error: BaseException) -> str:
+    if isinstance(error, SyntaxError):
+        return f"line {error.lineno}: {error.msg}"
+    return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
