@@ -31,12 +31,50 @@ export interface BlockComment {
   height?: number | null;
 }
 
+export interface BlockNames {
+  categories?: string[];
+  blocks?: string[];
+}
+
+export interface BlockSet {
+  name?: string;
+  title?: Record<string, string>;
+  description?: Record<string, string>;
+  show?: BlockNames;
+  hide?: BlockNames;
+}
+
+export interface BlockSetRead {
+  kind: "BlockSetRead";
+  set: BlockSet;
+}
+
+export interface BlockSets {
+  kind: "BlockSets";
+  ours: BlockSet[];
+  own: BlockSet[];
+  problems?: string[];
+}
+
+export interface BlocksShown {
+  kind: "BlocksShown";
+  set: BlockSet;
+  carried?: BlockSet[];
+}
+
 export interface CameraFrame {
   kind: "CameraFrame";
   width: number;
   height: number;
   time: number;
   seen?: Seen[];
+}
+
+export interface ChangeSettings {
+  kind: "ChangeSettings";
+  robot: string;
+  values: Record<string, unknown>;
+  agreed?: boolean;
 }
 
 export interface CheckOwnBlock {
@@ -52,6 +90,11 @@ export interface CheckOwnBlock {
 export interface CheckWorld {
   kind: "CheckWorld";
   world: Record<string, unknown>;
+}
+
+export interface ChooseBlockSet {
+  kind: "ChooseBlockSet";
+  set: BlockSet;
 }
 
 export interface ChooseRobot {
@@ -90,6 +133,11 @@ export interface Completions {
 
 export interface Delete {
   kind: "Delete";
+  name: string;
+}
+
+export interface DeleteBlockSet {
+  kind: "DeleteBlockSet";
   name: string;
 }
 
@@ -189,9 +237,19 @@ export interface Export {
   format: "bt" | "learnblock" | "py";
 }
 
+export interface ExportBlockSet {
+  kind: "ExportBlockSet";
+  set: BlockSet;
+}
+
 export interface ExportOwnBlock {
   kind: "ExportOwnBlock";
   name: string;
+}
+
+export interface ExportTags {
+  kind: "ExportTags";
+  format?: "csv" | "html" | "toml";
 }
 
 export interface Failed {
@@ -244,6 +302,10 @@ export interface Input {
 export interface InputWanted {
   kind: "InputWanted";
   prompt: string;
+}
+
+export interface ListBlockSets {
+  kind: "ListBlockSets";
 }
 
 export interface ListHistory {
@@ -374,6 +436,23 @@ export interface Projects {
   projects: ProjectEntry[];
 }
 
+export interface ReadBlockSet {
+  kind: "ReadBlockSet";
+  filename: string;
+  text: string;
+}
+
+export interface ReadSettings {
+  kind: "ReadSettings";
+  robot?: string;
+}
+
+export interface ReadTags {
+  kind: "ReadTags";
+  filename: string;
+  text: string;
+}
+
 export interface ReadWorld {
   kind: "ReadWorld";
   name: string;
@@ -441,12 +520,23 @@ export interface SaveAs {
   name: string;
 }
 
+export interface SaveBlockSet {
+  kind: "SaveBlockSet";
+  set: BlockSet;
+  replace?: boolean;
+}
+
 export interface SaveOwnBlock {
   kind: "SaveOwnBlock";
   name: string;
   source: string;
   configuration?: string;
   replaces?: string;
+}
+
+export interface SaveTags {
+  kind: "SaveTags";
+  names: Record<string, number>;
 }
 
 export interface SaveWorld {
@@ -486,11 +576,32 @@ export interface SetSpeed {
   factor: number | null;
 }
 
+export interface Setting {
+  name: string;
+  sort: "boolean" | "choice" | "list" | "number" | "text" | "whole";
+  value: unknown;
+  default: unknown;
+  allowed: string;
+  description?: string;
+  least?: number | null;
+  most?: number | null;
+  choices?: string[];
+  optional?: boolean;
+}
+
 export interface Settings {
   kind: "Settings";
   robot: string;
   world: string;
   breakpoints?: string[];
+}
+
+export interface SettingsTable {
+  kind: "SettingsTable";
+  robot: string;
+  settings?: Setting[];
+  wrong?: Record<string, string>;
+  problem?: string;
 }
 
 export interface Sound {
@@ -507,6 +618,17 @@ export interface Step {
 
 export interface Stop {
   kind: "Stop";
+}
+
+export interface Tags {
+  kind: "Tags";
+  names: Record<string, number>;
+  problem?: string;
+}
+
+export interface TagsRead {
+  kind: "TagsRead";
+  names: Record<string, number>;
 }
 
 export interface Telemetry {
@@ -643,7 +765,18 @@ export type FromPage =
   | DeleteOwnBlock
   | RestoreOwnBlock
   | ExportOwnBlock
-  | ImportOwnBlock;
+  | ImportOwnBlock
+  | ListBlockSets
+  | ChooseBlockSet
+  | ReadBlockSet
+  | SaveBlockSet
+  | DeleteBlockSet
+  | ExportBlockSet
+  | ReadSettings
+  | ChangeSettings
+  | SaveTags
+  | ReadTags
+  | ExportTags;
 
 export type ToPage =
   | Welcome
@@ -672,4 +805,10 @@ export type ToPage =
   | OwnBlocks
   | OwnBlockChecked
   | OwnBlockSaved
-  | PaletteChanged;
+  | PaletteChanged
+  | BlockSets
+  | BlocksShown
+  | BlockSetRead
+  | SettingsTable
+  | Tags
+  | TagsRead;

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from learnblock.blocks import block_sets, builtin
-from learnblock.blocks.block_sets import BlockSet, Names
+from learnblock.blocks.block_sets import BlockSet, BlockNames
 from learnblock.blocks.palette import palette
 from learnblock.errors import BlockSetError, UnknownNameError
 
@@ -21,7 +21,7 @@ blocks = ["lb_main", "function.somebody_elses"]
 
 words = st.text(st.characters(codec="utf-8", exclude_characters="\0"), min_size=1, max_size=20)
 names = st.builds(
-    Names,
+    BlockNames,
     categories=st.lists(words, max_size=3).map(tuple),
     blocks=st.lists(words, max_size=3).map(tuple),
 )
@@ -49,12 +49,12 @@ def tabs():
 
 def test_a_first_lesson_shows_ten_blocks():
     first = block_sets.built_in()["first-steps"]
-    assert (len(first.show.blocks), first.show.categories, first.hide) == (10, (), Names())
+    assert (len(first.show.blocks), first.show.categories, first.hide) == (10, (), BlockNames())
 
 
 def test_the_last_of_our_sets_hides_nothing():
     everything = block_sets.built_in()[block_sets.EVERYTHING]
-    assert (everything.show, everything.hide) == (Names(), Names())
+    assert (everything.show, everything.hide) == (BlockNames(), BlockNames())
 
 
 @pytest.mark.parametrize("name", block_sets.BUILT_IN)
@@ -97,7 +97,7 @@ def test_a_set_is_replaced_only_when_that_is_wanted():
     block_sets.save_own(lesson, replace=False)
     with pytest.raises(BlockSetError, match="already"):
         block_sets.save_own(lesson, replace=False)
-    other = msgspec.structs.replace(lesson, show=Names())
+    other = msgspec.structs.replace(lesson, show=BlockNames())
     block_sets.save_own(other, replace=True)
     assert block_sets.own()[0] == (other,)
 

@@ -46,7 +46,7 @@ Mentioned = Annotated[
 ]
 
 
-class Names(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+class BlockNames(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """Some of the blocks.
 
     Args:
@@ -76,8 +76,8 @@ class BlockSet(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=Tr
     name: Annotated[str, Meta(max_length=60)] = ""
     title: Annotated[dict[Language, Title], Meta(max_length=50)] = {}
     description: Annotated[dict[Language, Description], Meta(max_length=50)] = {}
-    show: Names = Names()
-    hide: Names = Names()
+    show: BlockNames = BlockNames()
+    hide: BlockNames = BlockNames()
 
 
 @cache

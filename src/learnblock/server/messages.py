@@ -9,11 +9,16 @@ from typing import Annotated, Any, Literal
 
 from msgspec import Meta, Struct, field
 
+from learnblock.blocks.block_sets import BlockSet
 from learnblock.language.workspace import Workspace
 
 #: Longer texts are no program that a person wrote.
 LONGEST_TEXT = 1_000_000
 MOST_BREAKPOINTS = 1000
+#: Names of tags; there are 587 tags, and each may have several.
+MOST_TAGS = 2000
+#: Sets of blocks that a project takes along.
+MOST_CARRIED = 8
 #: Of a function.
 MOST_ARGUMENTS = 100
 
@@ -380,6 +385,99 @@ class ImportOwnBlock(Message, frozen=True):
     replace: bool = False
 
 
+# The page speaks: which blocks are shown.
+
+
+class ListBlockSets(Message, frozen=True):
+    """Ask for `BlockSets`."""
+
+
+class ChooseBlockSet(Message, frozen=True):
+    """Show the blocks of a set in this project, which takes the set along: `BlocksShown`."""
+
+    set: BlockSet
+
+
+class ReadBlockSet(Message, frozen=True):
+    """Ask for the set in a file's text: `BlockSetRead`."""
+
+    filename: Name
+    text: Text
+
+
+class SaveBlockSet(Message, frozen=True):
+    """Save a set in the user's folder.
+
+    Args:
+        set: under its name.
+        replace: the user's own set of that name, if there is one; otherwise that is refused.
+    """
+
+    set: BlockSet
+    replace: bool = False
+
+
+class DeleteBlockSet(Message, frozen=True):
+    """Delete a set from the user's folder; projects that took it along keep it."""
+
+    name: Name
+
+
+class ExportBlockSet(Message, frozen=True):
+    """Ask for a set as a file: `File`."""
+
+    set: BlockSet
+
+
+# The page speaks: settings of this machine.
+
+
+class ReadSettings(Message, frozen=True):
+    """Ask for what is set of a real robot, or of perception: `SettingsTable`.
+
+    Args:
+        robot: its name; empty for perception.
+    """
+
+    robot: ShortText = ""
+
+
+class ChangeSettings(Message, frozen=True):
+    """Change settings, all of them or none; `SettingsTable` says what is wrong.
+
+    Args:
+        robot: its name; empty for perception.
+        values: by name; None puts a default back.
+        agreed: the user has read why feelings are not looked for on real cameras.
+    """
+
+    robot: ShortText
+    values: Annotated[dict[ShortText, Any], Meta(max_length=100)]
+    agreed: bool = False
+
+
+# The page speaks: names of tags.
+
+
+class SaveTags(Message, frozen=True):
+    """Save the dictionary of tags; all pages then hear `Tags`."""
+
+    names: Annotated[dict[ShortText, int], Meta(max_length=MOST_TAGS)]
+
+
+class ReadTags(Message, frozen=True):
+    """Ask for the names in a file's text, TOML or CSV: `TagsRead`."""
+
+    filename: Name
+    text: Text
+
+
+class ExportTags(Message, frozen=True):
+    """Ask for the dictionary of tags as a file, or its tags on paper: `File`."""
+
+    format: Literal["toml", "csv", "html"] = "toml"
+
+
 FromPage = (
     Open
     | New
@@ -424,6 +522,17 @@ FromPage = (
     | RestoreOwnBlock
     | ExportOwnBlock
     | ImportOwnBlock
+    | ListBlockSets
+    | ChooseBlockSet
+    | ReadBlockSet
+    | SaveBlockSet
+    | DeleteBlockSet
+    | ExportBlockSet
+    | ReadSettings
+    | ChangeSettings
+    | SaveTags
+    | ReadTags
+    | ExportTags
 )
 
 
@@ -966,6 +1075,103 @@ class PaletteChanged(Message, frozen=True):
     """Other blocks are there than before: fetch the palette anew."""
 
 
+# The server speaks: which blocks are shown.
+
+
+class BlockSets(Message, frozen=True):
+    """Every set one can choose.
+
+    Args:
+        ours: from the first lesson to everything.
+        own: the user's.
+        problems: of files in the user's folder that are no sets.
+    """
+
+    ours: tuple[BlockSet, ...]
+    own: tuple[BlockSet, ...]
+    problems: tuple[str, ...] = ()
+
+
+class BlocksShown(Message, frozen=True):
+    """Which blocks the project's palette shows, and the sets that the project takes along."""
+
+    set: BlockSet
+    carried: tuple[BlockSet, ...] = ()
+
+
+class BlockSetRead(Message, frozen=True):
+    """The set in a file, which is not saved yet."""
+
+    set: BlockSet
+
+
+# The server speaks: settings of this machine.
+
+
+class Setting(Struct, frozen=True, omit_defaults=True):
+    """One setting.
+
+    Args:
+        name: of the setting.
+        sort: a ``list`` is of texts.
+        value: as it is now.
+        default: as it is where nobody has chosen.
+        allowed: what it may be, in words.
+        description: what it is, in words; empty where the name says it.
+        least: of a number.
+        most: of a number.
+        choices: what it may be, where that is one of a few.
+        optional: whether it may be None.
+    """
+
+    name: str
+    sort: Literal["text", "number", "whole", "choice", "boolean", "list"]
+    value: Any
+    default: Any
+    allowed: str
+    description: str = ""
+    least: float | None = None
+    most: float | None = None
+    choices: tuple[str, ...] = ()
+    optional: bool = False
+
+
+class SettingsTable(Message, frozen=True):
+    """What is set of a real robot, or of perception.
+
+    Args:
+        robot: its name; empty for perception.
+        settings: in their order; none for a robot that has none.
+        wrong: why nothing was changed: a sentence for each setting that cannot be so.
+        problem: why the user's file cannot be read.
+    """
+
+    robot: str
+    settings: tuple[Setting, ...] = ()
+    wrong: dict[str, str] = field(default_factory=dict)
+    problem: str = ""
+
+
+# The server speaks: names of tags.
+
+
+class Tags(Message, frozen=True):
+    """The dictionary of tags: the number of each name; a page hears it first with its project.
+
+    Args:
+        problem: why the user's file cannot be read; then there are no names.
+    """
+
+    names: dict[str, int]
+    problem: str = ""
+
+
+class TagsRead(Message, frozen=True):
+    """The names in a file, which are not saved yet."""
+
+    names: dict[str, int]
+
+
 ToPage = (
     Welcome
     | Worlds
@@ -994,4 +1200,10 @@ ToPage = (
     | OwnBlockChecked
     | OwnBlockSaved
     | PaletteChanged
+    | BlockSets
+    | BlocksShown
+    | BlockSetRead
+    | SettingsTable
+    | Tags
+    | TagsRead
 )
