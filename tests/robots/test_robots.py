@@ -30,7 +30,9 @@ def test_our_robots_are_there():
 
 @pytest.mark.parametrize("name", ["sim-ebo", "learnblock.robots.sim_ebo"])
 def test_a_robot_is_found_by_its_name_and_by_its_module(name):
-    assert robots.find(name) == robots.RobotEntry("sim-ebo", "learnblock.robots.sim_ebo")
+    assert robots.find(name) == robots.RobotEntry(
+        "sim-ebo", "learnblock.robots.sim_ebo", simulated=True
+    )
 
 
 def test_a_robot_loads_as_a_client():

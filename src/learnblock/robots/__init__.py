@@ -37,11 +37,14 @@ class RobotEntry:
         name: its id, such as ``sim-ebo``.
         module: the module that holds its class ``Robot``, as a program imports it.
         path: the module's file where it lies in the user's own folder.
+        simulated: whether it lives in the embedded simulator; None where only loading it would
+            tell.
     """
 
     name: str
     module: str
     path: Path | None = None
+    simulated: bool | None = None
 
     def load(self) -> type[Client]:
         """Its class.
@@ -58,7 +61,7 @@ class RobotEntry:
 
 def entries() -> dict[str, RobotEntry]:
     """The robots there are, by name; ours come first where two share one."""
-    ours = {name: RobotEntry(name, module_name(name)) for name in _OURS}
+    ours = {name: _our_own(name) for name in _OURS}
     return {**_users(), **_plugins(), **ours}
 
 
@@ -69,7 +72,7 @@ def find(name: str) -> RobotEntry:
         UnknownNameError: there is none.
     """
     if name in _OURS:
-        return RobotEntry(name, module_name(name))
+        return _our_own(name)
     known = entries()
     for entry in known.values():
         if name in (entry.name, entry.module):
@@ -99,6 +102,10 @@ def module_of(name: str) -> str:
 def module_name(name: str) -> str:
     """The module of one of our own robots."""
     return "learnblock.robots." + name.replace("-", "_")
+
+
+def _our_own(name: str) -> RobotEntry:
+    return RobotEntry(name, module_name(name), simulated=name.startswith("sim-"))
 
 
 def _plugins() -> dict[str, RobotEntry]:

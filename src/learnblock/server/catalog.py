@@ -116,6 +116,9 @@ def welcome(folder: str) -> Welcome:
 
 
 def _robot_choice(entry: robots.RobotEntry) -> RobotChoice:
+    if entry.simulated is False:
+        # The drivers of real robots take their time to be loaded as well.
+        return RobotChoice(entry.name, entry.name, simulated=False)
     # The simulator takes its time to be imported, and the server answers before it is.
     from learnblock.robots.simulated import SimulatedRobot  # noqa: PLC0415
 
