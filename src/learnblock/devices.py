@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from learnblock.vision import Vision
+
     Frame = NDArray[np.uint8]
 
 Reading = TypeVar("Reading")
@@ -114,33 +116,38 @@ class Camera(Sensor["Frame | None"]):
 
     Args:
         read: answers the newest frame, uint8 RGB (height, width, 3), 320 by 240 by default, or None
-            when there is none yet.
+            when there is none yet; the same object as long as there is no newer one.
         detect: `detect(name)` answers what the detector of that name (``lines``, ``tags``,
-            ``faces``) finds in the newest frame, or None without a frame or such a detector; by
-            default the frame is read and searched here.
+            ``faces``, ...) finds in the newest frame, or None without a frame or such a detector;
+            by default the frame is read and searched here.
+        drawn: whether it sees drawn and simulated faces alone, in which emotions may be recognised
+            whatever the settings say.
     """
 
     def __init__(
         self,
         read: "Callable[[], Frame | None]",
         detect: Callable[[str], Any] | None = None,
+        *,
+        drawn: bool = False,
     ) -> None:
         super().__init__(read, detect=detect or self._detect)
         self.detect: Callable[[str], Any] = self.functions["detect"]
-        self._detected: dict[str, tuple[Frame, Any]] = {}
+        self._drawn = drawn
+        self._vision: Vision | None = None
+
+    def close(self) -> None:
+        """Let go of what looks at its frames; the second time it does nothing."""
+        if self._vision:
+            self._vision.close()
 
     def _detect(self, name: str) -> Any:
-        # Imported on first use: a robot without a camera pays nothing for OpenCV.
-        from learnblock.perception import DETECTORS, detect  # noqa: PLC0415
+        if self._vision is None:
+            # Imported on first use: a robot whose camera nobody uses pays nothing for it.
+            from learnblock.vision import Vision  # noqa: PLC0415
 
-        frame = self.read() if name in DETECTORS else None
-        if frame is None:
-            return None
-        seen, found = self._detected.get(name, (None, None))
-        if seen is not frame:
-            found = detect(name, frame)
-            self._detected[name] = (frame, found)
-        return found
+            self._vision = Vision(self.read, drawn=self._drawn)
+        return self._vision.detect(name)
 
 
 class DistanceSensors(Sensor[Mapping[str, Sequence[float]]]):

@@ -15,16 +15,19 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import reduce
 from pathlib import Path
-from typing import Any, Generic, TypeVar
+from typing import Annotated, Any, Generic, TypeVar
 
 import msgspec
 import tomli_w
-from msgspec import inspect
+from msgspec import Meta, inspect
 
 from learnblock import description_file
 from learnblock.errors import SettingsError, UnknownNameError
 from learnblock.files import save
 from learnblock.home import home
+
+
+Patience = Annotated[float, Meta(ge=0.1, le=60, description="until it must have answered, s")]
 
 
 class Settings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):

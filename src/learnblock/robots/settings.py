@@ -9,7 +9,7 @@ from typing import Annotated, Any, TypeVar
 
 from msgspec import Meta
 
-from learnblock.settings import Described, Settings, Table, file
+from learnblock.settings import Described, Patience, Settings, Table, file
 
 __all__ = [
     "Address",
@@ -28,7 +28,6 @@ Address = Annotated[
     str, Meta(min_length=1, max_length=253, description="a name or number in the network")
 ]
 Port = Annotated[int, Meta(ge=1, le=65535, description="a port of the network")]
-Patience = Annotated[float, Meta(ge=0.1, le=60, description="until it must have answered, s")]
 
 
 class RobotSettings(Settings, frozen=True):

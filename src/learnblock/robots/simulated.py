@@ -456,7 +456,7 @@ _DEVICES: dict[str, Callable[[RobotBody, str], Device]] = {
     "Animator": lambda body, _: Animator(_logged(body, "Animator", "play")),
     "Base": _base,
     "Bumper": lambda body, _: Bumper(body.bumper),
-    "Camera": lambda body, key: Camera(partial(body.frame, key)),
+    "Camera": lambda body, key: Camera(partial(body.frame, key), drawn=True),
     "Display": lambda body, _: Display(show_emotion=body.show_emotion),
     "DistanceSensors": lambda body, _: DistanceSensors(body.distances),
     "GroundSensors": lambda body, _: GroundSensors(body.ground),
