@@ -40,6 +40,8 @@ class BlockConfiguration:
         tooltip: one sentence of help, by upper-case language code.
         needs: the devices without which it has no effect: ``Base``, or ``JointMotor:CAMERA`` for
             the device with that key.
+        library: the library that a program imports to have it; empty where it needs none.
+        titles: the category's name, by upper-case language code, where it is no tab of ours.
     """
 
     type: str
@@ -50,6 +52,8 @@ class BlockConfiguration:
     languages: Mapping[str, str] = field(default_factory=dict)
     tooltip: Mapping[str, str] = field(default_factory=dict)
     needs: tuple[str, ...] = ()
+    library: str = ""
+    titles: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def returns_value(self) -> bool:

@@ -11,6 +11,7 @@ from learnblock.language.nodes import (
     Call,
     Def,
     Expression,
+    Import,
     Item,
     Name,
     RawExpression,
@@ -62,14 +63,36 @@ class CallChecker:
     def is_known(self, name: str) -> bool:
         return name in self.findings.assigned or name in self.parameters
 
+    def imported(self, node: Import) -> None:
+        """An ``import`` names something that is there."""
+        importable = self.findings.importable
+        if importable is None or node.module in importable:
+            return
+        hint = did_you_mean(node.module, importable.names)
+        known = f"there are {quoted(importable.names)}" if importable.names else "there is none yet"
+        message = (
+            f'`import "{node.module}"`: there is no such library; {hint or known}; import its file'
+            f" with `learnblock library import`, or put {node.module}.py beside the program"
+        )
+        self.report("unknown-library", message, node.span)
+
     def skill_call(self, node: SkillCall) -> None:
         skill = self.findings.skills.get(node.name)
         if skill is None:
             self.unknown_skill(node)
             return
+        if skill.library and skill.library not in self.findings.imported:
+            self.not_imported(node, skill)
         self.arguments(node, skill)
         if self.findings.devices is not None and (missing := skill.lacks(self.findings.devices)):
             self.missing_devices(node, skill, missing)
+
+    def not_imported(self, node: SkillCall, skill: BlockConfiguration) -> None:
+        message = (
+            f"`function.{node.name}` belongs to the library `{skill.library}`: write"
+            f' `import "{skill.library}"` above everything else'
+        )
+        self.report("not-imported", message, node.span)
 
     def unknown_skill(self, node: SkillCall) -> None:
         if node.name in self.findings.functions:

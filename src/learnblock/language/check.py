@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from operator import attrgetter
 
 from learnblock.blocks.configuration import BlockConfiguration
+from learnblock.blocks.importable import Importable
 from learnblock.errors import Diagnostic, did_you_mean
 from learnblock.language.call_checker import CallChecker
 from learnblock.language.findings import Findings, python_error, write_one
@@ -49,6 +50,7 @@ def check(
     program: Program,
     skills: Mapping[str, BlockConfiguration],
     devices: frozenset[str] | None = None,
+    importable: Importable | None = None,
 ) -> list[Diagnostic]:
     """All that can be said of a program without running it, in order of the text.
 
@@ -56,10 +58,11 @@ def check(
         program: the tree.
         skills: what ``function.`` offers, by name.
         devices: what the chosen robot has, as ``Type:KEY``; None where no robot is chosen.
+        importable: what an ``import`` can name; None where that is not known.
     """
     if _is_only_raw(program):
         return _raw_problems(program)
-    findings = Findings(program, skills, devices)
+    findings = Findings(program, skills, devices, importable)
     _Checker(findings).run()
     found = sorted(findings.diagnostics, key=attrgetter("line", "column"))
     return list(dict.fromkeys(found))
@@ -103,6 +106,8 @@ class _Checker:
             elif isinstance(item, When):
                 self.calls.own_expressions(item)
                 self.block(item.body, 1, 0, within_def=False)
+            elif isinstance(item, Import):
+                self.calls.imported(item)
         self.block(self.findings.top, 0, 0, within_def=False)
         self.block(self.findings.main, 0, 0, within_def=False)
         check_variables(self.findings)

@@ -5,6 +5,7 @@ import warnings
 from collections.abc import Iterable, Mapping
 
 from learnblock.blocks.configuration import BlockConfiguration
+from learnblock.blocks.importable import Importable
 from learnblock.errors import Diagnostic, Severity
 from learnblock.language import markers
 from learnblock.language.nodes import (
@@ -27,6 +28,7 @@ class Findings:
         program: the tree.
         skills: what ``function.`` offers, by name.
         devices: what the chosen robot has; None where no robot is chosen.
+        importable: what an ``import`` can name; None where that is not known.
     """
 
     def __init__(
@@ -34,17 +36,25 @@ class Findings:
         program: Program,
         skills: Mapping[str, BlockConfiguration],
         devices: frozenset[str] | None,
+        importable: Importable | None = None,
     ) -> None:
         self.program, self.skills, self.devices = program, skills, devices
+        self.importable = importable
         self.diagnostics: list[Diagnostic] = []
         self.functions = program.functions
         self.whens = program.whens
         self.top = tuple(item for item in program.items if not isinstance(item, Def | When))
         self.main: Body = () if program.main is None else program.main.body
         self.everything = list(statements(program.items + self.main))
-        self.imports = any(isinstance(item, Import) for item in program.items)
+        self.imported = {item.module for item in program.items if isinstance(item, Import)}
         self.raw_names = self.names_in_raw()
         self.assigned = self.raw_names.union(filter(None, map(set_by, self.everything)))
+
+    @property
+    def imports(self) -> bool:
+        """Whether names may come from elsewhere; a library brings none but those of its skills."""
+        known = self.importable.libraries if self.importable else frozenset()
+        return bool(self.imported - known) or "*" in self.raw_names
 
     def names_in_raw(self) -> set[str]:
         found: set[str] = set()
