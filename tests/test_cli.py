@@ -37,7 +37,9 @@ def write(tmp_path):
 
 def test_help_shows_every_command_and_how_to_start():
     shown = call("--help").output
-    commands = ("open", "run", "check", "format", "convert", "robots", "worlds", "skills", "demo")
+    commands = (
+        "open", "run", "check", "format", "convert", "robots", "perception", "worlds", "skills", "demo",
+    )  # fmt: skip
     for command in commands:
         assert f"\n  {command} " in shown
     assert "learnblock demo" in shown

@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from learnblock.console import ExitCode, print_json
+from learnblock.console import ExitCode, print_json, print_settings, shown
 from learnblock.errors import LearnBlockError, UnknownNameError
 
 _JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON, for tools.")
@@ -60,13 +60,7 @@ def set_command(
     known = {one.name: one for one in settings.describe(robot.name(), robot.settings_type)}
     if setting is not None and setting not in known:
         raise UnknownNameError(f"setting of the robot {name}", setting, known)
-    shown = [known[setting]] if setting else list(known.values())
-    if as_json:
-        print_json(shown)
-        return
-    for one in shown:
-        mark = "" if one.value == one.default else f"  [default: {_shown(one.default)}]"
-        click.echo(f"{one.name:<16} {_shown(one.value):<22} {one.allowed}{mark}")
+    print_settings([known[setting]] if setting else list(known.values()), as_json=as_json)
 
 
 @robots_group.command()
@@ -134,7 +128,7 @@ def emulate_command(name: str, world: str | None, seed: int) -> None:
     with emulators.emulate(name, world, seed=seed) as emulation:
         click.echo(f"{name} is here; a program reaches it with these settings:")
         for setting, value in emulation.settings.items():
-            click.echo(f"    learnblock robots set {name} {setting} {_shown(value)}")
+            click.echo(f"    learnblock robots set {name} {setting} {shown(value)}")
         click.echo(f"    learnblock run PROGRAM --robot {name}")
         if emulation.note:
             click.echo(emulation.note)
@@ -169,8 +163,4 @@ def _scan(names: tuple[str, ...], seconds: float) -> Iterator[tuple[str, Mapping
 
 
 def _spelled(chosen: Any) -> str:
-    return "  ".join(f"{name}={_shown(value)}" for name, value in chosen.items())
-
-
-def _shown(value: Any) -> str:
-    return value if isinstance(value, str) and value else repr(value)
+    return "  ".join(f"{name}={shown(value)}" for name, value in chosen.items())

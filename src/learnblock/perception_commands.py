@@ -1,0 +1,61 @@
+"""The command line's part for perception: its settings, and our detectors as components."""
+
+import click
+
+from learnblock.console import print_settings
+
+_JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON, for tools.")
+
+
+@click.group("perception", invoke_without_command=True)
+@_JSON
+@click.pass_context
+def perception_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+    r"""Show how what cameras see is recognised, or change it.
+
+    \b
+    learnblock perception set webcam 0
+    learnblock perception set apriltag localhost:25000
+    learnblock perception set apriltag --default
+    """
+    if ctx.invoked_subcommand is None:
+        _show(as_json=as_json)
+
+
+@perception_group.command("set")
+@click.argument("setting")
+@click.argument("value", required=False)
+@click.option("--default", is_flag=True, help="Put the setting's default back.")
+@click.option("--yes", is_flag=True, help="Ask nothing.")
+@_JSON
+def set_command(
+    setting: str,
+    value: str | None,
+    default: bool,  # noqa: FBT001 - a flag of click
+    yes: bool,  # noqa: FBT001
+    as_json: bool,  # noqa: FBT001
+) -> None:
+    """Change a setting of perception: see `learnblock perception`."""
+    from learnblock.vision import TABLE  # noqa: PLC0415 - `--help` needs none of it
+
+    if default is (value is not None):
+        raise click.UsageError("give either a VALUE or --default")
+    if setting == "emotions_on_cameras" and value == "true":
+        _warn(ask=not yes)
+    TABLE.change(setting, value)
+    _show(as_json=as_json)
+
+
+def _show(*, as_json: bool) -> None:
+    from learnblock.vision import TABLE  # noqa: PLC0415 - as above
+
+    print_settings(list(TABLE.describe()), as_json=as_json)
+
+
+def _warn(*, ask: bool) -> None:
+    """Say why emotions are not recognised on real cameras; go on only if somebody wants to."""
+    from learnblock.vision import WHY_EMOTIONS_ARE_OFF  # noqa: PLC0415 - as above
+
+    click.echo(WHY_EMOTIONS_ARE_OFF, err=True)
+    if ask:
+        click.confirm("\nSwitch it on for all real cameras?", abort=True, err=True)
