@@ -1,10 +1,19 @@
 """What a block is: the value that a block configuration (JSON) describes."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-ParameterType = Literal["float", "int", "string", "boolean", "list", "apriltext"]
+from learnblock.fields import Range
+
+ParameterType = Literal[
+    "float", "int", "string", "boolean", "list", "apriltext", "choice", "colour", "angle"
+]
+#: Those that are numbers, and can have a range.
+NUMBERS: tuple[ParameterType, ...] = ("float", "int", "angle")
+
+_COLOUR = re.compile(r"#[0-9a-fA-F]{6}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,6 +26,8 @@ class Parameter:
         default: a float, int, str, bool, list or None of that type; see `required`.
         required: there is no default: a call must give it.
         translations: name shown on the block, by upper-case language code.
+        range: of a number, if it has one.
+        choices: the texts that there are to choose from, of the type ``choice``.
     """
 
     name: str
@@ -24,6 +35,28 @@ class Parameter:
     default: object = None
     required: bool = False
     translations: Mapping[str, str] = field(default_factory=dict)
+    range: Range | None = None
+    choices: tuple[str, ...] = ()
+
+    def objection(self, value: object) -> str:
+        """Why a number or a text is none that its field offers; empty where it is one.
+
+            >>> Parameter("speed", "float", range=Range(0, 100)).objection(120)
+            'it goes from 0 to 100'
+        """
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        if self.range and is_number and not self.range.holds(value):  # type: ignore[arg-type]
+            return f"it goes from {self.range}"
+        if self.type == "choice" and value not in self.choices:
+            return f"the choices are {', '.join(map(repr, self.choices))}"
+        if self.type == "colour" and not is_colour(value):
+            return 'a colour is a text such as "#ff8800"'
+        return ""
+
+
+def is_colour(value: object) -> bool:
+    """Whether it is a text such as ``#ff8800``."""
+    return isinstance(value, str) and bool(_COLOUR.fullmatch(value))
 
 
 @dataclass(frozen=True, slots=True)
