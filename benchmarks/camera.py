@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from learnblock.perception import DETECTORS
+from learnblock.perception import DETECTORS, detect
 from learnblock.simulator.camera import CameraModel, CameraPose, Image, Surface, render
 from learnblock.simulator.textures import FloorLine, face, floor, tag
 
@@ -76,8 +76,8 @@ def pose_at(frame: int) -> CameraPose:
     return CameraPose(300 * math.cos(angle) - 400, 300 * math.sin(angle), 100, 20 * angle, -10)
 
 
-def look(find: Callable[[Image], object], frames: Sequence[Image], number: int) -> object:
-    return find(frames[number])
+def look(name: str, frames: Sequence[Image], number: int) -> object:
+    return detect(name, frames[number])
 
 
 def report(model: CameraModel) -> None:
@@ -89,8 +89,8 @@ def report(model: CameraModel) -> None:
     print(f"  render            {clean:6.2f} ms")
     print(f"  render with noise {noisy:6.2f} ms")
     print(f"  {CAMERA_HERTZ} Hz camera      {1000 / CAMERA_HERTZ / noisy:6.1f} times real time")
-    for name, find in DETECTORS.items():
-        print(f"  detect {name:<10} {milliseconds(partial(look, find, frames)):6.2f} ms")
+    for name in DETECTORS:
+        print(f"  detect {name:<10} {milliseconds(partial(look, name, frames)):6.2f} ms")
 
 
 if __name__ == "__main__":

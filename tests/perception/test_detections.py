@@ -3,7 +3,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from learnblock.perception.detections import Face, Lines, LineView, Tag
+from learnblock.perception.detections import (
+    KINDS,
+    ColouredObject,
+    Face,
+    FaceEmotion,
+    Lines,
+    LineView,
+    Tag,
+    TagPose,
+)
 
 counts = st.integers(0, 30_000)
 sizes = st.sampled_from([(160, 120), (320, 240), (640, 480), (1280, 720)])
@@ -24,13 +33,30 @@ def line_views(draw, colour="black"):
 @st.composite
 def tags(draw):
     corners = draw(st.tuples(points, points, points, points))
-    distance = draw(st.none() | st.floats(1, 5000))
-    return Tag(draw(st.integers(0, 586)), draw(points), corners, distance, *draw(sizes))
+    pose = draw(st.none() | st.builds(TagPose, *[numbers] * 6))
+    return Tag(draw(st.integers(0, 586)), draw(points), corners, pose, *draw(sizes))
 
 
 @st.composite
 def faces(draw):
     return Face(*(draw(st.integers(0, 1280)) for _ in range(4)), *draw(sizes))
+
+
+@st.composite
+def objects(draw):
+    measures = (draw(counts) for _ in range(5))
+    return ColouredObject("green", draw(points), *measures, *draw(sizes))
+
+
+def emotions():
+    return st.builds(FaceEmotion, faces(), st.just("joy"), st.floats(0, 1))
+
+
+@given(st.lists(objects()).map(tuple), st.lists(emotions()).map(tuple))
+def test_objects_and_emotions_survive_a_journey_between_processes(seen, felt):
+    for name, found in (("objects", seen), ("emotions", felt)):
+        encoded = msgspec.msgpack.encode(found)
+        assert found == msgspec.convert(msgspec.msgpack.decode(encoded), KINDS[name])
 
 
 @given(st.lists(tags()).map(tuple))

@@ -32,7 +32,7 @@ def test_importing_perception_loads_neither_opencv_nor_numpy():
 
 
 def test_the_detectors_are_known_by_name():
-    assert sorted(DETECTORS) == ["emotions", "faces", "lines", "tags"]
+    assert sorted(DETECTORS) == ["emotions", "faces", "lines", "objects", "tags"]
 
 
 def test_detect_finds_what_its_name_says():

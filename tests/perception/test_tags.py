@@ -120,6 +120,23 @@ def test_the_distance_is_told_where_lens_and_size_are_known(
     assert distance == pytest.approx(found.distance, rel=tolerance)
 
 
+@pytest.mark.parametrize("angle", [-35, 0, 20, 40])
+def test_the_pose_tells_where_a_tag_is_and_how_it_is_turned(photograph, picture_of, angle):
+    generator = np.random.default_rng(3)
+    frame = photograph(
+        picture_of(8),
+        80 * QUIET_ZONE,
+        distance=400,
+        angle=angle,
+        aside=30,
+        raised=20,
+        generator=generator,
+    )
+    pose = detect_tags(frame, focal=480, size=80)[0].pose
+    assert (pose.x, pose.y, pose.z) == pytest.approx((30, 20, 400), abs=8)
+    assert (pose.yaw, pose.pitch, pose.roll) == pytest.approx((-angle, 0, 0), abs=6)
+
+
 def test_without_lens_or_size_there_is_no_distance():
     frame = on_sheet((5, 100, 80))
     assert [

@@ -7,7 +7,7 @@ import threading
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 import cv2
 import numpy as np
@@ -17,6 +17,9 @@ from learnblock.errors import LearnBlockError
 from learnblock.perception.detections import Face, FaceEmotion
 from learnblock.perception.faces import detect_faces
 from learnblock.perception.frames import Frame, checked
+
+if TYPE_CHECKING:
+    from learnblock.perception.sight import Sight
 
 WEIGHTS = Path(__file__).with_name("weights") / "emotions.onnx"
 #: The net's classes in its own order, named as the robots' emotions are.
@@ -31,6 +34,10 @@ _TURN = threading.Lock()
 
 class WeightsMissingError(LearnBlockError, FileNotFoundError):
     """The net's weights were not made when this checkout was installed."""
+
+
+def look(sight: "Sight") -> tuple[FaceEmotion, ...]:
+    return emotions_of(sight.frame, sight.detect("faces"))
 
 
 def detect_emotions(frame: Frame) -> tuple[FaceEmotion, ...]:

@@ -3,11 +3,15 @@
 import threading
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import cv2
 
 from learnblock.perception.detections import Face
 from learnblock.perception.frames import Frame, checked
+
+if TYPE_CHECKING:
+    from learnblock.perception.sight import Sight
 
 CASCADE = "haarcascade_frontalface_default.xml"
 # Each pass of the cascade looks for faces larger by this factor.
@@ -18,6 +22,10 @@ NEIGHBOURS = 4
 SMALLEST = 30
 # OpenCV's classifier keeps working memory of its own: one frame at a time.
 _TURN = threading.Lock()
+
+
+def look(sight: "Sight") -> tuple[Face, ...]:
+    return detect_faces(sight.frame)
 
 
 def detect_faces(frame: Frame) -> tuple[Face, ...]:

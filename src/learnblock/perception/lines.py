@@ -2,12 +2,16 @@
 
 from collections.abc import Sequence
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
 
 from learnblock.perception.detections import Lines, LineView
 from learnblock.perception.frames import Frame, checked
+
+if TYPE_CHECKING:
+    from learnblock.perception.sight import Sight
 
 Triple = tuple[int, int, int]
 
@@ -20,6 +24,10 @@ BLACK = ((0, 0, 0), (180, 255, 50))
 ROWS = (15, 225)
 COLUMNS = (0, 120, 200, 320)
 DILATION = 3
+
+
+def look(sight: "Sight") -> Lines:
+    return detect_lines(sight.frame)
 
 
 def detect_lines(frame: Frame) -> Lines:

@@ -1,6 +1,7 @@
 """AprilTags of family 36h11, by OpenCV's detector."""
 
 from functools import cache
+from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
@@ -9,10 +10,18 @@ from numpy.typing import NDArray
 from learnblock.errors import LearnBlockError
 from learnblock.perception.detections import Point, Tag
 from learnblock.perception.frames import Frame, checked
+from learnblock.perception.tag_pose import pose_of
+
+if TYPE_CHECKING:
+    from learnblock.perception.sight import Sight
 
 
 class TagSizeError(LearnBlockError, ValueError):
-    """A distance was asked for with a size or a focal length that no tag or lens has."""
+    """A pose was asked for with a size or a focal length that no tag or lens has."""
+
+
+def look(sight: "Sight") -> tuple[Tag, ...]:
+    return detect_tags(sight.frame, sight.focal, sight.tag_size)
 
 
 def detect_tags(
@@ -23,7 +32,7 @@ def detect_tags(
     Args:
         frame: RGB, uint8, shape (height, width, 3).
         focal: the lens's focal length in pixels.
-        size: the side of the tags' black square in mm; with `focal` it gives their distances.
+        size: the side of the tags' black square in mm; with `focal` it gives their poses.
 
     Raises:
         FrameError: `frame` is no picture.
@@ -63,14 +72,12 @@ def _tag(
 ) -> Tag:
     height, width = frame.shape[:2]
     top_left, top_right, bottom_right, bottom_left = ((x, y) for x, y in corners.tolist())
-    distance = None
-    if focal is not None and size is not None:
-        distance = _distance(corners, (width, height), focal, size)
+    known = focal is not None and size is not None
     return Tag(
         number,
         _crossing(corners),
         (top_left, top_right, bottom_right, bottom_left),
-        distance,
+        pose_of(corners, (width, height), focal, size) if known else None,
         width,
         height,
     )
@@ -83,17 +90,3 @@ def _crossing(corners: NDArray[np.float64]) -> Point:
         np.cross(homogeneous[0], homogeneous[2]), np.cross(homogeneous[1], homogeneous[3])
     )
     return float(meeting[0] / meeting[2]), float(meeting[1] / meeting[2])
-
-
-def _distance(
-    corners: NDArray[np.float64], frame_size: tuple[int, int], focal: float, size: float
-) -> float | None:
-    """From the lens to the square's centre by IPPE (Collins and Bartoli 2014)."""
-    half = 0.5 * size
-    square = np.array([(-half, half, 0), (half, half, 0), (half, -half, 0), (-half, -half, 0)])
-    column, row = (0.5 * (length - 1) for length in frame_size)
-    lens = np.array([(focal, 0, column), (0, focal, row), (0, 0, 1)])
-    solved, _, translation = cv2.solvePnP(
-        square, corners, lens, None, flags=cv2.SOLVEPNP_IPPE_SQUARE
-    )
-    return float(np.linalg.norm(translation)) if solved else None

@@ -1,0 +1,75 @@
+"""What the detector of tags finds."""
+
+import math
+from dataclasses import dataclass
+
+from learnblock.perception.detections.points import Point
+
+# A tag within this many pixels of the middle column counts as being in the centre.
+CENTRE_REACH = 40
+
+
+@dataclass(frozen=True, slots=True)
+class TagPose:
+    """Where a tag is seen from the lens, and how it is turned.
+
+    Args:
+        x: mm to the right of the lens's axis.
+        y: mm beneath it.
+        z: mm ahead.
+        yaw: degrees, clockwise seen from above; 0 where the tag's face is square to the axis.
+        pitch: degrees by which its upper edge leans away from the lens.
+        roll: degrees, clockwise as the camera sees it; 0 where its first corner is the top left.
+    """
+
+    x: float
+    y: float
+    z: float
+    yaw: float
+    pitch: float
+    roll: float
+
+
+@dataclass(frozen=True, slots=True)
+class Tag:
+    """An AprilTag of family 36h11 in a frame.
+
+    Args:
+        id: its number, 0 to 586.
+        center: (column, row) in pixels.
+        corners: (column, row) of the black square's top left, top right, bottom right and bottom
+            left, named as they are when the tag stands as `learnblock.simulator.textures.tag`
+            draws it.
+        pose: where it is seen from the lens, or None where the lens or the tag's size is not known.
+        frame_width: pixels.
+        frame_height: pixels.
+    """
+
+    id: int
+    center: Point
+    corners: tuple[Point, Point, Point, Point]
+    pose: TagPose | None = None
+    frame_width: int = 320
+    frame_height: int = 240
+
+    @property
+    def distance(self) -> float | None:
+        """From the lens to its centre in mm, or None where its pose is not known."""
+        return None if self.pose is None else math.hypot(self.pose.x, self.pose.y, self.pose.z)
+
+    @property
+    def offset(self) -> float:
+        """Pixels of a frame 320 wide from the middle column; to the right is positive."""
+        return (self.center[0] - 0.5 * (self.frame_width - 1)) * 320 / self.frame_width
+
+    @property
+    def is_left(self) -> bool:
+        return self.offset < -CENTRE_REACH
+
+    @property
+    def is_right(self) -> bool:
+        return self.offset > CENTRE_REACH
+
+    @property
+    def is_center(self) -> bool:
+        return abs(self.offset) <= CENTRE_REACH
