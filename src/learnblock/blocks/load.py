@@ -60,7 +60,7 @@ def builtin() -> Mapping[str, BlockConfiguration]:
 
 
 def all_configurations() -> Mapping[str, BlockConfiguration]:
-    """Every block by name: ours, those of plugins, and the user's.
+    """Every block by name: ours, the user's, those of plugins, and of installed libraries.
 
     A skill without a configuration has one derived from its signature and docstring. A file in the
     ``blocks`` folder of `home` describes such a skill better, or adds translations to any block.
@@ -73,14 +73,15 @@ def all_configurations() -> Mapping[str, BlockConfiguration]:
         derive_plugins,
         derive_users,
     )
+    from learnblock.blocks.libraries import installed_blocks  # noqa: PLC0415 - as above
 
     found = {**builtin()}
-    for block in (*derive_users(), *derive_plugins()):
+    for block in (*derive_users(), *derive_plugins(), *installed_blocks()):
         found.setdefault(block.name, block)
     for path in sorted((home() / "blocks").glob("*.json")):
         for block in load_configurations(path):
             known = found.get(block.name)
-            found[block.name] = block if known is None else _completed(block, known)
+            found[block.name] = block if known is None else completed(block, known)
     return MappingProxyType(found)
 
 
@@ -132,7 +133,7 @@ def _trusted_parameter(raw: dict[str, Any]) -> Parameter:
     )
 
 
-def _completed(block: BlockConfiguration, known: BlockConfiguration) -> BlockConfiguration:
+def completed(block: BlockConfiguration, known: BlockConfiguration) -> BlockConfiguration:
     """`block` with what only the configuration `known` before says."""
     same = {parameter.name: parameter for parameter in known.parameters}
     parameters = tuple(
@@ -147,4 +148,6 @@ def _completed(block: BlockConfiguration, known: BlockConfiguration) -> BlockCon
         languages={**known.languages, **block.languages},
         tooltip={**known.tooltip, **block.tooltip},
         needs=block.needs or known.needs,
+        library=known.library,
+        titles=known.titles,
     )

@@ -8,8 +8,8 @@ from types import MappingProxyType
 from typing import Any
 
 from learnblock.blocks.configuration import BlockConfiguration
-from learnblock.blocks.definitions import definitions
-from learnblock.blocks.toolbox import toolbox
+from learnblock.blocks.definitions import definitions, translated
+from learnblock.blocks.toolbox import category_word, toolbox
 
 _TRANSLATIONS = Path(__file__).parent / "translations"
 
@@ -27,9 +27,18 @@ def palette(configurations: Mapping[str, BlockConfiguration], language: str) -> 
     words = translation(language)
     return {
         "definitions": definitions(configurations.values(), language),
-        "toolbox": toolbox(configurations, words),
+        "toolbox": toolbox(configurations, {**_titles(configurations, language), **words}),
         "messages": dict(words),
         "language": language,
+    }
+
+
+def _titles(configurations: Mapping[str, BlockConfiguration], language: str) -> dict[str, str]:
+    """The words of the tabs that bring their own."""
+    return {
+        category_word(one.category): translated(one.titles, language, one.category)
+        for one in configurations.values()
+        if one.titles
     }
 
 

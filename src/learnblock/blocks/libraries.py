@@ -1,0 +1,136 @@
+"""The blocks of libraries, read from the files of each without running any."""
+
+import ast
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+from learnblock import skill_files
+from learnblock.blocks.configuration import BlockConfiguration
+from learnblock.blocks.derivation import derive
+from learnblock.blocks.importable import Importable
+from learnblock.blocks.load import completed, load_configurations
+from learnblock.errors import LearnBlockError
+from learnblock.home import home
+
+#: What makes a folder a library.
+MANIFEST = "library.toml"
+#: What a library says of its blocks besides their Python.
+CONFIGURATIONS = "blocks.json"
+
+
+def installed() -> Mapping[str, Path]:
+    """The folders of the libraries that are installed in `home`, by name."""
+    return _in_folder(home() / "libraries")
+
+
+def installed_blocks() -> Iterator[BlockConfiguration]:
+    """The blocks of all installed libraries; one that cannot be read has none."""
+    for name, folder in installed().items():
+        try:
+            yield from blocks(name, texts(folder))
+        except (LearnBlockError, OSError):
+            # `learnblock library list` says what is wrong; all other blocks go on working.
+            continue
+
+
+def importable(beside: Path | None = None, modules: frozenset[str] = frozenset()) -> Importable:
+    """What a program can import.
+
+    Args:
+        beside: the program's folder.
+        modules: what it does import, which may lie in folders inside that one.
+    """
+    libraries = frozenset(installed())
+    if beside is None:
+        return Importable(libraries)
+    files = {path.stem for path in beside.glob("*.py")}
+    files |= {module for module in modules if _file(beside, module)}
+    nearby = frozenset(_in_folder(beside))
+    return Importable(libraries | nearby - files, frozenset(files - nearby))
+
+
+def blocks_beside(folder: Path, modules: frozenset[str]) -> Iterator[BlockConfiguration]:
+    """The blocks of the libraries and files beside a program that it imports.
+
+    Raises:
+        LearnBlockError: one of them is wrong.
+        OSError: it cannot be read.
+    """
+    nearby = _in_folder(folder)
+    for module in sorted(modules):
+        file = _file(folder, module)
+        if file is not None:
+            yield from blocks(module, {file.name: skill_files.read(file)})
+        elif module in nearby:
+            yield from blocks(module, texts(nearby[module]))
+
+
+def blocks(name: str, files: Mapping[str, str]) -> tuple[BlockConfiguration, ...]:
+    """The blocks of a library, or of a Python file that is imported like one.
+
+    Args:
+        name: by which it is imported.
+        files: the text of each by its name.
+
+    Raises:
+        LearnBlockError: one of them is wrong.
+    """
+    titles = _titles(files.get(MANIFEST, ""))
+    category = titles.get("EN") or name.replace("_", " ").capitalize()
+    found = {
+        block.name: replace(block, category=category)
+        for file, text in files.items()
+        if file.endswith(".py")
+        for block in _skills(text, file)
+    }
+    for block in load_configurations(files[CONFIGURATIONS]) if CONFIGURATIONS in files else ():
+        if block.name in found:
+            found[block.name] = completed(block, found[block.name])
+    return tuple(replace(block, library=name, titles=titles) for block in found.values())
+
+
+def texts(folder: Path) -> dict[str, str]:
+    """The texts of a library's files, by their names.
+
+    Raises:
+        LearnBlockError: one of them is too large.
+        OSError: one of them cannot be read.
+    """
+    names = (MANIFEST, CONFIGURATIONS)
+    files = [*sorted(folder.glob("*.py")), *filter(Path.is_file, map(folder.joinpath, names))]
+    return {file.name: skill_files.read(file) for file in files}
+
+
+def takes_robot(function: ast.FunctionDef) -> bool:
+    """Whether a function is a skill, where others may stand beside it."""
+    first = (*function.args.posonlyargs, *function.args.args)[:1]
+    return [one.arg for one in first] == ["robot"]
+
+
+def _in_folder(folder: Path) -> Mapping[str, Path]:
+    found = sorted(folder.glob(f"*/{MANIFEST}"))
+    return {path.parent.name: path.parent for path in found if path.parent.name.isidentifier()}
+
+
+def _file(folder: Path, module: str) -> Path | None:
+    """The Python file that a module's name means, if it is one."""
+    path = folder.joinpath(*module.split(".")).with_suffix(".py")
+    return path if path.is_file() else None
+
+
+def _skills(source: str, filename: str) -> Iterator[BlockConfiguration]:
+    tree = skill_files.parse(source, filename)
+    skills = {one.name for one in skill_files.functions(tree) if takes_robot(one)}
+    return (block for block in derive(source, filename) if block.name in skills)
+
+
+def _titles(manifest: str) -> dict[str, str]:
+    """The library's title by upper-case language code, as far as it can be read."""
+    try:
+        title = tomllib.loads(manifest).get("title", {})
+    except tomllib.TOMLDecodeError:
+        return {}
+    pairs = title.items() if isinstance(title, dict) else ()
+    return {str(code).upper(): text for code, text in pairs if isinstance(text, str) and text}
