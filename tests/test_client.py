@@ -495,3 +495,38 @@ def test_a_robot_without_hardware_takes_no_time():
     with FakeRobot() as robot:
         robot.turn_90_right()
     assert time.monotonic() - began < 1
+
+
+def test_a_detector_that_thinks_long_holds_up_no_distance_sensor():
+    looking, read_on, free = threading.Event(), threading.Event(), threading.Event()
+    looks, distances = [], []
+
+    class Watching(Client):
+        sensing_period = 0.001
+
+        def connect(self):
+            self.add(Camera(read=lambda: None, detect=self.think))
+            self.add(DistanceSensors(read=self.measure))
+
+        def think(self, name):
+            looks.append(name)
+            if len(looks) > 1:
+                looking.set()
+                free.wait(10)
+            return ()
+
+        def measure(self):
+            if looking.is_set():
+                distances.append(len(distances))
+                if len(distances) == 5:
+                    read_on.set()
+            return {"front": [len(distances)]}
+
+    with Watching() as robot:
+        robot.is_there_face()
+        robot.is_front_obstacle()
+        assert looking.wait(5)
+        assert read_on.wait(5)
+        # Nor does a program wait that asks what the detector found.
+        assert not robot.is_there_face()
+        free.set()

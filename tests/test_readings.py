@@ -3,7 +3,7 @@ import threading
 import pytest
 
 from learnblock.clock import WallClock
-from learnblock.readings import Glance, PolledReadings, Readings
+from learnblock.readings import SENSORS, Glance, PolledReadings, Readings
 from learnblock.testing import VirtualClock
 
 
@@ -113,7 +113,6 @@ def polled():
     # So long a period that the thread does nothing: the tests poll themselves.
     readings = PolledReadings(WallClock(), period=3600)
     yield readings
-    readings._closed.set()
     readings.close()
 
 
@@ -206,7 +205,7 @@ def test_the_thread_polls_by_itself_until_it_is_closed():
     readings.latest("a", read)
     assert third.wait(5)
     readings.close()
-    assert not readings._thread.is_alive()
+    assert not readings._pollers[SENSORS]._thread.is_alive()
 
 
 def test_a_sensor_that_hangs_does_not_hold_up_the_end():
@@ -222,6 +221,39 @@ def test_a_sensor_that_hangs_does_not_hold_up_the_end():
     readings.latest("a", read)
     assert hanging.wait(5)
     readings.close()
-    assert readings._thread.is_alive()
+    thread = readings._pollers[SENSORS]._thread
+    assert thread.is_alive()
     free.set()
-    readings._thread.join(5)
+    thread.join(5)
+
+
+def test_what_is_read_slowly_holds_up_nothing_of_another_pace():
+    looking, read_on, free = threading.Event(), threading.Event(), threading.Event()
+    looks, distance = Counter(), Counter()
+
+    def look():
+        if looks() > 1:
+            looking.set()
+            free.wait(10)
+
+    def measure():
+        # The fifth time while the slow one is under way.
+        if looking.is_set() and distance() == 5:
+            read_on.set()
+
+    readings = PolledReadings(WallClock(), period=0.001)
+    readings.latest("faces", look, "camera")
+    readings.latest("distance", measure)
+    assert looking.wait(5)
+    assert read_on.wait(5)
+    free.set()
+    readings.close()
+
+
+def test_no_more_is_read_once_it_is_closed(sensor):
+    readings = PolledReadings(WallClock(), period=0.001)
+    readings.latest("a", sensor)
+    readings.close()
+    read = sensor.reads
+    readings.latest("b", lambda: 1, "camera")
+    assert sensor.reads == read

@@ -20,7 +20,7 @@ from learnblock.errors import (
     did_you_mean,
 )
 from learnblock.events import Events
-from learnblock.readings import Glance, PolledReadings, Readings
+from learnblock.readings import SENSORS, Glance, PolledReadings, Readings
 
 D = TypeVar("D", bound=Device)
 
@@ -234,7 +234,7 @@ class Client(Events):
         sensor = self.device(kind, key)
         if sensor is None:
             return None
-        reading: Reading = self._readings.latest((kind, key), sensor.read)
+        reading: Reading = self._readings.latest((kind, key), sensor.read, _pace(kind, key))
         return reading
 
     def detect(self, name: str, key: str = DEFAULT_KEY) -> Any:
@@ -273,6 +273,7 @@ class Client(Events):
         with ExitStack() as ending, self._stopping:
             if self._state is State.STOPPED:
                 return
+            ending.callback(self._close_cameras)
             ending.callback(self.disconnect)
             ending.callback(self._readings.close)
             ending.callback(self._forget_endings)
@@ -338,6 +339,11 @@ class Client(Events):
                 if isinstance(device, Base):
                     stack.callback(device.stop)
 
+    def _close_cameras(self) -> None:
+        for _, device in self.devices():
+            if isinstance(device, Camera):
+                device.close()
+
     def _attach(self, names: Collection[str] | None) -> None:
         for name, function in skill_registry.find(names).items():
             # A skill of somebody else's does not hide what every robot has; who writes one is told.
@@ -365,7 +371,7 @@ class Client(Events):
         """What a detector finds, by the newest picture or that of the question before."""
 
         def look() -> Any:
-            return self._readings.latest(key, detect)
+            return self._readings.latest(key, detect, _pace(Camera, key[1]))
 
         if self.clock.instant is not None or self._readings.frozen:
             return look()
@@ -389,6 +395,11 @@ class Client(Events):
 
     def _forget_endings(self) -> None:
         atexit.unregister(self.stop)
+
+
+def _pace(kind: type[Device], key: object) -> str:
+    """Pictures take long to look at: no other sensor waits for a camera."""
+    return f"camera {key}" if kind is Camera else SENSORS
 
 
 def _may_handle_sigterm() -> bool:

@@ -10,6 +10,9 @@ from learnblock.clock import Clock
 Key = Hashable
 Read = Callable[[], Any]
 
+#: The pace of what is read in no time: all but what has to be looked for in pictures.
+SENSORS = "sensors"
+
 
 class Readings:
     """The latest reading of each sensor in use.
@@ -28,12 +31,18 @@ class Readings:
         #: Whether a snapshot is being taken.
         self.frozen = False
 
-    def latest(self, key: Key, read: Read) -> Any:
-        """The reading of the sensor called `key`, which `read` makes when one is due."""
+    def latest(self, key: Key, read: Read, pace: str = SENSORS) -> Any:
+        """The reading of the sensor called `key`, which `read` makes when one is due.
+
+        Args:
+            key: of the sensor.
+            read: reads it.
+            pace: sensors of one pace are read one after the other, and wait for no others.
+        """
         if not self.frozen:
             self._forget_the_past()
         if key not in self._read:
-            self._read[key] = self._make(key, read)
+            self._read[key] = self._make(key, read, pace)
         return self._read[key]
 
     @contextmanager
@@ -60,7 +69,7 @@ class Readings:
             self._read.clear()
             self._instant = instant
 
-    def _make(self, key: Key, read: Read) -> Any:  # noqa: ARG002 - polling goes by the key
+    def _make(self, key: Key, read: Read, pace: str) -> Any:  # noqa: ARG002 - for who polls
         return read()
 
 
@@ -98,10 +107,11 @@ class Glance:
 
 
 class PolledReadings(Readings):
-    """Readings of a real robot: a thread renews those in use, so that asking never waits.
+    """Readings of a real robot: threads renew those in use, so that asking never waits.
 
-    The first question about a sensor reads it at once; from then on it is in use. An error of the
-    reading thread is raised at the next question about that sensor.
+    The first question about a sensor reads it at once; from then on it is in use. An error of a
+    reading thread is raised at the next question about that sensor. Each pace has a thread of its
+    own, so that a detector that thinks long holds up no distance sensor.
 
     Args:
         clock: the robot's.
@@ -111,12 +121,10 @@ class PolledReadings(Readings):
     def __init__(self, clock: Clock, period: float) -> None:
         super().__init__(clock)
         self._period = period
-        self._sensors: dict[Key, Read] = {}
+        self._pollers: dict[str, _Poller] = {}
         self._results: dict[Key, tuple[Any, Exception | None]] = {}
         self._changed = 0
         self._lock = threading.Lock()
-        self._closed = threading.Event()
-        self._thread: threading.Thread | None = None
 
     def forget(self) -> None:
         super().forget()
@@ -125,39 +133,79 @@ class PolledReadings(Readings):
             self._results.clear()
 
     def close(self) -> None:
-        self._closed.set()
-        if self._thread and self._thread is not threading.current_thread():
-            # A reading that hangs must not keep the robot from being stopped.
-            self._thread.join(timeout=2 * self._period + 0.1)
+        pollers = tuple(self._pollers.values())
+        for poller in pollers:
+            poller.end()
+        for poller in pollers:
+            poller.await_end()
 
-    def poll(self) -> None:
-        """Read every sensor in use once."""
-        for key, read in tuple(self._sensors.items()):
-            changed = self._changed
-            result = _outcome(read)
-            with self._lock:
-                # What was read while the program changed it, such as a gyroscope's zero, is old.
-                if changed == self._changed:
-                    self._results[key] = result
+    def poll(self, pace: str = SENSORS) -> None:
+        """Read every sensor of that pace that is in use once."""
+        self._pollers[pace].poll()
 
-    def _make(self, key: Key, read: Read) -> Any:
+    def _make(self, key: Key, read: Read, pace: str) -> Any:
         result = self._results.get(key)
         if result is None:
             result = self._results[key] = _outcome(read)
-            self._sensors[key] = read
-            self._start()
+            self._poller(pace).add(key, read)
         reading, error = result
         if error:
             raise error
         return reading
 
-    def _start(self) -> None:
-        if self._thread is None:
-            self._thread = threading.Thread(target=self._run, name="sensors", daemon=True)
+    def _poller(self, pace: str) -> "_Poller":
+        if pace not in self._pollers:
+            self._pollers[pace] = _Poller(pace, self._period, self._renew)
+        return self._pollers[pace]
+
+    def _renew(self, key: Key, read: Read) -> None:
+        changed = self._changed
+        result = _outcome(read)
+        with self._lock:
+            # What was read while the program changed it, such as a gyroscope's zero, is old.
+            if changed == self._changed:
+                self._results[key] = result
+
+
+class _Poller:
+    """A thread that renews sensors one after the other; it begins with the first.
+
+    Args:
+        name: of the thread.
+        period: seconds that it rests between two rounds.
+        renew: reads a sensor.
+    """
+
+    def __init__(self, name: str, period: float, renew: Callable[[Key, Read], None]) -> None:
+        self._period = period
+        self._renew = renew
+        self._sensors: dict[Key, Read] = {}
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._run, name=name, daemon=True)
+
+    def add(self, key: Key, read: Read) -> None:
+        """Renew one more sensor."""
+        self._sensors[key] = read
+        if not self._thread.is_alive() and not self._ended.is_set():
             self._thread.start()
 
+    def poll(self) -> None:
+        """Renew each sensor once."""
+        for key, read in tuple(self._sensors.items()):
+            self._renew(key, read)
+
+    def end(self) -> None:
+        """Begin no other round."""
+        self._ended.set()
+
+    def await_end(self) -> None:
+        """Wait until the thread has ended, for a moment."""
+        if self._thread.is_alive() and self._thread is not threading.current_thread():
+            # A reading that hangs must not keep the robot from being stopped.
+            self._thread.join(timeout=2 * self._period + 0.1)
+
     def _run(self) -> None:
-        while not self._closed.wait(self._period):
+        while not self._ended.wait(self._period):
             self.poll()
 
 
