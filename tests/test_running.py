@@ -53,3 +53,26 @@ def test_a_file_too_large_for_a_program_is_refused(tmp_path):
 def test_an_unknown_example_is_named():
     with pytest.raises(UnknownNameError, match=r"did you mean `square\.bt`"):
         running.example("sqare.bt")
+
+
+def codes(path):
+    return [one.code for one in running.check(running.read(path))]
+
+
+def test_what_a_program_imports_may_lie_beside_it(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
+    path = tmp_path / "program.bt"
+    path.write_text('import "dance"\nfunction.waltz(3)\ngreet("Ana")\n')
+    assert codes(path) == ["unknown-library", "unknown-skill"]
+    (tmp_path / "dance.py").write_text("def waltz(robot, n): pass\ndef greet(name): pass\n")
+    assert codes(path) == []
+
+
+def test_a_python_file_may_import_any_package(tmp_path):
+    path = tmp_path / "program.py"
+    path.write_text(
+        "from numpy import *\nfrom learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n"
+    )
+    assert codes(path) == []
+    path.write_text(path.read_text().replace("numpy", "no_such_package"))
+    assert codes(path) == ["unknown-library"]

@@ -3,15 +3,18 @@
 import re
 from collections.abc import Callable, Collection, Mapping
 from contextlib import nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from learnblock import language, robots
-from learnblock.blocks import all_configurations
+from learnblock.blocks import all_configurations, builtin, libraries
+from learnblock.blocks.importable import Importable
 from learnblock.client import Client, Goal, Outcome
 from learnblock.devices import Pose
 from learnblock.errors import Diagnostic, LearnBlockError, ProgramError, UnknownNameError
+from learnblock.language.nodes import Import
 from learnblock.language.nodes import Program as Tree
 from learnblock.robots import RobotEntry
 from learnblock.runtime.debugger import Debugger
@@ -51,6 +54,11 @@ class Source:
     @property
     def is_python(self) -> bool:
         return self.path.suffix == ".py"
+
+    @property
+    def imports(self) -> frozenset[str]:
+        """The libraries and files that it imports."""
+        return frozenset(one.module for one in self.tree.items if isinstance(one, Import))
 
     @property
     def robot(self) -> str | None:
@@ -126,7 +134,19 @@ def choose_robot(source: Source, name: str | None = None) -> RobotEntry:
 def check(source: Source, robot: RobotEntry | None = None) -> list[Diagnostic]:
     """What is wrong or doubtful in a program, on a robot when one is given."""
     devices = robot.load().device_names() if robot else None
-    return language.check(source.tree, all_configurations(), devices)
+    folder = source.path.resolve().parent
+    beside = {one.name: one for one in libraries.blocks_beside(folder, source.imports)}
+    skills = {**all_configurations(), **beside, **builtin()}
+    found = libraries.importable(folder, source.imports)
+    return language.check(source.tree, skills, devices, _with_packages(found, source))
+
+
+def _with_packages(found: Importable, source: Source) -> Importable:
+    """With what else Python finds: a Python file may import any package that is installed."""
+    if not source.is_python:
+        return found
+    packages = {one for one in source.imports if find_spec(one.partition(".")[0]) is not None}
+    return replace(found, files=found.files | packages)
 
 
 def program(source: Source, robot: RobotEntry) -> Program:

@@ -2,8 +2,10 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from learnblock.blocks import BlockConfiguration
+from learnblock.blocks.importable import Importable
 from learnblock.language import from_python, to_python, to_workspace
 from learnblock.language.extents import Extent, every, extents
 from learnblock.language.format import format_with_extents
@@ -25,6 +27,12 @@ class Target:
     robot_module: str
     configurations: Mapping[str, BlockConfiguration] = field(default_factory=dict)
     devices: frozenset[str] | None = None
+
+    @cached_property
+    def importable(self) -> Importable:
+        """The libraries there are: a project has no files beside it."""
+        found = (one.library for one in self.configurations.values())
+        return Importable(frozenset(filter(None, found)))
 
 
 @dataclass(frozen=True)

@@ -59,7 +59,7 @@ def owners(extents: Iterable[Extent]) -> list[int | None]:
 
 
 def _checked(tree: Program, target: Target) -> list[Diagnostic]:
-    return check(tree, target.configurations, target.devices)
+    return check(tree, target.configurations, target.devices, target.importable)
 
 
 def _in_authors_python(
