@@ -586,7 +586,7 @@ export interface Setting {
   least?: number | null;
   most?: number | null;
   choices?: string[];
-  optional?: boolean;
+  secret?: boolean;
 }
 
 export interface Settings {

@@ -26,7 +26,6 @@ from learnblock.errors import SettingsError, UnknownNameError
 from learnblock.files import save
 from learnblock.home import home
 
-
 Patience = Annotated[float, Meta(ge=0.1, le=60, description="until it must have answered, s")]
 
 
@@ -101,6 +100,26 @@ class Table(Generic[SettingsT]):
             raise UnknownNameError(f"setting of {self.owner}", name, known)
         value = field.default if text is None else _value(text, self._types()[name])
         changed = self._converted({**_as_dict(self.load()), name: value})
+        self._save(changed)
+        return changed
+
+    def wrong(self, values: Mapping[str, Any]) -> dict[str, str]:
+        """Why some of these values cannot be: a sentence for each of them, by name."""
+        found = {}
+        for name, value in values.items():
+            try:
+                self._converted({name: value})
+            except SettingsError as error:
+                found[name] = "; ".join(one.message for one in error.diagnostics)
+        return found
+
+    def change_all(self, values: Mapping[str, Any]) -> SettingsT:
+        """Set several settings in the user's file, all of them or none.
+
+        Raises:
+            SettingsError: a value or a name is wrong, or what stands in the file already is.
+        """
+        changed = self._converted({**_as_dict(self.load()), **values})
         self._save(changed)
         return changed
 

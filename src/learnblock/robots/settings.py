@@ -22,6 +22,7 @@ __all__ = [
     "describe",
     "file",
     "load",
+    "table",
 ]
 
 Address = Annotated[
@@ -48,7 +49,7 @@ def load(robot: str, kind: type[SettingsT], chosen: Mapping[str, Any] | None = N
     Raises:
         SettingsError: a value or a name is wrong, in the file or among those chosen.
     """
-    return _table(robot, kind).load(chosen)
+    return table(robot, kind).load(chosen)
 
 
 def change(robot: str, kind: type[SettingsT], name: str, text: str | None) -> SettingsT:
@@ -58,7 +59,7 @@ def change(robot: str, kind: type[SettingsT], name: str, text: str | None) -> Se
         UnknownNameError: the robot has no such setting.
         SettingsError: the value is wrong, or what stands in the file already is.
     """
-    return _table(robot, kind).change(name, text)
+    return table(robot, kind).change(name, text)
 
 
 def describe(robot: str, kind: type[RobotSettings]) -> Iterator[Described]:
@@ -67,8 +68,9 @@ def describe(robot: str, kind: type[RobotSettings]) -> Iterator[Described]:
     Raises:
         SettingsError: what stands in the user's file is wrong.
     """
-    return _table(robot, kind).describe()
+    return table(robot, kind).describe()
 
 
-def _table(robot: str, kind: type[SettingsT]) -> Table[SettingsT]:
+def table(robot: str, kind: type[SettingsT]) -> Table[SettingsT]:
+    """Where a robot's settings stand."""
     return Table(("robots", robot), f"the robot {robot}", kind)

@@ -1120,8 +1120,8 @@ class Setting(Struct, frozen=True, omit_defaults=True):
         description: what it is, in words; empty where the name says it.
         least: of a number.
         most: of a number.
-        choices: what it may be, where that is one of a few.
-        optional: whether it may be None.
+        choices: what it may be, where that is one of a few; of a number, the word for none.
+        secret: not to be read over anybody's shoulder.
     """
 
     name: str
@@ -1133,7 +1133,7 @@ class Setting(Struct, frozen=True, omit_defaults=True):
     least: float | None = None
     most: float | None = None
     choices: tuple[str, ...] = ()
-    optional: bool = False
+    secret: bool = False
 
 
 class SettingsTable(Message, frozen=True):

@@ -6,7 +6,17 @@ from anyio import to_thread
 from starlette.websockets import WebSocket
 
 from learnblock.server import catalog
-from learnblock.server.pages import asking, controlling, editing, past, projecting, world_editing
+from learnblock.server.pages import (
+    asking,
+    block_sets,
+    controlling,
+    editing,
+    past,
+    projecting,
+    settings,
+    tags,
+    world_editing,
+)
 from learnblock.server.pages.page import Page
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.sessions.open_projects import Sessions
@@ -18,6 +28,9 @@ HANDLERS = {
     **asking.HANDLERS,
     **controlling.HANDLERS,
     **world_editing.HANDLERS,
+    **block_sets.HANDLERS,
+    **tags.HANDLERS,
+    **settings.HANDLERS,
 }
 
 

@@ -14,7 +14,8 @@
 ```
 
 Texts are lists of their lines. ``python`` stands there only where its author wrote it by hand,
-``workspace`` says where the blocks lie, and ``breakpoints`` names blocks.
+``workspace`` says where the blocks lie, ``breakpoints`` names blocks, and ``shown`` and
+``block_sets`` say which blocks the palette shows.
 """
 
 import json
@@ -26,10 +27,11 @@ from typing import Annotated, Any, NoReturn
 import msgspec
 from msgspec import Meta, Struct, field
 
+from learnblock.blocks.block_sets import EVERYTHING, BlockSet
 from learnblock.errors import Diagnostic, ProjectError, did_you_mean
 from learnblock.language.workspace import Workspace
 from learnblock.running import DEFAULT_ROBOT
-from learnblock.server.messages import MOST_BREAKPOINTS, Id
+from learnblock.server.messages import MOST_BREAKPOINTS, MOST_CARRIED, Id
 
 ENDING = ".learnblock"
 VERSION = 1
@@ -54,6 +56,8 @@ class Project:
         robot: its name.
         world: its name; empty for the robot's own.
         breakpoints: ids of blocks.
+        shown: the name of the set of blocks that the palette shows.
+        block_sets: those that are not ours, so that the project takes them along.
     """
 
     name: str
@@ -63,6 +67,8 @@ class Project:
     robot: str = DEFAULT_ROBOT
     world: str = ""
     breakpoints: tuple[str, ...] = ()
+    shown: str = EVERYTHING
+    block_sets: tuple[BlockSet, ...] = ()
 
 
 Choice = Annotated[str, Meta(max_length=LONGEST_NAME)]
@@ -78,6 +84,8 @@ class _File(Struct, forbid_unknown_fields=True):
     breakpoints: Annotated[list[Id], Meta(max_length=MOST_BREAKPOINTS)] = field(
         default_factory=list
     )
+    shown: Choice = EVERYTHING
+    block_sets: Annotated[tuple[BlockSet, ...], Meta(max_length=MOST_CARRIED)] = ()
     python: list[str] | None = None
     workspace: Workspace | None = None
 
@@ -162,6 +170,8 @@ def _project(file: _File, name: str) -> Project:
         robot=file.robot,
         world=file.world,
         breakpoints=tuple(file.breakpoints),
+        shown=file.shown,
+        block_sets=file.block_sets,
     )
 
 
@@ -216,6 +226,8 @@ _ADVICE = {
     "robot": "it is the name of a robot, such as `sim-ebo`",
     "world": "it is the name of a world, such as `line`",
     "breakpoints": f"it is a list of the ids of at most {MOST_BREAKPOINTS} blocks",
+    "shown": "it is the name of a set of blocks, such as `first-steps`",
+    "block_sets": f"it is a list of at most {MOST_CARRIED} sets of blocks",
     "workspace": "leave it out to have the blocks laid out anew",
 }
 
@@ -293,6 +305,10 @@ def _values(project: Project) -> dict[str, Any]:
     values: dict[str, Any] = {"learnblock": VERSION, "robot": project.robot}
     values["world"] = project.world
     values["breakpoints"] = list(project.breakpoints)
+    if project.shown != EVERYTHING:
+        values["shown"] = project.shown
+    if project.block_sets:
+        values["block_sets"] = msgspec.to_builtins(project.block_sets)
     values["blocktext"] = project.blocktext.split("\n")
     if project.python is not None:
         values["python"] = project.python.split("\n")

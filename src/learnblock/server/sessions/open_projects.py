@@ -7,6 +7,7 @@ from dataclasses import replace
 from anyio import to_thread
 
 from learnblock.errors import LearnBlockError
+from learnblock.server.messages import Message
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project_file import Project, checked_name
 from learnblock.server.sessions.prepared import prepare
@@ -65,6 +66,11 @@ class Sessions:
         """A page has left; if it was the last, the project is closed after a while."""
         if not session.pages and session.name not in self._ending:
             self._ending[session.name] = asyncio.create_task(self._end_later(session))
+
+    def tell(self, message: Message) -> None:
+        """Tell every page of every project."""
+        for session in self._open.values():
+            session.tell(message)
 
     async def close(self) -> None:
         """Close them all: their programs end, and they are saved."""

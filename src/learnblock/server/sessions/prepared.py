@@ -10,6 +10,7 @@ from learnblock.server import catalog
 from learnblock.server.pages.sentences import sentence
 from learnblock.server.program.document import Document
 from learnblock.server.projects.project_file import Project
+from learnblock.server.sessions.shown_blocks import ShownBlocks
 
 #: Where there is neither the world that a project names nor one that its robot likes.
 DEFAULT_WORLD = "empty"
@@ -24,6 +25,7 @@ class Prepared:
         document: its program.
         robot: the one it names, or else our default.
         world: likewise.
+        shown_blocks: which the palette shows.
         breakpoints: ids of blocks.
         remarks: what could not be as it was saved.
     """
@@ -32,6 +34,7 @@ class Prepared:
     document: Document
     robot: RobotEntry
     world: str
+    shown_blocks: ShownBlocks
     breakpoints: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
 
@@ -48,9 +51,15 @@ def prepare(project: Project) -> Prepared:
         project.python,
         devices=robot.load().device_names(),
     )
-    remarks = (*no_robot, *no_world)
+    shown_blocks, no_set = _shown_blocks(project)
     return Prepared(
-        project.name, settled(document), robot, world, tuple(project.breakpoints), remarks
+        name=project.name,
+        document=settled(document),
+        robot=robot,
+        world=world,
+        shown_blocks=shown_blocks,
+        breakpoints=tuple(project.breakpoints),
+        remarks=(*no_robot, *no_world, *no_set),
     )
 
 
@@ -87,3 +96,11 @@ def _world(name: str, robot: RobotEntry) -> tuple[str, tuple[str, ...]]:
     except LearnBlockError as error:
         return DEFAULT_WORLD, (f"{sentence(error)}; the project now uses {DEFAULT_WORLD}",)
     return name, ()
+
+
+def _shown_blocks(project: Project) -> tuple[ShownBlocks, tuple[str, ...]]:
+    try:
+        return ShownBlocks.of(project), ()
+    except LearnBlockError as error:
+        everything = ShownBlocks(carried=project.block_sets)
+        return everything, (f"{sentence(error)}; the project now shows all blocks",)

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 
 from anyio import to_thread
 
+from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
 from learnblock.server import catalog, messages
+from learnblock.server.pages import tags
 from learnblock.server.pages.sentences import sentence
 from learnblock.server.program.document import Document
 from learnblock.server.program.edits import Edits
@@ -37,6 +39,7 @@ class Session:
         self.robot = prepared.robot
         self.world = prepared.world
         self.breakpoints = prepared.breakpoints
+        self.shown_blocks = prepared.shown_blocks
         self.edits = Edits(prepared.document)
         self.turn = asyncio.Lock()
         self.archive = Archive(folder, lambda: self.project, self._saving, self._failed)
@@ -61,6 +64,8 @@ class Session:
             robot=self.robot.name,
             world=self.world,
             breakpoints=self.breakpoints,
+            shown=self.shown_blocks.name,
+            block_sets=self.shown_blocks.carried,
         )
 
     async def close(self) -> None:
@@ -87,6 +92,8 @@ class Session:
         """Tell a page everything, from now on."""
         self._pages.append(page)
         page.tell(messages.Opened(self.name, self.robot.name, self.world, self.breakpoints))
+        page.tell(self.shown_blocks.told())
+        page.tell(tags.present())
         page.tell(page.shown.update(self.edits))
         for remark in self._remarks:
             page.tell(messages.Failed(remark))
@@ -160,6 +167,16 @@ class Session:
         self.breakpoints = blocks
         self.player.set_breakpoints(blocks)
         self._tell_settings()
+
+    def show_blocks(self, block_set: BlockSet) -> None:
+        """Have the palette show the blocks of a set.
+
+        Raises:
+            BlockSetError: it has no name that it can be found by.
+        """
+        self.shown_blocks = self.shown_blocks.choosing(block_set)
+        self.tell(self.shown_blocks.told())
+        self.archive.changed()
 
     # Running.
 

@@ -1,0 +1,56 @@
+"""What is done when a page asks which blocks there are to show, and chooses some."""
+
+from collections.abc import Mapping
+from functools import partial
+from pathlib import PurePath
+
+from anyio import to_thread
+
+from learnblock.blocks import block_sets
+from learnblock.server import messages
+from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.sentences import sentence
+
+
+async def _list(page: Page, _: messages.ListBlockSets) -> None:
+    page.tell(await to_thread.run_sync(_all))
+
+
+async def _choose(page: Page, message: messages.ChooseBlockSet) -> None:
+    page.session.show_blocks(message.set)
+
+
+async def _read(page: Page, message: messages.ReadBlockSet) -> None:
+    name = PurePath(message.filename).stem
+    page.tell(messages.BlockSetRead(block_sets.parse(message.text, name)))
+
+
+async def _save(page: Page, message: messages.SaveBlockSet) -> None:
+    save = partial(block_sets.save_own, message.set, replace=message.replace)
+    await to_thread.run_sync(save)
+    page.sessions.tell(await to_thread.run_sync(_all))
+
+
+async def _delete(page: Page, message: messages.DeleteBlockSet) -> None:
+    await to_thread.run_sync(block_sets.delete_own, message.name)
+    page.sessions.tell(await to_thread.run_sync(_all))
+
+
+async def _export(page: Page, message: messages.ExportBlockSet) -> None:
+    page.tell(messages.File(f"{message.set.name}.toml", block_sets.write(message.set)))
+
+
+def _all() -> messages.BlockSets:
+    own, wrong = block_sets.own()
+    problems = tuple(f"{error.filename}: {sentence(error)}" for error in wrong)
+    return messages.BlockSets(tuple(block_sets.built_in().values()), own, problems)
+
+
+HANDLERS: Mapping[type, Handler] = {
+    messages.ListBlockSets: _list,
+    messages.ChooseBlockSet: _choose,
+    messages.ReadBlockSet: _read,
+    messages.SaveBlockSet: _save,
+    messages.DeleteBlockSet: _delete,
+    messages.ExportBlockSet: _export,
+}
