@@ -98,6 +98,10 @@ class ProjectError(FileError):
     """A project's file or name is wrong, or it cannot be saved."""
 
 
+class LibraryError(FileError):
+    """A library is wrong, or what is to become one."""
+
+
 class SettingsError(FileError):
     """A setting of a robot is wrong."""
 
@@ -112,6 +116,14 @@ class UnknownNameError(LearnBlockError, LookupError):
 
     def __reduce__(self) -> tuple[type, tuple[object, ...]]:
         return type(self), (self.kind, self.name, self.known)
+
+
+class NewNameError(LearnBlockError, ValueError):
+    """A new robot, skill or world cannot have this name."""
+
+
+class FileTakenError(LearnBlockError, FileExistsError):
+    """A new file would replace one that is there."""
 
 
 class KeyTakenError(LearnBlockError, ValueError):

@@ -60,7 +60,7 @@ class Findings:
         found: set[str] = set()
         for item in self.everything:
             if isinstance(item, Raw):
-                found |= markers.raw_names(item.text) | _defined_names(item.text)
+                found |= markers.raw_names(item.text) | defined_names(item.text)
         return found
 
     def report(self, code: str, message: str, span: Span, severity: Severity = "error") -> None:
@@ -89,7 +89,7 @@ def python_error(text: str, mode: str) -> SyntaxError | None:
     return None
 
 
-def _defined_names(text: str) -> set[str]:
+def defined_names(text: str) -> set[str]:
     """What raw Python imports and defines."""
     try:
         tree = ast.parse(text)
