@@ -1,13 +1,20 @@
+import json
+import re
 import sys
 from importlib.metadata import EntryPoint
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from learnblock.blocks import builtin
-from learnblock.blocks.configuration import Parameter
-from learnblock.blocks.derivation import derive, derive_plugins
+from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.derivation import derive, derive_plugins, fitted
+from learnblock.blocks.load import load_configurations
+from learnblock.blocks.signature import signatures
 from learnblock.errors import LearnBlockError, ProgramError
+from learnblock.fields import Range
 
 SKILLS = Path(sys.modules[derive.__module__].__file__).parents[1] / "skills"
 
@@ -63,6 +70,165 @@ def test_a_parameter_s_type_comes_from_its_hint_or_else_its_default(
     (parameter,) = derived(f"def f(robot, {written}): ...").parameters
 
     assert parameter == Parameter("x", kind, default, required, {"EN": "x"})
+
+
+@pytest.mark.parametrize(
+    ("hint", "kind", "range_", "choices"),
+    [
+        ("Annotated[float, Range(0, 100)]", "float", Range(0, 100), ()),
+        ("Annotated[int, Range(-10, 10, step=2)]", "int", Range(-10, 10, 2), ()),
+        (
+            "typing.Annotated[Angle, 'note', fields.Range(most=90, least=-90)]",
+            "angle",
+            Range(-90, 90),
+            (),
+        ),
+        ("Annotated[float | None, Range(0.5, 1)]", "float", Range(0.5, 1), ()),
+        ("'Annotated[int, Range(1, 6)]'", "int", Range(1, 6), ()),
+        ("Annotated[str, 'of a song']", "string", None, ()),
+        ('Literal["slow", "fast"]', "choice", None, ("slow", "fast")),
+        ('Optional[Literal["one"]]', "choice", None, ("one",)),
+        ("Colour", "colour", None, ()),
+        ("fields.Colour", "colour", None, ()),
+        ("Angle", "angle", None, ()),
+        ("TagName", "apriltext", None, ()),
+        ("list", "list", None, ()),
+        ("typing.List[str]", "list", None, ()),
+    ],
+)
+def test_a_hint_names_a_field(hint, kind, range_, choices):
+    (parameter,) = derived(f"def f(robot, x: {hint}): ...").parameters
+
+    assert (kind, range_, choices) == (parameter.type, parameter.range, parameter.choices)
+
+
+@pytest.mark.parametrize(
+    ("hint", "reason"),
+    [
+        ("Decimal", "`Decimal` names no field of a block; write float"),
+        ("dict[str, int]", "names no field"),
+        ("int | float | str", "names no field"),
+        ("None", "names no field"),
+        ("'('", "names no field"),
+        ("Annotated[str, Range(0, 1)]", "only a number has a range"),
+        ("Annotated[int, Range(9, 1)]", "the first number must be smaller"),
+        ("Annotated[int, Range(0, 1, 5)]", "the step must be above zero and fit"),
+        ("Annotated[int, Range(0, 1e999)]", "its ends must be numbers"),
+        ("Annotated[int, Range(LEAST, 9)]", "`LEAST` in a Range must be a number"),
+        ("Annotated[int, Range(True, 9)]", "must be a number"),
+        ("Annotated[int, Range(1)]", r"write Range\(0, 100\)"),
+        ("Annotated[int, Range(0, 1, 2, 3)]", r"write Range\(0, 100\)"),
+        ("Annotated[int, Range(0, most=1, size=2)]", r"write Range\(0, 100\)"),
+        ("Literal[1, 2]", "choices are different texts"),
+        ('Literal["a", "a"]', "choices are different texts"),
+        ('Literal[""]', "choices are different texts"),
+    ],
+)
+def test_a_hint_that_names_no_field_is_told_and_the_default_counts(hint, reason):
+    (argument,) = signatures(f"def f(robot, x: {hint} = 'Up'): ...", "a.py")[0].arguments
+
+    assert re.search(reason, argument.wrong)
+    assert "string" == argument.field.type
+
+
+words = st.sampled_from(["a", "b2", "x_y", "größe"])
+numbers = st.integers(-1000, 1000)
+plain = st.sampled_from(
+    [("float", "float"), ("int", "int"), ("str", "string"), ("bool", "boolean"), ("list", "list"),
+     ("Colour", "colour"), ("Angle", "angle"), ("TagName", "apriltext"), ('Literal["a"]', "choice")]
+)  # fmt: skip
+
+
+@given(
+    st.dictionaries(words, plain),
+    st.booleans(),
+    st.lists(numbers, min_size=2, max_size=2, unique=True),
+)
+def test_whatever_signature_is_written_is_read(parameters, answers, ends):
+    ends.sort()
+    heads = [f"{name}: {hint}" for name, (hint, _) in parameters.items()]
+    heads.append(f"last: Annotated[int, Range({ends[0]}, {ends[1]})]")
+    block = derived(f"def f(robot, {', '.join(heads)}) -> {'int' if answers else 'None'}: ...")
+
+    assert [*parameters.items(), ("last", (None, "int"))] == [
+        (one.name, (parameters.get(one.name, (None,))[0], one.type)) for one in block.parameters
+    ]
+    assert Range(*ends) == block.parameters[-1].range
+    assert answers is block.returns_value
+
+
+# What was chosen.
+
+
+def fit(source: str, **chosen) -> BlockConfiguration:
+    """A block for `source`, as far as what was `chosen` for its parameters fits."""
+    (signature,) = signatures(source, "a.py")
+    configuration = {"type": "motor", "category": "Dance", "name": "f", "shape": ["blockVertical"]}
+    (written,) = load_configurations(json.dumps({**configuration, **chosen}))
+    return fitted(written, signature, derived(source))
+
+
+def test_colour_tab_and_words_are_chosen():
+    block = fit("def f(robot): 'Go.'", languages={"ES": "ir"}, tooltip={"EN": "Run."})
+
+    assert ("motor", "Dance") == (block.type, block.category)
+    assert {"EN": "f", "ES": "ir"} == block.languages
+    assert {"EN": "Run."} == block.tooltip
+
+
+def test_names_order_and_defaults_of_parameters_are_the_function_s():
+    variables = [
+        {"type": "int", "name": "gone", "default": 3},
+        {"type": "int", "name": "b", "default": 3, "translate": {"ES": "be"}},
+    ]
+    block = fit("def f(robot, a, b=4): ...", variables=variables)
+
+    assert [("a", None, True), ("b", 4, False)] == [
+        (one.name, one.default, one.required) for one in block.parameters
+    ]
+    assert {"EN": "b", "ES": "be"} == block.parameters[1].translations
+
+
+@pytest.mark.parametrize(
+    ("head", "chosen", "kind"),
+    [
+        ("x", "string", "string"),
+        ("x=3", "string", "int"),
+        ("x=3", "angle", "angle"),
+        ("x: float", "angle", "angle"),
+        ("x: str", "colour", "colour"),
+        ("x: str", "float", "string"),
+        ("x: bool", "int", "boolean"),
+        ("x: Colour", "string", "colour"),
+        ("x: Annotated[float, Range(0, 9)]", "float", "float"),
+    ],
+)
+def test_a_field_may_be_chosen_as_far_as_the_function_leaves_it_open(head, chosen, kind):
+    block = fit(
+        f"def f(robot, {head}): ...", variables=[{"type": chosen, "name": "x", "default": None}]
+    )
+
+    assert kind == block.parameters[0].type
+
+
+def test_a_range_of_the_function_stays():
+    head = "x: Annotated[float, Range(0, 9)]"
+    variables = [{"type": "float", "name": "x", "default": None, "range": [0, 99]}]
+
+    assert Range(0, 9) == fit(f"def f(robot, {head}): ...", variables=variables).parameters[0].range
+
+
+@pytest.mark.parametrize(
+    ("source", "shape", "is_value"),
+    [
+        ("def f(robot) -> bool: ...", "blockVertical", True),
+        ("def f(robot): return 3", "blockVertical", False),
+        ("def f(robot) -> bool: ...", "blockLeft", True),
+        ("def f(robot) -> None: ...", "blockLeft", False),
+    ],
+)
+def test_a_hint_says_whether_a_function_answers(source, shape, is_value):
+    assert is_value is fit(source, shape=[shape]).returns_value
 
 
 @pytest.mark.parametrize(
@@ -127,7 +293,7 @@ def test_a_plugin_s_skills_are_read_without_importing_it(tmp_path, monkeypatch, 
     monkeypatch.syspath_prepend(str(tmp_path))
     plugin(monkeypatch, module)
 
-    assert ["rumba"] == [block.name for block in derive_plugins()]
+    assert ["rumba"] == [block.name for _, block in derive_plugins()]
     assert "lb_dances" not in sys.modules
 
 

@@ -1,15 +1,19 @@
 import json
+import re
 from pathlib import Path
+from typing import get_args
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from learnblock.blocks import all_configurations, builtin, load_configurations
-from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.configuration import BlockConfiguration, Parameter, ParameterType
 from learnblock.blocks.load import TABS
+from learnblock.blocks.written import written
 from learnblock.devices import DEVICE_TYPES
 from learnblock.errors import BlockConfigurationError
+from learnblock.fields import Range
 
 HERE = Path(__file__).parent
 CONFIGURATIONS = Path(builtin.__wrapped__.__code__.co_filename).parent / "configurations"
@@ -173,8 +177,10 @@ anything = st.recursive(
 parameters = st.fixed_dictionaries(
     {},
     optional={
-        "type": st.sampled_from(["float", "int", "boolean", "list", "apriltext"]) | anything,
+        "type": st.sampled_from([*get_args(ParameterType)]) | anything,
         "name": st.sampled_from(["a", "b"]) | anything,
+        "range": st.lists(st.integers() | st.floats(), max_size=3) | anything,
+        "choices": st.lists(st.text(max_size=3) | anything, max_size=3) | anything,
         "default": anything,
         "translate": st.dictionaries(st.sampled_from(["EN", "en", "??"]), anything) | anything,
     },
@@ -307,8 +313,85 @@ def test_a_configuration_adds_a_translation_to_a_block_of_ours(home):
     )
 
 
-def test_a_wrong_file_of_the_user_s_is_named(home):
+def test_a_wrong_file_of_the_user_s_is_named_and_all_others_are_there(home):
     (home / "blocks" / "bad.json").write_text("{")
+    (home / "skills" / "bad.py").write_text("x = 1\ndef rumba(robot, (:\n")
+    (home / "skills" / "good.py").write_text("def waltz(robot): ...\n")
+    found = all_configurations()
 
-    with pytest.raises(BlockConfigurationError, match=r"bad\.json:1:2: not-json"):
-        all_configurations()
+    assert "waltz" in found
+    assert "rumba" not in found
+    assert found.broken["rumba"].startswith("bad.py, line 2: this is no Python: ")
+    assert ["bad.py:2", "bad.json:1"] == [
+        re.search(r"bad\.\w+:\d", str(problem))[0] for problem in found.problems
+    ]
+
+
+def test_a_skill_called_as_what_every_robot_has_is_no_block(home):
+    (home / "skills" / "mine.py").write_text("def stop(robot): ...\n")
+
+    assert builtin() == all_configurations()
+
+
+def test_what_the_function_says_goes_before_a_configuration_that_is_out_of_date(home):
+    (home / "skills" / "mine.py").write_text("def waltz(robot, speed: float): 'Dance.'\n")
+    (home / "blocks" / "waltz.json").write_text(WALTZ)
+
+    assert ["speed"] == [one.name for one in all_configurations()["waltz"].parameters]
+
+
+@pytest.mark.parametrize(
+    ("variable", "range_", "choices"),
+    [
+        ('{"type": "float", "name": "x", "range": [0, 2.5]}', Range(0, 2.5), ()),
+        ('{"type": "angle", "name": "x", "range": [-90, 90, 15]}', Range(-90, 90, 15), ()),
+        ('{"type": "choice", "name": "x", "choices": ["a", "b"]}', None, ("a", "b")),
+    ],
+)
+def test_a_parameter_may_have_a_range_or_choices(variable, range_, choices):
+    (block,) = load_configurations(
+        WALTZ.replace('{"type": "int", "name": "times", "default": 3}', variable)
+    )
+
+    assert (range_, choices) == (block.parameters[0].range, block.parameters[0].choices)
+
+
+some_words = st.text(st.characters(categories=["L", "N"]), min_size=1, max_size=8)
+texts = st.dictionaries(st.sampled_from(["EN", "ES", "PT-BR"]), some_words)
+finite = st.integers(-1000, 1000) | st.floats(-1000, 1000).filter(lambda x: not x.is_integer())
+ranges = st.tuples(finite, finite).filter(lambda ends: ends[0] < ends[1])
+#: Types with the other keys that a parameter of each can have.
+fields = st.one_of(
+    st.tuples(st.sampled_from(["float", "angle"]), finite, st.none(), st.just(())),
+    st.tuples(
+        st.just("int"), st.integers(-99, 99), ranges.map(lambda ends: Range(*ends)), st.just(())
+    ),
+    st.tuples(
+        st.just("string"), some_words.filter(lambda text: text != "None"), st.none(), st.just(())
+    ),
+    st.tuples(st.just("boolean"), st.booleans(), st.none(), st.just(())),
+    st.tuples(st.just("list"), st.lists(finite), st.none(), st.just(())),
+    st.tuples(st.just("colour"), st.just("#ff8800"), st.none(), st.just(())),
+    st.tuples(st.just("choice"), st.just("a"), st.none(), st.just(("a", "b c"))),
+)
+
+
+@st.composite
+def configurations(draw) -> BlockConfiguration:
+    required = draw(st.integers(0, 2))
+    parameters = []
+    for i, (kind, default, range_, choices) in enumerate(draw(st.lists(fields, max_size=4))):
+        given_default = None if i < required else draw(st.sampled_from([default, None]))
+        parameters.append(
+            Parameter(f"p{i}", kind, given_default, i < required, draw(texts), range_, choices)
+        )
+    return BlockConfiguration(
+        draw(st.sampled_from(["motor", "others"])), draw(some_words), "waltz", tuple(parameters),
+        draw(st.sampled_from([("blockVertical",), ("blockLeft", "blockBoth")])),
+        draw(texts), draw(texts), draw(st.sampled_from([(), ("Base", "JointMotor:CAMERA")])),
+    )  # fmt: skip
+
+
+@given(configurations())
+def test_what_is_written_is_read_as_it_was(block):
+    assert (block,) == load_configurations(written([block]))

@@ -41,8 +41,8 @@ class Parameter:
     def objection(self, value: object) -> str:
         """Why a number or a text is none that its field offers; empty where it is one.
 
-            >>> Parameter("speed", "float", range=Range(0, 100)).objection(120)
-            'it goes from 0 to 100'
+        >>> Parameter("speed", "float", range=Range(0, 100)).objection(120)
+        'it goes from 0 to 100'
         """
         is_number = isinstance(value, int | float) and not isinstance(value, bool)
         if self.range and is_number and not self.range.holds(value):  # type: ignore[arg-type]

@@ -1,30 +1,24 @@
 """Block configurations of skills that have none, read from their source without running it."""
 
-import ast
 import importlib.util
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from importlib.machinery import ModuleSpec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from learnblock.blocks.configuration import BlockConfiguration, Parameter, ParameterType
-from learnblock.errors import Diagnostic, LearnBlockError, ProgramError
-from learnblock.home import home
+from learnblock import skill_files
+from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.hints import FieldType
+from learnblock.blocks.signature import Argument, Signature, signatures
+from learnblock.errors import LearnBlockError
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
 
-_TYPES: dict[str, ParameterType] = {
-    "float": "float",
-    "int": "int",
-    "str": "string",
-    "bool": "boolean",
-    "list": "list",
-    # Tags go by their number or by their name, and nothing else goes by both.
-    "int | str": "apriltext",
-    "str | int": "apriltext",
-}
+VALUE = ("blockLeft", "blockBoth")
+STATEMENT = ("blockVertical",)
 
 
 def derive(source: str, filename: str) -> tuple[BlockConfiguration, ...]:
@@ -42,23 +36,86 @@ def derive(source: str, filename: str) -> tuple[BlockConfiguration, ...]:
     Raises:
         ProgramError: the source is no Python.
     """
-    category = Path(filename).stem.replace("_", " ").capitalize()
-    blocks = (_block(function, category) for function in skills_in(source, filename))
-    return tuple({block.name: block for block in blocks}.values())
+    return tuple(derived(one, filename) for one in signatures(source, filename))
 
 
-def derive_users() -> Iterator[BlockConfiguration]:
-    """The blocks of the files in the ``skills`` folder of `home`.
+def derived(signature: Signature, filename: str) -> BlockConfiguration:
+    """The block of a function, as far as its head and its docstring describe it."""
+    label = _words(signature.name)
+    return BlockConfiguration(
+        type="others",
+        category=category_of(filename),
+        name=signature.name,
+        parameters=tuple(map(_parameter, signature.arguments)),
+        shapes=VALUE if signature.answers else STATEMENT,
+        languages={"EN": label},
+        tooltip={"EN": signature.summary or label},
+    )
 
-    Raises:
-        ProgramError: one of them is no Python.
+
+def category_of(filename: str) -> str:
+    """The tab of the blocks in a file that says nothing else."""
+    return Path(filename).stem.replace("_", " ").strip().capitalize() or "Others"
+
+
+def fitted(
+    chosen: BlockConfiguration, signature: Signature, known: BlockConfiguration
+) -> BlockConfiguration:
+    """What was chosen for a function's block, as far as it fits the function as it is now.
+
+    Names, order and number of the parameters, their defaults, and what their hints say are the
+    function's; all else is chosen, and where nothing was chosen it is as `known`.
     """
-    for path in sorted((home() / "skills").glob("*.py")):
-        yield from derive(_text(path), str(path))
+    by_name = {parameter.name: parameter for parameter in chosen.parameters}
+    same_kind = chosen.returns_value == signature.answers
+    return replace(
+        chosen,
+        parameters=tuple(
+            _fitted_parameter(by_name.get(argument.name), argument, parameter)
+            for argument, parameter in zip(signature.arguments, known.parameters, strict=True)
+        ),
+        shapes=chosen.shapes if same_kind or not signature.is_said else known.shapes,
+        languages={**known.languages, **chosen.languages},
+        tooltip={**known.tooltip, **chosen.tooltip},
+        needs=chosen.needs or known.needs,
+    )
 
 
-def derive_plugins() -> Iterator[BlockConfiguration]:
-    """The blocks of installed plugins: modules named by entry points ``learnblock.skills``.
+def _fitted_parameter(chosen: Parameter | None, argument: Argument, known: Parameter) -> Parameter:
+    if chosen is None:
+        return known
+    field = FieldType(chosen.type, chosen.range, chosen.choices)
+    if not may_be(argument, field):
+        field = argument.field
+    return Parameter(
+        name=argument.name,
+        type=field.type,
+        default=argument.default if argument.is_constant else chosen.default,
+        required=argument.required,
+        translations={**known.translations, **chosen.translations},
+        range=field.range,
+        choices=field.choices,
+    )
+
+
+#: What may be chosen instead of what a hint or a default says, since it is the same to Python.
+_FINER: Mapping[str, frozenset[str]] = {
+    "float": frozenset(("float", "int", "angle")),
+    "int": frozenset(("int", "float", "angle", "apriltext")),
+    "string": frozenset(("string", "choice", "colour", "apriltext")),
+}
+
+
+def may_be(argument: Argument, field: FieldType) -> bool:
+    """Whether a field that was chosen for a parameter fits what the function says of it."""
+    if not argument.is_said or field == argument.field:
+        return True
+    is_plain = argument.field.range is None
+    return is_plain and field.type in _FINER.get(argument.field.type, ())
+
+
+def derive_plugins() -> Iterator[tuple[Signature, BlockConfiguration]]:
+    """The skills of installed plugins: modules named by entry points ``learnblock.skills``.
 
     Raises:
         LearnBlockError: a plugin's module cannot be found.
@@ -68,39 +125,8 @@ def derive_plugins() -> Iterator[BlockConfiguration]:
 
     for point in entry_points(group="learnblock.skills"):
         path = _source_of(point)
-        yield from derive(_text(path), str(path))
-
-
-def skills_in(source: str, filename: str) -> Iterator[ast.FunctionDef]:
-    """The definitions of the skills in a Python file.
-
-    Raises:
-        ProgramError: the source is no Python.
-    """
-    for statement in _parse(source, filename).body:
-        if (
-            isinstance(statement, ast.FunctionDef)
-            and not statement.name.startswith("_")
-            and (statement.args.posonlyargs or statement.args.args)
-        ):
-            yield statement
-
-
-def _parse(source: str, filename: str) -> ast.Module:
-    try:
-        return ast.parse(source, filename)
-    except SyntaxError as error:
-        diagnostic = Diagnostic(
-            "syntax-error", f"{error.msg}", error.lineno or 0, error.offset or 0
-        )
-        raise ProgramError(filename, [diagnostic], source) from None
-    except (ValueError, RecursionError, MemoryError) as error:
-        diagnostic = Diagnostic("syntax-error", f"this cannot be read as Python: {error}")
-        raise ProgramError(filename, [diagnostic], source) from None
-
-
-def _text(path: Path) -> str:
-    return path.read_text("utf-8-sig", errors="replace")
+        for one in signatures(skill_files.read(path), str(path)):
+            yield one, derived(one, str(path))
 
 
 def _source_of(point: "EntryPoint") -> Path:
@@ -128,67 +154,16 @@ def _candidates(package: ModuleSpec, inside: list[str]) -> Iterator[Path]:
         yield path / "__init__.py"
 
 
-def _block(function: ast.FunctionDef, category: str) -> BlockConfiguration:
-    label = _words(function.name)
-    # The first paragraph of a docstring says what the skill does.
-    tooltip = " ".join((ast.get_docstring(function) or label).partition("\n\n")[0].split())
-    return BlockConfiguration(
-        type="others",
-        category=category,
-        name=function.name,
-        parameters=tuple(_parameters(function.args)),
-        shapes=("blockLeft", "blockBoth") if _returns_value(function) else ("blockVertical",),
-        languages={"EN": label},
-        tooltip={"EN": tooltip},
+def _parameter(argument: Argument) -> Parameter:
+    return Parameter(
+        name=argument.name,
+        type=argument.field.type,
+        default=argument.default,
+        required=argument.required,
+        translations={"EN": _words(argument.name)},
+        range=argument.field.range,
+        choices=argument.field.choices,
     )
-
-
-def _parameters(arguments: ast.arguments) -> Iterator[Parameter]:
-    positional = [*arguments.posonlyargs, *arguments.args]
-    required = len(positional) - len(arguments.defaults)
-    # The first parameter is the robot.
-    for i, argument in enumerate(positional[1:], start=1):
-        default = _constant(arguments.defaults[i - required]) if i >= required else None
-        yield Parameter(
-            name=argument.arg,
-            type=_type(argument.annotation, default),
-            default=default,
-            required=i < required,
-            translations={"EN": _words(argument.arg)},
-        )
-
-
-def _constant(expression: ast.expr) -> object:
-    """The value of a default, or None for one that only running the file would tell."""
-    try:
-        value: object = ast.literal_eval(expression)
-    except (ValueError, TypeError):
-        return None
-    return value if isinstance(value, (bool, int, float, str, list)) else None
-
-
-def _type(hint: ast.expr | None, default: object) -> ParameterType:
-    written = "" if hint is None else ast.unparse(hint).strip("'\"").removesuffix(" | None")
-    by_hint = _TYPES.get(written) or _TYPES.get(written.partition("[")[0])
-    return by_hint or _TYPES.get(type(default).__name__, "float")
-
-
-def _returns_value(function: ast.FunctionDef) -> bool:
-    if function.returns is not None:
-        return ast.unparse(function.returns) != "None"
-    return any(
-        isinstance(node, ast.Return) and node.value is not None for node in _own_nodes(function)
-    )
-
-
-def _own_nodes(function: ast.FunctionDef) -> Iterator[ast.AST]:
-    """The nodes of a function without those of functions inside it."""
-    waiting: list[ast.AST] = [*function.body]
-    while waiting:
-        node = waiting.pop()
-        if not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)):
-            yield node
-            waiting += ast.iter_child_nodes(node)
 
 
 def _words(name: str) -> str:

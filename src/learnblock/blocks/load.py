@@ -6,11 +6,13 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from learnblock.blocks.configuration import BlockConfiguration, Parameter
 from learnblock.errors import BlockConfigurationError, Diagnostic
-from learnblock.home import home
+
+if TYPE_CHECKING:
+    from learnblock.blocks.known import Configurations
 
 #: Our own, one file per tab, in the order of the palette.
 TABS = (
@@ -59,30 +61,16 @@ def builtin() -> Mapping[str, BlockConfiguration]:
     return MappingProxyType({block.name: block for block in blocks})
 
 
-def all_configurations() -> Mapping[str, BlockConfiguration]:
+def all_configurations() -> "Configurations":
     """Every block by name: ours, the user's, those of plugins, and of installed libraries.
 
     A skill without a configuration has one derived from its signature and docstring. A file in the
     ``blocks`` folder of `home` describes such a skill better, or adds translations to any block.
-
-    Raises:
-        BlockConfigurationError: a file in that folder is wrong.
-        ProgramError: a file of skills is no Python.
+    What is wrong with a file is told by `Configurations.problems`; all others are there.
     """
-    from learnblock.blocks.derivation import (  # noqa: PLC0415 - not needed to start
-        derive_plugins,
-        derive_users,
-    )
-    from learnblock.blocks.libraries import installed_blocks  # noqa: PLC0415 - as above
+    from learnblock.blocks.known import known  # noqa: PLC0415 - not needed to start
 
-    found = {**builtin()}
-    for block in (*derive_users(), *derive_plugins(), *installed_blocks()):
-        found.setdefault(block.name, block)
-    for path in sorted((home() / "blocks").glob("*.json")):
-        for block in load_configurations(path):
-            known = found.get(block.name)
-            found[block.name] = block if known is None else completed(block, known)
-    return MappingProxyType(found)
+    return known()
 
 
 def _read(path: Path) -> str:

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Mapping
 from itertools import groupby
 from pathlib import Path
 
+from learnblock import skill_files
 from learnblock.blocks.configuration import BlockConfiguration, Parameter
-from learnblock.blocks.derivation import skills_in
 from learnblock.blocks.load import builtin
 
 _HEAD = """\
@@ -43,7 +43,9 @@ def reference() -> str:
 def _documentation() -> Iterator[tuple[str, str]]:
     """The name and docstring of each of our skills."""
     for path in (Path(__file__).parents[1] / "skills").glob("*.py"):
-        for function in skills_in(path.read_text("utf-8"), str(path)):
+        for function in skill_files.functions(
+            skill_files.parse(path.read_text("utf-8"), str(path))
+        ):
             yield function.name, ast.get_docstring(function) or ""
 
 

@@ -2,14 +2,21 @@
 
 import json
 import keyword
-import math
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, TypeVar, get_args
 
-from learnblock.blocks.configuration import BlockConfiguration, Parameter, ParameterType
+from learnblock.blocks.configuration import (
+    NUMBERS,
+    BlockConfiguration,
+    Parameter,
+    ParameterType,
+)
+from learnblock.blocks.defaults import DEFAULTS
+from learnblock.blocks.hints import MOST_CHOICES, is_choice, objection
 from learnblock.blocks.json_source import Document, Path, Place
 from learnblock.errors import Diagnostic, did_you_mean
+from learnblock.fields import Range
 
 T = TypeVar("T", bound=str)
 
@@ -28,7 +35,14 @@ _BLOCK_KEYS = {
     "tooltip": False,
     "needs": False,
 }
-_PARAMETER_KEYS = {"type": True, "name": True, "default": False, "translate": False}
+_PARAMETER_KEYS = {
+    "type": True,
+    "name": True,
+    "default": False,
+    "translate": False,
+    "range": False,
+    "choices": False,
+}
 _KEY_ADVICE = {
     "type": "it says what kind of block this is, such as `motor`",
     "category": "it names the tab of the palette, such as `Base`",
@@ -98,6 +112,8 @@ class _Reader:
             default=self._default(fields, kind, path, who),
             required="default" not in fields,
             translations=self._languages(fields, "translate", path, who),
+            range=self._range(fields, kind, path, who),
+            choices=self._choices(fields, kind, path, who),
         )
 
     # Their parts.
@@ -234,7 +250,7 @@ class _Reader:
         value = fields.get("default")
         if value is None or value == "None":
             return None
-        convert, expected = _DEFAULTS[kind]
+        convert, expected = DEFAULTS[kind]
         try:
             return convert(value)
         except (ValueError, TypeError, LookupError, OverflowError, RecursionError):
@@ -244,6 +260,39 @@ class _Reader:
                 f"{who}: the default {_shown(value)} is no {kind}; write {expected}",
             )
             return None
+
+    def _range(
+        self, fields: Mapping[str, Any], kind: ParameterType, path: Path, who: str
+    ) -> Range | None:
+        value = fields.get("range")
+        if value is None:
+            return None
+        found = _to_range(value)
+        wrong = "write [0, 100], or [0, 10, 1] with a step" if found is None else objection(found)
+        if kind not in NUMBERS:
+            wrong = "only a number has a range"
+        if wrong:
+            what = f"{who}: `range` is {_shown(value)}; {wrong}"
+            self._wrong("bad-range", (*path, "range"), what)
+            return None
+        return found
+
+    def _choices(
+        self, fields: Mapping[str, Any], kind: ParameterType, path: Path, who: str
+    ) -> tuple[str, ...]:
+        items = self._list(fields, "choices", path, who, '["slow", "fast"]')
+        found = tuple(dict.fromkeys(item for item in items if is_choice(item)))
+        if kind != "choice" and not items:
+            return ()
+        if kind != "choice":
+            wrong = "they go with the type `choice`"
+        elif len(found) == len(items) and 0 < len(found) <= MOST_CHOICES:
+            return found
+        else:
+            wrong = f'write different texts of one line, at most {MOST_CHOICES}: ["slow", "fast"]'
+        at: Path = (*path, "choices") if "choices" in fields else path
+        self._wrong("bad-choices", at, f"{who}: `choices` is {_shown(items)}; {wrong}")
+        return ()
 
     # Names that must differ, and parameters without a default behind those that have one.
 
@@ -301,56 +350,10 @@ def _is_python_name(name: object) -> bool:
     return isinstance(name, str) and name.isidentifier() and not keyword.iskeyword(name)
 
 
-# Defaults may be written as texts, since those of the paper's example are.
-
-
-def _to_float(value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
-        raise TypeError(value)
-    if isinstance(value, int):
-        return value
-    converted = float(value)
-    if not math.isfinite(converted):
-        raise ValueError(value)
-    # A block shows 40, not 40.0.
-    return int(converted) if converted.is_integer() else converted
-
-
-def _to_int(value: object) -> int:
-    converted = _to_float(value)
-    if not isinstance(converted, int):
-        raise TypeError(value)
-    return converted
-
-
-def _to_string(value: object) -> str:
-    if not isinstance(value, str):
-        raise TypeError(value)
-    return value
-
-
-def _to_boolean(value: object) -> bool:
-    return {"true": True, "1": True, "false": False, "0": False}[str(value).lower()]
-
-
-def _to_list(value: object) -> list[Any]:
-    converted = json.loads(value) if isinstance(value, str) else value
-    if not isinstance(converted, list):
-        raise TypeError(value)
-    return converted
-
-
-def _to_tag(value: object) -> int | str:
-    if isinstance(value, str) and not value.isdecimal():
-        return value
-    return _to_int(value)
-
-
-_DEFAULTS: Mapping[ParameterType, tuple[Callable[[object], object], str]] = {
-    "float": (_to_float, "a number, such as 0.5"),
-    "int": (_to_int, "a whole number, such as 3"),
-    "string": (_to_string, 'a text in double quotes, such as "Up"'),
-    "boolean": (_to_boolean, "true or false"),
-    "list": (_to_list, "a list, such as [1, 2]"),
-    "apriltext": (_to_tag, 'a tag\'s number, such as 8, or its name, such as "ball"'),
-}
+def _to_range(value: object) -> Range | None:
+    """A range written as a list of two or three numbers."""
+    if not isinstance(value, list) or not 2 <= len(value) <= 3:
+        return None
+    if any(isinstance(one, bool) or not isinstance(one, int | float) for one in value):
+        return None
+    return Range(*value)
