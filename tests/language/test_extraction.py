@@ -91,7 +91,7 @@ def test_as_skills_they_take_the_robot_first_and_hand_it_on():
     ("text", "python"),
     [
         ("def f(): g() end\ndef g(): return 1 end", "    g(robot)\n"),
-        ("def f(robot): return f(robot + 1) end", "def f(robot, robot_):\n    return f(robot, robot_ + 1)"),
+        ("def f(robot): return f(robot + 1) end", "return f(robot, robot_ + 1)"),
         ("def f(x): return f(x=f(1)) end", "return f(robot, x=f(robot, 1))"),
         ("def f(): return elapsedTime(3) end", "return robot.elapsedTime(3)"),
         ("def f(): return `robot.time()` end", "return robot.time()"),

@@ -1,6 +1,5 @@
 """The blocks of libraries, read from the files of each without running any."""
 
-import ast
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -8,9 +7,10 @@ from pathlib import Path
 
 from learnblock import skill_files
 from learnblock.blocks.configuration import BlockConfiguration
-from learnblock.blocks.derivation import derive
+from learnblock.blocks.derivation import derived, fitted
 from learnblock.blocks.importable import Importable
-from learnblock.blocks.load import completed, load_configurations
+from learnblock.blocks.load import load_configurations
+from learnblock.blocks.signature import Signature, signatures
 from learnblock.errors import LearnBlockError
 from learnblock.home import home
 
@@ -79,16 +79,23 @@ def blocks(name: str, files: Mapping[str, str]) -> tuple[BlockConfiguration, ...
     """
     titles = _titles(files.get(MANIFEST, ""))
     category = titles.get("EN") or name.replace("_", " ").capitalize()
-    found = {
-        block.name: replace(block, category=category)
-        for file, text in files.items()
-        if file.endswith(".py")
-        for block in _skills(text, file)
-    }
+    skills = {one.name: one for file, text in files.items() for one in skills_in(file, text)}
+    found = {name: replace(derived(one, ""), category=category) for name, one in skills.items()}
     for block in load_configurations(files[CONFIGURATIONS]) if CONFIGURATIONS in files else ():
         if block.name in found:
-            found[block.name] = completed(block, found[block.name])
+            found[block.name] = fitted(block, skills[block.name], found[block.name])
     return tuple(replace(block, library=name, titles=titles) for block in found.values())
+
+
+def skills_in(filename: str, source: str) -> tuple[Signature, ...]:
+    """The skills in a file that is imported: others may stand beside them.
+
+    Raises:
+        ProgramError: it is no Python.
+    """
+    if not filename.endswith(".py"):
+        return ()
+    return tuple(one for one in signatures(source, filename) if one.robot == "robot")
 
 
 def texts(folder: Path) -> dict[str, str]:
@@ -103,12 +110,6 @@ def texts(folder: Path) -> dict[str, str]:
     return {file.name: skill_files.read(file) for file in files}
 
 
-def takes_robot(function: ast.FunctionDef) -> bool:
-    """Whether a function is a skill, where others may stand beside it."""
-    first = (*function.args.posonlyargs, *function.args.args)[:1]
-    return [one.arg for one in first] == ["robot"]
-
-
 def _in_folder(folder: Path) -> Mapping[str, Path]:
     found = sorted(folder.glob(f"*/{MANIFEST}"))
     return {path.parent.name: path.parent for path in found if path.parent.name.isidentifier()}
@@ -118,12 +119,6 @@ def _file(folder: Path, module: str) -> Path | None:
     """The Python file that a module's name means, if it is one."""
     path = folder.joinpath(*module.split(".")).with_suffix(".py")
     return path if path.is_file() else None
-
-
-def _skills(source: str, filename: str) -> Iterator[BlockConfiguration]:
-    tree = skill_files.parse(source, filename)
-    skills = {one.name for one in skill_files.functions(tree) if takes_robot(one)}
-    return (block for block in derive(source, filename) if block.name in skills)
 
 
 def _titles(manifest: str) -> dict[str, str]:
