@@ -3,7 +3,7 @@
 import type { ReadonlySignal } from "@preact/signals";
 
 import type { Connection } from "./connection";
-import type { Problem } from "./messages";
+import type { OwnBlock, Problem } from "./messages";
 import type { Program } from "./program";
 import type { Running } from "./running";
 
@@ -13,6 +13,12 @@ export interface Context {
   readonly running: Running;
   /** Where the last run ended by an error: a problem for each view. */
   readonly runError: ReadonlySignal<readonly Problem[]>;
+  /** The blocks that the user has made; null until the server has told. */
+  readonly ownBlocks: ReadonlySignal<readonly OwnBlock[] | null>;
   /** Shows a statement in every view: the block's id. */
   reveal(block: string): void;
+  /** Opens the list of the user's own blocks. */
+  listOwnBlocks(): void;
+  /** Opens one of them, at a line of its source from 1; a new one where the name is empty. */
+  editOwnBlock(name: string, line?: number): void;
 }

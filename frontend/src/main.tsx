@@ -16,6 +16,7 @@ import { Views } from "./chrome/views";
 import { Connection } from "./connection";
 import type { Context } from "./context";
 import { language } from "./i18n";
+import { Shelf } from "./ownblocks/shelf";
 import { theme } from "./preferences";
 import { Program } from "./program";
 import { runError } from "./runerror";
@@ -26,12 +27,17 @@ function assemble(): Page {
   const program = new Program(connection);
   const running = new Running(connection);
   const views = new Views();
+  const dialogs = new Dialogs();
+  const shelf = new Shelf(connection);
   const context: Context = {
     connection,
     program,
     running,
     runError: runError(program, running),
+    ownBlocks: shelf.blocks,
     reveal: (block) => views.reveal(block),
+    listOwnBlocks: () => dialogs.show("ownBlocks"),
+    editOwnBlock: (name, line = 0) => dialogs.show({ ownBlock: name, line }),
   };
   const toasts = new Toasts();
   return {
@@ -40,7 +46,8 @@ function assemble(): Page {
     toasts,
     project: new Project(connection, program, toasts),
     controls: new Controls(context),
-    dialogs: new Dialogs(),
+    dialogs,
+    shelf,
     announcer: new Announcer(context),
   };
 }

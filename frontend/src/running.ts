@@ -46,7 +46,8 @@ export class Running {
     connection.on("Telemetry", (telemetry) => (this.telemetry.value = telemetry));
     connection.on("Variables", (variables) => (this.variables.value = variables));
     connection.on("Scene", (scene) => (this.scene.value = scene));
-    connection.on("Ended", (ended) => (this.ended.value = ended));
+    // A block that was tried on its own is no run of the program.
+    connection.on("Ended", (ended) => (this.ended.value = ended.tried ? null : ended));
   }
 
   toggleBreakpoint(block: string): void {

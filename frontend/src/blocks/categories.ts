@@ -3,17 +3,46 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../i18n";
+import { actionsOf, SKILL } from "./menus";
 import { freeWhenName, whenNames } from "./when_block";
 
 type Items = Blockly.utils.toolbox.FlyoutItemInfo[];
 type Item = Blockly.utils.toolbox.FlyoutItemInfo;
 
 const NEW_WHEN = "LB_NEW_WHEN";
+const OWN = "LB_OWN";
+const NEW_OWN = "LB_NEW_OWN";
+const ALL_OWN = "LB_ALL_OWN";
 
 export function registerCategories(workspace: Blockly.WorkspaceSvg): void {
   workspace.registerToolboxCategoryCallback("WHEN", whenItems);
   workspace.registerToolboxCategoryCallback("PROCEDURE", procedureItems);
+  workspace.registerToolboxCategoryCallback(OWN, ownItems);
   workspace.registerButtonCallback(NEW_WHEN, () => askForWhen(workspace));
+  workspace.registerButtonCallback(NEW_OWN, () => actionsOf(workspace)?.newOwnBlock());
+  workspace.registerButtonCallback(ALL_OWN, () => actionsOf(workspace)?.listOwnBlocks());
+}
+
+/** The tab for what the user has made. */
+export function ownTab(): Blockly.utils.toolbox.ToolboxItemInfo {
+  const tab = { kind: "category", name: t("blocks.own"), category: "lb_own", categorystyle: "lb_others_category", custom: OWN };
+  return tab as Blockly.utils.toolbox.ToolboxItemInfo;
+}
+
+/** Buttons to make and see them, and those there are, as they lie in their own tabs too. */
+function ownItems(workspace: Blockly.WorkspaceSvg): Items {
+  const names = actionsOf(workspace)?.ownBlocks() ?? new Set();
+  const offered = (workspace.options.languageTree?.contents ?? []).flatMap(contentsOf);
+  const own = offered.filter((item) => item.kind === "block" && names.has(skillOf(item)));
+  return [button(NEW_OWN, t("blocks.new_own")), button(ALL_OWN, t("blocks.all_own")), ...own];
+}
+
+function contentsOf(tab: Blockly.utils.toolbox.ToolboxItemInfo): Items {
+  return "contents" in tab ? (tab.contents as Items) : [];
+}
+
+function skillOf(item: Item): string {
+  return "type" in item ? (item.type ?? "").replace(SKILL, "") : "";
 }
 
 function whenItems(workspace: Blockly.WorkspaceSvg): Items {
@@ -24,15 +53,15 @@ function whenItems(workspace: Blockly.WorkspaceSvg): Items {
   const uses = whenNames(workspace).flatMap((when) =>
     ["lb_activate", "lb_deactivate", "lb_state", "lb_time"].map((type) => block(type, { fields: { WHEN: when } })),
   );
-  return [button(), ...templates, ...uses];
+  return [button(NEW_WHEN, t("blocks.new_when")), ...templates, ...uses];
 }
 
 function block(type: string, state: object): Item {
   return { kind: "block", type, ...state } as Item;
 }
 
-function button(): Item {
-  return { kind: "button", text: t("blocks.new_when"), callbackkey: NEW_WHEN } as Item;
+function button(callbackkey: string, text: string): Item {
+  return { kind: "button", text, callbackkey } as Item;
 }
 
 function procedureItems(workspace: Blockly.WorkspaceSvg): Items {

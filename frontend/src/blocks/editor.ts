@@ -5,7 +5,7 @@ import * as Blockly from "blockly/core";
 
 import type { Workspace } from "../messages";
 import type { ThemeName } from "../preferences";
-import { registerCategories } from "./categories";
+import { ownTab, registerCategories } from "./categories";
 import { Checker } from "./checker";
 import { Marks, visible } from "./marks";
 import { MEDIA } from "./media";
@@ -67,6 +67,22 @@ export class Editor {
     this.sight.look();
   }
 
+  /** Show anew what the palette's open tab holds. */
+  refreshPalette(): void {
+    this.workspace.refreshToolboxSelection();
+  }
+
+  /** Do something as soon as nothing is being dragged. */
+  whenStill(act: () => void): void {
+    if (!this.workspace.isDragging()) return act();
+    const dropped = ({ type }: Blockly.Events.Abstract) => {
+      if (type !== Blockly.Events.BLOCK_DRAG || this.workspace.isDragging()) return;
+      this.workspace.removeChangeListener(dropped);
+      act();
+    };
+    this.workspace.addChangeListener(dropped);
+  }
+
   read(): Workspace {
     return this.sync.read();
   }
@@ -121,7 +137,7 @@ function options(palette: Palette, theme: ThemeName): Blockly.BlocklyOptions {
     renderer: "zelos",
     theme: themeOf(theme),
     media: MEDIA,
-    toolbox: { ...palette.toolbox, contents: [searchTab(), ...palette.toolbox.contents] },
+    toolbox: { ...palette.toolbox, contents: [searchTab(), ...palette.toolbox.contents, ownTab()] },
     oneBasedIndex: false,
     trashcan: true,
     sounds: false,

@@ -27,12 +27,13 @@ let prepared = false;
 
 /** Make the blocks view; it fills `dom` once that has a place in the page and the palette is there. */
 export function createBlocks(context: Context): BlocksIsland {
-  if (!prepared) prepare();
+  prepare();
   return new Blocks(context);
 }
 
-// Blockly keeps its registries for the whole page.
-function prepare(): void {
+/** Blockly keeps its registries for the whole page. */
+export function prepare(): void {
+  if (prepared) return;
   prepared = true;
   prepareBlockly();
   registerMenus();
@@ -46,7 +47,8 @@ class Blocks implements BlocksIsland {
   readonly dom = document.createElement("div");
   private editor: Editor | null = null;
   private palette: Palette | null = null;
-  private wanted = "";
+  /** Counts what was asked for: an older answer is of no use. */
+  private asked = 0;
   private followed = 0;
   /** The program shown last: while the user's own edits are on their way it is older than the blocks. */
   private shown: Workspace | null = null;
@@ -61,6 +63,8 @@ class Blocks implements BlocksIsland {
       () => watcher.disconnect(),
       effect(() => this.dom.setAttribute("aria-label", t("blocks.label"))),
       effect(() => void this.load(language.value)),
+      context.connection.on("PaletteChanged", () => void this.load(language.peek())),
+      effect(() => this.showOwnBlocks()),
       effect(() => this.showTheme(theme.value)),
       effect(() => this.showProgram()),
       effect(() => this.showProblems()),
@@ -73,7 +77,7 @@ class Blocks implements BlocksIsland {
     for (const end of this.ends) end();
     this.editor?.destroy();
     this.editor = null;
-    this.wanted = "";
+    this.asked += 1;
   }
 
   focus(): void {
@@ -96,14 +100,21 @@ class Blocks implements BlocksIsland {
   }
 
   private async load(code: string): Promise<void> {
-    this.wanted = code;
+    const asked = (this.asked += 1);
     try {
       const palette = await fetchPalette(code);
-      // Another language may have been chosen meanwhile, or the page left.
-      if (this.wanted === code) this.install(palette);
+      this.whenStill(() => {
+        // Another language may have been chosen meanwhile, or the page left.
+        if (this.asked === asked) this.install(palette);
+      });
     } catch (error) {
-      if (this.wanted === code) this.fail(error);
+      if (this.asked === asked) this.fail(error);
     }
+  }
+
+  private whenStill(act: () => void): void {
+    if (this.editor) this.editor.whenStill(act);
+    else act();
   }
 
   private fail(error: unknown): void {
@@ -138,7 +149,16 @@ class Blocks implements BlocksIsland {
       toggleBreakpoint: (block) => running.toggleBreakpoint(block),
       hasBreakpoint: (block) => running.breakpoints.peek().has(block),
       show: (block) => this.context.reveal(block),
+      ownBlocks: () => new Set(this.context.ownBlocks.peek()?.flatMap(({ blocks }) => blocks)),
+      listOwnBlocks: () => this.context.listOwnBlocks(),
+      newOwnBlock: () => this.context.editOwnBlock(""),
+      editOwnBlock: (skill) => this.editOwnBlock(skill),
     };
+  }
+
+  private editOwnBlock(skill: string): void {
+    const found = this.context.ownBlocks.peek()?.find(({ blocks }) => blocks.includes(skill));
+    if (found) this.context.editOwnBlock(found.name);
   }
 
   private edited(): void {
@@ -174,6 +194,10 @@ class Blocks implements BlocksIsland {
   // Signals are read before the editor is there: an effect hears only of those that it has read.
   private showTheme(name: ThemeName): void {
     this.editor?.setTheme(name);
+  }
+
+  private showOwnBlocks(): void {
+    if (this.context.ownBlocks.value) this.editor?.refreshPalette();
   }
 
   private showBreakpoints(): void {

@@ -15,7 +15,16 @@ export interface Actions {
   hasBreakpoint(block: string): boolean;
   /** Show a block in the texts. */
   show(block: string): void;
+  /** The names of the skills that the user has made. */
+  ownBlocks(): ReadonlySet<string>;
+  listOwnBlocks(): void;
+  newOwnBlock(): void;
+  /** Open the source of a skill that the user has made. */
+  editOwnBlock(skill: string): void;
 }
+
+/** Begins the type of the block of a skill; the skill's name follows. */
+export const SKILL = "lb_skill_";
 
 type Item = Blockly.ContextMenuRegistry.RegistryItem;
 type Scope = Blockly.ContextMenuRegistry.Scope;
@@ -29,7 +38,8 @@ export function setActions(workspace: Blockly.Workspace, own: Actions): void {
   actions.set(workspace, own);
 }
 
-function actionsOf(workspace: Blockly.Workspace | undefined): Actions | undefined {
+/** Those of a workspace, or of the one beside a palette. */
+export function actionsOf(workspace: Blockly.Workspace | undefined): Actions | undefined {
   const main = workspace?.isFlyout ? (workspace as Blockly.WorkspaceSvg).targetWorkspace : workspace;
   return main ? actions.get(main) : undefined;
 }
@@ -43,7 +53,7 @@ export function registerMenus(): void {
   for (const name of [FOCUS_TOOLBOX, FOCUS_WORKSPACE]) narrow(name, () => !Blockly.getFocusManager().ephemeralFocusTaken());
   // Blockly cannot move by keys what the mouse holds: it would never let it go.
   for (const name of [START_MOVE, START_MOVE_STACK]) narrow(name, () => !Blockly.Gesture.inProgress());
-  for (const item of [undoItem, redoItem, breakpointItem, showItem, conditionItem]) replaceItem(item);
+  for (const item of [undoItem, redoItem, breakpointItem, showItem, editOwnItem, conditionItem]) replaceItem(item);
 }
 
 function replaceKey(name: string, keys: (number | undefined)[][], act: (own: Actions) => void): void {
@@ -145,6 +155,19 @@ const showItem: Item = {
   preconditionFn: ({ block }: Scope) => (block && !block.isInFlyout ? "enabled" : "hidden"),
   callback: ({ block }: Scope) => actionsOf(block?.workspace)?.show((statementOf(block!) ?? block!).id),
 };
+
+const editOwnItem: Item = {
+  id: "lb_edit_own",
+  weight: 10,
+  scopeType: Blockly.ContextMenuRegistry.ScopeType.BLOCK,
+  displayText: () => t("blocks.edit_own"),
+  preconditionFn: ({ block }: Scope) => (actionsOf(block?.workspace)?.ownBlocks().has(skillOf(block)) ? "enabled" : "hidden"),
+  callback: ({ block }: Scope) => actionsOf(block?.workspace)?.editOwnBlock(skillOf(block)),
+};
+
+function skillOf(block: Blockly.BlockSvg | undefined): string {
+  return block?.type.startsWith(SKILL) ? block.type.slice(SKILL.length) : "";
+}
 
 const conditionItem: Item = {
   id: "lb_condition",

@@ -10,6 +10,7 @@ import { keepFocus } from "./focus";
 import { registerMutators } from "./mutators";
 import { offerPlainly } from "./offered";
 import { tuneRendering } from "./rendering";
+import { forgetUnknown } from "./unknown";
 import { compareNamesExactly } from "./variables";
 import { registerWhen } from "./when_block";
 
@@ -52,10 +53,18 @@ async function fetchWords(language: string): Promise<object> {
 /** Make Blockly speak the palette's language and know its blocks. */
 export function installPalette(palette: Palette): void {
   Blockly.setLocale(palette.messages);
-  // Defining a type again is how its words change; Blockly would warn of each.
-  for (const { type } of palette.definitions) delete Blockly.Blocks[type];
-  Blockly.common.defineBlocksWithJsonArray([...palette.definitions]);
-  learnAllowed(palette.definitions);
+  defineBlocks(palette.definitions);
+}
+
+/** Define types of blocks, or define them anew: one that is in the program keeps its shape. */
+export function defineBlocks(definitions: readonly Definition[]): void {
+  for (const { type } of definitions) {
+    forgetUnknown(type);
+    // Blockly would warn of each that it knows.
+    delete Blockly.Blocks[type];
+  }
+  Blockly.common.defineBlocksWithJsonArray([...definitions]);
+  learnAllowed(definitions);
 }
 
 /** Teach Blockly, once, what is the same in every language. */

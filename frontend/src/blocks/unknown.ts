@@ -15,6 +15,11 @@ export function ensureDefined(flat: Block): void {
   for (const { shadow } of Object.values(flat.inputs ?? {})) if (shadow) ensureDefined(shadow);
 }
 
+/** A type is known from now on. */
+export function forgetUnknown(type: string): void {
+  unknownTypes.delete(type);
+}
+
 function define(type: string): void {
   unknownTypes.add(type);
   Blockly.Blocks[type] = {

@@ -2,21 +2,28 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { t } from "../i18n";
-import { usePage } from "./page";
+import { EXPORTED } from "./dialogs/ownblocks";
+import { usePage, type Page } from "./page";
 
-/** A file may be dropped anywhere on the page: it becomes a project. */
+/** A file may be dropped anywhere on the page: it becomes a project, or a block of the user's own. */
 export function DropPlace() {
-  const { project } = usePage();
+  const page = usePage();
   const over = useSignal(false);
   useEffect(
     () =>
       catchFiles(
         (on) => (over.value = on),
-        (file) => void project.import(file),
+        (file) => void take(page, file),
       ),
     [],
   );
   return over.value ? <div class="drop-place">{t("project.drop")}</div> : null;
+}
+
+function take({ dialogs, project, shelf }: Page, file: File): Promise<void> {
+  if (!file.name.endsWith(EXPORTED)) return project.import(file);
+  dialogs.show("ownBlocks");
+  return shelf.import(file);
 }
 
 /** Listen before the editors do: they would insert the file's text. */

@@ -7,6 +7,7 @@ import type { Context } from "../context";
 import type { Announcer } from "./notes/announcer";
 import type { Controls } from "./controls";
 import type { Dialogs } from "./dialogs/dialogs";
+import type { Shelf } from "../ownblocks/shelf";
 import type { Project } from "./project";
 import type { Toasts } from "./notes/toasts";
 import type { Views } from "./views";
@@ -17,6 +18,7 @@ export interface Page {
   readonly controls: Controls;
   readonly views: Views;
   readonly dialogs: Dialogs;
+  readonly shelf: Shelf;
   readonly toasts: Toasts;
   readonly announcer: Announcer;
 }

@@ -46,7 +46,8 @@ function language(notation: Notation): Extension {
   return [blocktext, blocktextFolding(), Prec.high(keymap.of([{ key: "Enter", run: openBlock }]))];
 }
 
-function appearance(): Extension {
+/** How any code looks. */
+export function appearance(): Extension {
   return [
     lineNumbers(),
     foldGutter(),
@@ -60,7 +61,8 @@ function appearance(): Extension {
   ];
 }
 
-function editing(): Extension {
+/** How any code is edited. */
+export function editing(): Extension {
   return [
     EditorState.allowMultipleSelections.of(true),
     EditorState.tabSize.of(4),

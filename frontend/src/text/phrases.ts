@@ -43,13 +43,18 @@ export function title(notation: Notation): string {
   return t(notation === "python" ? "text.python" : "text.blocktext");
 }
 
-/** All words of an editor, as they are now. */
+/** All words of an editor of the program, as they are now. */
 export function words(notation: Notation): Extension {
+  return labelled(title(notation));
+}
+
+/** All words of an editor that is called so. */
+export function labelled(label: string): Extension {
   const phrases = Object.fromEntries(Object.entries(PHRASES).map(([key, phrase]) => [phrase, t(key)]));
   return [
     EditorState.phrases.of(phrases),
     EditorView.contentAttributes.of({
-      "aria-label": title(notation),
+      "aria-label": label,
       "aria-description": t("text.leaving"),
       // Checkers of accessibility know a place for the keyboard by this alone.
       tabindex: "0",

@@ -8,7 +8,10 @@ import type { Problem } from "../messages";
 import { said } from "../sentences";
 import { positionOf } from "./places";
 
-function endOf(state: EditorState, problem: Problem, from: number): number {
+/** What is said of a place in a text. */
+type Finding = Pick<Problem, "message" | "severity" | "line" | "column" | "end_column">;
+
+function endOf(state: EditorState, problem: Finding, from: number): number {
   const line = problem.line ?? 0;
   const end = problem.end_column ?? 0;
   if (end > 0) return Math.max(from, positionOf(state, line, end));
@@ -17,14 +20,14 @@ function endOf(state: EditorState, problem: Problem, from: number): number {
   return word ? word.to : state.doc.lineAt(from).to;
 }
 
-function diagnostic(state: EditorState, problem: Problem): Diagnostic {
+function diagnostic(state: EditorState, problem: Finding): Diagnostic {
   const from = positionOf(state, problem.line ?? 0, problem.column ?? 0);
   const to = endOf(state, problem, from);
   return { from, to, severity: problem.severity, message: said(problem.message) };
 }
 
 /** Show the problems of one text. */
-export function showProblems(view: EditorView, problems: readonly Problem[]): void {
+export function showProblems(view: EditorView, problems: readonly Finding[]): void {
   const { state } = view;
   const diagnostics = problems.map((problem) => diagnostic(state, problem));
   diagnostics.sort((a, b) => a.from - b.from);

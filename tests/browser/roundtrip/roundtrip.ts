@@ -12,6 +12,10 @@ const ACTIONS = {
   toggleBreakpoint: () => undefined,
   hasBreakpoint: () => false,
   show: () => undefined,
+  ownBlocks: () => new Set<string>(),
+  listOwnBlocks: () => undefined,
+  newOwnBlock: () => undefined,
+  editOwnBlock: () => undefined,
 };
 
 async function begin(host: HTMLElement): Promise<void> {

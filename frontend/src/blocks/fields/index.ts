@@ -6,7 +6,7 @@ import "./fields.css";
 import { FieldAngle, FieldSlider } from "./numbers";
 import { FieldChoice, FieldColour, FieldTag } from "./texts";
 
-export { learnAllowed, type Definition } from "./allowed";
+export { learnAllowed, type Allowed, type Definition } from "./allowed";
 export { tagNames } from "./tagnames";
 
 interface Pale {

@@ -31,6 +31,7 @@ function items(page: Page) {
     { text: t("project.examples"), run: () => dialogs.show("examples") },
     { text: t("project.saveAs"), separated: true, run: () => dialogs.show("saveAs") },
     { text: t("project.history"), run: () => dialogs.show("history") },
+    { text: t("ownblocks.menu"), separated: true, run: () => dialogs.show("ownBlocks") },
     { text: t("project.upload"), separated: true, run: () => chooseFile(page) },
     { text: t("project.download_learnblock"), run: () => project.export("learnblock") },
     { text: t("project.download_bt"), run: () => project.export("bt") },

@@ -10,7 +10,15 @@ export type DialogName =
   | "shortcuts"
   | "settings"
   | "worldEditor"
-  | { readonly delete: string };
+  | "ownBlocks"
+  | { readonly delete: string }
+  | OwnBlockDialogName;
+
+/** One of the user's own blocks by its name, which is empty for a new one, and a line of its source from 1. */
+export interface OwnBlockDialogName {
+  readonly ownBlock: string;
+  readonly line: number;
+}
 
 export class Dialogs {
   readonly open = signal<DialogName | null>(null);

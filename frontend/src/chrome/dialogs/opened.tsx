@@ -6,6 +6,7 @@ import { ExamplesDialog } from "./examples";
 import { HistoryDialog } from "./history";
 import { IslandPlace } from "../widgets/island";
 import { OpenDialog } from "./open";
+import { OwnBlockDialog, OwnBlocksDialog } from "./ownblocks";
 import { usePage } from "../page";
 import { DeleteDialog, SaveAsDialog } from "./project";
 import { SettingsDialog, ShortcutsDialog } from "./settings";
@@ -18,11 +19,13 @@ const DIALOGS = {
   shortcuts: ShortcutsDialog,
   settings: SettingsDialog,
   worldEditor: WorldEditorDialog,
+  ownBlocks: OwnBlocksDialog,
 } as const;
 
 export function OpenedDialog() {
   const name = usePage().dialogs.open.value;
   if (name === null) return null;
+  if (typeof name === "object" && "ownBlock" in name) return <OwnBlockDialog key={name.ownBlock} name={name} />;
   if (typeof name === "object") return <DeleteDialog name={name.delete} />;
   const Shown = DIALOGS[name];
   return <Shown />;

@@ -23,6 +23,8 @@ const PATHS = {
   check: "m9.5 18.5-6-6 1.5-1.5 4.5 4.500L19 6l1.5 1.500z",
   error: "M12 2a10 10 0 1 0 0 20 10 10 0 0 0 0-20zm-1 5h2v7h-2zm0 9h2v2h-2z",
   warning: "M12 2 1 21h22zm-1 7h2v6h-2zm0 7.500h2v2h-2z",
+  copy: "M8 2h12v14H8zM10 4v10h8V4zM4 6h2v12h10v2H4z",
+  download: "M11 3h2v8h4l-5 6-5-6h4zM5 19h14v2H5z",
   trash: "M9 3h6l1 2h4v2H4V5h4zM6 8h12l-1 13H7z",
 } as const;
 

@@ -1,0 +1,64 @@
+/** What a block's configuration says, as far as it can be chosen in a form. */
+
+/** Texts by their upper-case language code. */
+export type Words = Readonly<Record<string, string>>;
+
+export interface Variable {
+  readonly name: string;
+  readonly type: string;
+  readonly default?: unknown;
+  readonly min?: number;
+  readonly max?: number;
+  readonly step?: number;
+  readonly options?: readonly string[];
+  readonly translate?: Words;
+}
+
+/** One block of a configuration; a key that is not named here is kept as it is. */
+export interface Configured {
+  readonly type: string;
+  readonly category: string;
+  readonly name: string;
+  readonly shape?: readonly string[];
+  readonly languages?: Words;
+  readonly tooltip?: Words;
+  readonly variables?: readonly Variable[];
+}
+
+/** The blocks of a configuration; none where it is no JSON, or other JSON. */
+export function blocksIn(configuration: string): readonly Configured[] {
+  try {
+    const found: unknown = JSON.parse(configuration);
+    return (Array.isArray(found) ? found : [found]).filter(isBlock);
+  } catch {
+    // Somebody is in the middle of writing it; the server says what is wrong.
+    return [];
+  }
+}
+
+function isBlock(found: unknown): found is Configured {
+  return typeof found === "object" && found !== null && typeof (found as Configured).name === "string";
+}
+
+/** The configuration with one block changed. */
+export function withBlock(configuration: string, name: string, change: (block: Configured) => Configured): string {
+  const blocks = blocksIn(configuration).map((block) => (block.name === name ? change(block) : block));
+  return JSON.stringify(blocks, null, 2);
+}
+
+/** Texts with one set, or taken away where it is empty. */
+export function withWord(words: Words = {}, language: string, text: string): Words {
+  const { [language]: _old, ...others } = words;
+  return text ? { ...words, [language]: text } : others;
+}
+
+/** A block with one of its parameters changed. */
+export function withVariable(block: Configured, name: string, change: (one: Variable) => Variable): Configured {
+  return { ...block, variables: block.variables?.map((one) => (one.name === name ? change(one) : one)) ?? [] };
+}
+
+/** The languages that a block speaks, and those of the page, without repeats. */
+export function languagesOf({ languages = {}, tooltip = {}, variables = [] }: Configured, own: readonly string[]): string[] {
+  const translated = variables.flatMap(({ translate = {} }) => Object.keys(translate));
+  return [...new Set([...own, ...Object.keys(languages), ...Object.keys(tooltip), ...translated])];
+}

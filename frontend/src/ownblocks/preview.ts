@@ -1,0 +1,91 @@
+/** A block as it would look, drawn by Blockly. */
+
+import * as Blockly from "blockly/core";
+import { effect } from "@preact/signals";
+
+import { prepare } from "../blocks";
+import { Checker } from "../blocks/checker";
+import { MEDIA } from "../blocks/media";
+import { defineBlocks } from "../blocks/palette";
+import { themeOf } from "../blocks/themes";
+import type { Definition } from "../blocks/fields";
+import type { Island } from "../island";
+import type { OwnBlockPreview } from "../messages";
+import { theme } from "../preferences";
+
+/** What is previewed is not what the program's blocks of that type are. */
+const PREVIEW = "lb_preview_";
+const MARGIN = 8;
+
+export class Preview implements Island {
+  readonly dom = document.createElement("div");
+  private readonly host = document.createElement("div");
+  private workspace: Blockly.WorkspaceSvg | null = null;
+  private shown: OwnBlockPreview | null = null;
+  private readonly end: () => void;
+
+  constructor() {
+    prepare();
+    this.dom.className = "blocks own-block-preview";
+    this.dom.setAttribute("role", "img");
+    // A picture: nothing in it is to be had.
+    this.host.inert = true;
+    this.dom.append(this.host);
+    this.end = effect(() => this.setTheme(themeOf(theme.value)));
+  }
+
+  destroy(): void {
+    this.end();
+    this.workspace?.dispose();
+    this.dom.remove();
+  }
+
+  /** Blockly measures what it draws: it can begin once there is room. */
+  resize(): void {
+    if (this.workspace || !this.dom.clientWidth) return;
+    this.workspace = Blockly.inject(this.host, options());
+    if (this.shown) this.draw(this.shown);
+  }
+
+  show(preview: OwnBlockPreview | null): void {
+    this.shown = preview;
+    this.dom.hidden = preview === null;
+    if (preview) this.draw(preview);
+  }
+
+  private setTheme(chosen: Blockly.Theme): void {
+    this.workspace?.setTheme(chosen);
+  }
+
+  private draw({ name, definition, block }: OwnBlockPreview): void {
+    const { workspace } = this;
+    if (!workspace) return;
+    const type = PREVIEW + name;
+    workspace.clear();
+    defineBlocks([{ ...definition, type } as Definition]);
+    const drawn = Blockly.serialization.blocks.append({ ...block, type } as Blockly.serialization.blocks.State, workspace) as Blockly.BlockSvg;
+    Blockly.renderManagement.triggerQueuedRenders(workspace);
+    this.dom.ariaLabel = drawn.toString();
+    this.fit(drawn);
+  }
+
+  private fit(block: Blockly.BlockSvg): void {
+    const { width, height } = block.getHeightWidth();
+    block.moveTo(new Blockly.utils.Coordinate(MARGIN, MARGIN));
+    this.host.style.width = `${width + 2 * MARGIN}px`;
+    this.host.style.height = `${height + 2 * MARGIN}px`;
+    Blockly.svgResize(this.workspace!);
+  }
+}
+
+function options(): Blockly.BlocklyOptions {
+  return {
+    renderer: "zelos",
+    theme: themeOf(theme.peek()),
+    media: MEDIA,
+    readOnly: true,
+    sounds: false,
+    move: { scrollbars: false, drag: false, wheel: false },
+    plugins: { connectionChecker: Checker },
+  };
+}

@@ -1,0 +1,132 @@
+/** Running one function on the current robot: its arguments, what it prints, how it ends. */
+
+import { useSignal } from "@preact/signals";
+
+import { t } from "../i18n";
+import type { Ended } from "../messages";
+import { said } from "../sentences";
+import { usePage } from "../chrome/page";
+import { sentence } from "../chrome/result";
+import { argumentsOf, valueOf, type Argument } from "./arguments";
+import type { Editing } from "./editing";
+
+type Written = Readonly<Record<string, string>>;
+
+export function TryIt({ editing }: { editing: Editing }) {
+  const { context, project } = usePage();
+  const written = useSignal<Written>({});
+  const { draft, trying, shown } = editing;
+  const preview = shown.value;
+  const list = preview ? argumentsOf(preview) : [];
+  const robot = project.robotTitle(context.running.robot.value);
+  const start = (event: SubmitEvent) => {
+    event.preventDefault();
+    const { name, source } = draft.written.peek();
+    const values = list.map((one) => valueOf(one, written.value[one.name] ?? one.initial) ?? null);
+    trying.try(name, source, preview?.name ?? "", values);
+  };
+  return (
+    <div class="own-block-try">
+      <form onSubmit={start}>
+        {list.map((one) => (
+          <label class="field" key={`${preview?.name} ${one.name}`}>
+            {one.name}
+            <Value argument={one} value={written.value[one.name] ?? one.initial} set={(text) => (written.value = { ...written.value, [one.name]: text })} />
+          </label>
+        ))}
+        <div class="own-block-run">
+          <button type="submit" class="button filled" disabled={!preview || context.running.active.value}>
+            {t("ownblocks.try", { robot })}
+          </button>
+          <button type="button" class="button bordered" disabled={!trying.active.value} onClick={() => trying.stop()}>
+            {t("bar.stop")}
+          </button>
+        </div>
+      </form>
+      <Outcome editing={editing} />
+    </div>
+  );
+}
+
+interface ValueProps {
+  readonly argument: Argument;
+  readonly value: string;
+  readonly set: (text: string) => void;
+}
+
+function Value({ argument, value, set }: ValueProps) {
+  const { kind, allowed } = argument;
+  const take = ({ currentTarget }: { currentTarget: HTMLInputElement | HTMLSelectElement }) => set(currentTarget.value);
+  const wrong = valueOf(argument, value) === undefined;
+  switch (kind) {
+    case "number":
+    case "range":
+    case "angle": {
+      const { min, max, step = "any" } = allowed;
+      return <input type="number" required {...{ min, max, step }} value={value} onInput={take} />;
+    }
+    case "choice":
+      return (
+        <select value={value} onChange={take}>
+          {choices(argument).map(([text, name]) => (
+            <option key={name} value={name}>
+              {text}
+            </option>
+          ))}
+        </select>
+      );
+    case "truth":
+      return (
+        <select value={value} onChange={take}>
+          <option value="TRUE">{t("ownblocks.true")}</option>
+          <option value="FALSE">{t("ownblocks.false")}</option>
+        </select>
+      );
+    case "colour":
+      return <input type="color" value={value} onInput={take} />;
+    case "list":
+      return <input required aria-invalid={wrong} title={t("ownblocks.listHelp")} value={value} onInput={take} />;
+    case "text":
+    case "tag":
+      return <input value={value} onInput={take} />;
+  }
+}
+
+function choices({ allowed: { options = [] } }: Argument): (readonly [string, string])[] {
+  return options.map((one) => (typeof one === "string" ? [one, one] : one));
+}
+
+function Outcome({ editing: { trying } }: { editing: Editing }) {
+  const { output, ended, refused, active, prompt } = trying;
+  return (
+    <>
+      <pre class="own-block-output" tabIndex={0} role="log" aria-label={t("ownblocks.output")}>
+        {output.value}
+      </pre>
+      {prompt.value !== null && <Question prompt={prompt.value} answer={(text) => trying.answer(text)} />}
+      <p role="status">{active.value ? t("ownblocks.runs") : ended.value ? told(ended.value) : said(refused.value)}</p>
+    </>
+  );
+}
+
+/** How it ended, and where if that was an error. */
+function told(ended: Ended): string {
+  const text = sentence(ended);
+  return ended.own_line ? `${text} ${t("ownblocks.atLine", { line: ended.own_line })}` : text;
+}
+
+function Question({ prompt, answer }: { prompt: string; answer: (text: string) => void }) {
+  const text = useSignal("");
+  const send = (event: SubmitEvent) => {
+    event.preventDefault();
+    answer(text.value);
+  };
+  return (
+    <form onSubmit={send}>
+      <label class="field">
+        {prompt || t("ownblocks.asks")}
+        <input value={text.value} onInput={({ currentTarget }) => (text.value = currentTarget.value)} />
+      </label>
+    </form>
+  );
+}
