@@ -18,8 +18,9 @@ def robot_list(*, as_json: bool) -> None:
     if as_json:
         print_json(listed)
         return
+    width = max(len(robot["name"]) for robot in listed)
     for robot in listed:
-        click.echo(f"{robot['name']:<12} {', '.join(robot['devices']) or robot['problem']}")
+        click.echo(f"{robot['name']:<{width}} {', '.join(robot['devices']) or robot['problem']}")
 
 
 def _robot(entry: robots.RobotEntry) -> dict[str, Any]:

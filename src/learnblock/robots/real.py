@@ -1,13 +1,15 @@
 """What the clients of real robots share."""
 
 import importlib
+import inspect
+import re
 from collections.abc import Callable, Collection, Iterator, Mapping
 from types import ModuleType
 from typing import Any, ClassVar, Generic
 
 from learnblock.client import Client, Observer
 from learnblock.clock import Clock
-from learnblock.errors import LearnBlockError, MissingPackageError
+from learnblock.errors import LearnBlockError, MissingPackageError, NotWrittenError
 from learnblock.robots import settings as user_settings
 from learnblock.robots.settings import SettingsT
 
@@ -105,3 +107,24 @@ def require(package: str, robot: str) -> ModuleType:
             f"the robot `{robot}` needs the package {package}:"
             f" pip install 'learnblock-studio[{robot}]'"
         ) from None
+
+
+def not_written(function: Callable[..., Any], *given: object) -> NotWrittenError:
+    """What a function that its author has still to fill in raises, as `learnblock new` writes it.
+
+        def heading(self) -> float:
+            'Answer how far the robot has turned, degrees, clockwise.'
+            raise not_written(self.heading)
+
+    Args:
+        function: its docstring says what it must do.
+        given: what it was called with.
+    """
+    code = inspect.unwrap(function).__code__
+    task = re.split(r"\n\s*(?:Args|Raises|Returns):\n", inspect.getdoc(function) or "")[0]
+    must = " ".join(task.split())
+    call = f"{function.__name__}({', '.join(map(repr, given))})"
+    return NotWrittenError(
+        f"{code.co_filename}:{code.co_firstlineno}: `{call}` is not written yet; what it must do:"
+        f" {must}"
+    )

@@ -13,11 +13,15 @@ from learnblock.settings import Described, Patience, Settings, Table, file
 
 __all__ = [
     "Address",
+    "Baud",
     "Described",
+    "Length",
     "Patience",
     "Port",
     "RobotSettings",
+    "SerialPort",
     "SettingsT",
+    "Speed",
     "change",
     "describe",
     "file",
@@ -29,6 +33,13 @@ Address = Annotated[
     str, Meta(min_length=1, max_length=253, description="a name or number in the network")
 ]
 Port = Annotated[int, Meta(ge=1, le=65535, description="a port of the network")]
+SerialPort = Annotated[
+    str,
+    Meta(min_length=1, max_length=200, description="a serial port, such as /dev/ttyUSB0 or COM3"),
+]
+Baud = Annotated[int, Meta(ge=300, le=4_000_000, description="bits a second")]
+Length = Annotated[float, Meta(ge=1, le=1000, description="mm")]
+Speed = Annotated[float, Meta(ge=1, le=5000, description="mm/s")]
 
 
 class RobotSettings(Settings, frozen=True):

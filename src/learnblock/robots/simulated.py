@@ -1,5 +1,6 @@
 """Robots of the embedded simulator: the twins, which run wherever LearnBlock is installed."""
 
+import inspect
 import math
 import os
 import random
@@ -197,8 +198,8 @@ class SimulatedRobot(Client):
 
     @classmethod
     def description(cls) -> RobotDescription:
-        """What kind of robot it is."""
-        return load_robot(cls.description_name)
+        """What kind of robot it is: a file beside its module says so, or one of ours."""
+        return load_robot(cls.description_name, folders=(Path(inspect.getfile(cls)).parent,))
 
     @classmethod
     def device_names(cls) -> frozenset[str]:

@@ -56,15 +56,24 @@ def save_world(name: str, values: Mapping[str, Any]) -> Path:
         WorldError: the world or its name is wrong.
         OSError: the file cannot be written.
     """
+    check_name(name)
+    text = write_world(world_from_values(values), name)
+    path = own_worlds() / f"{name}.toml"
+    save(path, text.encode())
+    return path
+
+
+def check_name(name: str) -> None:
+    """Refuse what cannot be the name of a world's file.
+
+    Raises:
+        WorldError: it is no such name.
+    """
     if not _NAME.fullmatch(name):
         message = (
             f"a world cannot be called {name!r}: use up to 40 letters, digits, `-`, `_` and blanks"
         )
         raise WorldError(name, [Diagnostic("wrong-name", message)])
-    text = write_world(world_from_values(values), name)
-    path = own_worlds() / f"{name}.toml"
-    save(path, text.encode())
-    return path
 
 
 def tag_picture(number: int) -> bytes:

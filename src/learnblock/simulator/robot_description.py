@@ -231,16 +231,6 @@ class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
         tuple[Output, ...], Meta(max_length=5, description="devices whose commands are only noted")
     ] = ()
 
-
-class RobotDescription(RobotFile, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """A robot's file together with its name.
-
-    Args:
-        name: the file's name without its ending.
-    """
-
-    name: str = "robot"
-
     def devices(self) -> frozenset[str]:
         """What it is equipped with, as ``Type:KEY`` strings such as ``JointMotor:CAMERA``."""
         found = {"Base:ROBOT", *(f"{output}:ROBOT" for output in self.outputs)}
@@ -260,6 +250,16 @@ class RobotDescription(RobotFile, kw_only=True, frozen=True, forbid_unknown_fiel
         return frozenset(found | {f"{device}:ROBOT" for device, part in single.items() if part})
 
 
+class RobotDescription(RobotFile, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """A robot's file together with its name.
+
+    Args:
+        name: the file's name without its ending.
+    """
+
+    name: str = "robot"
+
+
 def load_robot(name_or_path: str | Path, folders: Sequence[Path] = ()) -> RobotDescription:
     """The description of a simulated robot.
 
@@ -272,7 +272,7 @@ def load_robot(name_or_path: str | Path, folders: Sequence[Path] = ()) -> RobotD
         RobotDescriptionError: the file is wrong.
     """
     file = description_file.locate("simulated robot", name_or_path, [*folders, SHIPPED_ROBOTS])
-    robot = description_file.read(file, RobotFile, RobotDescriptionError, _check)
+    robot = description_file.read(file, RobotFile, RobotDescriptionError, check)
     values = {field: getattr(robot, field) for field in RobotFile.__struct_fields__}
     return RobotDescription(name=file.stem, **values)
 
@@ -282,7 +282,8 @@ def robot_names(folders: Sequence[Path] = ()) -> tuple[str, ...]:
     return tuple(description_file.names([*folders, SHIPPED_ROBOTS]))
 
 
-def _check(robot: RobotFile) -> Iterator[Finding]:
+def check(robot: RobotFile) -> Iterator[Finding]:
+    """What is wrong with a robot's file that its types let through."""
     yield from _check_keys(robot)
     joints = [joint.key for joint in robot.joint]
     for index, camera in enumerate(robot.camera):

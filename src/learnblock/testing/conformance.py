@@ -24,23 +24,16 @@ from learnblock.blocks import all_configurations
 from learnblock.client import Client
 from learnblock.devices import (
     DEVICE_TYPES,
-    NOTHING_SEEN,
     Accelerometer,
     Base,
-    Bumper,
     Camera,
-    Controller,
-    Device,
-    DistanceSensors,
-    GroundSensors,
     Gyroscope,
-    Infrared,
     JointMotor,
-    LightSensor,
     Pose,
     Sensor,
 )
 from learnblock.errors import DeviceValueError, RobotConnectionError, RobotStoppedError
+from learnblock.testing.forms import has_form
 from learnblock.testing.relay import Fault, Relay
 
 Make = Callable[[], Client]
@@ -237,51 +230,7 @@ def _check_reading(bench: _Bench, name: str, sensor: Sensor[Any]) -> None:
         until = monotonic() + bench.patience
         while reading is None and monotonic() < until:
             reading = sensor.read()
-    form = _FORMS.get(type(sensor))
-    _require(form is None or form(reading), f"{name} reads {reading!r:.120}")
-
-
-def _is_number(value: object, least: float = -math.inf, most: float = math.inf) -> bool:
-    return (
-        isinstance(value, int | float)
-        and not isinstance(value, bool)
-        and math.isfinite(value)
-        and least <= value <= most
-    )
-
-
-def _are_distances(reading: Any) -> bool:
-    return set(reading) <= {"front", "left", "right", "back"} and all(
-        _is_number(one, 0, NOTHING_SEEN) for several in reading.values() for one in several
-    )
-
-
-def _are_grounds(reading: Any) -> bool:
-    return set(reading) <= {"left", "central", "right"} and all(
-        one is None or _is_number(one, 0, 100) for one in reading.values()
-    )
-
-
-def _is_frame(reading: Any) -> bool:
-    return (
-        reading is not None
-        and reading.dtype == "uint8"
-        and reading.ndim == 3
-        and reading.shape[2] == 3
-    )
-
-
-_FORMS: Mapping[type[Device], Callable[[Any], bool]] = {
-    Accelerometer: lambda reading: len(reading) == 3 and all(map(_is_number, reading)),
-    Bumper: lambda reading: isinstance(reading, bool),
-    Camera: _is_frame,
-    Controller: lambda reading: all(isinstance(one, bool) for one in reading.values()),
-    DistanceSensors: _are_distances,
-    GroundSensors: _are_grounds,
-    Gyroscope: _is_number,
-    Infrared: lambda reading: reading is None or isinstance(reading, int),
-    LightSensor: lambda reading: _is_number(reading, 0, 1023),
-}
+    _require(has_form(sensor, reading), f"{name} reads {reading!r:.120}")
 
 
 def _weighs(bench: _Bench) -> str:

@@ -4,12 +4,11 @@ from typing import Annotated, Literal
 
 from msgspec import Meta
 
-from learnblock.robots.settings import Address, Patience, Port, RobotSettings
+from learnblock.robots.settings import Address, Length, Patience, Port, RobotSettings
 
 MotorPort = Literal["A", "B", "C", "D"]
 #: "" is whichever port has such a sensor.
 SensorPort = Literal["", "1", "2", "3", "4"]
-Length = Annotated[float, Meta(ge=1, le=1000, description="mm")]
 
 
 class Settings(RobotSettings, frozen=True):

@@ -1,0 +1,178 @@
+"""The client of a new robot, written from its description."""
+
+import json
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from learnblock.new.robot_plan import RobotPlan
+from learnblock.new.template import fill, indented
+from learnblock.simulator.robot_description import Joint
+
+_WIDTH = 100
+"""Columns of a line."""
+
+#: The functions that the client builds a device of each type from, as the templates have them.
+FUNCTIONS: Mapping[str, tuple[str, ...]] = {
+    "Accelerometer": ("read",),
+    "Animator": ("play",),
+    "Base": ("move",),
+    "Bumper": ("read",),
+    "Camera": ("read",),
+    "Display": ("show_emotion",),
+    "DistanceSensors": ("read",),
+    "GroundSensors": ("read",),
+    "Gyroscope": ("read", "reset"),
+    "Infrared": ("read", "send"),
+    "JointMotor": ("move",),
+    "Led": ("set",),
+    "LightSensor": ("read",),
+    "MP3": ("select", "action", "volume", "equalizer", "loop"),
+    "Matrix": ("icon", "number", "text"),
+    "RGBLed": ("set_color",),
+    "Speaker": ("say", "play", "tone"),
+}
+#: The devices of which a robot has as many as it has keys for: they stand in a table.
+_TABLES = {
+    "Camera": "CAMERAS",
+    "JointMotor": "JOINT_RANGES",
+    "Led": "LAMPS",
+    "RGBLed": "COLOURED_LAMPS",
+}
+
+
+def client_source(plan: RobotPlan, title: str) -> str:
+    """The text of its module."""
+    kinds = device_types(plan)
+    parts = [_part(plan, kind) for kind in kinds]
+    return fill(
+        "robot/client.py",
+        title=title,
+        name=plan.name,
+        imports="\n".join(_imports(kinds, plan)),
+        tables="".join(f"\n\n{table}" for table in _tables(plan)),
+        settings=indented("\n".join(_settings(plan)), 1),
+        device_names=indented("\n".join(map(_entry, sorted(plan.devices()))), 4),
+        reached=_reached(plan),
+        added=indented("\n".join(added.strip() for added, _ in parts), 2),
+        functions="\n\n".join(functions.strip("\n") for _, functions in parts),
+    )
+
+
+def device_types(plan: RobotPlan) -> list[str]:
+    """The types of its devices; what drives comes first."""
+    kinds = {device.partition(":")[0] for device in plan.devices()}
+    return sorted(kinds, key=lambda kind: (kind != "Base", kind))
+
+
+def function_names(plan: RobotPlan) -> list[str]:
+    """The functions that its devices are built from, as ``Type:KEY.function``."""
+    return [
+        f"{device}.{function}"
+        for device in sorted(plan.devices())
+        for function in FUNCTIONS[device.partition(":")[0]]
+    ]
+
+
+def literal(text: str) -> str:
+    """A text as Python writes it."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def _entry(text: str) -> str:
+    return f"{literal(text)},"
+
+
+def _part(plan: RobotPlan, kind: str) -> tuple[str, str]:
+    """How a device is added, and the functions it is built from."""
+    sides = ", ".join(sensor.side for sensor in plan.ground)
+    text = fill(f"robot/devices/{kind}", count=len(plan.distance), sides=sides)
+    added, _, functions = text.partition("---\n")
+    return added, functions
+
+
+def _imports(kinds: list[str], plan: RobotPlan) -> Iterator[str]:
+    """In the order that import sorters want."""
+    if "DistanceSensors" in kinds:
+        yield "from collections.abc import Sequence"
+    if _TABLES.keys() & kinds:
+        yield "from functools import partial"
+    if "Camera" in kinds:
+        yield "from typing import TYPE_CHECKING\n"
+    elif "DistanceSensors" in kinds or _TABLES.keys() & kinds:
+        yield ""
+    yield _import("learnblock.devices", kinds)
+    yield "from learnblock.robots.real import RealRobot, not_written"
+    yield _import("learnblock.robots.settings", ["RobotSettings", *_setting_types(plan)])
+    yield "from learnblock.wheels import limited, wheel_speeds"
+    if "Camera" in kinds:
+        yield "\nif TYPE_CHECKING:\n    from learnblock.devices import Frame"
+
+
+def _import(module: str, names: list[str]) -> str:
+    # Import sorters put CONSTANTS first, and count as such what has no small letter.
+    listed = sorted(names, key=lambda name: (not name.isupper(), name))
+    line = f"from {module} import {', '.join(listed)}"
+    if len(line) <= _WIDTH:
+        return line
+    return "\n".join([f"from {module} import (", *(f"    {name}," for name in listed), ")"])
+
+
+def _settings(plan: RobotPlan) -> Iterator[str]:
+    if plan.network:
+        yield f"address: Address = {literal(plan.network.address)}"
+        yield f"port: Port = {plan.network.port}"
+    if plan.serial:
+        yield f"serial_port: SerialPort = {literal(plan.serial.device)}"
+        yield f"baud: Baud = {plan.serial.baud}"
+    if plan.network or plan.serial:
+        yield "patience: Patience = 3.0"
+    yield f"wheel_radius: Length = {float(plan.wheels.radius)}"
+    yield f"track: Length = {float(plan.wheels.track)}  # between the wheels"
+    yield f"full_speed: Speed = {float(plan.wheels.maximum_speed)}  # of a wheel's rim"
+
+
+def _setting_types(plan: RobotPlan) -> set[str]:
+    return {line.partition(": ")[2].partition(" =")[0] for line in _settings(plan)}
+
+
+def _reached(plan: RobotPlan) -> str:
+    """By which of its settings."""
+    names = [line.partition(":")[0] for line in _settings(plan)]
+    ways = [f"`{name}`" for name in names[: names.index("wheel_radius")]]
+    return f" by the settings {', '.join(ways[:-1])} and {ways[-1]}" if ways else ""
+
+
+def _tables(plan: RobotPlan) -> Iterator[str]:
+    """What the client has to know of each device of which there may be several."""
+    if plan.distance:
+        sides = [_tuple(map(literal, sensor.sides)) for sensor in plan.distance]
+        meaning = "The sides that each sensor looks to, from left to right."
+        yield _table(meaning, "SENSOR_SIDES", sides)
+    if plan.camera:
+        keys = [literal(camera.key) for camera in plan.camera]
+        yield _table("The keys of its cameras.", _TABLES["Camera"], keys)
+    if plan.joint:
+        yield _joint_ranges(plan.joint)
+    for kind, device in (("single", "Led"), ("rgb", "RGBLed")):
+        if places := [literal(led.slot) for led in plan.led if led.kind == kind]:
+            yield _table("The places of its lamps.", _TABLES[device], places)
+
+
+def _joint_ranges(joints: Sequence[Joint]) -> str:
+    name = _TABLES["JointMotor"]
+    rows = [
+        f"    {literal(joint.key)}: ({float(joint.minimum)}, {float(joint.maximum)}),\n"
+        for joint in joints
+    ]
+    return f"#: How far each joint goes, degrees, up positive.\n{name} = {{\n{''.join(rows)}}}"
+
+
+def _table(meaning: str, name: str, rows: Sequence[str]) -> str:
+    """A constant, a row a line; formatters write a single one in one line."""
+    if len(rows) == 1:
+        return f"#: {meaning}\n{name} = {_tuple(rows)}"
+    return "\n".join((f"#: {meaning}", f"{name} = (", *(f"    {row}," for row in rows), ")"))
+
+
+def _tuple(items: Iterable[str]) -> str:
+    listed = list(items)
+    return f"({listed[0]},)" if len(listed) == 1 else f"({', '.join(listed)})"

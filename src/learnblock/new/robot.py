@@ -1,0 +1,172 @@
+"""The files of a new robot: its client, its twin, the twin's description, and their test."""
+
+import math
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from learnblock import description_file, running
+from learnblock.blocks import builtin
+from learnblock.errors import RobotDescriptionError
+from learnblock.language import check
+from learnblock.new.client import client_source, function_names, literal
+from learnblock.new.robot_plan import RobotPlan
+from learnblock.new.template import fill
+
+#: Examples with a world that suits each, those that ask most of a robot first.
+_EXAMPLES = (
+    ("labyrinth.bt", "labyrinth"),
+    ("avoid.bt", "obstacles"),
+    ("wall.bt", "walls"),
+    ("line-thymio.bt", "line"),
+    ("watch-out.bt", "line"),
+    ("tags.bt", "tags"),
+    ("line-ebo.bt", "line"),
+    ("square.bt", "empty"),
+    ("polygons.bt", "empty"),
+    ("dance.bt", "empty"),
+    ("patrol.bt", "empty"),
+)
+_EXAMPLES_WITH_ROOM = tuple(one for one in _EXAMPLES if one[1] == "empty")
+_EXAMPLES_TRIED = 4
+_WIDEST = 110.0
+"""From the middle of a robot to its farthest corner, mm: a wider one is stuck in the labyrinth."""
+
+
+def files_at_home(plan: RobotPlan, home: Path) -> dict[Path, str]:
+    """Its files in a user's own folder, where LearnBlock finds them.
+
+    Args:
+        plan: with a name that was checked.
+        home: the folder, `learnblock.home.home`.
+    """
+    module = _module(plan)
+    imports = "import os\n", "from pathlib import Path\n"
+    test = _test(plan, imports=imports, home=fill("robot/home.py"))
+    return {
+        **_modules(plan, home / "robots"),
+        home / "tests" / f"test_{module}.py": test,
+    }
+
+
+def files_of_package(plan: RobotPlan, folder: Path) -> dict[Path, str]:
+    """Its files in a package of its own, which is installed with pip.
+
+    Args:
+        plan: with a name that was checked.
+        folder: the package's, which need not be there.
+    """
+    module = _module(plan)
+    package = f"learnblock_{module}"
+    words = {"title": title_of(plan), "name": plan.name, "module": module, "package": package}
+    source = folder / "src" / package
+    return {
+        folder / "pyproject.toml": fill("robot/pyproject.toml", **words),
+        source / "__init__.py": fill("robot/package.py", **words),
+        **_modules(plan, source),
+        folder / "tests" / f"test_{module}.py": _test(plan),
+    }
+
+
+def title_of(plan: RobotPlan) -> str:
+    """What people call it."""
+    return plan.title or plan.name.replace("-", " ").title()
+
+
+def _modules(plan: RobotPlan, folder: Path) -> dict[Path, str]:
+    module, title = _module(plan), title_of(plan)
+    twin = description_file.write(plan.twin, f"{module}.toml", RobotDescriptionError)
+    return {
+        folder / f"{module}.py": client_source(plan, title),
+        folder / f"sim_{module}.py": fill("robot/twin.py", title=title, module=module),
+        folder / f"{module}.toml": fill("robot/twin.toml", title=title, description=twin.strip()),
+    }
+
+
+def _module(plan: RobotPlan) -> str:
+    return plan.name.replace("-", "_")
+
+
+def _test(plan: RobotPlan, *, imports: tuple[str, str] = ("", ""), home: str = "") -> str:
+    """The test of client and twin.
+
+    Args:
+        plan: of the robot.
+        imports: what `home` needs: a module, and a name of another.
+        home: lines that say in which folder the robot lies.
+    """
+    module, names = imports
+    return fill(
+        "robot/test.py",
+        title=title_of(plan),
+        name=plan.name,
+        module=module,
+        names=names,
+        home=home,
+        function_names=_rows(literal(name) for name in function_names(plan)),
+        examples=_rows(f'("{example}", "{world}")' for example, world in _suitable(plan)),
+        excused=_excused(plan),
+        wrong_settings=_rows(_wrong_settings(plan), depth=2),
+    )
+
+
+def _rows(rows: Iterator[str], depth: int = 1) -> str:
+    return "\n".join(f"{' ' * 4 * depth}{row}," for row in rows)
+
+
+def _wrong_settings(plan: RobotPlan) -> Iterator[str]:
+    if plan.network:
+        yield '("address", "")'
+        yield '("port", 70000)'
+    if plan.serial:
+        yield '("serial_port", "")'
+        yield '("baud", 0)'
+    yield '("wheel_radius", 0)'
+    yield '("track", "wide")'
+    yield '("full_speed", -1)'
+
+
+def _suitable(plan: RobotPlan) -> list[tuple[str, str]]:
+    """Examples that such a robot can run; those for every robot are as many as are asked for."""
+    fitting = _EXAMPLES if plan.body.reach <= _WIDEST else _EXAMPLES_WITH_ROOM
+    return [one for one in fitting if _can_run(plan, one[0])][:_EXAMPLES_TRIED]
+
+
+def _can_run(plan: RobotPlan, example: str) -> bool:
+    tree = running.read(running.example(example)).tree
+    found = check(tree, builtin(), plan.devices())
+    return not any(one.severity == "error" for one in found)
+
+
+def _excused(plan: RobotPlan) -> str:
+    reasons = [f"    {literal(claim)}: {literal(why)}," for claim, why in unkept(plan).items()]
+    return "\n" + "\n".join(reasons) + "\n" if reasons else ""
+
+
+def unkept(plan: RobotPlan) -> Mapping[str, str]:
+    """What `check_robot` asks of a robot that such a one cannot do, with the reason.
+
+    It asks for 50 mm/s and for 45 degrees/s within a second, and for a joint at 10 degrees.
+    """
+    found = {}
+    if _rim_path(plan, 50) < 30:
+        found["positive speed is forward"] = "its wheels are too slow for 50 mm/s at once"
+    if _rim_path(plan, _turning_speed(plan)) < 0.6 * _turning_speed(plan):
+        found["positive rotation is to the right"] = "its wheels are too slow to turn at once"
+    if any(not joint.minimum <= 10 <= joint.maximum for joint in plan.joint):
+        found["its joints go where they are told"] = "a joint of it cannot reach 10 degrees"
+    if plan.gyroscope and plan.gyroscope.noise > 0.5:
+        found["its gyroscope reads 0 after a reset"] = "its gyroscope is noisy"
+    if plan.accelerometer and plan.accelerometer.noise > 0.3:
+        found["its accelerometer shows 1 g upwards at rest"] = "its accelerometer is noisy"
+    return found
+
+
+def _turning_speed(plan: RobotPlan) -> float:
+    """Of the rims at 45 degrees/s, mm/s."""
+    return math.radians(45) * plan.wheels.track / 2
+
+
+def _rim_path(plan: RobotPlan, speed: float) -> float:
+    """How far a rim comes within a second from rest, mm, if it is told to run at `speed` mm/s."""
+    reached = min(speed, plan.wheels.maximum_speed, plan.wheels.acceleration)
+    return reached - reached**2 / (2 * plan.wheels.acceleration)

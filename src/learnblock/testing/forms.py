@@ -1,0 +1,79 @@
+"""The form that the readings of each type of sensor have on every robot."""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from learnblock.devices import (
+    NOTHING_SEEN,
+    Accelerometer,
+    Bumper,
+    Camera,
+    Controller,
+    Device,
+    DistanceSensors,
+    GroundSensors,
+    Gyroscope,
+    Infrared,
+    LightSensor,
+    Sensor,
+)
+
+
+def has_form(sensor: Sensor[Any], reading: Any) -> bool:
+    """Whether a reading has the form and range that such a sensor's must have."""
+    form = _FORMS.get(type(sensor))
+    try:
+        return form is None or form(reading)
+    except (AttributeError, TypeError):
+        # Asked of a number how long it is, or of a text what its keys are.
+        return False
+
+
+def is_pose(value: Any) -> bool:
+    """Whether it is (x mm, y mm, heading in degrees)."""
+    return isinstance(value, Sequence) and len(value) == 3 and all(map(is_number, value))
+
+
+def is_number(value: object, least: float = -math.inf, most: float = math.inf) -> bool:
+    """Whether it is a finite number from `least` to `most`."""
+    return (
+        isinstance(value, int | float)
+        and not isinstance(value, bool)
+        and math.isfinite(value)
+        and least <= value <= most
+    )
+
+
+def _are_distances(reading: Any) -> bool:
+    return set(reading) <= {"front", "left", "right", "back"} and all(
+        is_number(one, 0, NOTHING_SEEN) for several in reading.values() for one in several
+    )
+
+
+def _are_grounds(reading: Any) -> bool:
+    return set(reading) <= {"left", "central", "right"} and all(
+        one is None or is_number(one, 0, 100) for one in reading.values()
+    )
+
+
+def _is_frame(reading: Any) -> bool:
+    return (
+        reading is not None
+        and reading.dtype == "uint8"
+        and reading.ndim == 3
+        and reading.shape[2] == 3
+    )
+
+
+_FORMS: Mapping[type[Device], Callable[[Any], bool]] = {
+    Accelerometer: lambda reading: len(reading) == 3 and all(map(is_number, reading)),
+    Bumper: lambda reading: isinstance(reading, bool),
+    Camera: _is_frame,
+    Controller: lambda reading: all(isinstance(one, bool) for one in reading.values()),
+    DistanceSensors: _are_distances,
+    GroundSensors: _are_grounds,
+    Gyroscope: is_number,
+    Infrared: lambda reading: reading is None or isinstance(reading, int),
+    LightSensor: lambda reading: is_number(reading, 0, 1023),
+}
