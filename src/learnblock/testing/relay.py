@@ -144,8 +144,9 @@ class Relay(Closing):
                 if self._fault is Fault.SLOW:
                     await asyncio.sleep(self.delay)
                 if self._fault is not Fault.SILENT:
-                    sink.write(self._damaged(data) if back else data)
+                    # Counted first: who has received it may ask at once.
                     self.passed += len(data)
+                    sink.write(self._damaged(data) if back else data)
                     await sink.drain()
         except OSError:
             # One end broke the connection: so does the relay.
