@@ -3,7 +3,7 @@
 import type { ReadonlySignal } from "@preact/signals";
 
 import type { Connection } from "./connection";
-import type { OwnBlock, Problem } from "./messages";
+import type { BlockSet, OwnBlock, Problem } from "./messages";
 import type { Program } from "./program";
 import type { Running } from "./running";
 
@@ -15,6 +15,8 @@ export interface Context {
   readonly runError: ReadonlySignal<readonly Problem[]>;
   /** The blocks that the user has made; null until the server has told. */
   readonly ownBlocks: ReadonlySignal<readonly OwnBlock[] | null>;
+  /** Which blocks the palette shows. */
+  readonly shownBlocks: ReadonlySignal<BlockSet>;
   /** Shows a statement in every view: the block's id. */
   reveal(block: string): void;
   /** Opens the list of the user's own blocks. */

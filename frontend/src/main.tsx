@@ -15,6 +15,7 @@ import { Toasts } from "./chrome/notes/toasts";
 import { Views } from "./chrome/views";
 import { Connection } from "./connection";
 import type { Context } from "./context";
+import { BlockSetLibrary } from "./blocksets/library";
 import { language } from "./i18n";
 import { Shelf } from "./ownblocks/shelf";
 import { theme } from "./preferences";
@@ -29,12 +30,14 @@ function assemble(): Page {
   const views = new Views();
   const dialogs = new Dialogs();
   const shelf = new Shelf(connection);
+  const blockSets = new BlockSetLibrary(connection);
   const context: Context = {
     connection,
     program,
     running,
     runError: runError(program, running),
     ownBlocks: shelf.blocks,
+    shownBlocks: blockSets.shown,
     reveal: (block) => views.reveal(block),
     listOwnBlocks: () => dialogs.show("ownBlocks"),
     editOwnBlock: (name, line = 0) => dialogs.show({ ownBlock: name, line }),
@@ -47,6 +50,7 @@ function assemble(): Page {
     project: new Project(connection, program, toasts),
     controls: new Controls(context),
     dialogs,
+    blockSets,
     shelf,
     announcer: new Announcer(context),
   };

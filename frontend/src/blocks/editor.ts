@@ -3,16 +3,17 @@
 import { ScrollBlockDragger, ScrollMetricsManager, ScrollOptions } from "@blockly/plugin-scroll-options";
 import * as Blockly from "blockly/core";
 
-import type { Workspace } from "../messages";
+import type { BlockSet, Workspace } from "../messages";
 import type { ThemeName } from "../preferences";
-import { ownTab, registerCategories } from "./categories";
+import { registerCategories } from "./categories";
 import { Checker } from "./checker";
 import { Marks, visible } from "./marks";
 import { MEDIA } from "./media";
 import type { Actions } from "./menus";
 import { setActions } from "./menus";
 import type { Palette } from "./palette";
-import { ProgramSearch, searchTab } from "./search";
+import { ProgramSearch } from "./search";
+import { limitTabs, toolboxOf } from "./shown";
 import { Sight } from "./sight";
 import { Sync } from "./sync";
 import { themeOf } from "./themes";
@@ -35,12 +36,12 @@ export class Editor {
 
   constructor(
     host: HTMLElement,
-    palette: Palette,
+    private readonly palette: Palette,
     theme: ThemeName,
     actions: Actions,
     private readonly edited: () => void,
   ) {
-    this.workspace = Blockly.inject(host, options(palette, theme));
+    this.workspace = Blockly.inject(host, options(palette, theme, actions.shownBlocks()));
     // Undo is the server's, across all views.
     this.workspace.MAX_UNDO = 0;
     this.sync = new Sync(this.workspace, this.workspace.connectionChecker as Checker);
@@ -50,6 +51,7 @@ export class Editor {
     this.search.init();
     new ScrollOptions(this.workspace).init();
     registerCategories(this.workspace);
+    limitTabs(this.workspace, palette, () => actions.shownBlocks());
     setActions(this.workspace, actions);
     this.workspace.addChangeListener((event) => this.hear(event));
   }
@@ -65,6 +67,11 @@ export class Editor {
     if (this.workspace.isDragging() || !this.sync.show(wanted)) return;
     this.workspace.refreshToolboxSelection();
     this.sight.look();
+  }
+
+  /** Have the palette offer the blocks of a set, and no others. */
+  showBlocks(set: BlockSet): void {
+    this.workspace.updateToolbox(toolboxOf(this.palette, set));
   }
 
   /** Show anew what the palette's open tab holds. */
@@ -132,12 +139,12 @@ export class Editor {
   }
 }
 
-function options(palette: Palette, theme: ThemeName): Blockly.BlocklyOptions {
+function options(palette: Palette, theme: ThemeName, set: BlockSet): Blockly.BlocklyOptions {
   return {
     renderer: "zelos",
     theme: themeOf(theme),
     media: MEDIA,
-    toolbox: { ...palette.toolbox, contents: [searchTab(), ...palette.toolbox.contents, ownTab()] },
+    toolbox: toolboxOf(palette, set),
     oneBasedIndex: false,
     trashcan: true,
     sounds: false,

@@ -5,7 +5,7 @@ import { effect, untracked } from "@preact/signals";
 import type { Context } from "../context";
 import { language, t } from "../i18n";
 import type { Island } from "../island";
-import type { Workspace } from "../messages";
+import type { BlockSet, Workspace } from "../messages";
 import type { ThemeName } from "../preferences";
 import { theme } from "../preferences";
 import "./blocks.css";
@@ -65,6 +65,7 @@ class Blocks implements BlocksIsland {
       effect(() => void this.load(language.value)),
       context.connection.on("PaletteChanged", () => void this.load(language.peek())),
       effect(() => this.showOwnBlocks()),
+      effect(() => this.showBlocks(context.shownBlocks.value)),
       effect(() => this.showTheme(theme.value)),
       effect(() => this.showProgram()),
       effect(() => this.showProblems()),
@@ -149,6 +150,7 @@ class Blocks implements BlocksIsland {
       toggleBreakpoint: (block) => running.toggleBreakpoint(block),
       hasBreakpoint: (block) => running.breakpoints.peek().has(block),
       show: (block) => this.context.reveal(block),
+      shownBlocks: () => this.context.shownBlocks.peek(),
       ownBlocks: () => new Set(this.context.ownBlocks.peek()?.flatMap(({ blocks }) => blocks)),
       listOwnBlocks: () => this.context.listOwnBlocks(),
       newOwnBlock: () => this.context.editOwnBlock(""),
@@ -194,6 +196,10 @@ class Blocks implements BlocksIsland {
   // Signals are read before the editor is there: an effect hears only of those that it has read.
   private showTheme(name: ThemeName): void {
     this.editor?.setTheme(name);
+  }
+
+  private showBlocks(set: BlockSet): void {
+    this.whenStill(() => this.editor?.showBlocks(set));
   }
 
   private showOwnBlocks(): void {

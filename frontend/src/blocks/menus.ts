@@ -3,6 +3,7 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../i18n";
+import type { BlockSet } from "../messages";
 import { hasCondition, toggleCondition, toggleWord } from "./when_block";
 
 /** What menus and keys of a workspace do. */
@@ -15,6 +16,8 @@ export interface Actions {
   hasBreakpoint(block: string): boolean;
   /** Show a block in the texts. */
   show(block: string): void;
+  /** Which blocks the palette offers. */
+  shownBlocks(): BlockSet;
   /** The names of the skills that the user has made. */
   ownBlocks(): ReadonlySet<string>;
   listOwnBlocks(): void;

@@ -3,6 +3,7 @@
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 
+import type { BlockSetLibrary } from "../blocksets/library";
 import type { Context } from "../context";
 import type { Announcer } from "./notes/announcer";
 import type { Controls } from "./controls";
@@ -18,6 +19,7 @@ export interface Page {
   readonly controls: Controls;
   readonly views: Views;
   readonly dialogs: Dialogs;
+  readonly blockSets: BlockSetLibrary;
   readonly shelf: Shelf;
   readonly toasts: Toasts;
   readonly announcer: Announcer;

@@ -1,6 +1,7 @@
 /** The menu of what one can do with projects, named after the open one. */
 
 import { t } from "../../i18n";
+import { chooseFile } from "../files";
 import { Icon } from "../widgets/icons";
 import { Menu } from "../widgets/menu";
 import { usePage, type Page } from "../page";
@@ -30,23 +31,13 @@ function items(page: Page) {
     { text: t("project.open"), run: () => dialogs.show("open") },
     { text: t("project.examples"), run: () => dialogs.show("examples") },
     { text: t("project.saveAs"), separated: true, run: () => dialogs.show("saveAs") },
+    { text: t("blockSets.menu"), run: () => dialogs.show("blockSets") },
     { text: t("project.history"), run: () => dialogs.show("history") },
     { text: t("ownblocks.menu"), separated: true, run: () => dialogs.show("ownBlocks") },
-    { text: t("project.upload"), separated: true, run: () => chooseFile(page) },
+    { text: t("project.upload"), separated: true, run: () => chooseFile(IMPORTED, (file) => void project.import(file)) },
     { text: t("project.download_learnblock"), run: () => project.export("learnblock") },
     { text: t("project.download_bt"), run: () => project.export("bt") },
     { text: t("project.download_py"), run: () => project.export("py") },
     { text: t("project.delete"), separated: true, run: () => dialogs.show({ delete: name }) },
   ];
-}
-
-function chooseFile({ project }: Page): void {
-  const input = document.createElement("input");
-  input.type = "file";
-  input.accept = IMPORTED;
-  input.onchange = () => {
-    const file = input.files?.[0];
-    if (file) void project.import(file);
-  };
-  input.click();
 }

@@ -10,6 +10,7 @@ export type DialogName =
   | "shortcuts"
   | "settings"
   | "worldEditor"
+  | "blockSets"
   | "ownBlocks"
   | { readonly delete: string }
   | OwnBlockDialogName;

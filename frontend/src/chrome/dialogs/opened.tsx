@@ -2,6 +2,7 @@
 
 import { t } from "../../i18n";
 import { Dialog } from "../widgets/dialog";
+import { BlockSetsDialog } from "./blocksets";
 import { ExamplesDialog } from "./examples";
 import { HistoryDialog } from "./history";
 import { IslandPlace } from "../widgets/island";
@@ -19,6 +20,7 @@ const DIALOGS = {
   shortcuts: ShortcutsDialog,
   settings: SettingsDialog,
   worldEditor: WorldEditorDialog,
+  blockSets: BlockSetsDialog,
   ownBlocks: OwnBlocksDialog,
 } as const;
 

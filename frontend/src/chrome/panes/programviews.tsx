@@ -2,6 +2,7 @@
 
 import { Fragment } from "preact";
 
+import { titleOf } from "../../blocksets/library";
 import { t } from "../../i18n";
 import type { View } from "../../messages";
 import { arrange, preferences } from "../../preferences";
@@ -44,7 +45,19 @@ function AreaButtons() {
         ))}
       </div>
       <StaleNote />
+      <ShownBlocks />
     </div>
+  );
+}
+
+/** Says which blocks there are to choose from, where that is not all of them. */
+function ShownBlocks() {
+  const { blockSets, dialogs } = usePage();
+  if (!blockSets.hidesSome.value) return null;
+  return (
+    <button type="button" class="button shown-blocks" onClick={() => dialogs.show("blockSets")}>
+      {t("blockSets.button", { title: titleOf(blockSets.shown.value) })}
+    </button>
   );
 }
 

@@ -1,0 +1,70 @@
+/** A set of blocks as ticks in a list of them, and back. */
+
+import type { BlockSet } from "../messages";
+import { isExclusive, shows } from "./rule";
+
+/** A tab with its blocks, as sets name them. */
+export interface Group {
+  readonly category: string;
+  readonly blocks: readonly string[];
+}
+
+/** What a set mentions and the palette lacks, such as a block of somebody else's own. */
+export interface Absent {
+  readonly categories: readonly string[];
+  readonly blocks: readonly string[];
+}
+
+export interface Ticks {
+  /** The names of the blocks that are shown. */
+  readonly blocks: ReadonlySet<string>;
+  /** Names that are shown wherever they are known. */
+  readonly absent: Absent;
+  /** Whether blocks that come later, or from libraries, are shown too. */
+  readonly later: boolean;
+}
+
+export function ticksOf(set: BlockSet, groups: readonly Group[]): Ticks {
+  const shown = groups.flatMap(({ category, blocks }) => blocks.filter((block) => shows(set, category, block)));
+  return { blocks: new Set(shown), absent: absentIn(set, groups), later: !isExclusive(set) };
+}
+
+function absentIn({ show }: BlockSet, groups: readonly Group[]): Absent {
+  const categories = new Set(groups.map(({ category }) => category));
+  const blocks = new Set(groups.flatMap((group) => group.blocks));
+  return {
+    categories: (show?.categories ?? []).filter((one) => !categories.has(one)),
+    blocks: (show?.blocks ?? []).filter((one) => !blocks.has(one)),
+  };
+}
+
+/** What a set says that has these ticks; whole tabs are named as such. */
+export function saidBy(ticks: Ticks, groups: readonly Group[]): Pick<BlockSet, "show" | "hide"> {
+  if (ticks.later) return { hide: mentioned(groups, (block) => !ticks.blocks.has(block)) };
+  const { categories, blocks } = mentioned(groups, (block) => ticks.blocks.has(block));
+  const { absent } = ticks;
+  return { show: { categories: [...categories, ...absent.categories], blocks: [...blocks, ...absent.blocks] } };
+}
+
+function mentioned(groups: readonly Group[], meant: (block: string) => boolean) {
+  const whole = groups.filter(({ blocks }) => blocks.every(meant));
+  const parts = groups.filter((group) => !whole.includes(group));
+  return {
+    categories: whole.map(({ category }) => category),
+    blocks: parts.flatMap(({ blocks }) => blocks.filter(meant)),
+  };
+}
+
+/** With some blocks ticked, or not ticked any more. */
+export function tick(ticks: Ticks, blocks: readonly string[], on: boolean): Ticks {
+  const changed = new Set(ticks.blocks);
+  for (const block of blocks) on ? changed.add(block) : changed.delete(block);
+  return { ...ticks, blocks: changed };
+}
+
+/** Without a name that the palette lacks. */
+export function forget(ticks: Ticks, name: string): Ticks {
+  const { categories, blocks } = ticks.absent;
+  const others = (names: readonly string[]) => names.filter((one) => one !== name);
+  return { ...ticks, absent: { categories: others(categories), blocks: others(blocks) } };
+}

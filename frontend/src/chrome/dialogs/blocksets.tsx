@@ -1,0 +1,127 @@
+/** The dialog in which one chooses which blocks are shown. */
+
+import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+
+import type { LabelledTab } from "../../blocks/labels";
+import { descriptionOf, titleOf } from "../../blocksets/library";
+import { saidBy, ticksOf, type Ticks } from "../../blocksets/ticks";
+import { language, t } from "../../i18n";
+import type { BlockSet } from "../../messages";
+import { said } from "../../sentences";
+import { usePage } from "../page";
+import { Dialog } from "../widgets/dialog";
+import { BlockTree } from "./blocktree";
+import { BlockSetActions } from "./blocksetactions";
+import "./blocksets.css";
+
+/** A set that is being looked at, with ticks that may differ from what it says by now. */
+export interface Draft {
+  readonly base: BlockSet;
+  readonly ticks: Ticks;
+  readonly changed: boolean;
+}
+
+export function BlockSetsDialog() {
+  const { dialogs, blockSets } = usePage();
+  const tabs = useSignal<readonly LabelledTab[] | null>(null);
+  const draft = useSignal<Draft | null>(null);
+  const failed = useSignal(false);
+  const look = (base: BlockSet) => {
+    draft.value = { base, ticks: ticksOf(base, tabs.value ?? []), changed: false };
+  };
+  useEffect(() => blockSets.list(), []);
+  useSignalEffect(() => {
+    void load(language.value)
+      .then((found) => ((tabs.value = found), look(draft.peek()?.base ?? blockSets.shown.peek())))
+      .catch(() => (failed.value = true));
+  });
+  useSignalEffect(() => {
+    if (blockSets.read.value && tabs.value) look(blockSets.read.value);
+  });
+  return (
+    <Dialog title={t("blockSets.title")} close={() => dialogs.close()} size="large">
+      {failed.value && <p role="alert">{t("blocks.failed")}</p>}
+      {draft.value && tabs.value && (
+        <>
+          <div class="block-sets">
+            <Sets chosen={draft.value.base} choose={look} />
+            <BlockTree
+              tabs={tabs.value}
+              ticks={draft.value.ticks}
+              change={(ticks) => (draft.value = { ...draft.value!, ticks, changed: true })}
+            />
+          </div>
+          <Refusals />
+          <BlockSetActions key={draft.value.base.name} draft={draft.value} tabs={tabs.value} look={look} />
+        </>
+      )}
+    </Dialog>
+  );
+}
+
+async function load(code: string): Promise<readonly LabelledTab[]> {
+  const { labelledTabs } = await import("../../blocks/labels");
+  return labelledTabs(code);
+}
+
+/** The set that a draft stands for. */
+export function setOf({ base, ticks, changed }: Draft, tabs: readonly LabelledTab[]): BlockSet {
+  if (!changed) return base;
+  const { name, title, description } = base;
+  return { name, title, description, ...saidBy(ticks, tabs) };
+}
+
+function Refusals() {
+  const { refusal, problems } = usePage().blockSets;
+  const sentences = [refusal.value, ...problems.value].filter(Boolean);
+  return (
+    <div role="alert" class="refusals">
+      {sentences.map((one) => (
+        <p key={one}>{said(one)}</p>
+      ))}
+    </div>
+  );
+}
+
+interface SetsProps {
+  readonly chosen: BlockSet;
+  readonly choose: (set: BlockSet) => void;
+}
+
+function Sets({ chosen, choose }: SetsProps) {
+  const { ours, own, carried } = usePage().blockSets;
+  const alone = useComputed(() => {
+    const saved = new Set(own.value.map((one) => JSON.stringify(one)));
+    return carried.value.filter((one) => !saved.has(JSON.stringify(one)));
+  });
+  return (
+    <div class="sets">
+      <SetGroup word="blockSets.ours" sets={ours.value} chosen={chosen} choose={choose} />
+      <SetGroup word="blockSets.carried" sets={alone.value} chosen={chosen} choose={choose} />
+      <SetGroup word="blockSets.own" sets={own.value} chosen={chosen} choose={choose} />
+    </div>
+  );
+}
+
+function SetGroup({ word, sets, chosen, choose }: SetsProps & { word: string; sets: readonly BlockSet[] }) {
+  if (sets.length === 0) return null;
+  return (
+    <fieldset>
+      <legend>{t(word)}</legend>
+      {sets.map((set) => (
+        <label class="set" key={set.name}>
+          <input type="radio" name="block-set" checked={same(set, chosen)} onChange={() => choose(set)} />
+          <span>
+            <strong>{titleOf(set)}</strong>
+            <span class="dim">{descriptionOf(set)}</span>
+          </span>
+        </label>
+      ))}
+    </fieldset>
+  );
+}
+
+function same(one: BlockSet, other: BlockSet): boolean {
+  return JSON.stringify(one) === JSON.stringify(other);
+}
