@@ -59,3 +59,53 @@ def _warn(*, ask: bool) -> None:
     click.echo(WHY_EMOTIONS_ARE_OFF, err=True)
     if ask:
         click.confirm("\nSwitch it on for all real cameras?", abort=True, err=True)
+
+
+@click.command("component")
+@click.argument("name", metavar="apriltag|emotionrecognition")
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    help="Listen at this port  [default: 25000 for apriltag, 10006 for emotionrecognition]",
+)
+@click.option(
+    "--host", metavar="ADDRESS", default="127.0.0.1", show_default=True, help="Listen there."
+)
+@click.option(
+    "--layout",
+    type=click.Choice(["auto", "rows", "columns"]),
+    default="auto",
+    show_default=True,
+    help="Which number a picture's width carries: RoboComp's clients send its rows.",
+)
+@click.option(
+    "--only-drawn-faces",
+    "drawn",
+    is_flag=True,
+    help="It will be shown drawn and simulated faces alone.",
+)
+def component_command(
+    name: str,
+    port: int | None,
+    host: str,
+    layout: str,
+    drawn: bool,  # noqa: FBT001 - a flag of click
+) -> None:
+    r"""Be one of RoboComp's components, with our detector: others ask it over Ice.
+
+    Leave it with Ctrl-C.
+
+    \b
+    learnblock component apriltag
+    learnblock component emotionrecognition --only-drawn-faces
+    """
+    from threading import Event  # noqa: PLC0415 - `--help` needs none of it
+
+    from learnblock.components import Order, serve  # noqa: PLC0415
+
+    order = None if layout == "auto" else Order(layout)
+    adapter, listening = serve(name, port=port, host=host, order=order, drawn=drawn)
+    with adapter:
+        click.echo(f"{name}:tcp -h {host} -p {listening}")
+        click.echo("Ctrl-C ends it.")
+        Event().wait()

@@ -8,6 +8,7 @@ further line is something an object was told.
 
 import json
 import sys
+import time
 
 import Ice
 
@@ -19,6 +20,7 @@ import RoboCompCommonBehavior  # noqa: E402
 import RoboCompDifferentialRobot  # noqa: E402
 import RoboCompDisplay  # noqa: E402
 import RoboCompEmotionalMotor  # noqa: E402
+import RoboCompEmotionRecognition  # noqa: E402
 import RoboCompGenericBase  # noqa: E402
 import RoboCompJointMotor  # noqa: E402
 import RoboCompLaser  # noqa: E402
@@ -186,9 +188,43 @@ class Eyes(RoboCompRGBD.RGBD):
 
 
 class Tags(RoboCompApriltag.Apriltag):
+    """Finds one tag: always the same, or the dark square in the picture if it reads pictures.
+
+    Args:
+        order: which number it reads as the rows, ``rows`` or ``columns``.
+        number: that it takes every dark square for.
+        wait: seconds that it thinks.
+    """
+
+    def __init__(self, order="", number=7, wait=0):
+        self.order, self.number, self.wait = order, number, wait
+
     def processimage(self, frame, current):
         told("processimage", frame.width, frame.height, frame.depth, len(frame.image))
-        return [RoboCompApriltag.tag(8, 160, 120, "ebo")]
+        time.sleep(self.wait)
+        if not self.order:
+            return [RoboCompApriltag.tag(8, 160, 120, "ebo")]
+        columns = frame.height if self.order == "rows" else frame.width
+        return [
+            RoboCompApriltag.tag(self.number, *place, "") for place in dark_square(frame, columns)
+        ]
+
+
+def dark_square(frame, columns):
+    """Where the centre of all dark pixels is, if these fill the width and height of a square."""
+    dark = [place for place, level in enumerate(frame.image[::3]) if level < 100]
+    across, down = [place % columns for place in dark], [place // columns for place in dark]
+    if dark and abs(max(across) - min(across) - max(down) + min(down)) < 3:
+        yield (max(across) + min(across)) // 2, (max(down) + min(down)) // 2
+
+
+class Feelings(RoboCompEmotionRecognition.EmotionRecognition):
+    def __init__(self, found=()):
+        self.found = found
+
+    def processimage(self, frame, current):
+        told("processimage", frame.width, frame.height, frame.depth, sum(frame.image))
+        return [RoboCompEmotionRecognition.SEmotion(*one) for one in self.found]
 
 
 class Behaviour(RoboCompCommonBehavior.CommonBehavior):
@@ -204,7 +240,8 @@ class Behaviour(RoboCompCommonBehavior.CommonBehavior):
 
 KINDS = {
     "apriltag": Tags, "commonbehavior": Behaviour, "differentialrobot": Base, "display": Screen,
-    "emotionalmotor": Face, "jointmotor": Joints, "laser": Laser, "rgbd": Eyes,
+    "emotionalmotor": Face, "emotionrecognition": Feelings, "jointmotor": Joints,
+    "laser": Laser, "rgbd": Eyes,
 }  # fmt: skip
 
 

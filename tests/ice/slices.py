@@ -206,6 +206,15 @@ module RoboCompApriltag
   interface Apriltag { tagsList processimage(TImage frame); };
 };
 
+module RoboCompEmotionRecognition
+{
+  struct SEmotion { int x; int y; int w; int h; string emotion; };
+  sequence<SEmotion> EmotionList;
+  sequence<byte> ImgType;
+  struct TImage { int width; int height; int depth; ImgType image; };
+  interface EmotionRecognition { EmotionList processimage(TImage frame); };
+};
+
 module RoboCompCommonBehavior
 {
   enum State { Starting, Running };

@@ -23,12 +23,20 @@ class Sight:
         frame: RGB, uint8, shape (height, width, 3).
         focal: the lens's focal length in pixels, where it is known; it gives the poses of tags.
         tag_size: the side of the tags' black square in mm.
+        detectors: by their names; ours by default.
     """
 
-    def __init__(self, frame: "Frame", focal: float | None = None, tag_size: float = 80.0) -> None:
+    def __init__(
+        self,
+        frame: "Frame",
+        focal: float | None = None,
+        tag_size: float = 80.0,
+        detectors: "Mapping[str, Detector] | None" = None,
+    ) -> None:
         self.frame = frame
         self.focal = focal
         self.tag_size = tag_size
+        self._detectors = DETECTORS if detectors is None else detectors
         self._found: dict[str, Any] = {}
 
     def detect(self, name: str) -> Any:
@@ -38,10 +46,10 @@ class Sight:
             UnknownNameError: there is no detector of this name.
             FrameError: the frame is no picture.
         """
-        if name not in DETECTORS:
-            raise UnknownNameError("detector", name, DETECTORS)
+        if name not in self._detectors:
+            raise UnknownNameError("detector", name, self._detectors)
         if name not in self._found:
-            self._found[name] = DETECTORS[name].detect(self)
+            self._found[name] = self._detectors[name].detect(self)
         return self._found[name]
 
 

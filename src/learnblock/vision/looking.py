@@ -1,6 +1,7 @@
 """Looks at a camera's pictures: each is searched once for one kind of thing, when it is asked."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -8,6 +9,7 @@ from learnblock.closing import Closing
 from learnblock.vision.settings import TABLE, PerceptionSettings
 
 if TYPE_CHECKING:
+    from learnblock.perception import Detector, Sight
     from learnblock.perception.frames import Frame
 
 
@@ -23,7 +25,8 @@ class Vision(Closing):
     def __init__(self, read: "Callable[[], Frame | None]", *, drawn: bool) -> None:
         self._read = read
         self._drawn = drawn
-        self._found: dict[str, tuple[Frame, Any]] = {}
+        self._sight: Sight | None = None
+        self._ending = ExitStack()
 
     def detect(self, name: str) -> Any:
         """What the detector of that name finds in the newest picture.
@@ -34,35 +37,35 @@ class Vision(Closing):
             SettingsError: the settings of perception are wrong.
             RobotConnectionError: a component that looks in our place cannot be reached.
         """
-        # Imported on first use: a robot whose camera nobody uses pays nothing for OpenCV.
-        from learnblock.perception import DETECTORS  # noqa: PLC0415
-
-        if name not in DETECTORS or not self._settings.permits(name, drawn=self._drawn):
+        if not self._settings.permits(name, drawn=self._drawn) or name not in self._detectors:
             return None
         frame = self._read()
-        return None if frame is None else self._in(frame, name)
+        return None if frame is None else self._look(frame).detect(name)
 
     def close(self) -> None:
         """Look no more; the second time it does nothing."""
+        self._ending.close()
 
     @cached_property
     def _settings(self) -> PerceptionSettings:
         return TABLE.load()
 
-    def _in(self, frame: "Frame", name: str) -> Any:
-        """What is found in a picture, which is searched once."""
-        seen, found = self._found.get(name, (None, None))
-        if seen is not frame:
-            found = self._search(frame, name)
-            self._found[name] = (frame, found)
-        return found
+    @cached_property
+    def _detectors(self) -> "Mapping[str, Detector]":
+        """Ours, and components in the place of those that the user has chosen."""
+        from learnblock.perception import DETECTORS  # noqa: PLC0415 - few programs see
+        from learnblock.vision.asking import chosen_components  # noqa: PLC0415 - as above
 
-    def _search(self, frame: "Frame", name: str) -> Any:
-        from learnblock.perception import detect  # noqa: PLC0415 - as above
+        asked = chosen_components(self._settings)
+        for one in asked.values():
+            self._ending.callback(one.close)
+        return {**DETECTORS, **asked}
 
-        if name == "emotions":
-            from learnblock.perception.emotions import emotions_of  # noqa: PLC0415
+    def _look(self, frame: "Frame") -> "Sight":
+        """The look at a frame, in which what was found already is kept."""
+        sight = self._sight
+        if sight is None or sight.frame is not frame:
+            from learnblock.perception import Sight  # noqa: PLC0415 - as above
 
-            # The faces that others have asked for are not looked for again.
-            return emotions_of(frame, self._in(frame, "faces"))
-        return detect(name, frame)
+            sight = self._sight = Sight(frame, detectors=self._detectors)
+        return sight

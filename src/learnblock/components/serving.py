@@ -1,0 +1,129 @@
+"""Our detectors as components, for whoever asks."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from learnblock.components.labels import label_of
+from learnblock.components.pictures import Order, unpacked
+from learnblock.errors import LearnBlockError, UnknownNameError
+from learnblock.ice.robocomp import Layout, interfaces
+from learnblock.ice.robocomp.recognition import FoundEmotion, FoundTag, Picture
+from learnblock.ice.server import Adapter, Servant
+from learnblock.perception import FaceEmotion, detect
+from learnblock.vision.settings import TABLE, WHY_EMOTIONS_ARE_OFF
+
+#: The address at which nobody but this computer is heard.
+LOOPBACK = "127.0.0.1"
+
+
+class Tags:
+    """Apriltag.
+
+    Args:
+        order: of the numbers of pictures; None finds it out for each.
+    """
+
+    def __init__(self, order: Order | None) -> None:
+        self._order = order
+
+    def processimage(self, picture: Picture) -> tuple[FoundTag, ...]:
+        frame = unpacked(picture, self._order)
+        return tuple(FoundTag(tag.id, *map(round, tag.center)) for tag in detect("tags", frame))
+
+
+class Emotions:
+    """EmotionRecognition.
+
+    Args:
+        order: of the numbers of pictures; None finds it out for each.
+    """
+
+    def __init__(self, order: Order | None) -> None:
+        self._order = order
+
+    def processimage(self, picture: Picture) -> tuple[FoundEmotion, ...]:
+        frame = unpacked(picture, self._order)
+        found = map(_told, detect("emotions", frame))
+        return tuple(one for one in found if one is not None)
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """A component that we can be.
+
+    Args:
+        detector: whose findings it tells.
+        port: where such a component usually listens.
+        make: makes what answers.
+    """
+
+    detector: str
+    port: int
+    make: Callable[[Order | None], object]
+
+
+#: By the identities of their objects.
+COMPONENTS: Mapping[str, Kind] = MappingProxyType(
+    {
+        "apriltag": Kind("tags", 25000, Tags),
+        "emotionrecognition": Kind("emotions", 10006, Emotions),
+    }
+)
+
+
+def serve(
+    name: str,
+    *,
+    port: int | None = None,
+    host: str = LOOPBACK,
+    order: Order | None = None,
+    drawn: bool = False,
+) -> tuple[Adapter, int]:
+    """Be a component, until the adapter is closed.
+
+    Args:
+        name: ``apriltag`` or ``emotionrecognition``.
+        port: where it listens; 0 is a free one, and None the usual one.
+        host: the address of this computer where it listens.
+        order: of the numbers of pictures; None finds it out for each.
+        drawn: whether it will be shown drawn and simulated faces alone.
+
+    Returns:
+        The adapter, and the port.
+
+    Raises:
+        UnknownNameError: there is no such component.
+        LearnBlockError: it must not look at what it will be shown, or cannot listen there.
+    """
+    if name not in COMPONENTS:
+        raise UnknownNameError("component", name, COMPONENTS)
+    kind = COMPONENTS[name]
+    if not TABLE.load().permits(kind.detector, drawn=drawn):
+        raise LearnBlockError(_refusal(name))
+    servant = Servant(interfaces(Layout.TOOL)[name], kind.make(order))
+    adapter = Adapter(host)
+    wanted = kind.port if port is None else port
+    try:
+        return adapter, adapter.serve({name: servant}, wanted)
+    except OSError as error:
+        adapter.close()
+        raise LearnBlockError(
+            f"the component {name} cannot listen at {host}:{wanted}: {error.strerror or error};"
+            " choose another --port or --host"
+        ) from error
+
+
+def _told(found: FaceEmotion) -> FoundEmotion | None:
+    """A face as the interface tells it; None where it has no word for what the face expresses."""
+    label, face = label_of(found.emotion), found.face
+    return FoundEmotion(face.x, face.y, face.width, face.height, label) if label else None
+
+
+def _refusal(name: str) -> str:
+    return (
+        f"the component {name} is not started, since it does not know whose faces it will be"
+        f" shown.\n\n{WHY_EMOTIONS_ARE_OFF}\n\nStart it with --only-drawn-faces if it is shown"
+        " drawn and simulated faces alone, or switch emotions on:"
+        " learnblock perception set emotions_on_cameras true"
+    )
