@@ -3,7 +3,7 @@
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
 
 import type { Connection } from "../connection";
-import { language } from "../i18n";
+import { language, t } from "../i18n";
 import type { OwnBlock, OwnBlockChecked, OwnBlockPreview, OwnBlockProblem } from "../messages";
 import { Throttle } from "../world/throttle";
 import { blocksIn, type Configured, withBlock } from "./configuration";
@@ -89,9 +89,10 @@ export class Draft {
 
   save(): void {
     const { name, source, configuration } = this.written.peek();
+    if (!name.trim()) return this.refuse(t("ownblocks.nameless"));
     this.saving = this.written.peek();
     const replaces = this.saved.peek();
-    if (!this.connection.send({ kind: "SaveOwnBlock", name: name.trim(), source, configuration, replaces })) this.refused("");
+    if (!this.connection.send({ kind: "SaveOwnBlock", name: name.trim(), source, configuration, replaces })) this.refused(t("chrome.lost"));
   }
 
   private begin(saved: string, original: Written): void {
@@ -160,7 +161,11 @@ export class Draft {
   private refused(reason: string): void {
     if (!this.saving) return;
     this.saving = null;
-    this.outcome.value = { refused: reason };
+    this.refuse(reason);
+  }
+
+  private refuse(refused: string): void {
+    this.outcome.value = { refused };
   }
 
   private keepUnsaved(): void {

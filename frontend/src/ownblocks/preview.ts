@@ -44,13 +44,18 @@ export class Preview implements Island {
   resize(): void {
     if (this.workspace || !this.dom.clientWidth) return;
     this.workspace = Blockly.inject(this.host, options());
-    if (this.shown) this.draw(this.shown);
+    this.redraw();
   }
 
   show(preview: OwnBlockPreview | null): void {
     this.shown = preview;
     this.dom.hidden = preview === null;
-    if (preview) this.draw(preview);
+    this.resize();
+    this.redraw();
+  }
+
+  private redraw(): void {
+    if (this.shown) this.draw(this.shown);
   }
 
   private setTheme(chosen: Blockly.Theme): void {

@@ -34,6 +34,7 @@ export class Shelf {
   private doing: ((name: string) => Outcome) | null = null;
 
   constructor(private readonly connection: Connection) {
+    connection.on("Opened", () => this.list());
     connection.on("OwnBlocks", ({ blocks }) => (this.blocks.value = blocks));
     connection.on("OwnBlockSaved", ({ name }) => this.saved(name));
     connection.on("Failed", ({ message, request = "" }) => {
