@@ -1,7 +1,7 @@
 /** The dialog in which one chooses which blocks are shown. */
 
 import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useEffect, useId } from "preact/hooks";
 
 import type { LabelledTab } from "../../blocks/labels";
 import { descriptionOf, titleOf } from "../../blocksets/library";
@@ -49,6 +49,7 @@ export function BlockSetsDialog() {
             <BlockTree
               tabs={tabs.value}
               ticks={draft.value.ticks}
+              changed={draft.value.changed}
               change={(ticks) => (draft.value = { ...draft.value!, ticks, changed: true })}
             />
           </div>
@@ -110,15 +111,37 @@ function SetGroup({ word, sets, chosen, choose }: SetsProps & { word: string; se
     <fieldset>
       <legend>{t(word)}</legend>
       {sets.map((set) => (
-        <label class="set" key={set.name}>
-          <input type="radio" name="block-set" checked={same(set, chosen)} onChange={() => choose(set)} />
-          <span>
-            <strong>{titleOf(set)}</strong>
-            <span class="dim">{descriptionOf(set)}</span>
-          </span>
-        </label>
+        <SetChoice key={set.name} set={set} checked={same(set, chosen)} choose={choose} />
       ))}
     </fieldset>
+  );
+}
+
+interface ChoiceProps {
+  readonly set: BlockSet;
+  readonly checked: boolean;
+  readonly choose: (set: BlockSet) => void;
+}
+
+function SetChoice({ set, checked, choose }: ChoiceProps) {
+  const [title, description] = [useId(), useId()];
+  return (
+    <label class="set">
+      <input
+        type="radio"
+        name="block-set"
+        aria-labelledby={title}
+        aria-describedby={description}
+        checked={checked}
+        onChange={() => choose(set)}
+      />
+      <span>
+        <strong id={title}>{titleOf(set)}</strong>
+        <span id={description} class="dim">
+          {descriptionOf(set)}
+        </span>
+      </span>
+    </label>
   );
 }
 

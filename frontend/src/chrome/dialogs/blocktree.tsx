@@ -11,10 +11,12 @@ import { Icon } from "../widgets/icons";
 interface Props {
   readonly tabs: readonly LabelledTab[];
   readonly ticks: Ticks;
+  /** Whether they are no longer those of the set. */
+  readonly changed: boolean;
   readonly change: (ticks: Ticks) => void;
 }
 
-export function BlockTree({ tabs, ticks, change }: Props) {
+export function BlockTree({ tabs, ticks, changed, change }: Props) {
   const search = useSignal("");
   const open = useSignal<ReadonlySet<string>>(new Set());
   const found = tabs.map((tab) => matching(tab, search.value)).filter((tab) => tab.blocks.length > 0);
@@ -27,6 +29,7 @@ export function BlockTree({ tabs, ticks, change }: Props) {
       </label>
       <p class="dim" role="status">
         {t("blockSets.count", { shown: all.filter((one) => ticks.blocks.has(one)).length, all: all.length })}
+        {changed && ` · ${t("blockSets.isChanged")}`}
       </p>
       <div class="both">
         <button type="button" class="button bordered" onClick={() => change(tick(ticks, found.flatMap(({ blocks }) => blocks), true))}>

@@ -1,0 +1,193 @@
+"""Sets of blocks: what the palette offers, from a first lesson to everything."""
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+FIRST_STEPS = {
+    "move_straight", "turn_90_left", "turn_90_right", "stop_bot", "expressJoy", "expressSadness",
+    "expressSurprise", "expressNeutral", "sleep",
+}  # fmt: skip
+LOOP = "main:\n    repeat 4:\n        function.turn_back()\n    end\nend\n"
+EXERCISE = """\
+{
+  "learnblock": 1,
+  "shown": "tuesday",
+  "block_sets": [
+    {
+      "name": "tuesday",
+      "title": {"en": "On Tuesday"},
+      "show": {"blocks": ["lb_main", "controls_if", "function.sleep", "function.of_our_school"]}
+    }
+  ],
+  "blocktext": ["main:", "    function.turn_back()", "end", ""]
+}
+"""
+
+
+@pytest.fixture
+def pupil(sit_down, own_server):
+    pupil = sit_down(own_server)
+    pupil.begin()
+    return pupil
+
+
+def test_a_first_lesson_shows_ten_blocks_and_leaves_the_program_as_it_is(pupil):
+    pupil.write("blocktext", LOOP)
+    expect(pupil.blocks("controls_repeat_ext")).to_be_visible()
+    assert len(tabs(pupil)) > 20
+    open_dialog(pupil)
+    pupil.picture("dialog")
+    pupil.dialog().get_by_role("radio", name="First steps").check()
+    expect(pupil.dialog().get_by_role("status")).to_have_text(re.compile("^10 of"))
+    pupil.dialog().get_by_role("button", name="Show these blocks").click()
+    expect(pupil.page.locator(".blocklyToolboxCategory")).to_have_count(5)
+    pupil.picture("first-steps")
+    assert tabs(pupil) == ["Driving", "Emotions", "Waiting", "Start"]
+    expect(pupil.blocks("controls_repeat_ext")).to_be_visible()
+    expect(pupil.blocks("lb_skill_turn_back")).to_be_visible()
+    pupil.told("Blocks shown now").get_by_role("button", name="Undo").click()
+    expect(pupil.page.locator(".shown-blocks")).to_have_count(0)
+    assert len(tabs(pupil)) > 20
+
+
+def test_the_search_finds_only_what_is_shown(pupil):
+    show(pupil, "First steps")
+    pupil.page.get_by_role("searchbox", name="Search for blocks").fill("repeat")
+    expect(pupil.page.locator(".blocklyFlyout").first).to_contain_text("No matching blocks")
+
+
+def test_single_blocks_and_whole_tabs_are_chosen_and_saved(pupil, own_server):
+    open_dialog(pupil)
+    dialog = pupil.dialog()
+    dialog.get_by_role("button", name="Show none").click()
+    expect(dialog.get_by_text("Tick at least one block.")).to_be_visible()
+    dialog.get_by_role("checkbox", name="Distances", exact=True).check()
+    dialog.get_by_role("searchbox").fill("if")
+    dialog.get_by_role("checkbox", name=re.compile("^if .* else")).check()
+    dialog.get_by_role("searchbox").fill("")
+    control = dialog.get_by_role("checkbox", name="Control", exact=True)
+    assert control.evaluate("box => box.indeterminate")
+    pupil.picture("ticked")
+    dialog.get_by_role("checkbox", name="made or installed later").uncheck()
+    dialog.get_by_role("button", name="Save as…").click()
+    dialog.get_by_role("textbox", name="Name").fill("Our lesson")
+    dialog.get_by_role("button", name="Save", exact=True).click()
+    expect(dialog.get_by_role("radio", name="Our lesson")).to_be_checked()
+    dialog.get_by_role("button", name="Show these blocks").click()
+    pupil.told("Blocks shown now: Our lesson")
+    assert tabs(pupil) == ["Distances", "Control"]
+    saved = (own_server.home / "sets" / "Our lesson.toml").read_text("utf-8")
+    assert 'categories = [\n    "Distances",\n]' in saved
+    assert '"controls_if:else"' in saved
+
+
+def test_an_exercise_brings_its_own_set_and_keeps_it(pupil, own_server, tmp_path):
+    file = tmp_path / "exercise.learnblock"
+    file.write_text(EXERCISE, "utf-8")
+    pupil.upload(file)
+    pupil.works_on("exercise")
+    expect(pupil.page.locator(".shown-blocks")).to_have_text("Blocks shown: On Tuesday")
+    assert tabs(pupil) == ["Waiting", "Start", "Control"]
+    expect(pupil.blocks("lb_skill_turn_back")).to_be_visible()
+    open_dialog(pupil)
+    expect(pupil.dialog().get_by_role("checkbox", name="function.of_our_school")).to_be_checked()
+    pupil.dialog().get_by_role("radio", name="Everything").check()
+    pupil.dialog().get_by_role("button", name="Show these blocks").click()
+    expect(pupil.page.locator(".shown-blocks")).to_have_count(0)
+    pupil.is_saved()
+    pupil.page.reload()
+    pupil.works_on("exercise")
+    show(pupil, "On Tuesday")
+    assert tabs(pupil) == ["Waiting", "Start", "Control"]
+
+
+def test_a_set_goes_out_as_a_file_comes_in_again_and_is_deleted(pupil, own_server, tmp_path):
+    (own_server.home / "sets").mkdir()
+    lesson = '[title]\nen = "Lesson one"\n\n[show]\nblocks = [\n    "lb_main",\n]\n'
+    (own_server.home / "sets" / "lesson.toml").write_text(lesson)
+    open_dialog(pupil)
+    dialog = pupil.dialog()
+    dialog.get_by_role("radio", name="Lesson one").check()
+    with pupil.page.expect_download() as started:
+        dialog.get_by_role("button", name="Download").click()
+    file = tmp_path / started.value.suggested_filename
+    started.value.save_as(file)
+    assert file.read_text() == lesson
+    dialog.get_by_role("button", name="Delete").click()
+    expect(dialog.get_by_role("radio", name="Lesson one")).to_have_count(0)
+    with pupil.page.expect_file_chooser() as chooser:
+        dialog.get_by_role("button", name="Open a file…").click()
+    chooser.value.set_files(file)
+    expect(dialog.get_by_role("status")).to_have_text(re.compile("^1 of"))
+    dialog.get_by_role("button", name="Show these blocks").click()
+    pupil.told("Blocks shown now: Lesson one")
+    assert tabs(pupil) == ["Start"]
+
+
+def test_a_wrong_file_is_told_in_the_dialog(pupil, tmp_path):
+    file = tmp_path / "lesson.toml"
+    file.write_text("[show]\nblock = []\n")
+    open_dialog(pupil)
+    with pupil.page.expect_file_chooser() as chooser:
+        pupil.dialog().get_by_role("button", name="Open a file…").click()
+    chooser.value.set_files(file)
+    expect(pupil.dialog().get_by_role("alert")).to_contain_text("did you mean `blocks`?")
+
+
+def test_the_dialog_works_by_keyboard_alone(pupil):
+    open_dialog(pupil)
+    page = pupil.page
+    page.get_by_role("radio", name="Everything").focus()
+    page.keyboard.press("ArrowDown")
+    expect(page.get_by_role("radio", name="First steps")).to_be_checked()
+    focus_by_tab(page, "Show these blocks")
+    page.keyboard.press("Enter")
+    pupil.told("Blocks shown now: First steps")
+    expect(pupil.dialog()).to_have_count(0)
+
+
+def test_two_pages_of_a_project_show_the_same_blocks(pupil):
+    first, second = pupil.page, pupil.open(pupil.page.url)
+    show(pupil, "Events")
+    pupil.page = second
+    expect(second.locator(".shown-blocks")).to_have_text("Blocks shown: Events")
+    pupil.page = first
+
+
+def test_in_spanish_the_sets_have_spanish_names(sit_down, own_server):
+    pupil = sit_down(own_server, language="es")
+    pupil.project("Bloques visibles…")
+    pupil.dialog().get_by_role("radio", name="Primeros pasos").check()
+    pupil.picture("spanish")
+    pupil.dialog().get_by_role("button", name="Mostrar estos bloques").click()
+    pupil.told("Bloques visibles ahora: Primeros pasos")
+    assert tabs(pupil)[0] == "Movimiento"
+
+
+def open_dialog(pupil):
+    pupil.project("Blocks shown…")
+    expect(pupil.dialog().get_by_role("checkbox", name="Distances")).to_be_visible()
+
+
+def show(pupil, title):
+    open_dialog(pupil)
+    pupil.dialog().get_by_role("radio", name=title).check()
+    pupil.dialog().get_by_role("button", name="Show these blocks").click()
+    expect(pupil.page.locator(".shown-blocks")).to_have_text(f"Blocks shown: {title}")
+
+
+def tabs(pupil):
+    """The tabs of the palette but the search."""
+    expect(pupil.page.locator(".blocklyToolboxCategory").first).to_be_visible()
+    found = pupil.page.locator(".blocklyToolboxCategoryLabel").all_text_contents()
+    return [one for one in found if one]
+
+
+def focus_by_tab(page, name):
+    for _ in range(200):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.textContent") == name:
+            return
+    raise AssertionError(f"{name} is not reached")
