@@ -4,6 +4,7 @@ import { t } from "../../i18n";
 import type { Problem } from "../../messages";
 import { findings, type Finding } from "./findings";
 import { Icon } from "../widgets/icons";
+import { OwnBlockLink } from "./ownblocklink";
 import { usePage, type Page } from "../page";
 import { sentence } from "../result";
 import "./problems.css";
@@ -75,6 +76,7 @@ function RunError() {
       <ul>
         <Row finding={finding} />
       </ul>
+      <OwnBlockLink ended={ended} />
     </section>
   );
 }

@@ -8,6 +8,7 @@ import { explained } from "../../runerror";
 import { said } from "../../sentences";
 import { usePage } from "../page";
 import { ending } from "../result";
+import { OwnBlockLink } from "./ownblocklink";
 import "./problems.css";
 
 export function Result() {
@@ -23,6 +24,7 @@ export function Result() {
     <div class="result">
       <p class={ended.ended === "error" ? "headline failed" : "headline"}>{ending(ended.ended)}</p>
       {ended.message && <p>{explained(ended.message)}</p>}
+      <OwnBlockLink ended={ended} />
       <Facts ended={ended} />
     </div>
   );
