@@ -1,7 +1,12 @@
+from contextlib import suppress
+
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from learnblock.errors import UnknownNameError
-from learnblock.tag_names import TagNamesError, tag_id, tag_names
+from learnblock.tag_names import TagNamesError, parse, save_names, tag_id, tag_names, write
+from learnblock.tag_sheet import sheet
 
 
 @pytest.fixture
@@ -61,3 +66,67 @@ def test_a_wrong_dictionary_is_refused_with_its_line(dictionary, text, message):
 
     with pytest.raises(TagNamesError, match=message):
         tag_id("ball")
+
+
+@pytest.mark.parametrize("name", ["tags.toml", "tags.csv"])
+def test_a_dictionary_that_is_written_is_read_again(name):
+    names = {"ball": 3, "red door": 12, 'a "quoted", one': 3, "größe": 586}
+    written = write(names, as_csv=name.endswith(".csv"))
+    assert parse(written, name) == names
+
+
+@given(st.dictionaries(st.text(min_size=1, max_size=20), st.integers(0, 586), max_size=5))
+def test_whatever_can_be_written_is_read_again(names):
+    with suppress(TagNamesError):
+        assert parse(write(names), "tags.toml") == names
+        stripped = {name.strip(): number for name, number in names.items()}
+        assert parse(write(names, as_csv=True), "tags.csv") == stripped
+
+
+def test_a_table_of_a_spreadsheet_needs_no_heading(dictionary):
+    assert parse("ball,3\r\n red door ,12\r\n", "TAGS.CSV") == {"ball": 3, "red door": 12}
+
+
+def test_saved_names_take_the_place_of_those_before(dictionary):
+    save_names({"ball": 3})
+    save_names({"goal": 4})
+    assert tag_names() == {"goal": 4}
+
+
+@pytest.mark.parametrize(
+    ("names", "message"),
+    [
+        ({"": 3}, "no name of a tag"),
+        ({"a\nb": 3}, "no name of a tag"),
+        ({"x" * 101: 3}, "no name of a tag"),
+        ({"12": 3}, "`12` is a number: a tag's name has a letter in it"),
+        ({"ball": 587}, "a whole number from 0 to 586"),
+        ({str(one) + "x": 1 for one in range(2001)}, "2001 names; at most 2000"),
+    ],
+    ids=["empty", "two lines", "long", "a number", "no tag", "many"],
+)
+def test_what_cannot_be_a_dictionary_is_not_saved(names, message, dictionary):
+    with pytest.raises(TagNamesError, match=message):
+        save_names(names)
+    assert not dictionary.exists()
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "message"),
+    [
+        ("tags.csv", "ball,3,4\n", "`ball` is 'ball,3,4'"),
+        ("tags.csv", "name,tag\nball,many\n", "`ball` is 'many'"),
+        ("tags.toml", "a = [" * 5000, "write lines like"),
+        ("tags.toml", "#" * 300_000, "at most 262,144"),
+    ],
+)
+def test_a_file_that_is_no_dictionary_is_refused(name, text, message):
+    with pytest.raises(TagNamesError, match=message):
+        parse(text, name)
+
+
+def test_a_sheet_shows_each_tag_in_its_size_with_its_name():
+    page = sheet([(3, "ball & bat"), (12, "")], 40)
+    assert page.count("<img ") == 2
+    assert "3 ball &amp; bat</figcaption>" in page
+    assert "inline-size: 50mm" in page

@@ -16,6 +16,8 @@ from learnblock.files import save
 from learnblock.new_commands import new_group
 from learnblock.perception_commands import component_command, perception_group
 from learnblock.robot_commands import emulate_command, robots_group
+from learnblock.set_commands import sets_command
+from learnblock.tag_commands import tags_group
 
 if TYPE_CHECKING:
     from learnblock.running import Source
@@ -268,6 +270,8 @@ main.add_command(emulate_command)
 main.add_command(new_group)
 main.add_command(perception_group)
 main.add_command(component_command)
+main.add_command(tags_group)
+main.add_command(sets_command)
 
 
 @main.command()
