@@ -133,10 +133,10 @@ def choose_robot(source: Source, name: str | None = None) -> RobotEntry:
 
 def check(source: Source, robot: RobotEntry | None = None) -> list[Diagnostic]:
     """What is wrong or doubtful in a program, on a robot when one is given."""
-    devices = robot.load().device_names() if robot else None
+    devices = robot.load().known_devices() if robot else None
     folder = source.path.resolve().parent
     beside = {one.name: one for one in libraries.blocks_beside(folder, source.imports)}
-    skills = {**all_configurations(), **beside, **builtin()}
+    skills = all_configurations().extended({**beside, **builtin()})
     found = libraries.importable(folder, source.imports)
     return language.check(source.tree, skills, devices, _with_packages(found, source))
 

@@ -9,8 +9,10 @@ import pytest
 
 from learnblock.blocks import builtin
 from learnblock.blocks import palette as module
+from learnblock.blocks.configuration import Parameter
 from learnblock.blocks.palette import languages, palette, translation
 from learnblock.blocks.toolbox import SHADOWS, parameter_shadow
+from learnblock.fields import Range
 from learnblock.language import Workspace, from_workspace
 from learnblock.language.workspace import Block, Input, Variable
 from learnblock.language.workspace_statement_reader import STATEMENTS
@@ -33,7 +35,9 @@ def test_there_is_a_definition_for_each_block_of_ours_and_each_skill():
     defined = [one["type"] for one in palette(builtin(), "en")["definitions"]]
     ours = {kind for kind in {*HATS, *STATEMENTS, *VALUES} if kind.startswith("lb_")}
     skills = {f"lb_skill_{name}" for name in builtin()} - {"lb_skill_elapsedTime"}
-    assert ours | skills | {"lb_import", "lb_setup"} == set(defined)
+    # The page makes the fields of parameters by itself.
+    fields = {"lb_slider", "lb_angle", "lb_choice", "lb_colour", "lb_tag"}
+    assert (ours - fields) | skills | {"lb_import", "lb_setup"} == set(defined)
     assert len(defined) == len(set(defined))
 
 
@@ -95,7 +99,7 @@ def test_a_tab_of_the_users_keeps_its_name():
     ("skill", "parameter", "shown"),
     [
         ("move_straight", "advSpeed", {"type": "math_number", "fields": {"NUM": 40}}),
-        ("is_tag", "idTag", {"type": "text", "fields": {"TEXT": "8"}}),
+        ("is_tag", "idTag", {"type": "lb_tag", "fields": {"TEXT": "8"}}),
     ],
 )
 def test_an_input_shows_the_default_of_its_parameter(skill, parameter, shown):
@@ -110,6 +114,36 @@ def test_every_parameter_but_a_list_has_a_shadow():
     lacking = [one.type for one in parameters if parameter_shadow(one) is None]
     assert {"list"} >= set(lacking)
     assert all(SHADOWS.values())
+
+
+@pytest.mark.parametrize(
+    ("parameter", "field", "shadow"),
+    [
+        (Parameter("x", "float", 5, range=Range(0, 9)), {"min": 0, "max": 9}, ("lb_slider", 5)),
+        (
+            Parameter("x", "int", range=Range(3, 9, 2)),
+            {"min": 3, "max": 9, "step": 2},
+            ("lb_slider", 3),
+        ),
+        (Parameter("x", "angle", range=Range(-9, -1)), {"min": -9, "max": -1}, ("lb_angle", -1)),
+        (Parameter("x", "choice", choices=("a", "b")), {"options": ["a", "b"]}, ("lb_choice", "a")),
+        (
+            Parameter("x", "choice", "b", choices=("a", "b")),
+            {"options": ["a", "b"]},
+            ("lb_choice", "b"),
+        ),
+        (Parameter("x", "colour", "#00ff00"), None, ("lb_colour", "#00ff00")),
+        (Parameter("x", "colour"), None, ("lb_colour", "#ff0000")),
+        (Parameter("x", "apriltext"), None, ("lb_tag", "")),
+    ],
+)
+def test_a_parameter_has_the_field_of_its_type(parameter, field, shadow):
+    waltz = replace(builtin()["stop_bot"], name="waltz", parameters=(parameter,))
+    (place,) = named(palette({"waltz": waltz}, "en"), "lb_skill_waltz")["args0"]
+    found = parameter_shadow(parameter)
+
+    assert field == place.get("field")
+    assert shadow == (found.type, found.value)
 
 
 def test_each_block_of_the_toolbox_is_one_that_a_program_can_have():

@@ -2,6 +2,8 @@ from pathlib import Path
 
 import pytest
 
+from learnblock.blocks.configuration import BlockConfiguration, Configurations, Parameter
+from learnblock.fields import Range
 from learnblock.language import check, from_python, parse
 
 CASES = Path(__file__).parent.parent / "cases"
@@ -39,6 +41,48 @@ def test_a_question_that_can_never_be_answered_is_an_error(said, thymio):
 
 def test_a_robot_that_cannot_move_is_an_error(said):
     assert [(1, "error", "missing-device")] == said("function.stop_bot()", frozenset())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "advice"),
+    [
+        ("120", "`speed` of `function.paint` is 120 here; it goes from 0 to 100"),
+        ("-1", "`speed` of `function.paint` is -1 here; it goes from 0 to 100"),
+        ('5, "wide"', "is 'wide' here; the choices are 'thin', 'thick'"),
+        ('5, "thin", "red"', "is 'red' here; a colour is a text such as \"#ff8800\""),
+    ],
+)
+def test_a_constant_that_a_field_does_not_offer_is_a_warning(arguments, advice):
+    parameters = (
+        Parameter("speed", "float", range=Range(0, 100)),
+        Parameter("brush", "choice", "thin", choices=("thin", "thick")),
+        Parameter("colour", "colour", "#000000"),
+    )
+    paint = BlockConfiguration("others", "Paint", "paint", parameters)
+    (found,) = check(parse(f"function.paint({arguments})\n"), {"paint": paint})
+
+    assert ("unusual-value", "warning") == (found.code, found.severity)
+    assert advice in found.message
+
+
+def test_what_a_field_offers_is_fine():
+    parameters = (Parameter("speed", "float", range=Range(0, 100)), Parameter("way", "angle", 0))
+    paint = BlockConfiguration("others", "Paint", "paint", parameters)
+
+    assert [] == check(
+        parse("x = 1\nfunction.paint(100, 720)\nfunction.paint(x)\n"), {"paint": paint}
+    )
+
+
+def test_a_skill_of_a_file_that_is_wrong_is_told_with_what_is_wrong():
+    reason = "dance.py, line 3: this is no Python"
+    skills = Configurations({}, {"waltz": reason}, ())
+    (found,) = check(parse("function.waltz()\n"), skills)
+
+    assert "unknown-skill" == found.code
+    assert found.message.endswith(
+        "the file that it stands in is wrong: dance.py, line 3: this is no Python"
+    )
 
 
 def test_without_a_chosen_robot_no_device_is_missing(said):

@@ -1,5 +1,6 @@
 """Programs as blocks and back: the ladder of the texts, over workspaces."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
@@ -7,6 +8,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.fields import Range
 from learnblock.language import format as format_program
 from learnblock.language import from_python, from_workspace, parse, to_python, to_workspace
 from learnblock.language.nodes import Blank, Comment, expressions, statements, within
@@ -132,3 +135,60 @@ def test_a_hundred_loops_and_a_hundred_brackets_travel_as_json():
     loops = "while True:\n" * 100 + "pass\n" + "end\n" * 100
     for text in (loops, "x = " + "[" * 100 + "]" * 100 + "\n"):
         assert_survives(parse(text))
+
+
+# The fields of parameters.
+
+PAINT = BlockConfiguration(
+    "others",
+    "Paint",
+    "paint",
+    (
+        Parameter("speed", "float", 50, range=Range(0, 100)),
+        Parameter("turn", "angle", 90),
+        Parameter("brush", "choice", "thin", choices=("thin", "thick")),
+        Parameter("colour", "colour", "#ff8800"),
+        Parameter("tag", "apriltext", "ball"),
+        Parameter("way", "string", required=True),
+    ),
+)
+PAINT = replace(PAINT, parameters=(PAINT.parameters[-1], *PAINT.parameters[:-1]))
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        '"a"',
+        '"a", 50, 90, "thin", "#ff8800", "ball"',
+        '"a", 0, -720, "thick", "#000000", 8',
+        '"a", 1000, 1e3, "purple", "red", "8"',
+        '"a", -5, 0x10, "\\t", 3, 7.5',
+        '"a", x + 1, turn, [], print, None',
+        '"a", tag="b", speed=20',
+        '"a", 20, colour="é", brush=7',
+    ],
+)
+def test_whatever_is_given_for_a_field_survives_as_a_block(arguments):
+    program = parse(f"x = 1\nturn = 2\nfunction.paint({arguments})\n")
+    made = to_workspace(program, {"paint": PAINT})
+    workspace = through_json(made.workspace)
+    back = from_workspace(workspace, {"paint": PAINT})
+
+    assert [] == list(back.problems)
+    assert format_program(program) == format_program(back.program)
+    assert workspace == to_workspace(back.program, {"paint": PAINT}, workspace).workspace
+
+
+def test_a_constant_stands_in_the_field_of_its_parameter():
+    program = parse('function.paint("a", 20, -90, "thick", "#000000", 8)\n')
+    (_, block, *shadows) = blocks(to_workspace(program, {"paint": PAINT}).workspace)
+
+    assert "lb_skill_paint" == block.type
+    assert [
+        ("text", {"TEXT": "a"}),
+        ("lb_slider", {"NUM": 20}),
+        ("lb_angle", {"NUM": -90}),
+        ("lb_choice", {"TEXT": "thick"}),
+        ("lb_colour", {"TEXT": "#000000"}),
+        ("lb_tag", {"TEXT": "8"}),
+    ] == [(shadow.type, shadow.fields) for shadow in shadows]

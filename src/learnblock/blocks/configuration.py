@@ -1,10 +1,11 @@
 """What a block is: the value that a block configuration (JSON) describes."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from learnblock.errors import LearnBlockError
 from learnblock.fields import Range
 
 ParameterType = Literal[
@@ -97,3 +98,37 @@ class BlockConfiguration:
         """Those of `needs` that a robot with `devices` (``Type:KEY`` strings) does not have."""
         types = {device.partition(":")[0] for device in devices}
         return tuple(need for need in self.needs if need not in devices and need not in types)
+
+
+class Configurations(Mapping[str, BlockConfiguration]):
+    """Blocks by name, and what could not be had of them.
+
+    Args:
+        blocks: by name.
+        broken: why skills that a file seems to define are none, by name.
+        problems: the files that are wrong.
+    """
+
+    def __init__(
+        self,
+        blocks: Mapping[str, BlockConfiguration],
+        broken: Mapping[str, str],
+        problems: tuple[LearnBlockError, ...],
+    ) -> None:
+        self._blocks = blocks
+        self.broken = broken
+        self.problems = problems
+
+    def __getitem__(self, name: str) -> BlockConfiguration:
+        return self._blocks[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._blocks)
+
+    def __len__(self) -> int:
+        return len(self._blocks)
+
+    def extended(self, more: Mapping[str, BlockConfiguration]) -> "Configurations":
+        """These and some others, which go before those of the same name."""
+        broken = {name: why for name, why in self.broken.items() if name not in more}
+        return Configurations({**self._blocks, **more}, broken, self.problems)

@@ -8,7 +8,7 @@ A block whose shape varies names the extension or the mutator that the page give
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.configuration import NUMBERS, BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL, is_skill_block
 
 Definition = dict[str, Any]
@@ -18,14 +18,18 @@ CHANGES = ("-=", "*=", "/=", "//=", "%=", "**=")
 _STATEMENT: Definition = {"previousStatement": None, "nextStatement": None}
 _DO: Definition = {"message1": "%1", "args1": [{"type": "input_statement", "name": "DO"}]}
 _PLACE: Definition = {"type": "input_dummy", "name": "PLACE"}
-_CHECKS = {"float": "Number", "int": "Number", "boolean": "Boolean", "list": "Array"}
+_CHECKS = {
+    **dict.fromkeys(NUMBERS, "Number"),
+    "boolean": "Boolean",
+    "list": "Array",
+}
 
 
 def definitions(
     configurations: Iterable[BlockConfiguration], language: str
 ) -> list[dict[str, Any]]:
     """Every block of ours, the skills with their words in a language such as ``es``."""
-    skills = [_skill(one, language) for one in configurations if is_skill_block(one)]
+    skills = [skill_definition(one, language) for one in configurations if is_skill_block(one)]
     return [*_hats(), *_statements(), *_values(), *skills]
 
 
@@ -135,7 +139,8 @@ def _values() -> list[Definition]:
     ]
 
 
-def _skill(configuration: BlockConfiguration, language: str) -> Definition:
+def skill_definition(configuration: BlockConfiguration, language: str) -> Definition:
+    """The block of a skill, with its words in a language such as ``es``."""
     parts = [_plain(translated(configuration.languages, language, configuration.name))]
     for index, parameter in enumerate(configuration.parameters, 1):
         name = translated(parameter.translations, language, parameter.name)
@@ -153,7 +158,19 @@ def _skill(configuration: BlockConfiguration, language: str) -> Definition:
 
 
 def _parameter(parameter: Parameter) -> Definition:
-    return _value(parameter.name, _CHECKS.get(parameter.type))
+    field = _field(parameter)
+    value = _value(parameter.name, _CHECKS.get(parameter.type))
+    return {**value, "field": field} if field else value
+
+
+def _field(parameter: Parameter) -> Definition:
+    """What the field in its place offers, under a key that our page knows and Blockly does not."""
+    if parameter.choices:
+        return {"options": list(parameter.choices)}
+    if parameter.range is None:
+        return {}
+    ends = {"min": parameter.range.least, "max": parameter.range.most}
+    return ends if parameter.range.step is None else {**ends, "step": parameter.range.step}
 
 
 def _plain(text: str) -> str:

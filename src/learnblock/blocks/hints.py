@@ -4,6 +4,7 @@ import ast
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TypeGuard
 
 from learnblock.blocks.configuration import NUMBERS, ParameterType
 from learnblock.errors import LearnBlockError
@@ -168,7 +169,7 @@ def _choices(inside: ast.expr) -> tuple[str, ...]:
     return found
 
 
-def is_choice(value: object) -> bool:
+def is_choice(value: object) -> TypeGuard[str]:
     """Whether a value can be one of the texts to choose from."""
     return isinstance(value, str) and value.isprintable() and 0 < len(value) <= LONGEST_CHOICE
 

@@ -1,11 +1,10 @@
 """All blocks that there are: ours, the user's, those of plugins and of installed libraries."""
 
-from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from learnblock import skill_files
-from learnblock.blocks.configuration import BlockConfiguration
+from learnblock.blocks.configuration import BlockConfiguration, Configurations
 from learnblock.blocks.derivation import derive_plugins, derived, fitted
 from learnblock.blocks.libraries import installed_blocks
 from learnblock.blocks.load import builtin, completed, load_configurations
@@ -13,35 +12,6 @@ from learnblock.blocks.reserved import RESERVED
 from learnblock.blocks.signature import Signature, signatures
 from learnblock.errors import FileError, LearnBlockError
 from learnblock.home import home
-
-
-class Configurations(Mapping[str, BlockConfiguration]):
-    """Blocks by name, and what could not be had of them.
-
-    Args:
-        blocks: by name.
-        broken: why skills that a file seems to define are none, by name.
-        problems: the files that are wrong.
-    """
-
-    def __init__(
-        self,
-        blocks: Mapping[str, BlockConfiguration],
-        broken: Mapping[str, str],
-        problems: tuple[LearnBlockError, ...],
-    ) -> None:
-        self._blocks = blocks
-        self.broken = broken
-        self.problems = problems
-
-    def __getitem__(self, name: str) -> BlockConfiguration:
-        return self._blocks[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._blocks)
-
-    def __len__(self) -> int:
-        return len(self._blocks)
 
 
 def known() -> Configurations:

@@ -6,13 +6,10 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.configuration import BlockConfiguration, Configurations, Parameter
 from learnblock.errors import BlockConfigurationError, Diagnostic
-
-if TYPE_CHECKING:
-    from learnblock.blocks.known import Configurations
 
 #: Our own, one file per tab, in the order of the palette.
 TABS = (
@@ -61,7 +58,7 @@ def builtin() -> Mapping[str, BlockConfiguration]:
     return MappingProxyType({block.name: block for block in blocks})
 
 
-def all_configurations() -> "Configurations":
+def all_configurations() -> Configurations:
     """Every block by name: ours, the user's, those of plugins, and of installed libraries.
 
     A skill without a configuration has one derived from its signature and docstring. A file in the

@@ -16,7 +16,8 @@ class Shadow(NamedTuple):
     """What stands in an input until a block is put over it.
 
     Args:
-        type: of the block: math_number, text or logic_boolean.
+        type: of the block: math_number, text, logic_boolean, or one of those that the page makes
+            for parameters: lb_slider, lb_angle, lb_choice, lb_colour and lb_tag.
         field: where its value stands.
         value: a number, a text, or ``TRUE`` or ``FALSE``.
     """
@@ -38,6 +39,7 @@ def _text(value: str) -> Shadow:
     return Shadow("text", "TEXT", value)
 
 
+_RED = "#ff0000"
 _ZERO, _ONE = _number(0), _number(1)
 
 #: The shadows of all blocks that are no skills, by type and input.
@@ -76,14 +78,34 @@ def parameter_shadow(parameter: Parameter) -> Shadow | None:
     """What stands in the input of a skill's parameter: its default, in what its type accepts."""
     default = parameter.default
     match parameter.type:
-        case "float" | "int":
-            return _number(default) if isinstance(default, int | float) else _ZERO
+        case "float" | "int" | "angle":
+            return Shadow(_number_field(parameter), "NUM", _shown_number(parameter))
         case "string" | "apriltext":
-            return _text("" if default is None else str(default))
+            kind = "text" if parameter.type == "string" else "lb_tag"
+            return Shadow(kind, "TEXT", "" if default is None else str(default))
+        case "choice":
+            first = next(iter(parameter.choices), "")
+            return Shadow("lb_choice", "TEXT", first if default is None else str(default))
+        case "colour":
+            return Shadow("lb_colour", "TEXT", _RED if default is None else str(default))
         case "boolean":
             return Shadow("logic_boolean", "BOOL", "TRUE" if default else "FALSE")
         case "list":
             return None
+
+
+def _number_field(parameter: Parameter) -> str:
+    if parameter.type == "angle":
+        return "lb_angle"
+    return "lb_slider" if parameter.range else "math_number"
+
+
+def _shown_number(parameter: Parameter) -> float:
+    if isinstance(parameter.default, int | float):
+        return parameter.default
+    if parameter.range:
+        return min(max(0, parameter.range.least), parameter.range.most)
+    return 0
 
 
 # The tabs that are no skills: their words in the translations, the style of the tab, and the types

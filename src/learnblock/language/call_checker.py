@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.configuration import NUMBERS, BlockConfiguration, Parameter
 from learnblock.errors import Severity, did_you_mean
 from learnblock.language.findings import Findings, python_error, quoted, write_one
 from learnblock.language.library import BUILTINS, FUNCTIONS, TEMPLATES
@@ -14,12 +14,15 @@ from learnblock.language.nodes import (
     Import,
     Item,
     Name,
+    Number,
     RawExpression,
     SkillCall,
     String,
+    Unary,
     expressions,
     within,
 )
+from learnblock.language.workspace_literals import value_of
 
 _OPEN_ENDED = frozenset(name for name, (_, most) in BUILTINS.items() if most is None)
 
@@ -97,6 +100,8 @@ class CallChecker:
     def unknown_skill(self, node: SkillCall) -> None:
         if node.name in self.findings.functions:
             advice = f"`{node.name}` is a function of your own: call it without `function.`"
+        elif broken := self.findings.broken.get(node.name):
+            advice = f"the file that it stands in is wrong: {broken}"
         else:
             hint = did_you_mean(node.name, self.findings.skills)
             advice = hint or "see the palette for all there are"
@@ -159,12 +164,18 @@ class CallChecker:
             self.report("missing-argument", f"`{call}` also needs {quoted(names)}", node.span)
 
     def type_of(self, call: str, parameter: Parameter, value: Expression) -> None:
-        if parameter.type in {"float", "int"} and isinstance(value, String):
+        if parameter.type in NUMBERS and isinstance(value, String):
             message = f"`{parameter.name}` of `{call}` is a number, not a text"
             plain = value.value.strip()
             if plain.replace(".", "", 1).lstrip("-").isdecimal():
                 message += f": write {plain} without quotes"
             self.report("wrong-type", message, value.span)
+            return
+        constant = _constant(value)
+        if constant is not None and (objection := parameter.objection(constant)):
+            shown = repr(constant).removesuffix(".0")
+            message = f"`{parameter.name}` of `{call}` is {shown} here; {objection}"
+            self.report("unusual-value", message, value.span, "warning")
 
     def call(self, node: Call) -> None:
         function = self.findings.functions.get(node.name)
@@ -206,6 +217,19 @@ class CallChecker:
             advice = own or skill.replace("`", "`function.", 1) or f"write a `def {node.name}`"
         message = f"`{node.name}`: there is no such function; {advice}"
         self.report("unknown-function", message, node.span)
+
+
+def _constant(node: Expression) -> float | str | None:
+    """A number or a text that is written out."""
+    match node:
+        case String(value=text):
+            return text
+        case Number(text=spelled):
+            return value_of(spelled)
+        case Unary(operator="-", operand=Number(text=spelled)):
+            value = value_of(spelled)
+            return None if value is None else -value
+    return None
 
 
 def _argument_counts(name: str) -> list[int]:

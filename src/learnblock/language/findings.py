@@ -4,7 +4,7 @@ import ast
 import warnings
 from collections.abc import Iterable, Mapping
 
-from learnblock.blocks.configuration import BlockConfiguration
+from learnblock.blocks.configuration import BlockConfiguration, Configurations
 from learnblock.blocks.importable import Importable
 from learnblock.errors import Diagnostic, Severity
 from learnblock.language import markers
@@ -40,6 +40,7 @@ class Findings:
     ) -> None:
         self.program, self.skills, self.devices = program, skills, devices
         self.importable = importable
+        self.broken = skills.broken if isinstance(skills, Configurations) else {}
         self.diagnostics: list[Diagnostic] = []
         self.functions = program.functions
         self.whens = program.whens

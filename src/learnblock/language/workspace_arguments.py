@@ -16,6 +16,15 @@ from learnblock.language.workspace import Block
 from learnblock.language.workspace_literals import Literal, literal
 from learnblock.language.workspace_notes import NO_NOTES, Notes
 
+#: The fields of parameters, with the block that shows such a value anywhere else.
+_PLAIN = {
+    "lb_slider": "math_number",
+    "lb_angle": "math_number",
+    "lb_choice": "text",
+    "lb_colour": "text",
+    "lb_tag": "text",
+}
+
 
 class Given(NamedTuple):
     """The names of the parameters that are given by their place, and of those by name."""
@@ -78,7 +87,7 @@ def differs(shadow: Block, parameter: Parameter) -> bool:
     default = parameter_shadow(parameter)
     return (
         default is None
-        or shadow.type != default.type
+        or _PLAIN.get(shadow.type, shadow.type) != _PLAIN.get(default.type, default.type)
         or shadow.fields.get(default.field) != default.value
     )
 
@@ -86,7 +95,9 @@ def differs(shadow: Block, parameter: Parameter) -> bool:
 def shadow_literal(node: Expression, shadow: Shadow, parameter: Parameter | None) -> Literal | None:
     """How a shadow shows an argument; None if it takes a block."""
     found = _tag(node) if parameter is not None and parameter.type == "apriltext" else literal(node)
-    return None if found is None or found.type != shadow.type else found
+    if found is None or _PLAIN.get(shadow.type, shadow.type) != found.type:
+        return None
+    return found._replace(type=shadow.type)
 
 
 def tag(node: Expression, shadow: Block) -> Expression:

@@ -50,7 +50,7 @@ def number(value: FieldValue, notes: Notes) -> Number | Unary | None:
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         return None
     spelled = notes.number
-    if spelled is None or _shown(spelled) != value:
+    if spelled is None or value_of(spelled) != value:
         spelled = _spelled(value)
     return Unary("-", Number(spelled[1:])) if spelled[0] == "-" else Number(spelled)
 
@@ -68,7 +68,7 @@ def text(value: str, notes: Notes) -> String:
 def _number(spelled: str) -> Literal:
     if spelled.isdecimal() and len(spelled) < 16 and spelled[0] != "0":
         return Literal("math_number", "NUM", int(spelled))
-    value = _shown(spelled)
+    value = value_of(spelled)
     if value is None:
         value = 0.0
     notes = NO_NOTES if _spelled(value) == spelled else Notes(number=spelled)
@@ -82,7 +82,7 @@ def _text(value: str) -> Literal:
     return Literal("text", "TEXT", written[1:-1], Notes(quoted=(written[1:-1], written)))
 
 
-def _shown(spelled: str) -> float | None:
+def value_of(spelled: str) -> float | None:
     """The value of a number; the largest there is instead of one that is larger."""
     plain = spelled.removeprefix("-")
     if len(plain) >= MAX_DIGITS or not NUMBER.fullmatch(plain):

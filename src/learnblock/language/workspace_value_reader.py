@@ -425,8 +425,8 @@ def _when_word(prefix: str) -> Handler:
 VALUES: dict[str, Handler] = {
     **dict.fromkeys(FUNCTIONS_OF, _library),
     "math_single": _single,
-    "math_number": _number,
-    "text": _text,
+    **dict.fromkeys(("math_number", "lb_slider", "lb_angle"), _number),
+    **dict.fromkeys(("text", "lb_choice", "lb_colour", "lb_tag"), _text),
     "logic_boolean": lambda reader, block: Constant(reader.choice(block, "BOOL", _CONSTANTS)),
     "logic_null": lambda _reader, _block: Constant(None),
     "variables_get": lambda reader, block: reader.variable(block),
