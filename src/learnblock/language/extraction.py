@@ -151,15 +151,15 @@ class _Extraction:
 
     def events(self, function: Def) -> Iterator[Diagnostic]:
         for statement in statements((function,)):
-            states = [node for node, name in _names(statement) if self.is_state(name)]
+            used = [(name, one.span) for one, name in _names(statement) if self.is_state(name)]
             if isinstance(statement, Activate | Deactivate):
-                states.append(Name(statement.name, statement.span))
-            for node in states:
+                used.append((statement.name, statement.span))
+            for name, span in used:
                 message = (
-                    f"`{function.name}` uses the event `{node.name}`; a library has no `when`:"
-                    " give what it must know as an argument"
+                    f"`{function.name}` uses the event `{name}`; a library has no `when`: give what"
+                    " it must know as an argument"
                 )
-                yield _problem("event-in-library", message, node.span)
+                yield _problem("event-in-library", message, span)
 
     def is_state(self, name: str) -> bool:
         return state_of(name, self.program.whens.keys()) is not None

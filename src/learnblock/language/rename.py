@@ -23,6 +23,7 @@ from learnblock.language.nodes import (
     Program,
     Raw,
     RawExpression,
+    SkillCall,
     Span,
     When,
 )
@@ -55,6 +56,17 @@ def rename(program: Program, sort: Sort, name: str, new: str) -> Program:
     _check_name(new)
     rename_ = {"variable": _variable, "function": _function, "when": _when}[sort]
     return replace(rename_(symbols, name, new), python=None)
+
+
+def rename_skill(program: Program, name: str, new: str) -> Program:
+    """The program that calls a skill by another name, ``function.NEW(...)``."""
+
+    def change(node: Any) -> Any:
+        if isinstance(node, SkillCall) and node.name == name:
+            return replace(node, name=new)
+        return node
+
+    return replace(_everywhere(program, change), python=None)
 
 
 def _check_name(new: str) -> None:

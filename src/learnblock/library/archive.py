@@ -1,0 +1,117 @@
+"""A library as one file, a zip ``NAME.lblib``, or as a folder."""
+
+import io
+import stat
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path, PurePosixPath
+
+from learnblock.errors import Diagnostic, LibraryError
+from learnblock.library.contents import LARGEST, MOST_FILES, Library, from_files
+
+ENDING = ".lblib"
+#: The time of every file in it, so that one library is always the same bytes.
+_TIME = (1980, 1, 1, 0, 0, 0)
+_METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
+#: What Python leaves in folders.
+_IGNORED = {"__pycache__"}
+
+
+def pack(library: Library) -> bytes:
+    """The one file of a library."""
+    target = io.BytesIO()
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, text in library.files.items():
+            archive.writestr(zipfile.ZipInfo(name, _TIME), text, zipfile.ZIP_DEFLATED)
+    return target.getvalue()
+
+
+def unpack(content: bytes, where: str) -> Library:
+    """The library that a file's bytes are.
+
+    Raises:
+        LibraryError: they are no zip, or one that holds what no library does.
+        ProgramError: a file in it is no Python, or no Block-Text.
+        BlockConfigurationError: ``blocks.json`` is wrong.
+    """
+    if len(content) > LARGEST:
+        raise _wrong(where, "too-large", f"the file is larger than {LARGEST:,} bytes")
+    return from_files(_unzipped(content, where), where)
+
+
+def read(path: Path) -> Library:
+    """The library in a file or a folder.
+
+    Raises:
+        LibraryError: it is none.
+        ProgramError: a file in it is no Python, or no Block-Text.
+        BlockConfigurationError: ``blocks.json`` is wrong.
+        OSError: it cannot be read.
+    """
+    if path.is_dir():
+        return from_files(dict(_files(path)), str(path))
+    with path.open("rb") as file:
+        return unpack(file.read(LARGEST + 1), path.name)
+
+
+def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
+    found = [path for path in sorted(folder.iterdir()) if path.name not in _IGNORED]
+    if len(found) > MOST_FILES:
+        raise _too_many(str(folder))
+    for path in found:
+        if path.is_symlink() or not path.is_file():
+            raise _wrong(str(folder), "unknown-file", f"{path.name} is no plain file; take it away")
+        with path.open("rb") as file:
+            yield path.name, file.read(LARGEST + 1)
+
+
+def _unzipped(content: bytes, where: str) -> dict[str, bytes]:
+    found: dict[str, bytes] = {}
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            for name, unpacked in _entries(archive, where):
+                if name in found:
+                    raise _wrong(where, "two-files", f"there are two files `{name}` in it")
+                found[name] = unpacked
+    except LibraryError:
+        raise
+    except Exception as error:  # noqa: BLE001 - of a broken zip Python raises whatever it likes
+        message = f"this is no library in one file: {type(error).__name__}: {error}"
+        raise _wrong(where, "no-zip", message) from None
+    return found
+
+
+def _entries(archive: zipfile.ZipFile, where: str) -> Iterator[tuple[str, bytes]]:
+    """The files of a zip; all may lie in one folder, as when a folder was packed."""
+    entries = [entry for entry in archive.infolist() if not entry.is_dir()]
+    if len(entries) > MOST_FILES:
+        raise _too_many(where)
+    left = LARGEST
+    for entry in entries:
+        name = _name(entry, where)
+        # What the zip says of its sizes need not be true: no more is unpacked than is allowed.
+        with archive.open(entry) as file:
+            content = file.read(left + 1)
+        left -= len(content)
+        if left < 0:
+            raise _wrong(where, "too-large", f"what is in it has more than {LARGEST:,} bytes")
+        yield name, content
+
+
+def _name(entry: zipfile.ZipInfo, where: str) -> str:
+    path = PurePosixPath(entry.filename.replace("\\", "/"))
+    if path.is_absolute() or ".." in path.parts or len(path.parts) > 2:
+        raise _wrong(where, "unknown-file", f"`{entry.filename}` would lie outside of the library")
+    if stat.S_ISLNK(entry.external_attr >> 16):
+        raise _wrong(where, "unknown-file", f"`{entry.filename}` is a link; put the file there")
+    if entry.flag_bits & 1 or entry.compress_type not in _METHODS:
+        raise _wrong(where, "unknown-zip", f"`{entry.filename}` is encrypted, or packed oddly")
+    return path.name
+
+
+def _too_many(where: str) -> LibraryError:
+    return _wrong(where, "too-large", f"a library has at most {MOST_FILES} files")
+
+
+def _wrong(where: str, code: str, message: str) -> LibraryError:
+    return LibraryError(where, [Diagnostic(code, message)])

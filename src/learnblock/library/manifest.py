@@ -1,0 +1,97 @@
+"""What a library says of itself: ``library.toml``."""
+
+import keyword
+from collections.abc import Iterator, Mapping
+from typing import Annotated
+
+import msgspec
+from msgspec import Meta
+
+from learnblock import description_file
+from learnblock.blocks.libraries import MANIFEST
+from learnblock.description_file import Finding
+from learnblock.errors import LibraryError
+
+#: Names of devices, which Windows gives to no folder.
+_DEVICES = frozenset(
+    ["con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(10))]
+)
+
+Name = Annotated[
+    str,
+    Meta(
+        pattern=r"^[a-z][a-z0-9_]{0,39}\Z",
+        description="small letters, digits and _, at most 40 and a letter first",
+    ),
+]
+Version = Annotated[
+    str,
+    Meta(pattern=r"^\d{1,5}(\.\d{1,5}){0,2}\Z", description="one to three numbers, such as 1.2.0"),
+]
+Language = Annotated[str, Meta(pattern=r"^[a-z]{2,3}(-[A-Za-z0-9]{2,8})?\Z")]
+Title = Annotated[str, Meta(min_length=1, max_length=60)]
+
+
+class Manifest(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """What a library says of itself.
+
+    Args:
+        learnblock: the version of this format.
+        name: by which programs import it.
+        version: the higher is the newer.
+        title: the tab of the palette, by language code.
+        description: what it is for.
+    """
+
+    learnblock: Annotated[int, Meta(ge=1, le=1, description="the version of the format, 1")]
+    name: Name
+    version: Version
+    title: Annotated[dict[Language, Title], Meta(max_length=50)] = {}
+    description: Annotated[str, Meta(max_length=2000)] = ""
+
+    @property
+    def order(self) -> tuple[int, ...]:
+        """The version as something that can be compared: 1.2 is 1.2.0, and older than 1.10."""
+        numbers = [int(part) for part in self.version.split(".")]
+        return tuple(numbers + [0] * (3 - len(numbers)))
+
+
+def manifest(
+    name: str, version: str, title: Mapping[str, str] | None = None, description: str = ""
+) -> Manifest:
+    """The manifest of a library that is being made.
+
+    Raises:
+        LibraryError: a value will not do.
+    """
+    values = {
+        "learnblock": 1,
+        "name": name,
+        "version": version,
+        "title": dict(title or {}),
+        "description": description,
+    }
+    return description_file.convert(values, Manifest, LibraryError, _findings, name=MANIFEST)
+
+
+def read_manifest(text: str) -> Manifest:
+    """The manifest in a text.
+
+    Raises:
+        LibraryError: it is wrong.
+    """
+    values = description_file.parse(text, MANIFEST, LibraryError)
+    return description_file.convert(
+        values, Manifest, LibraryError, _findings, name=MANIFEST, source=text
+    )
+
+
+def write_manifest(given: Manifest) -> str:
+    """The text of ``library.toml``."""
+    return description_file.write(given, MANIFEST, LibraryError)
+
+
+def _findings(given: Manifest) -> Iterator[Finding]:
+    if keyword.iskeyword(given.name) or given.name in _DEVICES:
+        message = f'name is "{given.name}", which no library can be called; choose another name'
+        yield Finding(("name",), "name-taken", message)

@@ -1,0 +1,77 @@
+"""Another name for a skill in Python that somebody wrote, which is read and not run."""
+
+import ast
+from collections.abc import Iterator
+
+from learnblock import skill_files
+from learnblock.errors import Diagnostic, LibraryError
+
+
+def renamed(source: str, name: str, new: str, filename: str) -> str:
+    """Python in which a skill has another name, where it is defined and where it is called.
+
+    Args:
+        source: a module.
+        name: of the skill, which need not stand there.
+        new: its new name.
+        filename: for errors.
+
+    Raises:
+        LibraryError: the new name stands there already, or the old one means other things as well.
+        ProgramError: it is no Python.
+    """
+    tree = skill_files.parse(source, filename)
+    _refuse(tree, name, new, filename)
+    lines = [line.encode("utf-8", "surrogatepass") for line in source.split("\n")]
+    old = name.encode()
+    for line, column in sorted(_places(tree, name, lines), reverse=True):
+        text = lines[line - 1]
+        lines[line - 1] = text[:column] + new.encode() + text[column + len(old) :]
+    return b"\n".join(lines).decode("utf-8", "surrogatepass")
+
+
+def _places(tree: ast.Module, name: str, lines: list[bytes]) -> Iterator[tuple[int, int]]:
+    """Where a skill is named: lines from 1, columns in bytes from 0."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.FunctionDef(name=found) if found == name:
+                yield node.lineno, lines[node.lineno - 1].index(name.encode(), node.col_offset + 3)
+            case ast.Name(id=found) if found == name:
+                yield node.lineno, node.col_offset
+            case ast.Attribute(value=ast.Name(id="robot"), attr=found) if found == name:
+                end = node.end_col_offset or 0
+                yield node.end_lineno or 0, end - len(name.encode())
+
+
+def _refuse(tree: ast.Module, name: str, new: str, filename: str) -> None:
+    for node in ast.walk(tree):
+        line = getattr(node, "lineno", 0)
+        if new in _named(node):
+            message = f"`{new}` stands there already: choose another name"
+            raise LibraryError(filename, [Diagnostic("name-taken", message, line)])
+        if node not in tree.body and name in _bound(node):
+            message = f"`{name}` means something else there as well: rename it there by hand"
+            raise LibraryError(filename, [Diagnostic("two-meanings", message, line)])
+
+
+def _named(node: ast.AST) -> Iterator[str]:
+    yield from _bound(node)
+    if isinstance(node, ast.Name):
+        yield node.id
+
+
+def _bound(node: ast.AST) -> Iterator[str]:
+    """The names that a node gives a meaning to."""
+    match node:
+        case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+            yield name
+        case ast.Name(id=name, ctx=ast.Store() | ast.Del()) | ast.arg(arg=name):
+            yield name
+        case ast.Global(names=names) | ast.Nonlocal(names=names):
+            yield from names
+        case ast.alias(name=name, asname=asname):
+            yield asname or name
+        case ast.ExceptHandler(name=str(name)) | ast.MatchAs(name=str(name)):
+            yield name
+        case ast.MatchStar(name=str(name)) | ast.MatchMapping(rest=str(name)):
+            yield name
