@@ -24,7 +24,10 @@ import thymio_wires
 from learnblock import language
 from learnblock.blocks import builtin, load_configurations
 from learnblock.errors import LearnBlockError
+from learnblock.new.client import client_source
+from learnblock.new.robot_plan import read_plan
 from learnblock.simulator import World, load_robot, load_world
+from new_robots import EVERYTHING, guide
 
 TESTS = Path(__file__).parent
 PACKAGE = TESTS.parent / "src" / "learnblock"
@@ -69,6 +72,7 @@ def targets(folder: Path) -> tuple[Target, ...]:
             lambda text: load_robot(written(folder / "robot.toml", text)),
             texts(PACKAGE / "simulator" / "robots", "*.toml"),
         ),
+        Target("new robot", lambda text: new_robot(folder, text), (guide(), EVERYTHING)),
         Target(
             "block configuration",
             load_configurations,
@@ -122,6 +126,12 @@ def read_python(text: str) -> None:
         raise AssertionError("Python does not come back byte for byte")
     language.check(tree, builtin())
     language.parse(language.format(tree))
+
+
+def new_robot(folder: Path, text: str) -> object:
+    """The client of a description, which is Python whatever the description says."""
+    plan = read_plan(written(folder / "plan.toml", text))
+    return compile(client_source(plan, plan.title), "client.py", "exec")
 
 
 def read_world(folder: Path, text: str) -> None:

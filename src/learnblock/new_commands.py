@@ -1,5 +1,6 @@
 """The command line's part for what people add: `learnblock new robot`, `skill`, `world`."""
 
+import shlex
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -64,11 +65,11 @@ def robot(
     _tell(files)
     test = next(path for path in files if path.name.startswith("test_"))
     if folder:
-        click.echo(f"Next: pip install -e '{folder}[test]', and then")
+        click.echo(f"Next: pip install -e {shlex.quote(f'{folder}[test]')}, and then")
     else:
         click.echo("Next:")
     click.echo(f"    learnblock run PROGRAM --robot sim-{plan.name}")
-    click.echo(f"    pytest -rs {test}")
+    click.echo(f"    pytest -rs {shlex.quote(str(test))}")
     click.echo("The second one says which functions are left to be written, and what each must do.")
 
 
@@ -102,7 +103,7 @@ def world(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 
     write_new(files, force=force)
     _tell(files)
     given = name if folder is None else str(next(iter(files)))
-    click.echo(f"Next: learnblock run PROGRAM --world {given}")
+    click.echo(f"Next: learnblock run PROGRAM --world {shlex.quote(given)}")
 
 
 def _plan(name: str | None, description: Path | None) -> "RobotPlan":

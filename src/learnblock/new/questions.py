@@ -12,7 +12,7 @@ from msgspec import Struct, inspect
 from learnblock.description_file import describe
 from learnblock.errors import NewNameError
 from learnblock.new.names import check_robot_name
-from learnblock.new.robot_plan import Network, RobotPlan, Serial, plan_of
+from learnblock.new.robot_plan import Network, RobotPlan, Serial, is_key, plan_of
 from learnblock.simulator.robot_description import (
     Body,
     Camera,
@@ -21,7 +21,6 @@ from learnblock.simulator.robot_description import (
     GroundSensor,
     GroundSide,
     Joint,
-    RobotFile,
     Side,
     Wheels,
 )
@@ -37,7 +36,7 @@ def ask_plan(name: str | None) -> RobotPlan:
     """
     name = name or click.prompt("Name of the robot, such as path-finder", value_proc=_robot_name)
     title = name.replace("-", " ").title()
-    answers: Answers = {"name": name, "title": _ask(RobotFile, "title", "Title", title)}
+    answers: Answers = {"name": name, "title": _ask(RobotPlan, "title", "Title", title)}
     answers |= _connection()
     click.echo("All lengths are mm.")
     answers["wheels"] = _fields(Wheels, radius=30.0, track=120.0, maximum_speed=300.0)
@@ -117,7 +116,15 @@ def _simple_devices() -> Answers:
 def _joints() -> Iterator[Answers]:
     for key in _keys("Joints, such as CAMERA, ARM (or none)"):
         click.echo(f"Joint {key}:")
-        yield {"key": key} | _fields(Joint, minimum=-40.0, maximum=40.0)
+        yield {"key": key} | _range()
+
+
+def _range() -> Answers:
+    answers = _fields(Joint, minimum=-40.0, maximum=40.0)
+    if answers["minimum"] < answers["maximum"]:
+        return answers
+    click.echo("Error: `joint.minimum` is not below `joint.maximum`")
+    return _range()
 
 
 def _cameras(answers: Answers) -> Iterator[Answers]:
@@ -174,7 +181,14 @@ def _ask_several(question: str, known: tuple[str, ...], default: str) -> list[st
 
 
 def _keys(question: str) -> list[str]:
-    answer: list[str] = click.prompt(question, default="", show_default=False, value_proc=_split)
+    def split(text: str) -> list[str]:
+        keys = _split(text)
+        for key in keys:
+            if not is_key(key):
+                raise click.BadParameter(f"{key!r:.80} is no word: use letters, digits and blanks")
+        return keys
+
+    answer: list[str] = click.prompt(question, default="", show_default=False, value_proc=split)
     return answer
 
 

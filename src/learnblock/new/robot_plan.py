@@ -20,7 +20,6 @@ from learnblock.simulator import robot_description
 from learnblock.simulator.robot_description import RobotFile
 
 _WORDS = re.compile(r"\w[\w ]*")
-_TITLE = re.compile(r"\w[\w .,&()+-]{0,59}")
 
 
 class Network(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
@@ -32,7 +31,7 @@ class Network(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
         Meta(
             min_length=1,
             max_length=60,
-            pattern=r"^[A-Za-z0-9][A-Za-z0-9.:-]*$",
+            pattern=r"^[A-Za-z0-9][A-Za-z0-9.:-]*\Z",
             description="a name or number in the network: letters, digits, `.`, `:` and `-`",
         ),
     ] = "127.0.0.1"
@@ -46,7 +45,7 @@ class Serial(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
         Meta(
             min_length=1,
             max_length=60,
-            pattern=r"^[A-Za-z0-9/][A-Za-z0-9/._:-]*$",
+            pattern=r"^[A-Za-z0-9/][A-Za-z0-9/._:-]*\Z",
             description="the serial port, such as /dev/ttyUSB0 or COM3",
         ),
     ] = "/dev/ttyUSB0"
@@ -58,6 +57,14 @@ class RobotPlan(RobotFile, kw_only=True, frozen=True, forbid_unknown_fields=True
 
     name: Annotated[
         str, Meta(max_length=40, description="small letters, digits and `-`; else the file's name")
+    ] = ""
+    title: Annotated[
+        str,
+        Meta(
+            max_length=60,
+            pattern=r"^(?:\w[\w .,&()+-]*)?\Z",
+            description="what people call it: letters, digits, blanks and `.,&()+-`",
+        ),
     ] = ""
     network: Annotated[Network, Meta(description="how it is reached")] | None = None
     serial: Annotated[Serial, Meta(description="how it is reached")] | None = None
@@ -93,9 +100,14 @@ def named(plan: RobotPlan, name: str) -> RobotPlan:
     return msgspec.structs.replace(plan, name=name)
 
 
+def is_key(text: str) -> bool:
+    """Whether it can be the key of a device: words."""
+    return bool(_WORDS.fullmatch(text)) and len(text) <= 40
+
+
 def _check(plan: RobotPlan) -> Iterator[Finding]:
     yield from robot_description.check(plan)
-    yield from _check_texts(plan)
+    yield from _check_keys(plan)
     if plan.gyroscope and plan.gyroscope.key != "Z_AXIS":
         message = f"`gyroscope.key` is {plan.gyroscope.key!r}: a robot's own gyroscope is Z_AXIS"
         yield Finding(("gyroscope", "key"), "unusual-key", message)
@@ -104,17 +116,12 @@ def _check(plan: RobotPlan) -> Iterator[Finding]:
         yield Finding(("world",), "unknown-world", message)
 
 
-def _check_texts(plan: RobotPlan) -> Iterator[Finding]:
+def _check_keys(plan: RobotPlan) -> Iterator[Finding]:
     """What becomes part of a Python file can be nothing but words."""
-    if plan.title and not _TITLE.fullmatch(plan.title):
-        message = (
-            f"`title` is {plan.title!r:.80}: use up to 60 letters, digits, blanks and `.,&()+-`"
-        )
-        yield Finding(("title",), "wrong-title", message)
     keys = [(("camera", i, "key"), one.key) for i, one in enumerate(plan.camera)]
     keys += [(("joint", i, "key"), one.key) for i, one in enumerate(plan.joint)]
     keys += [(("led", i, "slot"), one.slot) for i, one in enumerate(plan.led)]
     for path, key in keys:
-        if not _WORDS.fullmatch(key):
+        if not is_key(key):
             message = f"the {path[2]} {key!r} is no word: use letters, digits, `_` and blanks"
             yield Finding(path, "wrong-key", message)

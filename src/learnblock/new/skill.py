@@ -16,8 +16,9 @@ def skill_files(name: str, folder: Path) -> dict[Path, str]:
     Raises:
         NewNameError: there can be no skill of that name.
     """
-    check_skill_name(name)
+    file = folder / "skills" / f"{name}.py"
+    check_skill_name(name, file)
     return {
-        folder / "skills" / f"{name}.py": fill("skill.py", name=name),
+        file: fill("skill.py", name=name),
         folder / "tests" / f"test_{name}.py": fill("skill_test.py", name=name),
     }

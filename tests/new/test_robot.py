@@ -1,0 +1,120 @@
+"""The files of a new robot: they are clean, and their own test passes at once."""
+
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from learnblock import robots
+from learnblock.new.files import write_new
+from learnblock.new.robot import files_at_home, files_of_package, unkept
+from learnblock.new.robot_plan import named, plan_of, read_plan
+from learnblock.new.skill import skill_files
+from learnblock.server.catalog import welcome
+from new_robots import DOCS, EVERYTHING, guide
+
+ROOT = Path(__file__).parents[2]
+
+
+def plan(folder, text, name):
+    (folder / f"{name}.toml").write_text(text, encoding="utf-8")
+    return named(read_plan(folder / f"{name}.toml"), name)
+
+
+def tool(name, *arguments, folder, **environment):
+    """What a tool of this environment prints of the files in a folder."""
+    done = subprocess.run(
+        [Path(sys.executable).with_name(name), *arguments],
+        cwd=folder,
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return done.returncode, done.stdout + done.stderr
+
+
+@pytest.fixture
+def home(own_home, tmp_path):
+    """The guide's robot, one with every device, and a skill, in a user's own folder."""
+    write_new(files_at_home(plan(tmp_path, guide(), "pathfinder"), own_home))
+    write_new(files_at_home(plan(tmp_path, EVERYTHING, "whole"), own_home))
+    write_new(skill_files("sway", own_home))
+    return own_home
+
+
+def test_what_is_written_is_clean(home):
+    # The robot, first in every skill, is not described: see our own rules.
+    rules = ("--config", ROOT / "pyproject.toml", "--extend-per-file-ignores", "skills/*:D417")
+    assert tool("ruff", "check", *rules, ".", folder=home)[0] == 0
+    assert tool("ruff", "format", "--check", *rules[:2], ".", folder=home)[0] == 0
+    files = [str(path) for path in home.glob("*/*.py")]
+    status, said = tool("mypy", "--strict", "--no-incremental", *files, folder=home)
+    assert (status, said) == (0, "Success: no issues found in 8 source files\n")
+
+
+def test_the_test_of_the_guides_robot_passes_at_once(home, tmp_path):
+    command = ("-rs", "-p", "no:cacheprovider", home / "tests" / "test_pathfinder.py")
+    # It knows its folder, whichever the environment names.
+    status, said = tool("pytest", *command, folder=tmp_path, LEARNBLOCK_HOME="elsewhere")
+    assert status == 0, said
+    assert "14 passed, 2 skipped" in said
+    assert "14 passed, 2 skipped" in DOCS.read_text("utf-8")
+    assert "`open_link()` is not written yet; what it must do: Reach the robot by" in said
+
+
+def test_both_robots_are_in_the_pages_list(home):
+    listed = {choice.name: choice for choice in welcome("projects").robots}
+    assert listed["sim-pathfinder"].title == "Pathfinder"
+    assert listed["sim-pathfinder"].simulated
+    assert not listed["pathfinder"].simulated
+
+
+def test_a_twins_description_lies_beside_it(home):
+    assert robots.find("sim-whole").load().description().body.radius == 70
+    (home / "robots" / "whole.toml").unlink()
+    with pytest.raises(LookupError, match="there is no simulated robot `whole`"):
+        robots.find("sim-whole").load().description()
+
+
+def test_a_package_of_its_own_passes_its_test_where_it_is_installed(tmp_path):
+    package = tmp_path / "package"
+    write_new(files_of_package(plan(tmp_path, guide(), "pathfinder"), package))
+    build = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", tmp_path / "dist"]
+    subprocess.run(build, cwd=package, check=True, capture_output=True)
+    installed = tmp_path / "installed"
+    with zipfile.ZipFile(next((tmp_path / "dist").glob("*.whl"))) as wheel:
+        wheel.extractall(installed)
+    status, said = tool(
+        "pytest", "-q", "-p", "no:cacheprovider", "tests", folder=package, PYTHONPATH=str(installed)
+    )
+    assert status == 0, said
+    assert "14 passed, 2 skipped" in said
+
+
+@pytest.mark.parametrize(
+    ("changed", "claim"),
+    [
+        ({"wheels": {"maximum_speed": 20}}, "positive speed is forward"),
+        ({"wheels": {"maximum_speed": 20}}, "positive rotation is to the right"),
+        ({"wheels": {"acceleration": 30}}, "positive speed is forward"),
+        ({"joint": [{"key": "ARM", "minimum": 20, "maximum": 30}]}, "its joints go where they"),
+        ({"gyroscope": {"noise": 5}}, "its gyroscope reads 0 after a reset"),
+        ({"accelerometer": {"noise": 5}}, "its accelerometer shows 1 g upwards at rest"),
+    ],
+)
+def test_what_a_robot_cannot_do_is_excused_in_its_test(changed, claim):
+    ordinary = {
+        "name": "slow",
+        "body": {"shape": "disc", "radius": 50, "height": 50, "mass": 1},
+        "wheels": {"radius": 20, "track": 100, "maximum_speed": 200},
+    }
+    merged = {
+        key: {**ordinary.get(key, {}), **value} if isinstance(value, dict) else value
+        for key, value in changed.items()
+    }
+    assert unkept(plan_of(ordinary)) == {}
+    assert any(one.startswith(claim) for one in unkept(plan_of({**ordinary, **merged})))
