@@ -17,6 +17,8 @@ export interface Context {
   readonly ownBlocks: ReadonlySignal<readonly OwnBlock[] | null>;
   /** Which blocks the palette shows. */
   readonly shownBlocks: ReadonlySignal<BlockSet>;
+  /** The dictionary of tags: the number of each name. */
+  readonly tagNames: ReadonlySignal<Readonly<Record<string, number>>>;
   /** Shows a statement in every view: the block's id. */
   reveal(block: string): void;
   /** Opens the list of the user's own blocks. */

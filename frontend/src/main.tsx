@@ -22,6 +22,7 @@ import { theme } from "./preferences";
 import { Program } from "./program";
 import { runError } from "./runerror";
 import { Running } from "./running";
+import { TagNames } from "./tags";
 
 function assemble(): Page {
   const connection = new Connection(socketAddress(), takeToken());
@@ -37,6 +38,7 @@ function assemble(): Page {
     running,
     runError: runError(program, running),
     ownBlocks: shelf.blocks,
+    tagNames: new TagNames(connection).names,
     shownBlocks: blockSets.shown,
     reveal: (block) => views.reveal(block),
     listOwnBlocks: () => dialogs.show("ownBlocks"),

@@ -132,11 +132,13 @@ class Blocks implements BlocksIsland {
   private open(): void {
     if (!this.palette) return;
     const view = this.editor?.view;
+    const focused = this.dom.contains(document.activeElement);
     if (!view) this.shown = null;
     this.editor?.destroy();
     this.dom.textContent = "";
     this.editor = new Editor(this.dom, this.palette, theme.peek(), this.actions(), () => this.edited());
     if (view) this.editor.takeOver(view);
+    if (focused) this.editor.focus();
     this.showAll();
   }
 
@@ -152,6 +154,7 @@ class Blocks implements BlocksIsland {
       show: (block) => this.context.reveal(block),
       shownBlocks: () => this.context.shownBlocks.peek(),
       ownBlocks: () => new Set(this.context.ownBlocks.peek()?.flatMap(({ blocks }) => blocks)),
+      tagNames: () => Object.keys(this.context.tagNames.peek()),
       listOwnBlocks: () => this.context.listOwnBlocks(),
       newOwnBlock: () => this.context.editOwnBlock(""),
       editOwnBlock: (skill) => this.editOwnBlock(skill),

@@ -20,6 +20,8 @@ export interface Actions {
   shownBlocks(): BlockSet;
   /** The names of the skills that the user has made. */
   ownBlocks(): ReadonlySet<string>;
+  /** The names in the dictionary of tags. */
+  tagNames(): readonly string[];
   listOwnBlocks(): void;
   newOwnBlock(): void;
   /** Open the source of a skill that the user has made. */

@@ -143,6 +143,8 @@ export class Project {
   }
 
   private failed(message: string, request: string): void {
+    // What is asked in its dialog is answered there.
+    if (request.endsWith("OwnBlock")) return;
     this.toasts.error(said(message));
     this.doomed = null;
     // The address named a project that is not there, or no longer.

@@ -7,7 +7,6 @@ import { FieldAngle, FieldSlider } from "./numbers";
 import { FieldChoice, FieldColour, FieldTag } from "./texts";
 
 export { learnAllowed, type Allowed, type Definition } from "./allowed";
-export { tagNames } from "./tagnames";
 
 interface Pale {
   readonly style: string;

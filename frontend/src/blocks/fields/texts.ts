@@ -3,9 +3,9 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
+import { actionsOf } from "../menus";
 import { allowedAt } from "./allowed";
 import { openPanel } from "./panel";
-import { tagNames } from "./tagnames";
 
 /** A choice among those that the parameter names; what a program says besides is kept and shown. */
 export class FieldChoice extends Blockly.FieldDropdown {
@@ -117,7 +117,8 @@ export class FieldTag extends Blockly.FieldTextInput {
     const input = super.widgetCreate_() as HTMLInputElement;
     const list = document.createElement("datalist");
     list.id = TAGS;
-    list.append(...tagNames.peek().map((name) => new Option(name)));
+    const names = actionsOf(this.workspace_ ?? undefined)?.tagNames() ?? [];
+    list.append(...names.map((name) => new Option(name)));
     input.setAttribute("list", TAGS);
     input.after(list);
     return input;

@@ -20,6 +20,7 @@ export const EXPORTED = ".block.json";
 export function OwnBlocksDialog() {
   const { context, dialogs, shelf } = usePage();
   const search = useSignal("");
+  useFocusAfterwards();
   useEffect(() => {
     shelf.outcome.value = null;
     shelf.list();
@@ -48,6 +49,13 @@ export function OwnBlocksDialog() {
       </ul>
     </Dialog>
   );
+}
+
+/** The palette's button that opened a dialog may be gone with the palette: its view has the focus then. */
+function useFocusAfterwards(): void {
+  const { views } = usePage();
+  const focusBlocks = () => document.activeElement === document.body && views.focus("blocks");
+  useEffect(() => () => void requestAnimationFrame(focusBlocks), []);
 }
 
 function matches({ name, category, blocks }: OwnBlock, words: string): boolean {
@@ -122,6 +130,7 @@ function OutcomeLine() {
 
 export function OwnBlockDialog({ name }: { name: OwnBlockDialogName }) {
   const page = usePage();
+  useFocusAfterwards();
   const close = () => page.dialogs.close();
   const load = async () => {
     const { createOwnBlockEditor } = await import("../../ownblocks");
