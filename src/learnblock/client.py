@@ -17,6 +17,7 @@ from learnblock.errors import (
     KeyTakenError,
     RobotAttributeError,
     RobotStoppedError,
+    SettingsError,
     did_you_mean,
 )
 from learnblock.events import Events
@@ -112,6 +113,8 @@ class Client(Events):
     lockstep: ClassVar[bool] = False
     #: Seconds between two readings of a sensor in use; None reads when the program asks.
     sensing_period: ClassVar[float | None] = 0.02
+    #: Whether it gets the camera that the user's settings add to every robot.
+    has_extra_camera: ClassVar[bool] = True
 
     def __init__(
         self,
@@ -147,6 +150,20 @@ class Client(Events):
     def device_names(cls) -> frozenset[str] | None:
         """The devices of every such robot as ``Type:KEY``, where that is known beforehand."""
         return None
+
+    @classmethod
+    def known_devices(cls) -> frozenset[str] | None:
+        """`device_names`, and the camera that the user's settings add."""
+        names = cls.device_names()
+        if names is None or not cls.has_extra_camera:
+            return names
+        from learnblock.vision.extra import extra_devices  # noqa: PLC0415 - it loads what few need
+
+        try:
+            return names | extra_devices(names)
+        except SettingsError:
+            # Told when the robot is connected.
+            return names
 
     @classmethod
     def check_wishes(cls, wishes: Mapping[str, Any]) -> None:
@@ -320,6 +337,8 @@ class Client(Events):
         self._watch_endings()
         try:
             self.connect()
+            if self.has_extra_camera:
+                self._add_extra_camera()
         except BaseException as error:
             self._give_up(error)
             raise
@@ -338,6 +357,16 @@ class Client(Events):
             for _, device in self.devices():
                 if isinstance(device, Base):
                     stack.callback(device.stop)
+
+    def _add_extra_camera(self) -> None:
+        from learnblock.vision.extra import WEBCAM, extra_source  # noqa: PLC0415 - it loads what few need
+
+        source = extra_source(self.clock.time)
+        if source is not None:
+            camera = Camera(read=source.read, close=source.close)
+            self.add(camera, WEBCAM)
+            # A robot without a camera of its own looks through it.
+            self._devices[Camera].setdefault(DEFAULT_KEY, camera)
 
     def _close_cameras(self) -> None:
         for _, device in self.devices():

@@ -122,6 +122,7 @@ class Camera(Sensor["Frame | None"]):
             by default the frame is read and searched here.
         drawn: whether it sees drawn and simulated faces alone, in which emotions may be recognised
             whatever the settings say.
+        close: switches it off, where somebody has to.
     """
 
     def __init__(
@@ -130,16 +131,20 @@ class Camera(Sensor["Frame | None"]):
         detect: Callable[[str], Any] | None = None,
         *,
         drawn: bool = False,
+        close: Callable[[], None] | None = None,
     ) -> None:
         super().__init__(read, detect=detect or self._detect)
         self.detect: Callable[[str], Any] = self.functions["detect"]
         self._drawn = drawn
+        self._switch_off = close
         self._vision: Vision | None = None
 
     def close(self) -> None:
-        """Let go of what looks at its frames; the second time it does nothing."""
+        """Look no more, and switch it off; the second time it does nothing."""
         if self._vision:
             self._vision.close()
+        if self._switch_off:
+            self._switch_off()
 
     def _detect(self, name: str) -> Any:
         if self._vision is None:

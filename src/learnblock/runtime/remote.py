@@ -304,6 +304,8 @@ class RemoteRobot(Client):
     """
 
     sensing_period = None
+    # The host has it.
+    has_extra_camera = False
 
     def __init__(self, wire: Wire, offer: Connected, skills: Collection[str]) -> None:
         self._wire = wire

@@ -191,7 +191,7 @@ def _connects(bench: _Bench) -> str:
 def _announces(bench: _Bench) -> str:
     with bench.robot() as robot:
         found = {f"{type(device).__name__}:{key}" for key, device in robot.devices()}
-        announced = robot.device_names()
+        announced = robot.known_devices()
     _require(bool(found), "it has no device")
     _require(announced is None or announced == found, f"{announced} are announced, not {found}")
     return ", ".join(sorted(found))

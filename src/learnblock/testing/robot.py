@@ -65,6 +65,7 @@ class FakeRobot(Client):
     """
 
     clock: VirtualClock
+    has_extra_camera = False
 
     def __init__(
         self,

@@ -39,7 +39,8 @@ WebcamChoice = Annotated[
     Meta(description="this computer's webcam as a camera more: 0 is the first one"),
 ]
 Video = Annotated[
-    str, Meta(max_length=4096, description="a video file in the webcam's place; empty for none")
+    str,
+    Meta(max_length=4096, description="a file in the webcam's place; empty for none"),
 ]
 
 

@@ -49,7 +49,7 @@ def prepare(project: Project) -> Prepared:
         all_configurations(),
         project.workspace,
         project.python,
-        devices=robot.load().device_names(),
+        devices=robot.load().known_devices(),
     )
     shown_blocks, no_set = _shown_blocks(project)
     return Prepared(

@@ -131,7 +131,7 @@ class Session:
     async def restore(self, earlier: Project) -> None:
         """Go back to an earlier program, on the robot and in the world of now."""
         await self.archive.keep_version("restored")
-        module, devices = self.robot.module, self.robot.load().device_names()
+        module, devices = self.robot.module, self.robot.load().known_devices()
         await self.change(lambda _: prepare(earlier).document.with_robot(module, devices))
 
     # Settings.
@@ -145,7 +145,7 @@ class Session:
         robot = await to_thread.run_sync(loaded, name)
         await self.player.set_the_stage(robot, self.world)
         self.robot = robot
-        devices = robot.load().device_names()
+        devices = robot.load().known_devices()
         await self._think(
             lambda: self.edits.replace(self.document.with_robot(robot.module, devices))
         )

@@ -1,0 +1,100 @@
+"""The computer's webcam as a camera."""
+
+import threading
+from contextlib import ExitStack
+
+import cv2
+
+from learnblock.closing import Closing
+from learnblock.errors import RobotConnectionError
+from learnblock.perception.frames import Frame
+from learnblock.vision.frames import frame_of
+
+#: What is asked of it; it may send another size.
+SIZE = (640, 480)
+#: Seconds within which it has to send its first picture: some take long to wake.
+PATIENCE = 10.0
+
+
+class Webcam(Closing):
+    """The newest picture of a webcam, which is switched on when it is first looked through.
+
+    Args:
+        source: its number, 0 for the first one; or whatever else OpenCV takes pictures from.
+        patience: seconds within which it has to send its first picture.
+    """
+
+    def __init__(self, source: int | str, patience: float = PATIENCE) -> None:
+        self._source = source
+        self._patience = patience
+        self._turn = threading.Lock()
+        self._thread: threading.Thread | None = None
+        self._closed = threading.Event()
+        #: Whether there is a picture, or never will be.
+        self._settled = threading.Event()
+        self._newest: cv2.typing.MatLike | None = None
+        self._shown: cv2.typing.MatLike | None = None
+        self._frame: Frame | None = None
+        self._trouble = ""
+
+    def read(self) -> Frame | None:
+        """The newest picture; the same object as long as there is no newer one.
+
+        Raises:
+            RobotConnectionError: there is no such webcam, or it sends no pictures.
+        """
+        with self._turn:
+            self._switch_on()
+            if not self._settled.wait(self._patience):
+                raise self._told("has sent no picture")
+            if self._trouble:
+                raise self._told(self._trouble)
+            newest = self._newest
+            if newest is not None and newest is not self._shown:
+                self._frame, self._shown = frame_of(newest), newest
+            return self._frame
+
+    def close(self) -> None:
+        """Switch it off; the second time it does nothing."""
+        self._closed.set()
+        self._settled.set()
+        if self._thread:
+            # One that hangs in its driver must not keep the robot from being stopped.
+            self._thread.join(timeout=1)
+
+    def _switch_on(self) -> None:
+        if self._thread is None and not self._closed.is_set():
+            self._thread = threading.Thread(target=self._watch, name="webcam", daemon=True)
+            self._thread.start()
+
+    def _watch(self) -> None:
+        with ExitStack() as ending:
+            ending.callback(self._settled.set)
+            capture = cv2.VideoCapture(self._source)
+            ending.callback(capture.release)
+            if not capture.isOpened():
+                self._trouble = "cannot be opened"
+                return
+            for name, value in zip(
+                (cv2.CAP_PROP_FRAME_WIDTH, cv2.CAP_PROP_FRAME_HEIGHT, cv2.CAP_PROP_BUFFERSIZE),
+                (*SIZE, 1),
+                strict=True,
+            ):
+                # A webcam that cannot do it stays as it is.
+                capture.set(name, value)
+            self._watch_pictures(capture)
+
+    def _watch_pictures(self, capture: cv2.VideoCapture) -> None:
+        while not self._closed.is_set():
+            is_read, picture = capture.read()
+            if not is_read:
+                self._trouble = "sends no pictures" + (" any more" * (self._newest is not None))
+                return
+            self._newest = picture
+            self._settled.set()
+
+    def _told(self, trouble: str) -> RobotConnectionError:
+        return RobotConnectionError(
+            f"the webcam {self._source} {trouble}: is it plugged in, and used by no other program?"
+            " `learnblock perception set webcam --default` does without it"
+        )
