@@ -13,6 +13,7 @@ import click
 from learnblock.console import ExitCode, print_json
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
 from learnblock.files import save
+from learnblock.library_commands import library_group
 from learnblock.new_commands import new_group
 from learnblock.perception_commands import component_command, perception_group
 from learnblock.robot_commands import emulate_command, robots_group
@@ -267,6 +268,7 @@ def skills(name: str | None, as_json: bool) -> None:  # noqa: FBT001
 
 main.add_command(robots_group)
 main.add_command(emulate_command)
+main.add_command(library_group)
 main.add_command(new_group)
 main.add_command(perception_group)
 main.add_command(component_command)
