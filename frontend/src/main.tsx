@@ -22,7 +22,7 @@ import { theme } from "./preferences";
 import { Program } from "./program";
 import { runError } from "./runerror";
 import { Running } from "./running";
-import { TagNames } from "./tags";
+import { TagDictionary } from "./tags/dictionary";
 
 function assemble(): Page {
   const connection = new Connection(socketAddress(), takeToken());
@@ -31,6 +31,7 @@ function assemble(): Page {
   const views = new Views();
   const dialogs = new Dialogs();
   const shelf = new Shelf(connection);
+  const tags = new TagDictionary(connection);
   const blockSets = new BlockSetLibrary(connection);
   const context: Context = {
     connection,
@@ -38,7 +39,7 @@ function assemble(): Page {
     running,
     runError: runError(program, running),
     ownBlocks: shelf.blocks,
-    tagNames: new TagNames(connection).names,
+    tagNames: tags.names,
     shownBlocks: blockSets.shown,
     reveal: (block) => views.reveal(block),
     listOwnBlocks: () => dialogs.show("ownBlocks"),
@@ -53,6 +54,7 @@ function assemble(): Page {
     controls: new Controls(context),
     dialogs,
     blockSets,
+    tags,
     shelf,
     announcer: new Announcer(context),
   };

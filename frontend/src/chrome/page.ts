@@ -9,6 +9,7 @@ import type { Announcer } from "./notes/announcer";
 import type { Controls } from "./controls";
 import type { Dialogs } from "./dialogs/dialogs";
 import type { Shelf } from "../ownblocks/shelf";
+import type { TagDictionary } from "../tags/dictionary";
 import type { Project } from "./project";
 import type { Toasts } from "./notes/toasts";
 import type { Views } from "./views";
@@ -20,6 +21,7 @@ export interface Page {
   readonly views: Views;
   readonly dialogs: Dialogs;
   readonly blockSets: BlockSetLibrary;
+  readonly tags: TagDictionary;
   readonly shelf: Shelf;
   readonly toasts: Toasts;
   readonly announcer: Announcer;

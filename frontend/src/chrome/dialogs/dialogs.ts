@@ -11,6 +11,7 @@ export type DialogName =
   | "settings"
   | "worldEditor"
   | "blockSets"
+  | "tags"
   | "ownBlocks"
   | { readonly delete: string }
   | OwnBlockDialogName;

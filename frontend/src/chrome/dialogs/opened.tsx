@@ -10,6 +10,7 @@ import { OpenDialog } from "./open";
 import { OwnBlockDialog, OwnBlocksDialog } from "./ownblocks";
 import { usePage } from "../page";
 import { DeleteDialog, SaveAsDialog } from "./project";
+import { TagsDialog } from "./tags";
 import { SettingsDialog, ShortcutsDialog } from "./settings";
 
 const DIALOGS = {
@@ -21,6 +22,7 @@ const DIALOGS = {
   settings: SettingsDialog,
   worldEditor: WorldEditorDialog,
   blockSets: BlockSetsDialog,
+  tags: TagsDialog,
   ownBlocks: OwnBlocksDialog,
 } as const;
 

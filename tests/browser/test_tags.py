@@ -1,0 +1,114 @@
+"""The dictionary of tags on the page."""
+
+import pytest
+from playwright.sync_api import expect
+
+
+@pytest.fixture
+def pupil(sit_down, own_server):
+    pupil = sit_down(own_server)
+    pupil.begin()
+    pupil.project("Names of tags…")
+    return pupil
+
+
+def test_a_tag_is_named_seen_and_offered(pupil, own_server):
+    add(pupil, "ball", "7")
+    expect(pupil.dialog().get_by_role("img", name="Picture of tag 7")).to_be_visible()
+    pupil.picture("one")
+    save(pupil)
+    assert (own_server.home / "tags.toml").read_text("utf-8") == "ball = 7\n"
+    pupil.page.keyboard.press("Escape")
+    expect(pupil.dialog()).to_have_count(0)
+    pupil.write("blocktext", "main:\n    x = function.is_tag()\nend\n")
+    pupil.put_cursor("blocktext", ")")
+    pupil.page.keyboard.press("Control+Space")
+    expect(pupil.page.locator(".cm-tooltip-autocomplete")).to_contain_text('"ball"')
+
+
+def test_a_wrong_line_is_told_where_it_is_and_not_saved(pupil):
+    add(pupil, "12", "7")
+    expect(pupil.dialog()).to_contain_text("A name has a letter in it.")
+    expect(pupil.dialog().get_by_role("button", name="Save")).to_be_disabled()
+    pupil.dialog().get_by_role("textbox", name="Name").fill("ball")
+    pupil.dialog().get_by_role("spinbutton").fill("587")
+    expect(pupil.dialog()).to_contain_text("from 0 to 586")
+    pupil.picture("wrong")
+    pupil.dialog().get_by_role("spinbutton").fill("586")
+    save(pupil)
+
+
+def test_names_go_out_as_files_and_come_in_again(pupil, tmp_path):
+    add(pupil, "red door", "12")
+    save(pupil)
+    files = [
+        download(pupil, f"Download {what}", tmp_path) for what in ("(TOML)", "(CSV)", "to print")
+    ]
+    assert [file.name for file in files] == ["tags.toml", "tags.csv", "tags.html"]
+    assert "12 red door</figcaption>" in files[2].read_text("utf-8")
+    for file in files[:2]:
+        pupil.dialog().get_by_role("button", name="Remove red door").click()
+        expect(pupil.dialog().get_by_role("textbox", name="Name")).to_have_count(0)
+        upload(pupil, file)
+        expect(pupil.dialog().get_by_role("textbox", name="Name")).to_have_value("red door")
+
+
+def test_a_file_that_is_no_dictionary_is_told_in_the_dialog(pupil, tmp_path):
+    file = tmp_path / "tags.toml"
+    file.write_text("ball = 1000\n")
+    upload(pupil, file)
+    expect(pupil.dialog().get_by_role("alert")).to_contain_text("from 0 to 586")
+
+
+def test_what_was_not_saved_yet_is_not_lost_by_escape(pupil, own_server):
+    add(pupil, "goal", "3")
+    pupil.page.keyboard.press("Escape")
+    pupil.told("The names of tags are saved.").get_by_role("button", name="Undo").click()
+    pupil.project("Names of tags…")
+    expect(pupil.dialog()).to_contain_text("No tag has a name yet.")
+
+
+def test_every_page_hears_of_new_names(pupil):
+    first, second = pupil.page, pupil.open(pupil.page.url)
+    add(pupil, "ball", "7")
+    save(pupil)
+    pupil.page = second
+    pupil.project("Names of tags…")
+    expect(pupil.dialog().get_by_role("textbox", name="Name")).to_have_value("ball")
+    pupil.page = first
+
+
+def test_in_spanish(sit_down, own_server):
+    pupil = sit_down(own_server, language="es", theme="dark")
+    pupil.project("Nombres de etiquetas…")
+    pupil.dialog().get_by_role("button", name="Añadir un nombre").click()
+    pupil.page.keyboard.type("pelota")
+    pupil.dialog().get_by_role("button", name="Guardar").click()
+    expect(pupil.dialog().get_by_text("Guardado", exact=True)).to_be_visible()
+    pupil.picture("spanish")
+
+
+def add(pupil, name, number):
+    pupil.dialog().get_by_role("button", name="Add a name").click()
+    expect(pupil.dialog().get_by_role("textbox", name="Name").last).to_be_focused()
+    pupil.page.keyboard.type(name)
+    pupil.dialog().get_by_role("spinbutton").last.fill(number)
+
+
+def save(pupil):
+    pupil.dialog().get_by_role("button", name="Save").click()
+    expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
+
+
+def download(pupil, button, folder):
+    with pupil.page.expect_download() as started:
+        pupil.dialog().get_by_role("button", name=button).click()
+    file = folder / started.value.suggested_filename
+    started.value.save_as(file)
+    return file
+
+
+def upload(pupil, file):
+    with pupil.page.expect_file_chooser() as chooser:
+        pupil.dialog().get_by_role("button", name="Add names from a file…").click()
+    chooser.value.set_files(file)
