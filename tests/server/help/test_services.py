@@ -134,6 +134,24 @@ def test_python_asks_a_when_itself():
     assert typed("go.|", "python")["activate"].insert == "activate()"
 
 
+@pytest.mark.parametrize(
+    ("notation", "call"), [("blocktext", "function.is_tag(|"), ("python", "robot.is_tag(|")]
+)
+def test_where_a_tag_is_asked_for_the_names_of_tags_are_offered(
+    notation, call, tmp_path, monkeypatch
+):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    (tmp_path / "tags.toml").write_text('"red \\"door\\"" = 12\n')
+    assert typed(call, notation)['"red \\"door\\""'].detail == "12"
+    assert '"red \\"door\\""' not in typed(call.replace("is_tag", "turn"), notation)
+
+
+def test_a_wrong_dictionary_of_tags_is_no_reason_to_offer_nothing(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    (tmp_path / "tags.toml").write_text("ball = 1000\n")
+    assert "idTag=" in typed("function.is_tag(|")
+
+
 def test_a_call_offers_its_arguments_until_they_are_given():
     assert "advSpeed=" in typed("function.move_straight(|")
     assert "advSpeed=" not in typed("function.move_straight(advSpeed=3, |")

@@ -3,9 +3,10 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from learnblock.blocks import BlockConfiguration
+from learnblock.blocks import BlockConfiguration, Parameter
 from learnblock.language.library import BUILTINS, FUNCTIONS
 from learnblock.language.names import attribute_to_python
+from learnblock.server.help.arguments import value_options
 from learnblock.server.help.cursor import Cursor, OpenCall
 from learnblock.server.help.vocabulary import Vocabulary
 from learnblock.server.help.words import Words, library_parameters, signature
@@ -219,18 +220,29 @@ class Completer:
 
     def arguments(self, call: OpenCall) -> Iterator[Completion]:
         """The arguments of a call that can be given by name and are not yet."""
+        yield from self.likely_values(call)
         for name, detail, help_ in self.named(call):
             if name not in call.given:
                 yield Completion(f"{name}=", f"{name}=", "variable", detail, help_)
 
-    def named(self, call: OpenCall) -> Iterator[tuple[str, str, str]]:
+    def likely_values(self, call: OpenCall) -> Iterator[Completion]:
+        """What the argument that is being written could be, where that is one of a few."""
+        if parameter := next(iter(self.expected(call)), None):
+            yield from value_options(parameter)
+
+    def expected(self, call: OpenCall) -> tuple[Parameter, ...]:
+        """The parameters of a skill that have no argument yet."""
         owner, _, name = call.name.rpartition(".")
-        if owner == ("robot" if self.is_python else "function") and name in self.skills:
-            for one in self.skills[name].parameters[call.commas - len(call.given) :]:
-                default = "" if one.required else repr(one.default)
-                yield attribute_to_python(one.name), default, self.words.parameter(one)
-        elif not owner and name in self.vocabulary.functions:
-            function = self.vocabulary.symbols.functions[self.vocabulary.functions[name]]
+        if owner != ("robot" if self.is_python else "function") or name not in self.skills:
+            return ()
+        return self.skills[name].parameters[call.commas - len(call.given) :]
+
+    def named(self, call: OpenCall) -> Iterator[tuple[str, str, str]]:
+        for one in self.expected(call):
+            default = "" if one.required else repr(one.default)
+            yield attribute_to_python(one.name), default, self.words.parameter(one)
+        if call.name in self.vocabulary.functions:
+            function = self.vocabulary.symbols.functions[self.vocabulary.functions[call.name]]
             for parameter in function.parameters[call.commas - len(call.given) :]:
                 yield self.vocabulary.written(parameter), "", ""
 
