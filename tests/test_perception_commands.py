@@ -1,12 +1,21 @@
 """Perception on the command line: its settings, and components."""
 
 import json
+import re
+import signal
+import subprocess
+import sys
 
 import pytest
 from click.testing import CliRunner
 
 from learnblock.cli import main
+from learnblock.console import ExitCode
+from learnblock.ice import Proxy
+from learnblock.ice.robocomp import Layout, interfaces
+from learnblock.ice.robocomp.recognition import Picture
 from learnblock.vision import TABLE
+from shown_pictures import TAG_AT, a_tag
 
 
 def call(*arguments, **options):
@@ -17,6 +26,7 @@ def test_the_settings_are_listed_with_what_they_may_be():
     listed = call().output
     assert "emotions_on_cameras  False" in listed
     assert "HOST:PORT of a component" in listed
+    assert "5(1)(f) of the AI Act" in listed
     names = [one["name"] for one in json.loads(call("--json").output)]
     assert names[:2] == ["emotions_on_cameras", "apriltag"]
 
@@ -49,6 +59,7 @@ def test_a_script_says_yes_beforehand_and_is_told_why_all_the_same():
 
 def test_nobody_is_asked_who_switches_emotions_off():
     TABLE.change("emotions_on_cameras", "true")
+    assert "AI Act" not in call().output
     assert "AI Act" not in call("set", "emotions_on_cameras", "false").stderr
     assert not TABLE.load().emotions_on_cameras
 
@@ -65,6 +76,56 @@ def test_nobody_is_asked_who_switches_emotions_off():
 )
 def test_what_cannot_be_is_told_in_a_sentence(arguments, sentence):
     result = call(*arguments)
+    assert result.exit_code != 0
+    assert sentence in result.output
+    assert "Traceback" not in result.output
+
+
+def begun(*arguments):
+    """A component's process, and its first line."""
+    command = [sys.executable, "-m", "learnblock", "component", *arguments]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    return process, process.stdout.readline()
+
+
+def test_a_component_is_served_until_ctrl_c():
+    process, line = begun("apriltag", "--port", "0")
+    assert re.fullmatch(r"apriltag:tcp -h 127\.0\.0\.1 -p \d+\n", line)
+    with Proxy.parse(line.strip(), interfaces(Layout.TOOL)["apriltag"]) as proxy:
+        frame = a_tag(8)
+        found = proxy.call("processimage", Picture(*frame.shape, frame.tobytes()))
+    assert [(tag.id, tag.cx, tag.cy) for tag in found] == [(8, *TAG_AT)]
+    process.send_signal(signal.SIGINT)
+    _, complaints = process.communicate(timeout=10)
+    assert (process.returncode, complaints) == (ExitCode.INTERRUPTED, "")
+
+
+def test_a_component_for_emotions_does_not_start_for_strangers():
+    process, line = begun("emotionrecognition", "--port", "0")
+    _, complaint = process.communicate(timeout=10)
+    assert (process.returncode, line) == (ExitCode.USAGE, "")
+    assert "5(1)(f) of the AI Act" in complaint
+    assert "--only-drawn-faces" in complaint
+
+
+def test_a_component_for_emotions_starts_for_drawn_faces():
+    process, line = begun("emotionrecognition", "--port", "0", "--only-drawn-faces")
+    process.terminate()
+    process.communicate(timeout=10)
+    assert line.startswith("emotionrecognition:tcp ")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (("apriltags",), "did you mean `apriltag`?"),
+        (("apriltag", "--port", "70000"), "70000 is not in the range"),
+        (("apriltag", "--layout", "row"), "'row' is not one of"),
+        (("apriltag", "--port", "0", "--host", "nowhere.invalid"), "cannot listen at nowhere"),
+    ],
+)
+def test_a_component_that_cannot_be_is_told_in_a_sentence(arguments, sentence):
+    result = CliRunner().invoke(main, ["component", *arguments])
     assert result.exit_code != 0
     assert sentence in result.output
     assert "Traceback" not in result.output

@@ -47,9 +47,11 @@ def set_command(
 
 
 def _show(*, as_json: bool) -> None:
-    from learnblock.vision import TABLE  # noqa: PLC0415 - as above
+    from learnblock.vision import TABLE, WHY_EMOTIONS_ARE_OFF  # noqa: PLC0415 - as above
 
     print_settings(list(TABLE.describe()), as_json=as_json)
+    if not as_json and not TABLE.load().emotions_on_cameras:
+        click.echo(f"\n{WHY_EMOTIONS_ARE_OFF}")
 
 
 def _warn(*, ask: bool) -> None:

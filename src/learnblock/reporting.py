@@ -222,9 +222,16 @@ def _summary(report: Report, session: Session) -> Iterator[str]:
     if report.emotions:
         yield f"{'shown':<10} {', '.join(report.emotions)}"
     for missed in report.no_effect:
-        device = str(missed["device"]).removesuffix(f":{DEFAULT_KEY}")
-        yield f"{'no effect':<10} {missed['skill']}: {session.robot.name} has no {device}"
+        reason = _reason(session.robot.name, str(missed["device"]))
+        yield f"{'no effect':<10} {missed['skill']}: {reason}"
     yield f"{'trace':<10} {report.trace_sha256}"
+
+
+def _reason(robot: str, device: str) -> str:
+    """Why a skill had no effect that would have needed the device."""
+    if device == "Detector:emotions":
+        return f"emotions are not recognised on {robot}'s camera: `learnblock perception` says more"
+    return f"{robot} has no {device.removesuffix(f':{DEFAULT_KEY}')}"
 
 
 def _ending(report: Report, session: Session) -> str:

@@ -74,10 +74,15 @@ function NoEffect({ skills }: { skills: readonly (readonly [string, string])[] }
   return (
     <ul>
       {skills.map(([skill, device]) => (
-        <li key={`${skill} ${device}`}>{t("problems.missing", { skill, device: device.replace(":", " ") })}</li>
+        <li key={`${skill} ${device}`}>{reason(skill, device)}</li>
       ))}
     </ul>
   );
+}
+
+function reason(skill: string, device: string): string {
+  if (device === "Detector:emotions") return t("problems.emotionsOff", { skill });
+  return t("problems.missing", { skill, device: device.replace(":", " ") });
 }
 
 const EMOTIONS = new Set(["joy", "sadness", "anger", "fear", "disgust", "surprise", "neutral"]);
