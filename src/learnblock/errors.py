@@ -90,6 +90,10 @@ class BlockConfigurationError(FileError):
     """A block configuration is wrong."""
 
 
+class OwnBlockError(FileError):
+    """A block of one's own is wrong, or its name, or the file that it was exported to."""
+
+
 class BlockSetError(FileError):
     """A set of blocks is wrong, or its name."""
 
