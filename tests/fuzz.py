@@ -20,6 +20,7 @@ import coppeliasim_answers
 import cozmo_wires
 import ev3_wires
 import ice_wires
+import library_files
 import thymio_wires
 from learnblock import language
 from learnblock.blocks import builtin, load_configurations
@@ -79,6 +80,10 @@ def targets(folder: Path) -> tuple[Target, ...]:
             texts(PACKAGE / "blocks" / "configurations", "*.json")
             + texts(TESTS / "blocks" / "malformed", "*.json"),
         ),
+        Target("library's manifest", library_files.read_manifest, (library_files.MANIFEST,)),
+        Target("library's functions", library_files.read_functions, (library_files.FUNCTIONS,)),
+        Target("library's Python", library_files.read_python, (library_files.PYTHON,)),
+        Target("library in one file", library_files.read_archive, library_files.archives()),
         Target("CoppeliaSim's answers", coppeliasim_answers.read, coppeliasim_answers.texts()),
         Target("Cozmo's frames", cozmo_wires.read_frame, cozmo_wires.frame_texts()),
         Target("Cozmo's pictures", cozmo_wires.read_picture, cozmo_wires.picture_texts()),

@@ -1,6 +1,7 @@
 """A library as a value, and as the files that it consists of."""
 
 import re
+import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,7 +11,7 @@ from types import MappingProxyType
 from learnblock import language, skill_files
 from learnblock.blocks import BlockConfiguration, load_configurations
 from learnblock.blocks.libraries import CONFIGURATIONS, MANIFEST, blocks, skills_in
-from learnblock.errors import Diagnostic, LibraryError
+from learnblock.errors import Diagnostic, LibraryError, ProgramError
 from learnblock.language import names
 from learnblock.language.extraction import extracted
 from learnblock.language.nodes import Assign, Blank, Comment, Def
@@ -105,6 +106,8 @@ def check(library: Library, where: str) -> None:
     """
     seen: dict[str, str] = {}
     for file, text in library.files.items():
+        if file.endswith(".py"):
+            _refuse_no_python(text, file)
         for skill in skills_in(file, text):
             if skill.name in seen:
                 message = f"the skill `{skill.name}` stands in {seen[skill.name]} as well: keep one"
@@ -115,6 +118,18 @@ def check(library: Library, where: str) -> None:
         raise LibraryError(where, [Diagnostic("no-skill", message)])
     if library.configurations:
         load_configurations(library.configurations)
+
+
+def _refuse_no_python(source: str, filename: str) -> None:
+    """Refuse what Python would refuse when it is imported; it is translated, and not run."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            compile(source, filename, "exec", dont_inherit=True)
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        line = (error.lineno or 0) if isinstance(error, SyntaxError) else 0
+        message = f"this is no Python: {error.msg if isinstance(error, SyntaxError) else error}"
+        raise ProgramError(filename, [Diagnostic("syntax-error", message, line)], source) from None
 
 
 def _texts(files: Mapping[str, bytes], where: str) -> dict[str, str]:
@@ -138,10 +153,15 @@ def _text(name: str, content: bytes) -> str:
         message = f"the file is larger than {skill_files.LARGEST:,} bytes"
         raise LibraryError(name, [Diagnostic("too-large", message)])
     try:
-        return content.decode("utf-8-sig").replace("\r\n", "\n")
+        return plain_lines(content.decode("utf-8-sig"))
     except UnicodeDecodeError as error:
         message = f"byte {error.start} is not UTF-8; save the file as UTF-8"
         raise LibraryError(name, [Diagnostic("not-utf-8", message)]) from None
+
+
+def plain_lines(text: str) -> str:
+    """A text whose lines end as everywhere in a library."""
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _is_module(name: str) -> bool:

@@ -26,7 +26,7 @@ from learnblock.language.nodes import (
     statements,
     within,
 )
-from learnblock.library.contents import FUNCTIONS, Library, check, refuse_name
+from learnblock.library.contents import FUNCTIONS, Library, check, plain_lines, refuse_name
 from learnblock.library.manifest import Manifest
 
 
@@ -84,7 +84,7 @@ def _module(path: Path) -> tuple[str, str]:
         LibraryError: the first parameter of a skill is called otherwise.
         ProgramError: it is no Python.
     """
-    source = skill_files.read(path)
+    source = plain_lines(skill_files.read(path))
     known = {one.name for one in skills_in(path.name, source)}
     for function in skill_files.functions(skill_files.parse(source, path.name)):
         if function.name not in known:

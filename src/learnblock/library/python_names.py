@@ -25,8 +25,11 @@ def renamed(source: str, name: str, new: str, filename: str) -> str:
     lines = [line.encode("utf-8", "surrogatepass") for line in source.split("\n")]
     old = name.encode()
     for line, column in sorted(_places(tree, name, lines), reverse=True):
-        text = lines[line - 1]
-        lines[line - 1] = text[:column] + new.encode() + text[column + len(old) :]
+        text, end = lines[line - 1], column + len(old)
+        if text[column:end] != old:
+            message = f"`{name}` is written in an unusual way: rename it there by hand"
+            raise LibraryError(filename, [Diagnostic("two-meanings", message, line)])
+        lines[line - 1] = text[:column] + new.encode() + text[end:]
     return b"\n".join(lines).decode("utf-8", "surrogatepass")
 
 
@@ -35,7 +38,7 @@ def _places(tree: ast.Module, name: str, lines: list[bytes]) -> Iterator[tuple[i
     for node in ast.walk(tree):
         match node:
             case ast.FunctionDef(name=found) if found == name:
-                yield node.lineno, lines[node.lineno - 1].index(name.encode(), node.col_offset + 3)
+                yield node.lineno, lines[node.lineno - 1].find(name.encode(), node.col_offset + 3)
             case ast.Name(id=found) if found == name:
                 yield node.lineno, node.col_offset
             case ast.Attribute(value=ast.Name(id="robot"), attr=found) if found == name:
