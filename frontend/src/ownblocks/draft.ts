@@ -6,7 +6,7 @@ import type { Connection } from "../connection";
 import { language, t } from "../i18n";
 import type { OwnBlock, OwnBlockChecked, OwnBlockPreview, OwnBlockProblem } from "../messages";
 import { Throttle } from "../world/throttle";
-import { blocksIn, type Configured, withBlock } from "./configuration";
+import { blocksIn, chosenOf, type Configured, withBlock, written } from "./configuration";
 import { drop, keep, unsaved, type Written } from "./unsaved";
 
 /** ms between two questions. */
@@ -32,8 +32,6 @@ export class Draft {
 
   private readonly original = signal<Written>(this.written.peek());
   private readonly asking = new Throttle(PERIOD);
-  /** What is complete of the configuration, as the server said last. */
-  private complete = "";
   private request = 0;
   private saving: Written | null = null;
   /** Whether the name follows the function's: until somebody writes one. */
@@ -73,10 +71,10 @@ export class Draft {
 
   /** Change what is chosen for one of its functions. */
   configure(name: string, change: (block: Configured) => Configured): void {
-    const configuration = withBlock(this.complete, name, change);
-    this.complete = configuration;
-    this.blocks.value = blocksIn(configuration);
-    this.change({ configuration });
+    const blocks = this.blocks.peek();
+    const chosen = chosenOf(blocks, blocksIn(this.written.peek().configuration));
+    this.blocks.value = withBlock(blocks, name, change);
+    this.change({ configuration: written(withBlock(chosen, name, change)) });
   }
 
   /** Go back to what is saved. */
@@ -98,7 +96,6 @@ export class Draft {
   private begin(saved: string, original: Written): void {
     const left = unsaved(saved);
     this.named = saved !== "" || !!left?.name;
-    this.complete = original.configuration;
     batch(() => {
       this.saved.value = saved;
       this.original.value = original;
@@ -123,7 +120,6 @@ export class Draft {
     this.checked.value = message;
     const { configuration = "" } = message;
     if (!configuration) return;
-    this.complete = configuration;
     this.blocks.value = blocksIn(configuration);
     this.previews.value = message.previews ?? [];
     this.followFunction();
@@ -147,7 +143,7 @@ export class Draft {
     this.saving = null;
     drop(this.saved.peek());
     drop(name);
-    const original = { ...saving, name, configuration: this.complete };
+    const original = { ...saving, name };
     this.named = true;
     batch(() => {
       if (same(saving, this.written.peek())) this.written.value = original;
