@@ -1,17 +1,16 @@
 """The blocks of libraries, read from the files of each without running any."""
 
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from learnblock import skill_files
+from learnblock import description_file, skill_files
 from learnblock.blocks.configuration import BlockConfiguration
 from learnblock.blocks.derivation import derived, fitted
 from learnblock.blocks.importable import Importable
 from learnblock.blocks.load import load_configurations
 from learnblock.blocks.signature import Signature, signatures
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, LibraryError
 from learnblock.home import home
 
 #: What makes a folder a library.
@@ -124,8 +123,8 @@ def _file(folder: Path, module: str) -> Path | None:
 def _titles(manifest: str) -> dict[str, str]:
     """The library's title by upper-case language code, as far as it can be read."""
     try:
-        title = tomllib.loads(manifest).get("title", {})
-    except tomllib.TOMLDecodeError:
+        title = description_file.parse(manifest, MANIFEST, LibraryError).get("title", {})
+    except LibraryError:
         return {}
     pairs = title.items() if isinstance(title, dict) else ()
     return {str(code).upper(): text for code, text in pairs if isinstance(text, str) and text}
