@@ -17,7 +17,8 @@ PLACE = re.compile(r"\{\d\}")
 #: Where a sentence of ours may have been put together from two strings.
 SEAM = re.compile(r"\{\d\}|[`:,]| in | uses | such as ")
 PUT_TOGETHER = [
-    f"there is no {kind} " for kind in ("project", "example", "version", "world", "robot")
+    f"there is no {kind} "
+    for kind in ("project", "example", "version", "world", "robot", "set of blocks")
 ]
 LOCATED = re.compile(r"\S+?:\d+:\d+: [\w-]+ (.*)")
 

@@ -18,6 +18,7 @@ import type { Context } from "./context";
 import { BlockSetLibrary } from "./blocksets/library";
 import { language } from "./i18n";
 import { Shelf } from "./ownblocks/shelf";
+import { MachineSettings } from "./machine/settings";
 import { theme } from "./preferences";
 import { Program } from "./program";
 import { runError } from "./runerror";
@@ -55,6 +56,7 @@ function assemble(): Page {
     dialogs,
     blockSets,
     tags,
+    machine: new MachineSettings(connection),
     shelf,
     announcer: new Announcer(context),
   };

@@ -9,6 +9,7 @@ import type { Announcer } from "./notes/announcer";
 import type { Controls } from "./controls";
 import type { Dialogs } from "./dialogs/dialogs";
 import type { Shelf } from "../ownblocks/shelf";
+import type { MachineSettings } from "../machine/settings";
 import type { TagDictionary } from "../tags/dictionary";
 import type { Project } from "./project";
 import type { Toasts } from "./notes/toasts";
@@ -22,6 +23,7 @@ export interface Page {
   readonly dialogs: Dialogs;
   readonly blockSets: BlockSetLibrary;
   readonly tags: TagDictionary;
+  readonly machine: MachineSettings;
   readonly shelf: Shelf;
   readonly toasts: Toasts;
   readonly announcer: Announcer;

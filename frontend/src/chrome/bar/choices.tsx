@@ -33,23 +33,29 @@ function factor(value: string): number | null {
 }
 
 export function RobotChoice() {
-  const { context, controls, project } = usePage();
+  const { context, controls, dialogs, project } = usePage();
   const robots = project.welcome.value?.robots ?? [];
+  const chosen = robots.find((one) => one.name === context.running.robot.value);
   return (
-    <label class="choice" data-tour="robot">
-      <span>{t("bar.robot")}</span>
-      <select
-        value={context.running.robot.value}
-        disabled={context.running.active.value}
-        onChange={({ currentTarget }) => controls.chooseRobot(currentTarget.value)}
-      >
-        {robots.map(({ name, title }) => (
-          <option key={name} value={name}>
-            {title}
-          </option>
-        ))}
-      </select>
-    </label>
+    <div class="choice-with-button">
+      <label class="choice" data-tour="robot">
+        <span>{t("bar.robot")}</span>
+        <select
+          value={context.running.robot.value}
+          disabled={context.running.active.value}
+          onChange={({ currentTarget }) => controls.chooseRobot(currentTarget.value)}
+        >
+          {robots.map(({ name, title }) => (
+            <option key={name} value={name}>
+              {title}
+            </option>
+          ))}
+        </select>
+      </label>
+      {chosen?.simulated === false && (
+        <IconButton icon="edit" word="machine.robots" onClick={() => dialogs.show("robotSettings")} />
+      )}
+    </div>
   );
 }
 

@@ -12,6 +12,8 @@ export type DialogName =
   | "worldEditor"
   | "blockSets"
   | "tags"
+  | "robotSettings"
+  | "perception"
   | "ownBlocks"
   | { readonly delete: string }
   | OwnBlockDialogName;

@@ -10,6 +10,7 @@ import { OpenDialog } from "./open";
 import { OwnBlockDialog, OwnBlocksDialog } from "./ownblocks";
 import { usePage } from "../page";
 import { DeleteDialog, SaveAsDialog } from "./project";
+import { PerceptionDialog, RobotSettingsDialog } from "./machine";
 import { TagsDialog } from "./tags";
 import { SettingsDialog, ShortcutsDialog } from "./settings";
 
@@ -23,6 +24,8 @@ const DIALOGS = {
   worldEditor: WorldEditorDialog,
   blockSets: BlockSetsDialog,
   tags: TagsDialog,
+  robotSettings: RobotSettingsDialog,
+  perception: PerceptionDialog,
   ownBlocks: OwnBlocksDialog,
 } as const;
 
