@@ -115,6 +115,7 @@ def _sort(kind: inspect.Type) -> Sort:
         inspect.IntType: "whole",
         inspect.FloatType: "number",
         inspect.LiteralType: "choice",
+        inspect.TupleType: "list",
         inspect.VarTupleType: "list",
     }
     found = [sorts.get(type(one), "text") for one in _alternatives(kind)]

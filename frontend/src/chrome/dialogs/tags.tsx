@@ -1,7 +1,7 @@
 /** The dialog for the names of tags. */
 
 import { useSignal, useSignalEffect, type Signal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import { said } from "../../sentences";
@@ -115,6 +115,11 @@ function TagTable({ rows }: { rows: Rows }) {
 
 function TagRow({ one, rows }: { one: Row; rows: Rows }) {
   const slip = slipOf(one, rows.value);
+  const input = useRef<HTMLInputElement>(null);
+  // Whoever adds a line goes on by giving it its name.
+  useLayoutEffect(() => {
+    if (!one.name) input.current?.focus();
+  }, []);
   const change = (part: Partial<Row>) => {
     rows.value = rows.value.map((other) => (other.id === one.id ? { ...other, ...part } : other));
   };
@@ -125,10 +130,10 @@ function TagRow({ one, rows }: { one: Row; rows: Rows }) {
       <td>{isTag(one.tag) && <img class="tag-picture" src={`textures/tag/${Number(one.tag)}.png`} alt={t("tags.pictureOf", { tag: one.tag })} />}</td>
       <td>
         <input
+          ref={input}
           aria-label={t("tags.name")}
           aria-invalid={slip !== null && slip !== "tags.noTag"}
           aria-describedby={slipId}
-          autofocus={!one.name}
           maxLength={LONGEST_NAME}
           value={one.name}
           onInput={({ currentTarget }) => change({ name: currentTarget.value })}

@@ -1,0 +1,99 @@
+"""Settings of real robots and of perception, on the page."""
+
+import tomllib
+
+import pytest
+from playwright.sync_api import expect
+
+
+@pytest.fixture
+def pupil(sit_down, own_server):
+    pupil = sit_down(own_server)
+    pupil.begin()
+    return pupil
+
+
+def test_a_robot_is_set_and_what_cannot_be_is_told_beside_its_field(pupil, own_server):
+    choose(pupil, "Settings of robots…")
+    pupil.dialog().get_by_role("combobox", name="Robot").select_option("ev3")
+    field(pupil, "Address").fill("192.168.1.7")
+    field(pupil, "Full speed").fill("5")
+    save(pupil)
+    expect(pupil.dialog()).to_contain_text("`full_speed` is 5")
+    pupil.picture("wrong")
+    assert saved(own_server) == {}
+    field(pupil, "Full speed").fill("900")
+    pupil.dialog().get_by_role("combobox", name="Gyroscope").select_option("2")
+    save(pupil)
+    expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
+    assert saved(own_server)["robots"]["ev3"] == {
+        "address": "192.168.1.7", "full_speed": 900, "gyroscope": "2",
+    }  # fmt: skip
+    pupil.dialog().get_by_role("button", name="Default").first.click()
+    save(pupil)
+    expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
+    assert "address" not in saved(own_server)["robots"]["ev3"]
+
+
+def test_emotions_on_cameras_are_switched_on_only_by_who_has_agreed(pupil, own_server):
+    choose(pupil, "Perception…")
+    expect(pupil.dialog()).to_contain_text("Article 5(1)(f)")
+    field(pupil, "Recognise emotions on real cameras").check()
+    button = pupil.dialog().get_by_role("button", name="Save")
+    expect(button).to_be_disabled()
+    pupil.picture("law")
+    pupil.dialog().get_by_role("checkbox", name="I am an adult").check()
+    save(pupil)
+    expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
+    assert saved(own_server)["perception"] == {"emotions_on_cameras": True}
+
+
+def test_a_video_is_one_of_those_in_its_folder(pupil, own_server):
+    videos = own_server.home / "videos"
+    videos.mkdir()
+    (videos / "walk.avi").write_bytes(b"RIFF")
+    choose(pupil, "Perception…")
+    field(pupil, "Video").fill("../settings.toml")
+    save(pupil)
+    expect(pupil.dialog().get_by_role("alert")).to_contain_text("there is no video")
+    field(pupil, "Video").fill("walk.avi")
+    field(pupil, "Webcam").fill("1")
+    save(pupil)
+    expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
+    assert saved(own_server)["perception"] == {"video": str(videos / "walk.avi"), "webcam": 1}
+    field(pupil, "Webcam").fill("")
+    save(pupil)
+    expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
+    assert "webcam" not in saved(own_server)["perception"]
+
+
+def test_in_spanish_by_keyboard(sit_down, own_server):
+    pupil = sit_down(own_server, language="es", theme="dark")
+    choose(pupil, "Ajustes de los robots…", menu="Ayuda")
+    pupil.dialog().get_by_role("combobox", name="Robot").select_option("cozmo")
+    field(pupil, "Volumen").focus()
+    pupil.page.keyboard.press("Control+a")
+    pupil.page.keyboard.type("500")
+    pupil.page.keyboard.press("Enter")
+    expect(pupil.dialog()).to_contain_text("se esperaba un número entero de 0 a 100")
+    pupil.picture("spanish")
+    pupil.page.keyboard.press("Escape")
+    expect(pupil.dialog()).to_have_count(0)
+
+
+def choose(pupil, item, menu="Help"):
+    pupil.page.get_by_role("button", name=menu, exact=True).click()
+    pupil.page.get_by_role("menuitem", name=item, exact=True).click()
+
+
+def field(pupil, name):
+    return pupil.dialog().get_by_label(name, exact=True)
+
+
+def save(pupil):
+    pupil.dialog().get_by_role("button", name="Save", exact=True).click()
+
+
+def saved(server):
+    file = server.home / "settings.toml"
+    return tomllib.loads(file.read_text("utf-8")) if file.exists() else {}
