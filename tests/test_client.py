@@ -190,6 +190,29 @@ def test_a_skill_of_the_user_s_does_not_hide_what_every_robot_has(own_home):
         assert robot.clock.time() == 0
 
 
+def test_a_robot_learns_a_function_of_its_program_as_a_skill():
+    observer = Observer()
+
+    def waltz(robot, times=1):
+        robot.stop_bot()
+        return times
+
+    with FakeRobot(only=[], observer=observer) as robot:
+        robot.learn(waltz)
+        assert robot.waltz(times=3) == 3
+    assert observer.missed == [("waltz", "Base:ROBOT")]
+
+
+def test_a_robot_learns_nothing_that_would_hide_what_every_robot_has():
+    def stop(robot): ...
+
+    with (
+        FakeRobot(skills=[]) as robot,
+        pytest.raises(KeyTakenError, match="cannot be called `stop`"),
+    ):
+        robot.learn(stop)
+
+
 # The end, of a process.
 
 ROBOT = """

@@ -187,7 +187,12 @@ class Client(Events):
 
     def conditions(self) -> dict[str, object]:
         """What a run depends on besides its program: the first line of a trace names it."""
-        return {"robot": type(self).__module__.rpartition(".")[2].replace("_", "-")}
+        from learnblock.vision import TABLE  # noqa: PLC0415 - it loads what few need
+
+        # By name alone: addresses and paths are nobody's business.
+        chosen = [one.name for one in TABLE.describe() if one.value != one.default]
+        robot = type(self).__module__.rpartition(".")[2].replace("_", "-")
+        return {"robot": robot, **({"perception": chosen} if chosen else {})}
 
     def where(self) -> Pose | None:
         """The robot's true pose (x mm, y mm, heading in degrees), which only a simulator knows."""
@@ -270,6 +275,24 @@ class Client(Events):
     def forget_readings(self) -> None:
         """Read sensors anew at the next question, as after a gyroscope was reset."""
         self._readings.forget()
+
+    # Skills.
+
+    def learn(self, function: Callable[..., Any]) -> None:
+        """Take a function of the program's, which gets the robot first, as a skill of this robot.
+
+            def waltz(robot, times=3): ...
+
+            robot.learn(waltz)
+            robot.waltz(2)
+
+        Raises:
+            KeyTakenError: every robot has something of this name already.
+        """
+        name = function.__name__
+        if hasattr(Client, name):
+            raise KeyTakenError(f"a skill cannot be called `{name}`: every robot has that already")
+        setattr(self, name, self._method(name, function))
 
     # Time.
 

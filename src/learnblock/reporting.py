@@ -8,7 +8,7 @@ from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from time import monotonic
 from types import FrameType
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import click
 
@@ -242,4 +242,12 @@ def _ending(report: Report, session: Session) -> str:
         return report.ended
     place = f"{report.error['file']}:{report.error['line']}: " if report.error["line"] else ""
     quoted = f"\n           {report.error['text']}" if report.error["text"] else ""
-    return f"{place}{report.error['message']}{quoted}"
+    return f"{place}{report.error['message']}{quoted}{_within(report.error.get('within'))}"
+
+
+def _within(place: Any) -> str:
+    """Where in a file of the user's own it was, below the line of the program."""
+    if not place:
+        return ""
+    quoted = f"\n           {place['text']}" if place["text"] else ""
+    return f"\n           in {place['file']}:{place['line']}{quoted}"

@@ -2,13 +2,13 @@
 
 import re
 from collections.abc import Callable, Collection, Mapping
-from contextlib import nullcontext
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
-from learnblock import language, robots
+from learnblock import language, robots, skill_files
 from learnblock.blocks import all_configurations, builtin, libraries
 from learnblock.blocks.importable import Importable
 from learnblock.client import Client, Goal, Outcome
@@ -201,7 +201,8 @@ class Report:
         emotions: those shown, in order.
         no_effect: skills that had none: skill, missing device, how often.
         trace_sha256: the hash of the trace.
-        error: what went wrong: message, line, and the text of that line; None when nothing did.
+        error: what went wrong: message, line, and the text of that line; `within` has file, line
+            and text where that was in a file of the user's own; None when nothing did.
     """
 
     ended: str
@@ -350,7 +351,18 @@ class Session:
             "file": self.program.name,
             "line": line,
             "text": self.program.quote(line),
+            **({"within": _within(ending)} if ending.file else {}),
         }
+
+
+def _within(ending: Ending) -> Mapping[str, object]:
+    """Where in a file of the user's own it was."""
+    text = ""
+    with suppress(OSError, LearnBlockError):
+        # Whoever has deleted it meanwhile knows why.
+        lines = skill_files.read(Path(ending.file)).splitlines()
+        text = "".join(lines[ending.file_line - 1 : ending.file_line]).strip()
+    return {"file": ending.file, "line": ending.file_line, "text": text}
 
 
 def _stage(client: Client) -> "Stage | None":

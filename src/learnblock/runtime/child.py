@@ -34,6 +34,7 @@ from learnblock.runtime.messages import (
     Variables,
 )
 from learnblock.runtime.output import LineWriter
+from learnblock.runtime.own_files import own_frame, own_place
 from learnblock.runtime.usertime import use_robot_time
 from learnblock.runtime.values import described, encodable, shortened
 
@@ -129,7 +130,7 @@ class _Program:
         if self._wire.turn.postpones(stopped):
             return
         at = program_frame(self._setup.filename, frame)
-        self._wire.interrupted(at.f_lineno if at else 0)
+        self._wire.interrupted(at.f_lineno if at else 0, *own_frame(frame))
         raise stopped
 
     def _stop_robot(self) -> None:
@@ -221,7 +222,7 @@ class _Program:
 
     def _fault(self, error: BaseException) -> Fault:
         text = shortened(encodable(_message(error)), LONGEST_ERROR)
-        return Fault(type(error).__name__, text, self._lines(error))
+        return Fault(type(error).__name__, text, self._lines(error), *own_place(error))
 
     def _lines(self, error: BaseException) -> tuple[int, ...]:
         if isinstance(error, SyntaxError) and error.filename == self._setup.filename:

@@ -18,11 +18,21 @@ class How(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Ending:
-    """How a run ended, in one sentence, and at which line of the program's Python (0: unknown)."""
+    """How a run ended.
+
+    Args:
+        how: in one word or two.
+        sentence: the same in a sentence.
+        line: of the program's Python, from 1; 0 where it is not known.
+        file: of the user's own folder in which that was; "" where it was not in one.
+        file_line: of that file, from 1.
+    """
 
     how: How
     sentence: str
     line: int = 0
+    file: str = ""
+    file_line: int = 0
 
     @property
     def well(self) -> bool:

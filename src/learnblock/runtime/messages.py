@@ -232,17 +232,29 @@ class Fault(msgspec.Struct, frozen=True, array_like=True):
         type: the exception's class.
         text: its message.
         lines: the program's own lines on the way to the error, outermost first.
+        file: of the user's own folder in which it went wrong; "" where it was elsewhere.
+        file_line: of that file, from 1.
     """
 
     type: str
     text: str
     lines: tuple[int, ...]
+    file: str = ""
+    file_line: int = 0
 
 
 class Interrupted(Message, frozen=True):
-    """The program was told to stop while it was at this line; it may not obey."""
+    """The program was told to stop while it was at this line; it may not obey.
+
+    Args:
+        line: of the program.
+        file: see `Fault`.
+        file_line: likewise.
+    """
 
     line: int
+    file: str = ""
+    file_line: int = 0
 
 
 class Ended(Message, frozen=True):

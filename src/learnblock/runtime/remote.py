@@ -220,11 +220,11 @@ class Wire:
             finally:
                 self.turn.give_back()
 
-    def interrupted(self, line: int) -> None:
+    def interrupted(self, line: int, file: str, file_line: int) -> None:
         """Say where a signal found the program, unless another thread is speaking."""
         if self.turn.take(wait=False):
             try:
-                self._put(Interrupted(line))
+                self._put(Interrupted(line, file, file_line))
                 self._flush()
             finally:
                 self.turn.give_back()

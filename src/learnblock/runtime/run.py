@@ -341,8 +341,9 @@ class Run:
             match self._link.receive(left):
                 case messages.Ended(lines=lines):
                     return replace(ending, line=lines[-1] if lines else ending.line)
-                case messages.Interrupted(line):
-                    told, ending = True, replace(ending, line=line)
+                case messages.Interrupted(line, file, file_line):
+                    told = True
+                    ending = replace(ending, line=line, file=file, file_line=file_line)
                 case messages.Ask() | messages.Sleep() | messages.Input() | messages.Line():
                     self._link.send(messages.Stop(ending.sentence))
                 case messages.Connect() | messages.Disconnect() | None:
@@ -582,7 +583,8 @@ def _told(error: Exception) -> str:
 
 def _failed(fault: Fault) -> Ending:
     line = fault.lines[-1] if fault.lines else 0
-    return Ending(How.ERROR, f"{fault.type}: {fault.text}" if fault.text else fault.type, line)
+    sentence = f"{fault.type}: {fault.text}" if fault.text else fault.type
+    return Ending(How.ERROR, sentence, line, fault.file, fault.file_line)
 
 
 def _failure(error: Exception) -> messages.Failed:
