@@ -183,6 +183,11 @@ export interface Document {
   can_redo?: boolean;
 }
 
+export interface DownloadLibrary {
+  kind: "DownloadLibrary";
+  name: string;
+}
+
 export interface Drive {
   kind: "Drive";
   advance: number;
@@ -252,6 +257,24 @@ export interface ExportTags {
   format?: "csv" | "html" | "toml";
 }
 
+export interface Exportable {
+  kind: "Exportable";
+  functions: ExportableFunction[];
+  own: ExportableBlocks[];
+}
+
+export interface ExportableBlocks {
+  name: string;
+  blocks: string[];
+}
+
+export interface ExportableFunction {
+  name: string;
+  parameters: string[];
+  takes_along?: string[];
+  problem?: string;
+}
+
 export interface Failed {
   kind: "Failed";
   message: string;
@@ -287,6 +310,12 @@ export interface Import {
   text: string;
 }
 
+export interface ImportLibraries {
+  kind: "ImportLibraries";
+  files: LibraryFile[];
+  replace?: boolean;
+}
+
 export interface ImportOwnBlock {
   kind: "ImportOwnBlock";
   content: string;
@@ -304,12 +333,60 @@ export interface InputWanted {
   prompt: string;
 }
 
+export interface InstalledLibrary {
+  name: string;
+  version?: string;
+  title?: Record<string, string>;
+  description?: string;
+  skills?: string[];
+  problem?: string;
+}
+
+export interface Libraries {
+  kind: "Libraries";
+  libraries: InstalledLibrary[];
+}
+
+export interface LibrariesRead {
+  kind: "LibrariesRead";
+  files: LibraryRead[];
+}
+
+export interface LibraryFile {
+  filename: string;
+  content: string;
+  renames?: Record<string, string>;
+}
+
+export interface LibraryMade {
+  kind: "LibraryMade";
+  filename: string;
+  content: string;
+}
+
+export interface LibraryRead {
+  filename: string;
+  library?: InstalledLibrary | null;
+  installed?: string;
+  is_newer?: boolean;
+  clashes?: SkillClash[];
+  problem?: string;
+}
+
 export interface ListBlockSets {
   kind: "ListBlockSets";
 }
 
+export interface ListExportable {
+  kind: "ListExportable";
+}
+
 export interface ListHistory {
   kind: "ListHistory";
+}
+
+export interface ListLibraries {
+  kind: "ListLibraries";
 }
 
 export interface ListOwnBlocks {
@@ -318,6 +395,15 @@ export interface ListOwnBlocks {
 
 export interface ListProjects {
   kind: "ListProjects";
+}
+
+export interface MakeLibrary {
+  kind: "MakeLibrary";
+  name: string;
+  version: string;
+  title?: Record<string, string>;
+  functions?: string[];
+  own?: string[];
 }
 
 export interface New {
@@ -442,6 +528,11 @@ export interface ReadBlockSet {
   text: string;
 }
 
+export interface ReadLibraries {
+  kind: "ReadLibraries";
+  files: LibraryFile[];
+}
+
 export interface ReadSettings {
   kind: "ReadSettings";
   robot?: string;
@@ -460,6 +551,11 @@ export interface ReadWorld {
 
 export interface Redo {
   kind: "Redo";
+}
+
+export interface RemoveLibrary {
+  kind: "RemoveLibrary";
+  name: string;
 }
 
 export interface Rename {
@@ -604,6 +700,11 @@ export interface SettingsTable {
   problem?: string;
 }
 
+export interface SkillClash {
+  skill: string;
+  place: string;
+}
+
 export interface Sound {
   kind: "Sound";
   device: string;
@@ -651,6 +752,11 @@ export interface TryOwnBlock {
 
 export interface Undo {
   kind: "Undo";
+}
+
+export interface UseLibrary {
+  kind: "UseLibrary";
+  name: string;
 }
 
 export interface Variable {
@@ -776,7 +882,15 @@ export type FromPage =
   | ChangeSettings
   | SaveTags
   | ReadTags
-  | ExportTags;
+  | ExportTags
+  | ListLibraries
+  | ListExportable
+  | ReadLibraries
+  | ImportLibraries
+  | RemoveLibrary
+  | DownloadLibrary
+  | MakeLibrary
+  | UseLibrary;
 
 export type ToPage =
   | Welcome
@@ -811,4 +925,8 @@ export type ToPage =
   | BlockSetRead
   | SettingsTable
   | Tags
-  | TagsRead;
+  | TagsRead
+  | Libraries
+  | LibrariesRead
+  | Exportable
+  | LibraryMade;

@@ -8,7 +8,7 @@ from learnblock.library.address import find
 from learnblock.library.archive import ENDING, pack, read, unpack
 from learnblock.library.clashes import Clash, clashes
 from learnblock.library.contents import Library, from_files
-from learnblock.library.making import make, own_blocks
+from learnblock.library.making import make, own_skills
 from learnblock.library.manifest import Manifest, manifest
 from learnblock.library.renaming import renamed
 from learnblock.library.shelf import Shelved, install, installed, remove, shelved, versions, write
@@ -26,7 +26,7 @@ __all__ = [
     "installed",
     "make",
     "manifest",
-    "own_blocks",
+    "own_skills",
     "pack",
     "read",
     "remove",

@@ -9,7 +9,7 @@ from learnblock.blocks.libraries import blocks, installed, texts
 from learnblock.blocks.reserved import RESERVED
 from learnblock.errors import Diagnostic, LearnBlockError, LibraryError
 from learnblock.library.contents import Library
-from learnblock.library.making import own_blocks
+from learnblock.library.making import own_skills
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ def _others(coming: Iterable[str]) -> Mapping[str, str]:
     found |= {skill: f"the library {name}" for name, skill in _installed() if name not in coming}
     found |= {
         skill: f"your own blocks in {stem}.py"
-        for stem, skills in own_blocks().items()
+        for stem, skills in own_skills().items()
         for skill in skills
     }
     found |= dict.fromkeys(builtin(), "LearnBlock's own")

@@ -60,14 +60,14 @@ def make(
     return replace(library, configurations=written(_described(library, program)))
 
 
-def own_blocks() -> Mapping[str, tuple[str, ...]]:
+def own_skills() -> Mapping[str, tuple[str, ...]]:
     """The user's own blocks: the names of the skills in each file, by its name without ending."""
     return {path.stem: skill_files.names(path) for path in skill_files.own_files()}
 
 
 def _files(own: Iterable[str]) -> list[Path]:
     paths = {path.stem: path for path in skill_files.own_files()}
-    homes = {skill: stem for stem, skills in own_blocks().items() for skill in skills}
+    homes = {skill: stem for stem, skills in own_skills().items() for skill in skills}
     wanted: dict[str, Path] = {}
     for name in own:
         stem = name if name in paths else homes.get(name)

@@ -24,6 +24,11 @@ async def palette(request: Request) -> Response:
     return Response(content, media_type="application/json", headers=headers)
 
 
+def renew() -> None:
+    """Other blocks are there than before."""
+    _encoded.cache_clear()
+
+
 @lru_cache(_MOST_LANGUAGES)
 def _encoded(language: str) -> bytes:
     from learnblock.blocks import all_configurations  # noqa: PLC0415 - the server answers first

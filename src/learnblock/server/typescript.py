@@ -20,6 +20,8 @@ _SCALARS: dict[type[inspect.Type], str] = {
     inspect.IntType: "number",
     inspect.FloatType: "number",
     inspect.BoolType: "boolean",
+    # In base 64.
+    inspect.BytesType: "string",
     inspect.NoneType: "null",
     inspect.AnyType: "unknown",
 }

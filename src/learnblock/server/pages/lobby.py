@@ -11,6 +11,7 @@ from learnblock.server.pages import (
     block_sets,
     controlling,
     editing,
+    libraries,
     past,
     projecting,
     settings,
@@ -31,6 +32,7 @@ HANDLERS = {
     **block_sets.HANDLERS,
     **tags.HANDLERS,
     **settings.HANDLERS,
+    **libraries.HANDLERS,
 }
 
 

@@ -2,13 +2,14 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, reduce
 
 from learnblock.blocks import BlockConfiguration
 from learnblock.errors import Diagnostic, FileError, LearnBlockError, ProgramError
 from learnblock.language import format as format_program
 from learnblock.language import from_workspace, parse, recover
 from learnblock.language.extents import Extent, moved
+from learnblock.language.imports import imported, libraries_used, with_import
 from learnblock.language.nodes import Program as Tree
 from learnblock.language.rename import Sort, rename
 from learnblock.language.workspace import Workspace
@@ -110,7 +111,7 @@ class Document:
             return self._unreadable(workspace, said)
         if read.program != self.good.tree:
             good = Notations.of_blocks(read.program, read.block_ids, workspace, self.target)
-            good = self._renamed_throughout(good)
+            good = self._importing(self._renamed_throughout(good))
             return replace(self, origin="blocks", good=good, unread=None, remarks=said)
         good = self.good.with_blocks(read.program, read.block_ids, workspace)
         if self.unread and self.unread.view != "blocks":
@@ -134,6 +135,26 @@ class Document:
         """
         self._refuse_unread("a name can be changed")
         return self._rewritten(rename(self.block_tree, sort, name, new))
+
+    def with_import(self, library: str) -> "Document":
+        """The program imports a library.
+
+        Raises:
+            LearnBlockError: the program has mistakes.
+        """
+        self._refuse_unread("a library can be imported")
+        return self._rewritten(with_import(self.block_tree, library))
+
+    def with_configurations(self, configurations: Mapping[str, BlockConfiguration]) -> "Document":
+        """Other skills are there than before, so that it may show other blocks and problems."""
+        return Document.from_text(
+            self.blocktext,
+            self.target.robot_module,
+            configurations,
+            self.workspace,
+            self.python_by_hand,
+            devices=self.target.devices,
+        )
 
     def formatted(self) -> "Document":
         """The Block-Text has its canonical form.
@@ -276,6 +297,17 @@ class Document:
             return good
         if change.is_left_in(text):
             return good
+        return Notations.of_blocktext(parse(text), text, self.target, good.workspace)
+
+    def _importing(self, good: Notations) -> Notations:
+        """If a skill of a library was put in, the program imports that library."""
+        known = self.target.configurations
+        used = libraries_used(good.tree, known) - libraries_used(self.good.tree, known)
+        missing = sorted(used - imported(good.tree))
+        if self.unread or not missing:
+            return good
+        tree = reduce(with_import, missing, good.tree)
+        text = format_program(tree)
         return Notations.of_blocktext(parse(text), text, self.target, good.workspace)
 
     def _unreadable(self, workspace: Workspace, mistakes: tuple[Problem, ...]) -> "Document":

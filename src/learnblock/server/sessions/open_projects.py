@@ -1,13 +1,15 @@
 """The projects that are open."""
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from anyio import to_thread
 
+from learnblock.blocks import BlockConfiguration, all_configurations
 from learnblock.errors import LearnBlockError
-from learnblock.server.messages import Message
+from learnblock.server import palette
+from learnblock.server.messages import Message, PaletteChanged
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project_file import Project, checked_name
 from learnblock.server.sessions.prepared import prepare
@@ -28,6 +30,7 @@ class Sessions:
         self._grace = grace
         self._open: dict[str, Session] = {}
         self._ending: dict[str, asyncio.Task[None]] = {}
+        self._renewing: set[asyncio.Task[None]] = set()
         #: So that two pages that open the same project at once share it.
         self._opening = asyncio.Lock()
 
@@ -72,6 +75,23 @@ class Sessions:
         for session in self._open.values():
             session.tell(message)
 
+    async def renew_blocks(self, own: Session | None) -> None:
+        """Other skills are there than before: every program is read with them, every page told.
+
+        Args:
+            own: the project whose turn it is; the others take theirs when they can.
+        """
+        palette.renew()
+        configurations = await to_thread.run_sync(all_configurations)
+        if own:
+            await own.know(configurations)
+        for session in self._open.values():
+            if session is not own:
+                task = asyncio.create_task(_renew(session, configurations))
+                self._renewing.add(task)
+                task.add_done_callback(self._renewing.discard)
+        self.tell(PaletteChanged())
+
     async def close(self) -> None:
         """Close them all: their programs end, and they are saved."""
         async with self._opening:
@@ -111,3 +131,8 @@ class Sessions:
         """It is not to be closed any more."""
         if ending := self._ending.pop(name, None):
             ending.cancel()
+
+
+async def _renew(session: Session, configurations: Mapping[str, BlockConfiguration]) -> None:
+    async with session.turn:
+        await session.know(configurations)

@@ -1,12 +1,13 @@
 """A project that is open, shared by every page that shows it."""
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from time import time
 from typing import TYPE_CHECKING
 
 from anyio import to_thread
 
+from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
 from learnblock.server import catalog, messages
@@ -133,6 +134,11 @@ class Session:
         await self.archive.keep_version("restored")
         module, devices = self.robot.module, self.robot.load().known_devices()
         await self.change(lambda _: prepare(earlier).document.with_robot(module, devices))
+
+    async def know(self, configurations: Mapping[str, BlockConfiguration]) -> None:
+        """Other skills are there than before."""
+        before = self.document
+        await self._think(lambda: self.edits.replace(before.with_configurations(configurations)))
 
     # Settings.
 

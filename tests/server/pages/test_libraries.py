@@ -1,0 +1,190 @@
+"""What a page hears and does about libraries."""
+
+import base64
+import json
+
+import pytest
+
+from learnblock import language, library
+
+PROGRAM = """def waltz(times):
+    repeat times:
+        step()
+    end
+end
+
+def step():
+    print("step")
+end
+
+def late():
+    return speed
+end
+
+main:
+    speed = 1
+    waltz(2)
+end
+"""
+
+
+@pytest.fixture(autouse=True)
+def own_home(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
+    (tmp_path / "home").mkdir()
+    return tmp_path / "home"
+
+
+def packed(name="dance", version="1.0.0", text=PROGRAM, functions=("waltz",), **more):
+    """A library as a page sends it."""
+    made = library.make(library.manifest(name, version), language.parse(text), functions)
+    content = base64.b64encode(library.pack(made)).decode()
+    return {"filename": f"{name}.lblib", "content": content, **more}
+
+
+def imported(page, *files, **more):
+    page.say("ImportLibraries", files=files, **more)
+    return [(one["name"], one["version"]) for one in page.hear("Libraries")["libraries"]]
+
+
+def edited(page, text):
+    page.say("EditText", notation="blocktext", text=text, edit=1)
+    return page.hear("Document", edit=1)
+
+
+def test_a_page_hears_what_a_library_can_be_made_of(page, own_home):
+    (own_home / "skills").mkdir()
+    (own_home / "skills" / "clap.py").write_text("def clap(robot): pass\n")
+    page.open()
+    edited(page, PROGRAM)
+    page.say("ListExportable")
+    found = page.hear("Exportable")
+    assert found["own"] == [{"name": "clap", "blocks": ["clap"]}]
+    waltz, step, late = found["functions"]
+    assert waltz == {"name": "waltz", "parameters": ["times"], "takes_along": ["step"]}
+    assert step == {"name": "step", "parameters": []}
+    assert late["problem"].startswith("line 12: the functions use `speed`, which line 16 sets")
+
+
+def test_a_library_that_is_made_can_be_imported_and_used(page):
+    page.open()
+    edited(page, PROGRAM)
+    page.say("MakeLibrary", name="dance", version="1.2", title={"en": "Dances"},
+             functions=["waltz"])  # fmt: skip
+    made = page.hear("LibraryMade")
+    assert made["filename"] == "dance.lblib"
+    assert imported(page, made_file(made)) == [("dance", "1.2")]
+    edited(page, "main:\n    function.waltz(3)\nend\n")
+    page.say("UseLibrary", name="dance")
+    document = page.hear("Document")
+    assert document["blocktext"].startswith('import "dance"\n\nmain:\n')
+    assert document.get("problems", []) == []
+    assert page.run()["ended"] == "finished"
+
+
+def made_file(made):
+    return {"filename": made["filename"], "content": made["content"]}
+
+
+def test_nothing_in_a_file_runs_when_it_is_looked_at_or_imported(page, tmp_path):
+    toml = 'learnblock = 1\nname = "evil"\nversion = "1"\n'
+    code = f"open({str(tmp_path / 'ran')!r}, 'w')\ndef evil(robot): pass\n"
+    files = {"library.toml": toml.encode(), "__init__.py": code.encode()}
+    content = base64.b64encode(library.pack(library.from_files(files, "evil"))).decode()
+    page.open()
+    page.say("ReadLibraries", files=[{"filename": "evil.lblib", "content": content}])
+    page.hear("LibrariesRead")
+    assert imported(page, {"filename": "evil.lblib", "content": content}) == [("evil", "1")]
+    assert not (tmp_path / "ran").exists()
+
+
+def test_a_clash_is_told_before_and_resolved_by_a_new_name(page):
+    page.open()
+    imported(page, packed())
+    other = packed("songs", text="def step():\n    pass\nend\n", functions=["step"])
+    page.say("ReadLibraries", files=[other])
+    [read] = page.hear("LibrariesRead")["files"]
+    assert read["clashes"] == [{"skill": "step", "place": "the library dance"}]
+    page.say("ReadLibraries", files=[{**other, "renames": {"step": "song_step"}}])
+    [read] = page.hear("LibrariesRead")["files"]
+    assert "clashes" not in read
+    assert read["library"]["skills"] == ["song_step"]
+    found = imported(page, {**other, "renames": {"step": "song_step"}})
+    assert found == [("dance", "1.0.0"), ("songs", "1.0.0")]
+
+
+def test_a_version_that_is_no_newer_is_told_and_replaced_only_when_asked(page):
+    page.open()
+    imported(page, packed(version="1.1"))
+    older = packed(functions=["step"])
+    page.say("ReadLibraries", files=[older])
+    [read] = page.hear("LibrariesRead")["files"]
+    assert (read["installed"], read["is_newer"]) == ("1.1", False)
+    page.say("ImportLibraries", files=[older])
+    assert "1.0.0 is no newer" in page.hear("Failed")["message"]
+    assert imported(page, older, replace=True) == [("dance", "1.0.0")]
+
+
+def test_what_is_no_library_is_told_and_the_others_are_read(page):
+    page.open()
+    files = [{"filename": "a.lblib", "content": "bm8gemlw"}, packed()]
+    page.say("ReadLibraries", files=files)
+    broken, whole = page.hear("LibrariesRead")["files"]
+    assert broken["problem"].startswith("this is no library in one file")
+    assert whole["library"]["skills"] == ["waltz", "step"]
+
+
+def test_every_page_hears_of_a_library_and_knows_its_skills(server, page):
+    page.open()
+    with server.visit() as other:
+        other.open("other")
+        edited(other, 'import "dance"\nfunction.waltz(1)\n')
+        imported(page, packed())
+        other.hear("PaletteChanged")
+        assert [one["name"] for one in other.hear("Libraries")["libraries"]] == ["dance"]
+        edited(other, 'import "dance"\nfunction.waltz(2)\n')
+        assert other.run()["ended"] == "finished"
+
+
+def test_the_palette_has_a_tab_for_an_installed_library(server, page):
+    page.open()
+    assert tab_of_waltz(server) is None
+    imported(page, packed())
+    assert tab_of_waltz(server) == "Dance"
+    page.say("RemoveLibrary", name="dance")
+    page.hear("Libraries", libraries=[])
+    assert tab_of_waltz(server) is None
+
+
+def tab_of_waltz(server):
+    """The name of the tab in which the block is."""
+    tabs = json.loads(server.get("palette/en.json").body)["toolbox"]["contents"]
+    found = (tab["name"] for tab in tabs for block in tab.get("contents", ())
+             if block["type"] == "lb_skill_waltz")  # fmt: skip
+    return next(found, None)
+
+
+def test_a_block_of_a_library_brings_its_import(page):
+    page.open()
+    imported(page, packed())
+    document = edited(page, 'import "dance"\n\nmain:\n    function.waltz(3)\nend\n')
+    [_, main] = document["workspace"]["stacks"]
+    edited(page, "main:\n    pass\nend\n")
+    page.say("EditBlocks", edit=2, workspace={"stacks": [main], "variables": []})
+    document = page.hear("Document", edit=2)
+    assert document["blocktext"].startswith('import "dance"\n\nmain:\n')
+    assert len(document["workspace"]["stacks"]) == 2
+    # Who takes the import away has their reason: it is told, and not put back.
+    page.say("EditBlocks", edit=3, workspace={"stacks": [main], "variables": []})
+    document = page.hear("Document", edit=3)
+    assert [one["code"] for one in document["problems"] if one["view"] == "blocktext"] == [
+        "not-imported"
+    ]
+
+
+def test_an_installed_library_goes_out_as_it_came_in(page):
+    page.open()
+    file = packed()
+    imported(page, file)
+    page.say("DownloadLibrary", name="dance")
+    assert page.hear("LibraryMade")["content"] == file["content"]
