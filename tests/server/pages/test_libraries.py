@@ -6,6 +6,7 @@ import json
 import pytest
 
 from learnblock import language, library
+from pages import TOKEN
 
 PROGRAM = """def waltz(times):
     repeat times:
@@ -158,7 +159,8 @@ def test_the_palette_has_a_tab_for_an_installed_library(server, page):
 
 def tab_of_waltz(server):
     """The name of the tab in which the block is."""
-    tabs = json.loads(server.get("palette/en.json").body)["toolbox"]["contents"]
+    response = server.get("/palette/en.json", Cookie=f"learnblock_token={TOKEN}")
+    tabs = json.loads(response.body)["toolbox"]["contents"]
     found = (tab["name"] for tab in tabs for block in tab.get("contents", ())
              if block["type"] == "lb_skill_waltz")  # fmt: skip
     return next(found, None)
