@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from learnblock.errors import DeviceValueError, RobotConnectionError
-from learnblock.runtime import messages
+from learnblock.runtime import link, messages
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.link import MAX_MESSAGE, Link
 from learnblock.runtime.messages import Answer, Ask, Connected, FromChild, FromHost, Printed, Tell
@@ -192,6 +192,21 @@ def test_the_largest_frame_passes(ends):
     there._received += queued
     there._split()
     assert there.receive(1).value.shape == (1080, 1920, 3)
+
+
+@pytest.mark.skipif(not link._CAN_LOOK, reason="there it sleeps at once")
+def test_on_a_busy_machine_nobody_looks_for_long(ends, monkeypatch):
+    # Each look lets others have the processor; here that takes as long as all looks may.
+    now, looks = [0.0], []
+
+    def others_run():
+        looks.append(now[0])
+        now[0] += 1.5 * link.LOOKING
+
+    monkeypatch.setattr(link.os, "sched_yield", others_run)
+    monkeypatch.setattr(link, "monotonic", lambda: now[0])
+    assert ends[0].receive(0.01) is None
+    assert len(looks) == 1
 
 
 def test_a_closed_link_is_the_end_for_both(ends):

@@ -4,6 +4,7 @@ import os
 import socket
 import struct
 from collections import deque
+from time import monotonic
 from typing import Any, Generic, TypeVar
 
 import msgspec
@@ -19,6 +20,9 @@ _CHUNK = 65536
 #: How often to look for a message before sleeping until it comes: most answers are there within
 #: some 30 microseconds, and to be woken takes twice as long.
 LOOKS = 30
+#: Seconds after which that has been in vain: on a busy machine each look gives others their turn,
+#: which may be 20 ms long, and whoever sleeps is woken before them.
+LOOKING = 0.001
 _CAN_LOOK = hasattr(socket, "MSG_DONTWAIT") and hasattr(os, "sched_yield")
 #: The largest message either side accepts: a frame of 1920 by 1080 pixels and its envelope.
 MAX_MESSAGE = 8 * 1024 * 1024
@@ -148,11 +152,14 @@ class Link(Generic[Incoming]):
             return None
         if self._connection.gettimeout() is not None:
             self._connection.settimeout(None)
+        until = monotonic() + LOOKING
         for _ in range(LOOKS):
             try:
                 return self._connection.recv(_CHUNK, socket.MSG_DONTWAIT)
             except BlockingIOError:
                 os.sched_yield()
+            if monotonic() > until:
+                break
         return None
 
     def _split(self) -> None:
