@@ -439,6 +439,7 @@ export interface OwnBlockChecked {
   request: number;
   problems?: OwnBlockProblem[];
   configuration?: string;
+  chosen?: string;
   previews?: OwnBlockPreview[];
 }
 

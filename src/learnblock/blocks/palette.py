@@ -8,8 +8,8 @@ from types import MappingProxyType
 from typing import Any
 
 from learnblock.blocks.configuration import BlockConfiguration
-from learnblock.blocks.definitions import definitions, translated
-from learnblock.blocks.toolbox import category_word, toolbox
+from learnblock.blocks.definitions import definitions, skill_definition, translated
+from learnblock.blocks.toolbox import category_word, skill_block, toolbox
 
 _TRANSLATIONS = Path(__file__).parent / "translations"
 
@@ -40,6 +40,13 @@ def _titles(configurations: Mapping[str, BlockConfiguration], language: str) -> 
         for one in configurations.values()
         if one.titles
     }
+
+
+def preview(
+    configuration: BlockConfiguration, language: str
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """One skill's block: its definition, and how it lies in the palette."""
+    return skill_definition(configuration, language), skill_block(configuration)
 
 
 def languages() -> tuple[str, ...]:

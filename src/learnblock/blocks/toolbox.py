@@ -293,13 +293,14 @@ def _skill_tabs(
             "name": words.get(category_word(category), category),
             "category": category,
             "categorystyle": f"lb_{by_category[category][0].type}_category",
-            "contents": [_skill(one) for one in by_category[category]],
+            "contents": [skill_block(one) for one in by_category[category]],
         }
         for category in order
     ]
 
 
-def _skill(configuration: BlockConfiguration) -> dict[str, Any]:
+def skill_block(configuration: BlockConfiguration) -> dict[str, Any]:
+    """A skill's block as it lies in the palette, with the shadows of its parameters."""
     shadows = {one.name: parameter_shadow(one) for one in configuration.parameters}
     inputs = {name: {"shadow": one.block()} for name, one in shadows.items() if one is not None}
     given = len(list(takewhile(_is_shown, configuration.parameters)))

@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping
 
+from anyio import to_thread
+
 from learnblock.server import messages
 from learnblock.server.pages.page import Handler, Page
 
@@ -15,6 +17,8 @@ async def _choose_world(page: Page, message: messages.ChooseWorld) -> None:
 
 
 async def _run(page: Page, message: messages.Run) -> None:
+    if await to_thread.run_sync(page.sessions.own_files.have_changed):
+        await page.sessions.renew_blocks(page.session)
     await page.session.run(paused=message.paused)
 
 

@@ -12,6 +12,7 @@ from learnblock.server.pages import (
     controlling,
     editing,
     libraries,
+    own_blocks,
     past,
     projecting,
     settings,
@@ -33,6 +34,7 @@ HANDLERS = {
     **tags.HANDLERS,
     **settings.HANDLERS,
     **libraries.HANDLERS,
+    **own_blocks.HANDLERS,
 }
 
 

@@ -11,7 +11,7 @@ from learnblock.runtime.status import State
 from learnblock.server import messages
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import Console
-from learnblock.server.runs.playing import Playing, Setting, prepared
+from learnblock.server.runs.playing import Played, Playing, Setting, prepared
 from learnblock.server.runs.reporter import Reporter
 
 if TYPE_CHECKING:
@@ -132,12 +132,12 @@ class Player:
                 place = f"line {problem.line}: " if problem.line else ""
                 raise LearnBlockError(f"the program has an error: {place}{problem.message}")
 
-    async def run(self, *, paused: bool) -> None:
-        """Run the program from the beginning."""
+    async def run(self, played: Played, *, paused: bool) -> None:
+        """Run a program from the beginning."""
         session = self._session
         start = self._stage.start if self._stage else None
         setting = Setting(session.name, session.robot, session.world, start, session.breakpoints)
-        playing = prepared(session.document, setting, self, self._console, paused=paused)
+        playing = prepared(played, setting, self, self._console, paused=paused)
         playing.run.set_speed(self._speed)
         await self._close_stage()
         self._begin(playing)
@@ -197,7 +197,7 @@ class Player:
 
     def on_held(self, line: int) -> None:
         if self._playing:
-            self._enter("held", self._playing.document.block_at(line))
+            self._enter("held", self._playing.played.block_at(line))
 
     def on_variables(self, variables: Variables) -> None:
         whens = tuple(messages.WhenNow(name, *now) for name, now in variables.whens.items())
@@ -241,7 +241,8 @@ class Player:
         if isinstance(report, Report):
             self._ended = playing.ended(report)
         else:
-            self._ended = messages.Ended("error", f"the run could not be made: {report}")
+            sentence = f"the run could not be made: {report}"
+            self._ended = messages.Ended("error", sentence, tried=playing.is_trial)
         self._session.tell(self._ended)
         self._enter("ended")
         self._session.ran(self._ended)

@@ -4,15 +4,19 @@ import asyncio
 import threading
 from collections.abc import Iterable
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
 
+from learnblock import skill_files
 from learnblock.devices import Pose
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, Report
 from learnblock.running import Session as Run
 from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.program import Program
 from learnblock.server import messages
-from learnblock.server.program.document import Document
 from learnblock.server.runs.console import Console
+from learnblock.server.runs.trial import Trial
 from learnblock.server.runs.watcher import Audience, RunWatcher
 
 #: Whoever repeats a run on the command line gets the same one: it seeds with 0 as well.
@@ -38,17 +42,30 @@ class Setting:
     breakpoints: tuple[str, ...]
 
 
+class Played(Protocol):
+    """What is run: a program's document, or a function that is tried."""
+
+    def program(self, name: str, /) -> Program:
+        """What is run."""
+
+    def block_at(self, python_line: int, /) -> str | None:
+        """The block that stands in a line of it."""
+
+    def python_line(self, block: str, /) -> int | None:
+        """The first line of a block."""
+
+
 class Playing:
     """One run: the program as it was when it began, and who controls and watches it.
 
     Args:
-        document: the program.
+        played: the program.
         run: prepared.
         watcher: that of `run`.
     """
 
-    def __init__(self, document: Document, run: Run, watcher: RunWatcher) -> None:
-        self.document = document
+    def __init__(self, played: Played, run: Run, watcher: RunWatcher) -> None:
+        self.played = played
         self.run = run
         self.watcher = watcher
         #: Set once nothing of it is left.
@@ -57,7 +74,11 @@ class Playing:
     @property
     def block(self) -> str | None:
         """The block that runs now."""
-        return self.document.block_at(self.watcher.current_line)
+        return self.played.block_at(self.watcher.current_line)
+
+    @property
+    def is_trial(self) -> bool:
+        return isinstance(self.played, Trial)
 
     def start(self) -> None:
         """Run it, in a thread."""
@@ -66,16 +87,21 @@ class Playing:
 
     def set_breakpoints(self, blocks: Iterable[str]) -> None:
         """Hold it before these blocks."""
-        self.run.set_breakpoints(lines(self.document, blocks))
+        self.run.set_breakpoints(lines(self.played, blocks))
 
     def ended(self, report: Report) -> messages.Ended:
         """How it ended."""
         error = report.error or {}
         line = error.get("line")
+        line = line if isinstance(line, int) else 0
+        own_block, own_line = self._own_place(error.get("within"), line)
         return messages.Ended(
             ended=report.ended,
             message=str(error.get("message", "")),
-            block=self.document.block_at(line) if isinstance(line, int) and line else None,
+            block=self.played.block_at(line) if line else None,
+            own_block=own_block,
+            own_line=own_line,
+            tried=self.is_trial,
             time=report.time,
             distance=report.distance,
             goals=tuple(
@@ -87,6 +113,14 @@ class Playing:
             trace_sha256=report.trace_sha256,
         )
 
+    def _own_place(self, within: Any, line: int) -> tuple[str, int]:
+        """The block of the user's own in which it went wrong, and the line of its source."""
+        if isinstance(self.played, Trial) and (own_line := self.played.own_line(line)):
+            return self.played.name, own_line
+        if within and Path(within["file"]) in skill_files.own_files():
+            return Path(within["file"]).stem, within["line"]
+        return "", 0
+
     def _play(self) -> None:
         try:
             outcome: Report | Exception = self.run.run()
@@ -96,7 +130,7 @@ class Playing:
 
 
 def prepared(
-    document: Document,
+    played: Played,
     setting: Setting,
     audience: Audience,
     console: Console,
@@ -106,7 +140,7 @@ def prepared(
     """A run that has not begun.
 
     Args:
-        document: a program without errors.
+        played: a program without errors.
         setting: what it runs on, and where.
         audience: is told how it fares.
         console: takes what it prints.
@@ -114,16 +148,16 @@ def prepared(
     """
     watcher = RunWatcher(audience, console)
     run = Run(
-        document.program(setting.name),
+        played.program(setting.name),
         setting.robot,
         Options(world=setting.world, seed=SEED, start=setting.start),
         watcher=watcher,
-        debugger=Debugger(lines(document, setting.breakpoints), paused=paused),
+        debugger=Debugger(lines(played, setting.breakpoints), paused=paused),
     )
-    return Playing(document, run, watcher)
+    return Playing(played, run, watcher)
 
 
-def lines(document: Document, blocks: Iterable[str]) -> frozenset[int]:
+def lines(played: Played, blocks: Iterable[str]) -> frozenset[int]:
     """The lines of Python that begin these blocks."""
-    found = map(document.python_line, blocks)
+    found = map(played.python_line, blocks)
     return frozenset(line for line in found if line is not None)

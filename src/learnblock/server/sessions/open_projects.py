@@ -12,6 +12,7 @@ from learnblock.server import palette
 from learnblock.server.messages import Message, PaletteChanged
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project_file import Project, checked_name
+from learnblock.server.sessions.own_files import OwnFiles
 from learnblock.server.sessions.prepared import prepare
 from learnblock.server.sessions.session import Session
 
@@ -31,6 +32,8 @@ class Sessions:
         self._open: dict[str, Session] = {}
         self._ending: dict[str, asyncio.Task[None]] = {}
         self._renewing: set[asyncio.Task[None]] = set()
+        #: To see whether somebody has edited one by hand.
+        self.own_files = OwnFiles()
         #: So that two pages that open the same project at once share it.
         self._opening = asyncio.Lock()
 

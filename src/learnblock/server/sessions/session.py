@@ -18,6 +18,7 @@ from learnblock.server.program.edits import Edits
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project_file import Project
 from learnblock.server.runs.player import Player
+from learnblock.server.runs.trial import Trial
 from learnblock.server.sessions.archive import Archive
 from learnblock.server.sessions.prepared import Prepared, loaded, prepare, settled
 
@@ -195,10 +196,17 @@ class Session:
         self.player.require_no_errors()
         await self.player.stop()
         self._last_run = (time(), await self.archive.keep_version("run"))
-        await self.player.run(paused=paused)
+        await self.player.run(self.document, paused=paused)
+
+    async def try_out(self, trial: Trial) -> None:
+        """Run a function by itself, in place of the program."""
+        await self.player.stop()
+        await self.player.run(trial, paused=False)
 
     def ran(self, ended: messages.Ended) -> None:
         """A run is over."""
+        if ended.tried:
+            return
         began, version = self._last_run
         self.archive.add_run(
             messages.PastRun(

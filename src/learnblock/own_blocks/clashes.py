@@ -1,0 +1,39 @@
+"""Names that the functions of a block of one's own cannot have, since others have them."""
+
+from collections.abc import Mapping
+
+from learnblock import skill_files
+from learnblock.blocks.derivation import derive_plugins
+from learnblock.blocks.libraries import installed_blocks
+from learnblock.blocks.load import builtin
+from learnblock.blocks.reserved import RESERVED
+from learnblock.errors import LearnBlockError
+
+
+def taken_names(*, but: str = "") -> Mapping[str, str]:
+    """The names, each with a sentence that says whose it is.
+
+    Args:
+        but: the name of the block whose own functions are left out.
+    """
+    taken = {block.name: _of_library(block.library) for block in installed_blocks()}
+    taken |= dict.fromkeys(_of_plugins(), "a plugin has a skill of this name already")
+    for path in skill_files.own_files():
+        if path.stem != but:
+            reason = f"your block `{path.stem}` has a function of this name already"
+            taken |= dict.fromkeys(skill_files.names(path), reason)
+    taken |= dict.fromkeys(RESERVED, "every robot has something of this name already")
+    taken |= dict.fromkeys(builtin(), "LearnBlock has a skill of this name already")
+    return taken
+
+
+def _of_library(name: str) -> str:
+    return f"the library `{name}` has a skill of this name already"
+
+
+def _of_plugins() -> list[str]:
+    try:
+        return [signature.name for signature, _ in derive_plugins()]
+    except LearnBlockError:
+        # It is told wherever the blocks that there are are asked for.
+        return []

@@ -1,0 +1,123 @@
+"""Imports of what does not exist, found without importing anything of anybody's."""
+
+import ast
+import importlib.util
+from collections.abc import Iterator
+from functools import lru_cache
+from pathlib import Path
+
+from learnblock import skill_files
+from learnblock.errors import Diagnostic, LearnBlockError, did_you_mean
+from learnblock.home import home
+
+_OURS = "learnblock"
+_LIBRARIES = "learnblock.libraries"
+_PACKAGE = Path(__file__).parents[1]
+
+
+def wrong_imports(tree: ast.Module) -> Iterator[Diagnostic]:
+    """What the imports of a file name and is not there; those that a ``try`` expects are left."""
+    expected = {
+        id(inner)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Try) and node.handlers
+        for statement in node.body
+        for inner in ast.walk(statement)
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import | ast.ImportFrom) and id(node) not in expected:
+            for message in _wrong(node):
+                column = node.col_offset + 1
+                yield Diagnostic("unknown-import", message, node.lineno, column)
+
+
+def _wrong(node: ast.Import | ast.ImportFrom) -> Iterator[str]:
+    if isinstance(node, ast.Import):
+        for alias in node.names:
+            yield from _wrong_module(alias.name)
+    elif node.level:
+        yield (
+            "an import with dots in front finds nothing here: a file of blocks stands by itself;"
+            " write the names of packages that are installed"
+        )
+    else:
+        module = node.module or ""
+        wrong = [*_wrong_module(module)]
+        yield from wrong
+        if not wrong and module.partition(".")[0] == _OURS:
+            for alias in node.names:
+                yield from _wrong_name(module, alias.name)
+
+
+def _wrong_module(module: str) -> Iterator[str]:
+    top, _, _ = module.partition(".")
+    if top == _OURS:
+        yield from _wrong_module_of_ours(module)
+    elif not _is_installed(top):
+        yield (
+            f"`import {module}`: no package `{top}` is installed; check the name, or install it"
+            " where LearnBlock is installed"
+        )
+
+
+@lru_cache(maxsize=256)
+def _is_installed(package: str) -> bool:
+    try:
+        return importlib.util.find_spec(package) is not None
+    except (ImportError, ValueError):
+        return False
+
+
+def _wrong_module_of_ours(module: str) -> Iterator[str]:
+    if module.startswith(f"{_LIBRARIES}."):
+        name = module.split(".")[2]
+        if not (home() / "libraries" / name / "library.toml").is_file():
+            yield f"`import {module}`: there is no library `{name}` here; import its file first"
+    elif _file_of_ours(module) is None:
+        parent, _, name = module.rpartition(".")
+        hint = did_you_mean(name, _modules(parent)) or "see its documentation for all there are"
+        yield f"`import {module}`: LearnBlock has no such module; {hint}"
+
+
+def _wrong_name(module: str, name: str) -> Iterator[str]:
+    file = None if module.startswith(f"{_LIBRARIES}.") else _file_of_ours(module)
+    if file is None or name == "*" or _file_of_ours(f"{module}.{name}"):
+        return
+    known = _names(file)
+    if name not in known:
+        public = [one for one in known if not one.startswith("_")]
+        hint = did_you_mean(name, public) or "see its documentation for all there are"
+        yield f"`{module}` has nothing called `{name}`; {hint}"
+
+
+def _file_of_ours(module: str) -> Path | None:
+    path = _PACKAGE.joinpath(*module.split(".")[1:])
+    for file in (path.with_name(f"{path.name}.py"), path / "__init__.py"):
+        if file.is_file():
+            return file
+    return None
+
+
+def _modules(package: str) -> list[str]:
+    folder = _PACKAGE.joinpath(*package.split(".")[1:])
+    return [path.stem for path in folder.glob("*") if path.suffix == ".py" or path.is_dir()]
+
+
+@lru_cache(maxsize=64)
+def _names(file: Path) -> frozenset[str]:
+    """The names that a module of ours defines or imports."""
+    try:
+        tree = skill_files.parse(skill_files.read(file), str(file))
+    except (LearnBlockError, OSError):
+        return frozenset()
+    return frozenset(name for node in ast.walk(tree) for name in _defined(node))
+
+
+def _defined(node: ast.AST) -> Iterator[str]:
+    match node:
+        case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
+            yield name
+        case ast.Name(id=name, ctx=ast.Store()):
+            yield name
+        case ast.Import(names=names) | ast.ImportFrom(names=names):
+            yield from (alias.asname or alias.name.partition(".")[0] for alias in names)
