@@ -122,6 +122,7 @@ export interface Completion {
   sort: string;
   detail?: string;
   help?: string;
+  category?: string;
 }
 
 export interface Completions {

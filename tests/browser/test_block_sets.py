@@ -58,6 +58,16 @@ def test_the_search_finds_only_what_is_shown(pupil):
     expect(pupil.page.locator(".blocklyFlyout").first).to_contain_text("No matching blocks")
 
 
+def test_the_texts_suggest_what_is_shown_before_what_is_not(pupil):
+    show(pupil, "First steps")
+    pupil.write("blocktext", "main:\n    function.turn\nend\n")
+    pupil.put_cursor("blocktext", "\nend")
+    pupil.page.keyboard.press("Control+Space")
+    options = pupil.page.locator(".cm-tooltip-autocomplete .cm-completionLabel")
+    expect(options.first).to_have_text("turn_90_left")
+    assert "turn_back" in options.all_text_contents()
+
+
 def test_single_blocks_and_whole_tabs_are_chosen_and_saved(pupil, own_server):
     open_dialog(pupil)
     dialog = pupil.dialog()

@@ -69,7 +69,7 @@ def test_a_video_is_one_of_those_in_its_folder(pupil, own_server):
 
 def test_in_spanish_by_keyboard(sit_down, own_server):
     pupil = sit_down(own_server, language="es", theme="dark")
-    choose(pupil, "Ajustes de los robots…", menu="Ayuda")
+    choose(pupil, "Ajustes de los robots…", menu="Ayuda y ajustes")
     pupil.dialog().get_by_role("combobox", name="Robot").select_option("cozmo")
     field(pupil, "Volumen").focus()
     pupil.page.keyboard.press("Control+a")
@@ -81,7 +81,7 @@ def test_in_spanish_by_keyboard(sit_down, own_server):
     expect(pupil.dialog()).to_have_count(0)
 
 
-def choose(pupil, item, menu="Help"):
+def choose(pupil, item, menu="Help and settings"):
     pupil.page.get_by_role("button", name=menu, exact=True).click()
     pupil.page.get_by_role("menuitem", name=item, exact=True).click()
 

@@ -29,12 +29,15 @@ function template(insert: string): string {
 /** Too little to put a worse match before a better one; among equals the server's order stays. */
 const STEP_DOWN = 0.05;
 
-function option({ label, insert, sort, detail, help }: Completion, index: number): Option {
+/** Behind all that fits: a block that is not shown may be written all the same. */
+const HIDDEN = -90;
+
+function option({ label, insert, sort, detail, help }: Completion, index: number, shown: boolean): Option {
   const plain = !insert.includes("\n") && !insert.includes("${");
   return {
     label,
     type: sort,
-    boost: -STEP_DOWN * index,
+    boost: Math.max(-99, (shown ? 0 : HIDDEN) - STEP_DOWN * index),
     apply: plain ? insert : snippet(template(insert)),
     ...(detail ? { detail } : {}),
     ...(help ? { info: help } : {}),
@@ -56,7 +59,8 @@ async function complete(
   if (!found || found.options.length === 0) return null;
   const line = context.state.doc.lineAt(context.pos);
   const from = Math.min(line.from + found.from_column - 1, context.pos);
-  return { from, options: found.options.map(option), validFor: SAME_WORD };
+  const options = found.options.map((one, index) => option(one, index, requests.isShown(one)));
+  return { from, options, validFor: SAME_WORD };
 }
 
 /** Completion while typing and by Ctrl+Space; brackets and quotes come in pairs. */

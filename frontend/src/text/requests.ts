@@ -3,9 +3,10 @@
 import { effect } from "@preact/signals";
 import type { EditorState } from "@codemirror/state";
 
+import { shows } from "../blocksets/rule";
 import type { Context } from "../context";
 import { language } from "../i18n";
-import type { Completions, Description, Notation } from "../messages";
+import type { Completion, Completions, Description, Notation } from "../messages";
 
 type Answered = Completions | Description;
 interface Question {
@@ -41,6 +42,12 @@ export class Requests {
 
   describe(state: EditorState, position: number): Promise<Description | null> {
     return this.ask("Describe", "Description", state, position) as Promise<Description | null>;
+  }
+
+  /** Whether the palette offers what is suggested, as far as it is a block. */
+  isShown({ sort, category = "", label }: Completion): boolean {
+    const name = label.split(".").at(-1);
+    return sort !== "skill" || shows(this.context.shownBlocks.peek(), category, `function.${name}`);
   }
 
   destroy(): void {

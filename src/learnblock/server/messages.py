@@ -825,6 +825,7 @@ class Completion(Struct, frozen=True, omit_defaults=True):
         sort: skill, function, variable, when, keyword, robot.
         detail: its parameters.
         help: one sentence.
+        category: of a skill, as sets of blocks name it.
     """
 
     label: str
@@ -832,6 +833,7 @@ class Completion(Struct, frozen=True, omit_defaults=True):
     sort: str
     detail: str = ""
     help: str = ""
+    category: str = ""
 
 
 class Completions(Message, frozen=True):

@@ -32,9 +32,11 @@ export function TagsDialog() {
     event.preventDefault();
     if (names) tags.save(names);
   };
+  // The dialog keeps the first of these: it looks at what there is when it is called.
   const close = () => {
     dialogs.close();
-    if (changed && names) saveInPassing(page, names);
+    const last = namesOf(rows.peek());
+    if (last && !sameNames(last, tags.names.peek())) saveInPassing(page, last);
   };
   const problem = tags.refusal.value || tags.problem.value;
   return (

@@ -131,6 +131,7 @@ class Completer:
                 sort="skill",
                 detail=signature(skill),
                 help=self.words.tooltip(skill),
+                category=skill.category,
             )
 
     def called(self, name: str, insert: str) -> str:
