@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 
+import click
 import pytest
 from click.testing import CliRunner
 
@@ -43,6 +44,21 @@ def test_help_shows_every_command_and_how_to_start():
     for command in commands:
         assert f"\n  {command} " in shown
     assert "learnblock demo" in shown
+
+
+def described(group, path=()):
+    """Every command by its words, with the lines of its help."""
+    for name, command in group.commands.items():
+        yield (*path, name), (command.help or "").splitlines()
+        if isinstance(command, click.Group):
+            yield from described(command, (*path, name))
+
+
+@pytest.mark.parametrize(("words", "lines"), described(main))
+def test_examples_in_a_help_stand_line_by_line(words, lines):
+    shown = [line.strip() for line in call(*words, "--help").output.splitlines()]
+    examples = [line for line in lines if line.startswith("learnblock ")]
+    assert [line for line in examples if line not in shown] == []
 
 
 def test_it_runs_as_a_module_too():

@@ -140,12 +140,12 @@ def open_command(file: Path, **choices: Any) -> None:
 @click.option("--anyway", is_flag=True, help="Run it although the robot lacks a device it asks.")
 @_JSON
 def run(file: Path, as_json: bool, **choices: Any) -> None:  # noqa: FBT001 - a flag of click
-    r"""Run a program (.bt or .py) on a robot.
+    """Run a program (.bt or .py) on a robot.
 
     \b
     learnblock run examples/square.bt --robot sim-ev3 --picture square.png
     learnblock run examples/line.bt --world line --for 60 --pace 5
-    """
+    """  # noqa: D301 - click wants the character itself
     from learnblock.reporting import run_and_report  # noqa: PLC0415 - `--help` needs none of it
 
     sys.exit(run_and_report(file, as_json=as_json, **choices))
@@ -227,11 +227,11 @@ def format_command(
 @_ROBOT
 @_JSON
 def convert(file: Path, notation: str, robot: str | None, as_json: bool) -> None:  # noqa: FBT001
-    r"""Translate a program between Block-Text and Python, to standard output.
+    """Translate a program between Block-Text and Python, to standard output.
 
     \b
     learnblock convert square.bt --to python --robot ev3 > square.py
-    """
+    """  # noqa: D301 - click wants the character itself
     from learnblock import language, robots, running  # noqa: PLC0415
 
     source = running.read(file)

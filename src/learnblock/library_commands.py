@@ -18,13 +18,13 @@ _REPLACE = click.option("--replace", is_flag=True, help="Replace what is there a
 
 @click.group("library")
 def library_group() -> None:
-    r"""Make libraries of functions and blocks of your own, and import those of others.
+    """Make libraries of functions and blocks of your own, and import those of others.
 
     \b
     learnblock library export dance.bt --functions waltz,polka --name dance --version 1.0.0
     learnblock library import dance.lblib songs.lblib
     learnblock library import dance.lblib --rename waltz=ball_waltz
-    """
+    """  # noqa: D301 - click wants the character itself
 
 
 @library_group.command("list")

@@ -20,14 +20,14 @@ _FOLDER = click.option(
 
 @click.group("new")
 def new_group() -> None:
-    r"""Begin a robot, a skill or a world of your own: complete files, to be changed.
+    """Begin a robot, a skill or a world of your own: complete files, to be changed.
 
     \b
     learnblock new robot                              asks what there is to know
     learnblock new robot pathfinder --from pathfinder.toml
     learnblock new skill waltz
     learnblock new world garden
-    """
+    """  # noqa: D301 - click wants the character itself
 
 
 @new_group.command()

@@ -11,13 +11,13 @@ _JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON, for to
 @_JSON
 @click.pass_context
 def perception_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a flag of click
-    r"""Show how what cameras see is recognised, or change it.
+    """Show how what cameras see is recognised, or change it.
 
     \b
     learnblock perception set webcam 0
     learnblock perception set apriltag localhost:25000
     learnblock perception set apriltag --default
-    """
+    """  # noqa: D301 - click wants the character itself
     if ctx.invoked_subcommand is None:
         _show(as_json=as_json)
 
@@ -93,14 +93,14 @@ def component_command(
     layout: str,
     drawn: bool,  # noqa: FBT001 - a flag of click
 ) -> None:
-    r"""Be one of RoboComp's components, with our detector: others ask it over Ice.
+    """Be one of RoboComp's components, with our detector: others ask it over Ice.
 
     Leave it with Ctrl-C.
 
     \b
     learnblock component apriltag
     learnblock component emotionrecognition --only-drawn-faces
-    """
+    """  # noqa: D301 - click wants the character itself
     from threading import Event  # noqa: PLC0415 - `--help` needs none of it
 
     from learnblock.components import Order, serve  # noqa: PLC0415

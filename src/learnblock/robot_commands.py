@@ -17,13 +17,13 @@ _NAME = click.argument("name", metavar="ROBOT")
 @_JSON
 @click.pass_context
 def robots_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a flag of click
-    r"""List the robots with their devices; or set, scan, test or set up real ones.
+    """List the robots with their devices; or set, scan, test or set up real ones.
 
     \b
     learnblock robots scan
     learnblock robots set cozmo address 192.168.1.20
     learnblock robots test cozmo
-    """
+    """  # noqa: D301 - click wants the character itself
     if ctx.invoked_subcommand is None:
         from learnblock.listing import robot_list  # noqa: PLC0415 - `--help` needs none of it
 
@@ -43,13 +43,13 @@ def set_command(
     default: bool,  # noqa: FBT001 - a flag of click
     as_json: bool,  # noqa: FBT001
 ) -> None:
-    r"""Show the settings of a real robot, or change one.
+    """Show the settings of a real robot, or change one.
 
     \b
     learnblock robots set ev3                    show them all
     learnblock robots set ev3 wheel_radius 28    change one
     learnblock robots set ev3 wheel_radius --default
-    """
+    """  # noqa: D301 - click wants the character itself
     from learnblock.robots import settings  # noqa: PLC0415
 
     robot = _real(name)
@@ -116,13 +116,13 @@ def setup(name: str) -> None:
 @click.option("--world", metavar="NAME", help="Which world, or a world's file.")
 @click.option("--seed", type=int, default=0, help="Seeds all noise.")
 def emulate_command(name: str, world: str | None, seed: int) -> None:
-    r"""Be a robot's other end: its real driver then drives a twin in our simulator.
+    """Be a robot's other end: its real driver then drives a twin in our simulator.
 
     To try a driver, or a lesson, without the robot. Leave it with Ctrl-C.
 
     \b
     learnblock emulate cozmo --world tags
-    """
+    """  # noqa: D301 - click wants the character itself
     from learnblock import emulators  # noqa: PLC0415
 
     with emulators.emulate(name, world, seed=seed) as emulation:

@@ -17,13 +17,13 @@ _FILE = click.argument("file", type=click.Path(path_type=Path, dir_okay=False))
 @_JSON
 @click.pass_context
 def tags_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a flag of click
-    r"""List the names of tags; or give, remove, import, export or print them.
+    """List the names of tags; or give, remove, import, export or print them.
 
     \b
     learnblock tags set ball 3
     learnblock tags import tags.csv
     learnblock tags print ball 12
-    """
+    """  # noqa: D301 - click wants the character itself
     if ctx.invoked_subcommand is None:
         names = _names()
         if as_json:
