@@ -36,10 +36,9 @@ def ask_plan(name: str | None) -> RobotPlan:
     """
     name = name or click.prompt("Name of the robot, such as path-finder", value_proc=_robot_name)
     title = name.replace("-", " ").title()
-    answers: Answers = {"name": name, "title": _ask(RobotPlan, "title", "Title", title)}
+    answers: Answers = {"name": name, "title": _ask("title", RobotPlan, "title", title)}
     answers |= _connection()
-    click.echo("All lengths are mm.")
-    answers["wheels"] = _fields(Wheels, radius=30.0, track=120.0, maximum_speed=300.0)
+    answers["wheels"] = _fields("wheels", Wheels, radius=30.0, track=120.0, maximum_speed=300.0)
     answers["body"] = _body(answers["wheels"]["track"])
     answers["distance"] = list(_distance_sensors(answers["body"]))
     answers["ground"] = list(_ground_sensors(answers["body"]))
@@ -57,16 +56,16 @@ def _connection() -> Answers:
         default="network",
     )
     if way == "network":
-        return {way: _fields(Network, address="127.0.0.1", port=4000)}
+        return {way: _fields(way, Network, address="127.0.0.1", port=4000)}
     if way == "serial":
-        return {way: _fields(Serial, device="/dev/ttyUSB0", baud=115200)}
+        return {way: _fields(way, Serial, device="/dev/ttyUSB0", baud=115200)}
     return {}
 
 
 def _body(track: float) -> Answers:
-    shape = _ask(Body, "shape", "Shape of its body", "box")
+    shape = _ask("body.shape", Body, "shape", "box")
     size = {"radius": round(0.6 * track)} if shape == "disc" else {"length": 150.0, "width": track}
-    return {"shape": shape} | _fields(Body, **size, height=80.0, mass=0.5)
+    return {"shape": shape} | _fields("body", Body, **size, height=80.0, mass=0.5)
 
 
 def _distance_sensors(body: Answers) -> Iterator[Answers]:
@@ -74,13 +73,15 @@ def _distance_sensors(body: Answers) -> Iterator[Answers]:
     for index in range(count):
         click.echo(f"Distance sensor {index + 1}, from left to right:")
         usual = round(-90 + 180 * (index + 1) / (count + 1))
-        direction = _ask(DistanceSensor, "direction", "  direction", usual)
+        direction = _ask("distance.direction", DistanceSensor, "direction", usual)
         radians, reach = math.radians(direction), _half_length(body)
         place = {"x": round(reach * math.cos(radians)), "y": round(-reach * math.sin(radians))}
         yield {
             "direction": direction,
-            "sides": _ask_several("  sides it looks to", get_args(Side), _sides(direction)),
-            **_fields(DistanceSensor, **place, maximum=1000.0),
+            "sides": _ask_several(
+                "distance.sides (where its reading appears)", get_args(Side), _sides(direction)
+            ),
+            **_fields("distance", DistanceSensor, **place, maximum=1000.0),
         }
 
 
@@ -96,7 +97,9 @@ def _ground_sensors(body: Answers) -> Iterator[Answers]:
     for side in sides:
         click.echo(f"Ground sensor {side}:")
         y = {"left": 12.0, "central": 0.0, "right": -12.0}[side]
-        yield {"side": side} | _fields(GroundSensor, x=round(0.8 * _half_length(body)), y=y)
+        yield {"side": side} | _fields(
+            "ground", GroundSensor, x=round(0.8 * _half_length(body)), y=y
+        )
 
 
 def _simple_devices() -> Answers:
@@ -107,7 +110,7 @@ def _simple_devices() -> Answers:
     if click.confirm("An accelerometer?", default=False):
         answers["accelerometer"] = {}
     if click.confirm("A face that shows emotions?", default=False):
-        answers["display"] = {"kind": _ask(Display, "kind", "  kind", "screen")}
+        answers["display"] = {"kind": _ask("display.kind", Display, "kind", "screen")}
     if click.confirm("A loudspeaker?", default=False):
         answers["outputs"] = ["Speaker"]
     return answers
@@ -120,7 +123,7 @@ def _joints() -> Iterator[Answers]:
 
 
 def _range() -> Answers:
-    answers = _fields(Joint, minimum=-40.0, maximum=40.0)
+    answers = _fields("joint", Joint, minimum=-40.0, maximum=40.0)
     if answers["minimum"] < answers["maximum"]:
         return answers
     click.echo("Error: `joint.minimum` is not below `joint.maximum`")
@@ -130,7 +133,7 @@ def _range() -> Answers:
 def _cameras(answers: Answers) -> Iterator[Answers]:
     if not click.confirm("A camera?", default=False):
         return
-    camera = _fields(Camera, z=60.0, x=_half_length(answers["body"]), focal=300.0)
+    camera = _fields("camera", Camera, z=60.0, x=_half_length(answers["body"]), focal=300.0)
     if any(joint["key"] == "CAMERA" for joint in answers["joint"]):
         camera["joint"] = "CAMERA"
     yield camera
@@ -145,16 +148,16 @@ def _half_length(body: Answers) -> float:
     return float(body.get("radius") or body["length"] / 2)
 
 
-def _fields(struct: type[Struct], **defaults: Any) -> Answers:
-    """Ask for fields by their names and descriptions."""
+def _fields(table: str, struct: type[Struct], **defaults: Any) -> Answers:
+    """Ask for fields of a table of the description."""
     return {
-        field: _ask(struct, field, f"  {struct.__name__.lower()}.{field}", default)
+        field: _ask(f"{table}.{field}", struct, field, default)
         for field, default in defaults.items()
     }
 
 
-def _ask(struct: type[Struct], field: str, question: str, default: Any) -> Any:
-    """Ask for the value of a field until it is one."""
+def _ask(key: str, struct: type[Struct], field: str, default: Any) -> Any:
+    """Ask for the value of a field until it is one; `key` is its name in the description."""
     hint = typing.get_type_hints(struct, include_extras=True)[field]
     allowed = describe(inspect.type_info(hint))
 
@@ -162,10 +165,11 @@ def _ask(struct: type[Struct], field: str, question: str, default: Any) -> Any:
         try:
             return msgspec.convert(text, hint, strict=False)
         except msgspec.ValidationError:
-            name = question.strip()
-            raise click.BadParameter(f"`{name}` is {text!r:.80}: expected {allowed}") from None
+            raise click.BadParameter(f"`{key}` is {text!r:.80}: expected {allowed}") from None
 
-    return click.prompt(f"{question}: {allowed}", default=default, value_proc=converted)
+    # What it is: what is allowed besides is told to those who need it.
+    note = allowed.partition(" (")[2].removesuffix(")")
+    return click.prompt(f"{key} ({note})", default=default, value_proc=converted)
 
 
 def _ask_several(question: str, known: tuple[str, ...], default: str) -> list[str]:
