@@ -54,7 +54,7 @@ def described(group, path=()):
             yield from described(command, (*path, name))
 
 
-@pytest.mark.parametrize(("words", "lines"), described(main))
+@pytest.mark.parametrize(("words", "lines"), list(described(main)))
 def test_examples_in_a_help_stand_line_by_line(words, lines):
     shown = [line.strip() for line in call(*words, "--help").output.splitlines()]
     examples = [line for line in lines if line.startswith("learnblock ")]
