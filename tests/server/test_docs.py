@@ -6,7 +6,10 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from learnblock.blocks import block_sets, builtin
+from learnblock.blocks.palette import palette
 from learnblock.cli import main
+from learnblock.errors import BlockSetError
 from learnblock.server.projects import project_file
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -35,3 +38,19 @@ def test_every_option_of_the_server_is_in_the_docs():
 def test_every_page_that_the_docs_point_to_is_there(page):
     named = re.findall(r"\]\((?!https?:)([^)#:]+)", page.read_text(encoding="utf-8"))
     assert [name for name in named if not (DOCS / name).exists()] == []
+
+
+def test_the_set_of_blocks_in_the_docs_is_one():
+    text = (DOCS / "block-sets.md").read_text("utf-8")
+    shown = re.search(r"```toml\n(.*?)```", text, re.DOTALL)[1]
+    assert block_sets.parse(shown, "tuesday").title["en"] == "On Tuesday"
+    told = re.search(r"```text\n(.*?)```", text, re.DOTALL)[1]
+    with pytest.raises(BlockSetError) as refused:
+        block_sets.parse(shown.replace("blocks =", "block =", 1), "tuesday")
+    assert str(refused.value) == told.strip()
+
+
+def test_every_set_and_every_tab_of_the_language_is_in_the_docs():
+    text = (DOCS / "block-sets.md").read_text("utf-8")
+    tabs = {tab["category"] for tab in palette(builtin(), "en")["toolbox"]["contents"]}
+    assert [one for one in (*block_sets.BUILT_IN, *tabs) if f"`{one}`" not in text] == []
