@@ -17,6 +17,7 @@ import { Connection } from "./connection";
 import type { Context } from "./context";
 import { BlockSetLibrary } from "./blocksets/library";
 import { language } from "./i18n";
+import { LibraryShelf } from "./libraries/shelf";
 import { Shelf } from "./ownblocks/shelf";
 import { MachineSettings } from "./machine/settings";
 import { theme } from "./preferences";
@@ -58,6 +59,7 @@ function assemble(): Page {
     tags,
     machine: new MachineSettings(connection),
     shelf,
+    libraries: new LibraryShelf(connection),
     announcer: new Announcer(context),
   };
 }

@@ -2,10 +2,11 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 
 import { t } from "../i18n";
+import { ENDING } from "../libraries/shelf";
 import { EXPORTED } from "./dialogs/ownblocks";
 import { usePage, type Page } from "./page";
 
-/** A file may be dropped anywhere on the page: it becomes a project, or a block of the user's own. */
+/** A file may be dropped anywhere on the page: a project, a block of the user's own, or libraries. */
 export function DropPlace() {
   const page = usePage();
   const over = useSignal(false);
@@ -13,29 +14,36 @@ export function DropPlace() {
     () =>
       catchFiles(
         (on) => (over.value = on),
-        (file) => void take(page, file),
+        (files) => void take(page, files),
       ),
     [],
   );
   return over.value ? <div class="drop-place">{t("project.drop")}</div> : null;
 }
 
-function take({ dialogs, project, shelf }: Page, file: File): Promise<void> {
+async function take({ dialogs, libraries, project, shelf }: Page, files: readonly File[]): Promise<void> {
+  const packed = files.filter((one) => one.name.endsWith(ENDING));
+  if (packed.length) {
+    dialogs.show("libraries");
+    return libraries.take(packed);
+  }
+  const [file] = files;
+  if (!file) return;
   if (!file.name.endsWith(EXPORTED)) return project.import(file);
   dialogs.show("ownBlocks");
   return shelf.import(file);
 }
 
 /** Listen before the editors do: they would insert the file's text. */
-function catchFiles(show: (over: boolean) => void, take: (file: File) => void): () => void {
+function catchFiles(show: (over: boolean) => void, take: (files: readonly File[]) => void): () => void {
   const listeners = {
     dragover: (event: DragEvent) => claim(event) && show(true),
     // Without a part of the page that it enters instead, the pointer has left the window.
     dragleave: (event: DragEvent) => event.relatedTarget === null && show(false),
     drop: (event: DragEvent) => {
       show(false);
-      const file = event.dataTransfer?.files[0];
-      if (claim(event) && file) take(file);
+      const files = [...(event.dataTransfer?.files ?? [])];
+      if (claim(event)) take(files);
     },
   };
   const entries = Object.entries(listeners) as [string, EventListener][];

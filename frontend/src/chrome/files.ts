@@ -1,13 +1,30 @@
-/** Files that the user chooses. */
+/** Files that the user chooses, and that they are given. */
 
 /** Ask for a file with one of the endings, such as `.toml,.csv`. */
 export function chooseFile(endings: string, take: (file: File) => void): void {
+  ask(endings, false, ([file]) => file && take(file));
+}
+
+/** Ask for several files. */
+export function chooseFiles(endings: string, take: (files: readonly File[]) => void): void {
+  ask(endings, true, (files) => files.length && take(files));
+}
+
+/** Have the browser save a file. */
+export function saveFile(filename: string, content: BlobPart, type: string): void {
+  const address = URL.createObjectURL(new Blob([content], { type }));
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = filename;
+  link.click();
+  URL.revokeObjectURL(address);
+}
+
+function ask(endings: string, multiple: boolean, take: (files: readonly File[]) => void): void {
   const input = document.createElement("input");
   input.type = "file";
   input.accept = endings;
-  input.onchange = () => {
-    const file = input.files?.[0];
-    if (file) take(file);
-  };
+  input.multiple = multiple;
+  input.onchange = () => take([...(input.files ?? [])]);
   input.click();
 }

@@ -8,6 +8,7 @@ import type { Context } from "../context";
 import type { Announcer } from "./notes/announcer";
 import type { Controls } from "./controls";
 import type { Dialogs } from "./dialogs/dialogs";
+import type { LibraryShelf } from "../libraries/shelf";
 import type { Shelf } from "../ownblocks/shelf";
 import type { MachineSettings } from "../machine/settings";
 import type { TagDictionary } from "../tags/dictionary";
@@ -25,6 +26,7 @@ export interface Page {
   readonly tags: TagDictionary;
   readonly machine: MachineSettings;
   readonly shelf: Shelf;
+  readonly libraries: LibraryShelf;
   readonly toasts: Toasts;
   readonly announcer: Announcer;
 }

@@ -4,10 +4,11 @@ import { computed, effect, signal } from "@preact/signals";
 
 import type { Connection } from "../connection";
 import { t, translated } from "../i18n";
-import type { Export, File as Download, History, ProjectEntry, Welcome, WorldChoice } from "../messages";
+import type { Export, History, ProjectEntry, Welcome, WorldChoice } from "../messages";
 import type { Program } from "../program";
 import { said } from "../sentences";
 import { addressedProject, nameProject, renameProject } from "./address";
+import { saveFile } from "./files";
 import type { Toasts } from "./notes/toasts";
 
 /** What a newcomer sees. */
@@ -39,7 +40,7 @@ export class Project {
     connection.on("Opened", ({ name }) => this.opened(name));
     connection.on("Worlds", ({ worlds }) => (this.worlds.value = worlds));
     connection.on("History", (history) => (this.history.value = history));
-    connection.on("File", download);
+    connection.on("File", ({ filename, text }) => saveFile(filename, text, "text/plain"));
     connection.on("Failed", ({ message, request }) => this.failed(message, request ?? ""));
     effect(() => {
       document.title = this.name.value ? `${this.name.value} – LearnBlock` : "LearnBlock";
@@ -144,7 +145,7 @@ export class Project {
 
   private failed(message: string, request: string): void {
     // What is asked in its dialog is answered there.
-    if (request.endsWith("OwnBlock")) return;
+    if (/(OwnBlock|Library|Libraries)$/.test(request)) return;
     this.toasts.error(said(message));
     this.doomed = null;
     // The address named a project that is not there, or no longer.
@@ -158,13 +159,4 @@ export class Project {
     const name = addressedProject();
     if (name && name !== this.name.value) this.open(name);
   }
-}
-
-function download({ filename, text }: Download): void {
-  const address = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
-  const link = document.createElement("a");
-  link.href = address;
-  link.download = filename;
-  link.click();
-  URL.revokeObjectURL(address);
 }

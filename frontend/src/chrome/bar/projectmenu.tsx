@@ -34,6 +34,7 @@ function items(page: Page) {
     { text: t("blockSets.menu"), run: () => dialogs.show("blockSets") },
     { text: t("project.history"), run: () => dialogs.show("history") },
     { text: t("ownblocks.menu"), separated: true, run: () => dialogs.show("ownBlocks") },
+    { text: t("libraries.menu"), run: () => dialogs.show("libraries") },
     { text: t("tags.menu"), run: () => dialogs.show("tags") },
     { text: t("project.upload"), separated: true, run: () => chooseFile(IMPORTED, (file) => void project.import(file)) },
     { text: t("project.download_learnblock"), run: () => project.export("learnblock") },

@@ -15,6 +15,7 @@ export type DialogName =
   | "robotSettings"
   | "perception"
   | "ownBlocks"
+  | "libraries"
   | { readonly delete: string }
   | OwnBlockDialogName;
 

@@ -6,6 +6,7 @@ import { BlockSetsDialog } from "./blocksets";
 import { ExamplesDialog } from "./examples";
 import { HistoryDialog } from "./history";
 import { IslandPlace } from "../widgets/island";
+import { LibrariesDialog } from "./libraries";
 import { OpenDialog } from "./open";
 import { OwnBlockDialog, OwnBlocksDialog } from "./ownblocks";
 import { usePage } from "../page";
@@ -27,6 +28,7 @@ const DIALOGS = {
   robotSettings: RobotSettingsDialog,
   perception: PerceptionDialog,
   ownBlocks: OwnBlocksDialog,
+  libraries: LibrariesDialog,
 } as const;
 
 export function OpenedDialog() {
