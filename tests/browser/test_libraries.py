@@ -1,0 +1,275 @@
+"""Libraries on the page: from one pupil's program to another's, each with their own profile."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+from playwright.sync_api import expect
+
+from browser.conftest import Server
+
+DANCE = """# Dance a waltz.
+def waltz(times):
+    repeat times:
+        sway(15)
+    end
+end
+
+def sway(angle):
+    function.turn(angle)
+    function.sleep(0.5)
+    function.turn(0 - angle)
+end
+
+def late():
+    return speed
+end
+
+main:
+    speed = 1
+    waltz(2)
+end
+"""
+#: The second profile has a library with a `waltz` already.
+OTHER = "def waltz():\n    function.sleep(1)\nend\n"
+USE = 'import "dance"\n\nmain:\n    function.{waltz}(2)\nend\n'
+
+
+@pytest.fixture
+def first(sit_down, own_server):
+    """A pupil who has a program with functions."""
+    pupil = sit_down(own_server)
+    pupil.begin()
+    pupil.show("Blocks", "Block-Text")
+    pupil.write("blocktext", DANCE)
+    pupil.sees("blocktext", "late")
+    return pupil
+
+
+@pytest.fixture
+def second(sit_down, tmp_path):
+    """A pupil with a profile of their own, in which nothing is yet."""
+    server = Server(tmp_path / "second")
+    pupil = sit_down(server)
+    pupil.server = server
+    pupil.begin()
+    pupil.show("Blocks", "Block-Text")
+    yield pupil
+    server.stop()
+
+
+def test_functions_go_to_a_fresh_profile_with_a_clash_and_do_there_what_they_did(
+    first, second, tmp_path
+):
+    install_other(second, tmp_path)
+    file = made(first, tmp_path, "waltz")
+    libraries(second)
+    choose(second, file)
+    expect(second.dialog()).to_contain_text(
+        "waltz is the name of a skill of the library ball already"
+    )
+    expect(new_name(second)).to_have_value("dance_waltz")
+    second.picture("clash")
+    new_name(second).fill("sway")
+    expect(imports(second)).to_be_disabled()
+    new_name(second).fill("slow_waltz")
+    expect(imports(second)).to_be_enabled()
+    imports(second).click()
+    expect(second.dialog()).to_contain_text("Imported: dance.")
+    second.picture("installed")
+    second.dialog().get_by_role("button", name="Use dance in this program").click()
+    second.sees("blocktext", 'import "dance"')
+    second.page.keyboard.press("Escape")
+    second.write("blocktext", USE.format(waltz="slow_waltz"))
+    expect(second.blocks("lb_skill_slow_waltz")).to_be_visible()
+    trace = second.trace_of_a_run()
+    assert trace == traced_by_the_command_line(second, tmp_path)
+    # Their robots have done the same, whatever the skills are called.
+    assert seconds(second) == run_of(first)
+
+
+def test_a_block_of_the_palette_brings_its_import(second, tmp_path):
+    install_other(second, tmp_path)
+    second.take("Ball", "lb_skill_waltz")
+    second.sees("blocktext", 'import "ball"', "function.waltz()")
+    expect(second.blocks("lb_import")).to_be_visible()
+    second.picture("palette")
+
+
+def test_what_cannot_be_exported_says_why(first):
+    libraries(first)
+    first.dialog().get_by_role("button", name="Make a library…").click()
+    late = first.dialog().get_by_role("checkbox", name="late()")
+    expect(late).to_be_disabled()
+    expect(late).to_have_accessible_description(re.compile("the functions use `speed`, which line"))
+    waltz = first.dialog().get_by_role("checkbox", name="waltz(times)")
+    expect(waltz).to_have_accessible_description("takes along sway")
+    first.picture("make")
+
+
+def test_a_version_that_is_no_newer_is_replaced_only_when_ticked(first, tmp_path):
+    file = made(first, tmp_path, "waltz")
+    for _ in range(2):
+        choose(first, file)
+        if imports(first).is_enabled():
+            imports(first).click()
+            expect(first.dialog()).to_contain_text("Imported: dance.")
+    expect(first.dialog()).to_contain_text("Version 1.0.0 is installed, which is as new or newer.")
+    expect(imports(first)).to_be_disabled()
+    first.dialog().get_by_role("checkbox", name="Replace dance").check()
+    imports(first).click()
+    expect(first.dialog()).to_contain_text("Imported: dance.")
+
+
+def test_a_file_that_is_no_library_is_told_and_can_be_left_out(first, tmp_path):
+    (tmp_path / "none.lblib").write_text("nothing")
+    file = made(first, tmp_path, "waltz")
+    choose(first, file, tmp_path / "none.lblib")
+    expect(first.dialog().get_by_role("alert")).to_contain_text("this is no library in one file")
+    expect(imports(first)).to_be_disabled()
+    first.picture("broken")
+    first.dialog().get_by_role("button", name="Leave out none.lblib").click()
+    imports(first).click()
+    expect(first.dialog()).to_contain_text("Imported: dance.")
+
+
+def test_libraries_are_dropped_on_the_page(first, tmp_path):
+    file = made(first, tmp_path, "waltz")
+    first.page.keyboard.press("Escape")
+    data = first.page.evaluate_handle(
+        """(bytes) => {
+            const data = new DataTransfer();
+            data.items.add(new File([new Uint8Array(bytes)], "dance.lblib"));
+            return data;
+        }""",
+        list(file.read_bytes()),
+    )
+    first.page.dispatch_event("body", "drop", {"dataTransfer": data})
+    expect(first.dialog()).to_contain_text('import "dance" · 1.0.0 · waltz, sway')
+
+
+def test_a_library_is_removed_after_a_second_thought(first, tmp_path):
+    choose(first, made(first, tmp_path, "waltz"))
+    imports(first).click()
+    dialog = first.dialog()
+    dialog.get_by_role("button", name="Remove dance").click()
+    expect(dialog.get_by_role("button", name="Keep")).to_be_focused()
+    first.page.keyboard.press("Enter")
+    dialog.get_by_role("button", name="Remove dance").click()
+    dialog.get_by_role("button", name="Remove", exact=True).click()
+    expect(dialog).to_contain_text("dance is removed.")
+    expect(dialog).to_contain_text("No library is installed yet.")
+
+
+def test_by_keyboard_alone(first, tmp_path):
+    libraries(first)
+    keyboard = first.page.keyboard
+    press_on(first, "Make a library…")
+    first.page.get_by_role("textbox", name="Name", exact=True).focus()
+    keyboard.type("dance")
+    for _ in range(3):
+        keyboard.press("Tab")
+    expect(first.dialog().get_by_role("checkbox", name="waltz(times)")).to_be_focused()
+    keyboard.press("Space")
+    with first.page.expect_download() as started:
+        press_on(first, "Make and download")
+    assert started.value.suggested_filename == "dance.lblib"
+    expect(first.dialog().get_by_role("status")).to_contain_text("dance.lblib is made.")
+
+
+def test_in_spanish_and_in_the_dark(sit_down, own_server, tmp_path):
+    pupil = sit_down(
+        own_server, language="es", theme="dark", viewport={"width": 500, "height": 800}
+    )
+    (tmp_path / "none.lblib").write_text("nothing")
+    pupil.project("Bibliotecas…")
+    expect(pupil.dialog()).to_contain_text("Aún no hay ninguna biblioteca instalada.")
+    with pupil.page.expect_file_chooser() as chooser:
+        pupil.dialog().get_by_role("button", name="Importar archivos…").click()
+    chooser.value.set_files(tmp_path / "none.lblib")
+    expect(pupil.dialog().get_by_role("alert")).to_contain_text("esto no es una biblioteca")
+    pupil.picture("spanish")
+
+
+def libraries(pupil):
+    pupil.project("Libraries…")
+    expect(pupil.dialog().get_by_role("heading", name="Libraries")).to_be_visible()
+
+
+def made(pupil, folder, function):
+    """Make the library `dance` in the dialog; answer its file."""
+    libraries(pupil)
+    dialog = pupil.dialog()
+    dialog.get_by_role("button", name="Make a library…").click()
+    dialog.get_by_role("textbox", name="Name", exact=True).fill("dance")
+    dialog.get_by_role("textbox", name="Tab of the palette").fill("Ball room")
+    dialog.get_by_role("checkbox", name=f"{function}(").check()
+    with pupil.page.expect_download() as started:
+        dialog.get_by_role("button", name="Make and download").click()
+    file = folder / started.value.suggested_filename
+    started.value.save_as(file)
+    dialog.get_by_role("button", name="Cancel").click()
+    return file
+
+
+def choose(pupil, *files):
+    with pupil.page.expect_file_chooser() as chooser:
+        pupil.dialog().get_by_role("button", name="Import files…").click()
+    chooser.value.set_files(files)
+    expect(imports(pupil)).to_be_visible()
+
+
+def imports(pupil):
+    return pupil.dialog().get_by_role("button", name="Import", exact=True)
+
+
+def new_name(pupil):
+    return pupil.dialog().get_by_role("textbox", name="New name for waltz")
+
+
+def press_on(pupil, button):
+    """As by Tab and Enter."""
+    pupil.dialog().get_by_role("button", name=button).focus()
+    pupil.page.keyboard.press("Enter")
+
+
+def install_other(pupil, folder):
+    """A library `ball` is there already, by the command line."""
+    (folder / "other.bt").write_text(OTHER)
+    learnblock(pupil, "library", "export", "other.bt", "--functions", "waltz", "--name", "ball")
+    learnblock(pupil, "library", "import", "ball.lblib")
+    pupil.page.reload()
+    pupil.show("Blocks", "Block-Text")
+
+
+def learnblock(pupil, *args):
+    """The command line with a pupil's profile, in the folder above it."""
+    home = pupil.server.home
+    done = subprocess.run(
+        [sys.executable, "-m", "learnblock", *args],
+        cwd=home.parent, env={**os.environ, "LEARNBLOCK_HOME": str(home)},
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    return done.stdout
+
+
+def traced_by_the_command_line(pupil, folder):
+    (folder / "use.bt").write_text(pupil.text("blocktext"))
+    return json.loads(learnblock(pupil, "run", "use.bt", "--json", "--world", "empty"))[
+        "trace_sha256"
+    ]
+
+
+def run_of(pupil):
+    pupil.page.keyboard.press("Escape")
+    pupil.trace_of_a_run()
+    return seconds(pupil)
+
+
+def seconds(pupil):
+    """What the result says of time and way."""
+    pupil.tab("Result")
+    return re.findall(r"[\d.,]+ (?:s|mm|m)\b", pupil.page.locator(".panel").text_content())
