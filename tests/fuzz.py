@@ -21,6 +21,8 @@ import cozmo_wires
 import ev3_wires
 import ice_wires
 import library_files
+import own_block_files
+import set_files
 import thymio_wires
 from learnblock import language
 from learnblock.blocks import builtin, load_configurations
@@ -80,10 +82,19 @@ def targets(folder: Path) -> tuple[Target, ...]:
             texts(PACKAGE / "blocks" / "configurations", "*.json")
             + texts(TESTS / "blocks" / "malformed", "*.json"),
         ),
+        Target(
+            "set of blocks",
+            lambda text: set_files.read_set(written(folder / "set.toml", text)),
+            texts(set_files.SETS, "*.toml"),
+        ),
+        Target("names of tags", set_files.read_tags, set_files.DICTIONARIES),
         Target("library's manifest", library_files.read_manifest, (library_files.MANIFEST,)),
         Target("library's functions", library_files.read_functions, (library_files.FUNCTIONS,)),
         Target("library's Python", library_files.read_python, (library_files.PYTHON,)),
         Target("library in one file", library_files.read_archive, library_files.archives()),
+        Target("source of blocks", own_block_files.read_source, (own_block_files.SOURCE,)),
+        Target("chosen for blocks", own_block_files.read_configuration, (own_block_files.WORDS,)),
+        Target("exported block", own_block_files.read_package, (own_block_files.PACKAGE,)),
         Target("CoppeliaSim's answers", coppeliasim_answers.read, coppeliasim_answers.texts()),
         Target("Cozmo's frames", cozmo_wires.read_frame, cozmo_wires.frame_texts()),
         Target("Cozmo's pictures", cozmo_wires.read_picture, cozmo_wires.picture_texts()),
