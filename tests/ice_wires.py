@@ -1,5 +1,6 @@
 """What comes over the wires of EBO and RCIS, for the fuzzer: as texts, whose letters are bytes."""
 
+from learnblock.components.serving import Emotions, Tags
 from learnblock.ice.encoding import Writer
 from learnblock.ice.interface import write_all
 from learnblock.ice.messages import (
@@ -14,6 +15,7 @@ from learnblock.ice.messages import (
     request_opening,
 )
 from learnblock.ice.robocomp import Layout, interfaces
+from learnblock.ice.robocomp.recognition import Picture
 from learnblock.ice.server import Servant, _answer
 from learnblock.ice.types import Dictionary, Sequence, Structure, Type
 
@@ -33,7 +35,11 @@ class Anything:
         return lambda *_: None
 
 
-SERVANTS = {name: Servant(one, Anything()) for name, one in KNOWN[Layout.TOOL].items()}
+#: Objects that look at what they are sent; all others do nothing.
+LOOKING = {"apriltag": Tags(None), "emotionrecognition": Emotions(None)}
+SERVANTS = {
+    name: Servant(one, LOOKING.get(name, Anything())) for name, one in KNOWN[Layout.TOOL].items()
+}
 
 
 def example_of(kind: Type):
@@ -51,10 +57,18 @@ def request_texts():
     """A request for each operation."""
     for name, interface in KNOWN[Layout.TOOL].items():
         for operation in interface.operations:
-            opening = request_opening(name, operation.name, operation.mode)
-            parameters = Writer()
-            write_all(parameters, operation.takes, [example_of(one) for one in operation.takes])
-            yield request(7, opening, parameters.encapsulated()).decode("latin-1")
+            given = [example_of(one) for one in operation.takes]
+            yield request_text(name, operation, given)
+            if operation.name == "processimage":
+                yield request_text(name, operation, [Picture(4, 6, 3, bytes(range(72)))])
+
+
+def request_text(name, operation, given):
+    """A request with values."""
+    opening = request_opening(name, operation.name, operation.mode)
+    parameters = Writer()
+    write_all(parameters, operation.takes, given)
+    return request(7, opening, parameters.encapsulated()).decode("latin-1")
 
 
 def reply_texts():

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from learnblock.components.pictures import MOST_PIXELS, Order, PictureError, packed, unpacked
+from learnblock.components.pictures import LONGEST_SIDE, Order, PictureError, packed, unpacked
 from learnblock.ice.robocomp.recognition import Picture
 
 SIDES = st.integers(1, 12)
@@ -53,7 +53,8 @@ def test_where_every_order_fits_it_is_robocomps():
         (2**31 - 1, 2**31 - 1, 3, 10, "is too large"),
         (2**31 - 1, 1, 3, 10, "is too large"),
         (65536, 65536, 3, 0, "is too large"),
-        (1, MOST_PIXELS + 1, 3, 10, "is too large"),
+        (1, LONGEST_SIDE + 1, 3, 5763, "is too large"),
+        (LONGEST_SIDE, LONGEST_SIDE, 3, 10, "is too large"),
     ],
 )
 def test_what_is_no_picture_is_refused(width, height, depth, size, sentence):

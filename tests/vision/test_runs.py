@@ -122,3 +122,13 @@ def test_on_a_real_robot_no_picture_goes_to_a_component_for_emotions_before_that
         TABLE.change("emotions_on_cameras", "true")
         assert run(tmp_path, mine, look)[1] == ["True"]
         assert running.told()[:4] == ["processimage", 240, 320, 3]
+
+
+def test_a_trace_names_what_was_chosen_of_perception_but_no_address(tmp_path):
+    TABLE.change("apriltag", "127.0.0.1:1")
+    program = tmp_path / "stop.py"
+    program.write_text("from learnblock.robots.sim_ebo import Robot\n\nRobot().stop_bot()\n")
+    finished = run_file(program, "sim-ebo")
+    (line,) = finished.entries("run")
+    assert line["run"]["perception"] == ["apriltag"]
+    assert b"127.0.0.1" not in finished.trace

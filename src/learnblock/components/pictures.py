@@ -9,7 +9,9 @@ from learnblock.errors import LearnBlockError
 from learnblock.ice.robocomp.recognition import Picture
 from learnblock.perception.frames import Frame
 
-#: No picture has more pixels: a full HD camera's, and some more.
+#: No picture has a longer side, nor more pixels: a full HD camera's, and some more. In a picture of
+#: one long row some of OpenCV's detectors look for hours.
+LONGEST_SIDE = 1920
 MOST_PIXELS = 1920 * 1200
 
 
@@ -59,8 +61,8 @@ def _check(picture: Picture) -> None:
     said = f"a picture of {width} by {height} pixels with {depth} bytes each"
     if min(width, height) < 1 or depth != 3:
         raise PictureError(f"{said} cannot be looked at: RGB is expected, 3 bytes a pixel")
-    if width * height > MOST_PIXELS:
-        raise PictureError(f"{said} is too large: {MOST_PIXELS} pixels are allowed")
+    if max(width, height) > LONGEST_SIDE or width * height > MOST_PIXELS:
+        raise PictureError(f"{said} is too large: 1920 by 1200 are allowed")
     if width * height * depth != size:
         raise PictureError(f"{said} has {width * height * depth} bytes, not the {size} sent")
 
