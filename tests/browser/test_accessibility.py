@@ -151,13 +151,32 @@ DIALOGS = {
     "delete": lambda pupil: pupil.project("Delete…"),
     "shortcuts": lambda pupil: pupil.page.keyboard.press("F1"),
     "settings": lambda pupil: help_menu(pupil, "Settings"),
+    "blocks shown": lambda pupil: blocks_shown(pupil),
+    "names of tags": lambda pupil: names_of_tags(pupil),
+    "settings of robots": lambda pupil: settings(pupil, "Settings of robots…", "Address"),
+    "perception": lambda pupil: settings(pupil, "Perception…", "Webcam"),
     "tour": lambda pupil: help_menu(pupil, "A tour of the page"),
 }
 
 
 def help_menu(pupil, command):
     pupil.press("Help and settings")
-    pupil.page.get_by_role("menuitem", name=command).click()
+    pupil.page.get_by_role("menuitem", name=command, exact=True).click()
+
+
+def blocks_shown(pupil):
+    pupil.project("Blocks shown…")
+    pupil.dialog().get_by_role("button", name="Blocks of Control", exact=True).click()
+
+
+def names_of_tags(pupil):
+    pupil.project("Names of tags…")
+    pupil.dialog().get_by_role("button", name="Add a name").click()
+
+
+def settings(pupil, command, field):
+    help_menu(pupil, command)
+    expect(pupil.dialog().get_by_label(field, exact=True)).to_be_visible()
 
 
 def faults_of_dialog(pupil, axe, opened):

@@ -56,10 +56,14 @@ DIALOGS = {
     "examples": ("project", 2),
     "save as": ("project", 3),
     "history": ("project", 4),
-    "delete": ("project", 9),
+    "blocks shown": ("project", 5),
+    "names of tags": ("project", 8),
+    "delete": ("project", 13),
     "tour": ("help", 0),
     "settings": ("help", 1),
     "keys": ("help", 3),
+    "settings of robots": ("help", 4),
+    "perception": ("help", 5),
 }
 MENUS = {
     "project": ".project-group .menu button",
