@@ -28,8 +28,9 @@ def wrong_source(source: str, filename: str, taken: Mapping[str, str]) -> Iterat
         yield from error.diagnostics
         return
     functions = list(skill_files.functions(tree))
-    yield from _wrong_heads(tree)
-    if not functions:
+    heads = list(_wrong_heads(tree))
+    yield from heads
+    if not functions and not any(one.severity == "error" for one in heads):
         message = f"there is no function in it that takes the robot: write one, {_EXAMPLE}"
         yield Diagnostic("no-function", message)
     yield from _repeated(functions)
