@@ -155,11 +155,19 @@ def test_the_camera_shows_what_the_robot_sees_and_what_is_found_in_it(stage):
     assert again.center == pytest.approx(np.mean(found.corners, axis=0), abs=3)
 
 
-def _before(tag, distance):
-    """Where a robot looks at a tag's front from so many mm."""
-    radians = np.radians(tag["heading"])
-    x, y = tag["x"] + distance * np.cos(radians), tag["y"] - distance * np.sin(radians)
-    return float(x), float(y), (tag["heading"] + 360) % 360 - 180
+def test_a_face_before_the_camera_is_told_with_what_it_expresses(stage):
+    shown = stage("sim-cozmo", "faces")
+    face = shown.scene().world["face"][0]
+    shown.place(*_before(face, 450))
+    labels = [seen.label for seen in shown.camera().seen if seen.sort == "face"]
+    assert labels == [face["emotion"]]
+
+
+def _before(board, distance):
+    """Where a robot looks at a board's front from so many mm."""
+    radians = np.radians(board["heading"])
+    x, y = board["x"] + distance * np.cos(radians), board["y"] - distance * np.sin(radians)
+    return float(x), float(y), (board["heading"] + 360) % 360 - 180
 
 
 def test_a_line_before_the_camera_is_told_by_colour_and_side(stage):

@@ -2,6 +2,7 @@
 
 import { t } from "../i18n";
 import type { Seen } from "../messages";
+import { emotionName } from "./emotions";
 
 const SORTS: Record<Seen["sort"], string> = { tag: "robot.tag", face: "robot.face", line: "robot.line" };
 const WORDS: Record<string, string> = {
@@ -13,8 +14,14 @@ const WORDS: Record<string, string> = {
   right: "robot.right",
 };
 
-/** A tag with its number, a line with its colour and side. */
+/** A tag with its number, a face with its feeling, a line with its colour and side. */
 export function findingName({ sort, label }: Seen): string {
+  if (sort === "face") return faceName(label);
   const words = label.split(" ").map((word) => (WORDS[word] ? t(WORDS[word]) : word));
   return [t(SORTS[sort]), ...words].join(" ").trim();
+}
+
+function faceName(emotion: string): string {
+  const feeling = emotionName(emotion);
+  return feeling ? t("robot.feelingFace", { emotion: feeling }) : t(SORTS.face);
 }

@@ -28,6 +28,11 @@ EMOTIONS = ("neutral", "joy", "sadness", "anger", "fear", "disgust", "surprise")
 # face-api's FaceFeatureExtractor.
 SIDE = 112
 MEAN = np.array([122.782, 117.001, 104.298], np.float32)
+# What the net says changes with a few pixels of the box round a face. So it looks at two squares, of
+# these parts of the cascade's side and moved up by a part of it, and says the mean of both. Chosen
+# on drawn faces of persons 1 to 60.
+SQUARES = (0.88, 1.0)
+RISE = 0.025
 # A net of OpenCV keeps working memory of its own: one face at a time.
 _TURN = threading.Lock()
 
@@ -69,15 +74,19 @@ def emotions_of(frame: Frame, faces: Iterable[Face]) -> tuple[FaceEmotion, ...]:
 
 
 def _read(frame: Frame, face: Face) -> FaceEmotion:
-    confidences = _softmax(_logits(_square(frame, face)))
+    squares = (_square(frame, face, part) for part in SQUARES)
+    confidences = np.mean([_softmax(_logits(square)) for square in squares], axis=0)
     best = int(confidences.argmax())
     return FaceEmotion(face, EMOTIONS[best], float(confidences[best]))
 
 
-def _square(frame: Frame, face: Face) -> NDArray[np.float32]:
-    """The face as the net wants it: float32, shape (1, 3, SIDE, SIDE)."""
-    crop = frame[face.y : face.y + face.height, face.x : face.x + face.width]
-    method = cv2.INTER_AREA if face.width > SIDE else cv2.INTER_LINEAR
+def _square(frame: Frame, face: Face, part: float) -> NDArray[np.float32]:
+    """What the net looks at: float32, shape (1, 3, SIDE, SIDE)."""
+    side = round(part * face.width)
+    left = face.x + (face.width - side) // 2
+    top = face.y + (face.height - side) // 2 - round(RISE * face.height)
+    crop = frame[max(0, top) : top + side, left : left + side]
+    method = cv2.INTER_AREA if side > SIDE else cv2.INTER_LINEAR
     scaled = cv2.resize(crop, (SIDE, SIDE), interpolation=method).astype(np.float32)
     return np.ascontiguousarray(((scaled - MEAN) / 255).transpose(2, 0, 1)[None])
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-from learnblock.perception import Face, Lines, LineView, Tag, detect
+from learnblock.perception import FaceEmotion, Lines, LineView, Sight, Tag
 
 if TYPE_CHECKING:
     from learnblock.simulator import View
@@ -26,7 +26,7 @@ class Seen:
 
     Args:
         sort: what.
-        label: the tag's number, or the line's colour and side; a face has none.
+        label: the tag's number, what the face expresses, or the line's colour and side.
         corners: (column, row) in pixels.
     """
 
@@ -55,10 +55,14 @@ class Picture:
 
 
 def developed(view: "View", time: float) -> Picture:
-    """Draw what a camera saw at that time of the world, in s."""
+    """Draw what a simulated camera saw at that time of the world, in s.
+
+    Its faces are drawn ones, so what they express may be told whatever the settings say.
+    """
     frame = view.picture()
     height, width = frame.shape[:2]
-    seen = tuple(one for name, tell in _TOLD.items() for one in tell(detect(name, frame)))
+    sight = Sight(frame)
+    seen = tuple(one for name, tell in _TOLD.items() for one in tell(sight.detect(name)))
     return Picture(_jpeg(frame), width, height, time, seen)
 
 
@@ -80,10 +84,12 @@ def _tags(tags: tuple[Tag, ...]) -> Iterator[Seen]:
     return (Seen("tag", str(tag.id), tag.corners) for tag in tags)
 
 
-def _faces(faces: tuple[Face, ...]) -> Iterator[Seen]:
-    for face in faces:
+def _faces(faces: tuple[FaceEmotion, ...]) -> Iterator[Seen]:
+    for found in faces:
+        face = found.face
         left, top = float(face.x), float(face.y)
-        yield Seen("face", "", _rectangle(left, top, left + face.width, top + face.height))
+        corners = _rectangle(left, top, left + face.width, top + face.height)
+        yield Seen("face", found.emotion, corners)
 
 
 def _lines(lines: Lines) -> Iterator[Seen]:
@@ -103,6 +109,6 @@ def _rectangle(left: float, top: float, right: float, bottom: float) -> Corners:
 
 _TOLD: dict[str, Callable[[Any], Iterator[Seen]]] = {
     "tags": _tags,
-    "faces": _faces,
+    "emotions": _faces,
     "lines": _lines,
 }

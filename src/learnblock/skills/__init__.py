@@ -26,6 +26,7 @@ _MODULES = (
     "pose",
     "motor",
     "camera",
+    "objects",
     "distances",
     "ground",
     "light",

@@ -169,4 +169,5 @@ def _quiet_surroundings() -> dict[tuple[type[Device], str], Any]:
 def _nothing_seen() -> dict[str, Any]:
     """What each detector finds in a picture of nothing."""
     black, red, blue = (LineView(colour, 0, 0, 0) for colour in ("black", "red", "blue"))
-    return {"lines": Lines(black, red, blue), "tags": (), "faces": (), "emotions": ()}
+    lines = Lines(black, red, blue)
+    return {"lines": lines, "tags": (), "objects": (), "faces": (), "emotions": ()}

@@ -44,9 +44,9 @@ EXPRESSIONS = MappingProxyType(
     {
         "fear": Expression(-0.04, 0.015, 1.35, 0.10, 0.02, 0.035, 0.0, 0.0),
         "surprise": Expression(-0.045, -0.04, 1.5, 0.06, 0.0, 0.10),
-        "anger": Expression(0.04, -0.025, 0.85, 0.095, 0.018, 0.0, 0.0, 0.5),
+        "anger": Expression(0.065, -0.045, 0.75, 0.082, 0.04, 0.046, 0.008, 0.3),
         "sadness": Expression(-0.03, 0.025, 0.75, 0.095, 0.035, 0.0, 0.0, 0.1),
-        "disgust": Expression(0.02, 0.0, 0.65, 0.09, 0.03, 0.012, 0.025),
+        "disgust": Expression(0.01, 0.0, 0.5, 0.075, 0.038, 0.036, 0.039, 0.3),
         "joy": Expression(-0.01, -0.015, 0.85, 0.13, -0.05, 0.045, 0.0, 0.45),
         "neutral": Expression(),
     }

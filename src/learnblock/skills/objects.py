@@ -1,0 +1,106 @@
+"""Things of one colour that the camera sees."""
+
+from typing import TYPE_CHECKING, Literal
+
+from learnblock.errors import UnknownNameError
+
+if TYPE_CHECKING:
+    from learnblock.client import Client
+    from learnblock.perception import ColouredObject
+
+_COLOURS = ("red", "orange", "yellow", "green", "blue", "purple")
+
+
+def is_there_object(
+    robot: "Client",
+    colour: Literal["red", "orange", "yellow", "green", "blue", "purple"] = "red",
+) -> bool:
+    """Does the camera see something of this colour?
+
+    Args:
+        colour: red, orange, yellow, green, blue or purple.
+
+    Raises:
+        UnknownNameError: there is no such colour.
+    """
+    return _largest(robot, colour) is not None
+
+
+def is_left_object(
+    robot: "Client",
+    colour: Literal["red", "orange", "yellow", "green", "blue", "purple"] = "red",
+) -> bool:
+    """Is the largest thing of this colour on the left of the picture?
+
+    Args:
+        colour: red, orange, yellow, green, blue or purple.
+
+    Raises:
+        UnknownNameError: there is no such colour.
+    """
+    found = _largest(robot, colour)
+    return found is not None and found.is_left
+
+
+def is_center_object(
+    robot: "Client",
+    colour: Literal["red", "orange", "yellow", "green", "blue", "purple"] = "red",
+) -> bool:
+    """Is the largest thing of this colour in the middle of the picture?
+
+    Args:
+        colour: red, orange, yellow, green, blue or purple.
+
+    Raises:
+        UnknownNameError: there is no such colour.
+    """
+    found = _largest(robot, colour)
+    return found is not None and found.is_center
+
+
+def is_right_object(
+    robot: "Client",
+    colour: Literal["red", "orange", "yellow", "green", "blue", "purple"] = "red",
+) -> bool:
+    """Is the largest thing of this colour on the right of the picture?
+
+    Args:
+        colour: red, orange, yellow, green, blue or purple.
+
+    Raises:
+        UnknownNameError: there is no such colour.
+    """
+    found = _largest(robot, colour)
+    return found is not None and found.is_right
+
+
+def get_object_size(
+    robot: "Client",
+    colour: Literal["red", "orange", "yellow", "green", "blue", "purple"] = "red",
+) -> float | None:
+    """How much of the picture the largest thing of this colour covers, 0 to 100.
+
+    It grows as the robot comes nearer. None without a camera.
+
+    Args:
+        colour: red, orange, yellow, green, blue or purple.
+
+    Raises:
+        UnknownNameError: there is no such colour.
+    """
+    if _objects(robot) is None:
+        return None
+    found = _largest(robot, colour)
+    return 0.0 if found is None else 100 * found.share
+
+
+def _objects(robot: "Client") -> "tuple[ColouredObject, ...] | None":
+    found: tuple[ColouredObject, ...] | None = robot.detect("objects")
+    return found
+
+
+def _largest(robot: "Client", colour: str) -> "ColouredObject | None":
+    if colour not in _COLOURS:
+        raise UnknownNameError("colour", str(colour), _COLOURS)
+    # They come by size.
+    return next((one for one in _objects(robot) or () if one.colour == colour), None)
