@@ -1,0 +1,77 @@
+"""The pages on cameras and components: their code runs, their tables are those of the code."""
+
+import re
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from learnblock.cli import main
+from learnblock.components import COMPONENTS
+from learnblock.components.labels import EMOTIONS
+from learnblock.vision import TABLE
+from shown_pictures import a_tag
+from videos import record
+
+DOCS = Path(__file__).parents[1] / "docs"
+PAGES = ("cameras.md", "components.md")
+
+
+def page(name):
+    return (DOCS / name).read_text(encoding="utf-8")
+
+
+def test_the_python_about_cameras_runs(tmp_path, capsys):
+    TABLE.change("video", str(record(tmp_path / "tag.avi", [a_tag(8)])))
+    (code,) = re.findall(r"```python\n(.*?)```", page("cameras.md"), re.DOTALL)
+    names = {}
+    exec(code, names)  # noqa: S102 - that is the point
+    names["robot"].stop()
+    assert "Tag(id=8" in capsys.readouterr().out
+
+
+def test_the_python_about_components_runs(capsys):
+    (code,) = re.findall(r"```python\n(.*?)```", page("components.md"), re.DOTALL)
+    names = {}
+    exec(code, names)  # noqa: S102 - that is the point
+    names["robot"].stop()
+    assert capsys.readouterr().out.startswith("2 (")
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        command
+        for name in PAGES
+        for command in re.findall(r"^learnblock (perception .+)$", page(name), re.MULTILINE)
+    ],
+)
+def test_a_command_of_the_pages_works(command):
+    result = CliRunner().invoke(main, command.split(), input="y\n")
+    assert result.exit_code == 0, result.output
+
+
+def test_every_setting_is_told_with_its_default():
+    shown = dict(
+        re.findall(r"^\| `(\w+)` \| `(.+?)` \| ", page("cameras.md").partition("## Settings")[2],
+                   re.MULTILINE)
+    )  # fmt: skip
+    plain = {True: "true", False: "false"}
+    assert shown == {
+        one.name: f'"{one.default}"' if isinstance(one.default, str)
+        else plain.get(one.default, str(one.default))
+        for one in TABLE.describe()
+    }  # fmt: skip
+
+
+def test_every_component_is_told_with_its_port_and_words():
+    text = page("components.md")
+    for name, kind in COMPONENTS.items():
+        assert f"{kind.port} for `{name}`" in text
+    for label in EMOTIONS:
+        assert f"`{label}`" in text
+
+
+def test_every_page_they_name_is_there():
+    named = [one for name in PAGES for one in re.findall(r"\]\(([^):#]+)", page(name))]
+    assert [one for one in named if not (DOCS / one).exists()] == []
