@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
+from learnblock.block_commands import blocks_group
 from learnblock.console import ExitCode, print_json
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
 from learnblock.files import save
@@ -274,6 +275,7 @@ main.add_command(perception_group)
 main.add_command(component_command)
 main.add_command(tags_group)
 main.add_command(sets_command)
+main.add_command(blocks_group)
 
 
 @main.command()

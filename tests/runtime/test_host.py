@@ -485,6 +485,18 @@ def test_an_endless_loop_of_skills_that_ask_nothing_is_no_call(run, impatient, t
     assert How.NO_CALL == result.how
 
 
+def test_an_endless_loop_in_a_skill_of_the_user_s_is_stopped_with_its_line(
+    run, impatient, tmp_path
+):
+    skills = tmp_path / "home" / "skills"
+    skills.mkdir(parents=True)
+    (skills / "mine.py").write_text("def ponder(robot):\n    while True:\n        x = 1\n")
+    result = run("x = 1\nrobot.ponder()", limits=impatient)
+    assert (How.NO_CALL, 4) == (result.how, result.ending.line)
+    assert str(skills / "mine.py") == result.ending.file
+    assert result.ending.file_line in {2, 3}
+
+
 def test_ending_a_run_twice_does_nothing(run):
     result = run("pass")
     result.run.end()
