@@ -38,6 +38,16 @@ def test_a_setting_is_changed_and_put_back():
     assert TABLE.load().webcam == "none"
 
 
+def test_a_video_is_named_from_where_one_is(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "lesson.mp4").write_bytes(b"")
+    assert call("set", "video", "lesson.mp4").exit_code == 0
+    assert TABLE.load().video == str(tmp_path / "lesson.mp4")
+    assert "there is no file" in call("set", "video", "other.mp4").stderr
+    assert call("set", "video", "").exit_code == 0
+    assert TABLE.load().video == ""
+
+
 @pytest.mark.parametrize("answer", ["n\n", "\n", ""])
 def test_emotions_stay_off_until_somebody_has_read_why_and_says_yes(answer):
     result = call("set", "emotions_on_cameras", "true", input=answer)

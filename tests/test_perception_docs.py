@@ -46,7 +46,9 @@ def test_the_python_about_components_runs(capsys):
         for command in re.findall(r"^learnblock (perception .+)$", page(name), re.MULTILINE)
     ],
 )
-def test_a_command_of_the_pages_works(command):
+def test_a_command_of_the_pages_works(command, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "lesson.mp4").write_bytes(b"")
     result = CliRunner().invoke(main, command.split(), input="y\n")
     assert result.exit_code == 0, result.output
 

@@ -116,7 +116,7 @@ class Camera(Sensor["Frame | None"]):
 
     Args:
         read: answers the newest frame, uint8 RGB (height, width, 3), 320 by 240 by default, or None
-            when there is none yet; the same object as long as there is no newer one.
+            when there is none yet; a newer one is another object.
         detect: `detect(name)` answers what the detector of that name (``lines``, ``tags``,
             ``faces``, ...) finds in the newest frame, or None without a frame or such a detector;
             by default the frame is read and searched here.

@@ -1,8 +1,11 @@
 """The command line's part for perception: its settings, and our detectors as components."""
 
+from pathlib import Path
+
 import click
 
 from learnblock.console import print_settings
+from learnblock.errors import LearnBlockError
 
 _JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON, for tools.")
 
@@ -42,7 +45,7 @@ def set_command(
         raise click.UsageError("give either a VALUE or --default")
     if setting == "emotions_on_cameras" and value == "true":
         _warn(ask=not yes)
-    TABLE.change(setting, value)
+    TABLE.change(setting, _whole_path(value) if setting == "video" and value else value)
     _show(as_json=as_json)
 
 
@@ -52,6 +55,14 @@ def _show(*, as_json: bool) -> None:
     print_settings(list(TABLE.describe()), as_json=as_json)
     if not as_json and not TABLE.load().emotions_on_cameras:
         click.echo(f"\n{WHY_EMOTIONS_ARE_OFF}")
+
+
+def _whole_path(value: str) -> str:
+    """A file that is named from where one is, as it is named from anywhere."""
+    path = Path(value).resolve()
+    if not path.is_file():
+        raise LearnBlockError(f"there is no file {path}")
+    return str(path)
 
 
 def _warn(*, ask: bool) -> None:
