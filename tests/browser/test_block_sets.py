@@ -60,7 +60,7 @@ def test_the_search_finds_only_what_is_shown(pupil):
 
 def test_the_texts_suggest_what_is_shown_before_what_is_not(pupil):
     show(pupil, "First steps")
-    pupil.write("blocktext", "main:\n    function.turn\nend\n")
+    pupil.write("blocktext", "main:\n    function.tur\nend\n")
     pupil.put_cursor("blocktext", "\nend")
     pupil.page.keyboard.press("Control+Space")
     options = pupil.page.locator(".cm-tooltip-autocomplete .cm-completionLabel")

@@ -26,6 +26,12 @@ export function TagsDialog() {
   useSignalEffect(() => {
     if (tags.read.value) rows.value = merged(rows.peek(), tags.read.value);
   });
+  const seen = useRef(tags.names.peek());
+  useSignalEffect(() => {
+    // What another page has saved is shown, unless there is something here that is not saved yet.
+    if (sameNames(namesOf(rows.peek()), seen.current)) rows.value = rowsOf(tags.names.value);
+    seen.current = tags.names.value;
+  });
   const names = namesOf(rows.value);
   const changed = !sameNames(names, tags.names.value);
   const save = (event: SubmitEvent) => {
