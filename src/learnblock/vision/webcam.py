@@ -88,7 +88,8 @@ class Webcam(Closing):
         while not self._closed.is_set():
             is_read, picture = capture.read()
             if not is_read:
-                self._trouble = "sends no pictures" + (" any more" * (self._newest is not None))
+                never = self._newest is None
+                self._trouble = "sends no pictures" if never else "sends no pictures any more"
                 return
             self._newest = picture
             self._settled.set()
