@@ -16,6 +16,7 @@ TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo")
 #: The world in which an example makes sense; a robot's own where none is named.
 WORLDS = {
     "avoid.bt": "obstacles",
+    "imitate.bt": "faces",
     "labyrinth.bt": "labyrinth",
     "line-ebo.bt": "line",
     "line-states.bt": "line",

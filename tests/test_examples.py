@@ -15,6 +15,8 @@ from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from runs import EXAMPLES, TWINS, WORLDS, run_example, run_file
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
+#: In the order in which a robot that turns to the right comes upon them.
+SEVEN = ("joy", "sadness", "anger", "surprise", "fear", "disgust", "neutral")
 PAIRS = list(itertools.product(NAMES, TWINS))
 
 
@@ -98,6 +100,15 @@ def test_neither_pace_nor_the_kind_of_worker_changes_the_trace(worker, pace):
     expected = run_example("tags.bt", "sim-cozmo", **options).trace
     actual = run_example("tags.bt", "sim-cozmo", worker=worker, pace=pace, **options).trace
     assert actual == expected
+
+
+@pytest.mark.parametrize("robot", ["sim-ebo", "sim-cozmo"])
+def test_all_seven_faces_are_met_and_imitated(robot):
+    report = run_example("imitate.bt", robot, world="faces", seconds=54).report
+    met = [(goal.name, goal.state) for goal in report.goals]
+    assert met == [(emotion, "reached") for emotion in SEVEN]
+    # Before it has met anybody it is calm.
+    assert ["neutral", *SEVEN] == list(report.emotions)
 
 
 def test_another_seed_gives_another_path():

@@ -1,11 +1,9 @@
-from dataclasses import dataclass
-
 import numpy as np
 import pytest
 
-from learnblock.devices import Camera, Emotion
+from learnblock.devices import Camera
 from learnblock.errors import UnknownNameError
-from learnblock.perception import Face, Lines, LineView, Tag
+from learnblock.perception import Lines, LineView, Tag
 
 NOTHING = {"left": 0, "center": 0, "right": 0}
 
@@ -112,64 +110,7 @@ def test_any_tag_will_do(robot):
     assert robot.is_any_tag()
 
 
-def test_two_faces_in_one_place_are_still_there(robot):
-    robot.set_detections("faces", (Face(10, 100, 30, 30), Face(40, 100, 30, 30)))
-
-    assert robot.is_there_face()
-    assert robot.is_left_face()
-
-
-@pytest.mark.parametrize(
-    ("x", "y", "where"),
-    [
-        (10, 100, {"left"}),
-        (280, 10, {"right", "up"}),
-        (145, 105, {"center"}),
-        (145, 200, {"down"}),
-    ],
-)
-def test_a_face_is_placed_on_a_grid_of_three_by_three(robot, x, y, where):
-    robot.set_detections("faces", (Face(x, y, 30, 30),))
-    places = ("left", "right", "up", "down", "center")
-
-    assert where == {one for one in places if getattr(robot, f"is_{one}_face")()}
-
-
-def test_without_a_face_there_is_none(robot):
-    robot.set_detections("faces", ())
-
-    assert not robot.is_there_face()
-
-
-@dataclass(frozen=True)
-class Feeling:
-    emotion: Emotion
-
-
-@pytest.mark.parametrize(
-    ("emotion", "word"),
-    [
-        (Emotion.JOY, "happy"),
-        (Emotion.SADNESS, "sad"),
-        (Emotion.NEUTRAL, "neutral"),
-        (Emotion.ANGER, "angry"),
-        (Emotion.SURPRISE, "surprised"),
-    ],
-)
-def test_one_face_with_the_emotion_is_enough(robot, emotion, word):
-    robot.set_detections("emotions", (Feeling(Emotion.FEAR), Feeling(emotion)))
-    words = ("happy", "sad", "neutral", "angry", "surprised")
-
-    assert [word] == [one for one in words if getattr(robot, f"is_any_face_{one}")()]
-
-
-def test_without_a_detector_of_emotions_nobody_feels_anything(robot):
-    robot.set_detections("emotions", None)
-
-    assert robot.is_any_face_happy() is False
-
-
-@pytest.mark.parametrize("detector", ["lines", "tags", "faces", "emotions"])
+@pytest.mark.parametrize("detector", ["lines", "tags", "objects", "faces", "emotions"])
 def test_a_detector_that_is_not_installed_sees_nothing(robot, detector):
     robot.set_detections(detector, None)
     questions = (
@@ -177,6 +118,7 @@ def test_a_detector_that_is_not_installed_sees_nothing(robot, detector):
         robot.is_line_crossing,
         robot.is_any_tag,
         robot.tag_on_the_left,
+        robot.is_there_object,
         robot.is_there_face,
         robot.is_any_face_sad,
     )

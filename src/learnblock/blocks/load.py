@@ -115,6 +115,7 @@ def _trusted_parameter(raw: dict[str, Any]) -> Parameter:
         default=raw.get("default"),
         required="default" not in raw,
         translations=raw["translate"],
+        choices=tuple(raw.get("choices", ())),
     )
 
 

@@ -51,6 +51,13 @@ _EXAMPLES = (
         "sim-ebo",
         "tags",
     ),
+    (
+        "imitate",
+        "Imitate feelings",
+        "Goes up to faces and feels as they do.",
+        "sim-cozmo",
+        "faces",
+    ),
     ("patrol", "Patrol", "Patrols for a minute and reports.", "sim-cozmo", "empty"),
     ("watch-out", "Watch out", "Stops where there is no ground.", "sim-thymio", "line"),
 )

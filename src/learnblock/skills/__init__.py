@@ -26,6 +26,7 @@ _MODULES = (
     "pose",
     "motor",
     "camera",
+    "faces",
     "objects",
     "distances",
     "ground",

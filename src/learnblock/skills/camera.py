@@ -1,22 +1,15 @@
-"""What the camera sees: lines, tags, faces and what they feel."""
+"""What the camera sees: lines and tags."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
-from learnblock.devices import Camera, Emotion
+from learnblock.devices import Camera
 from learnblock.tag_names import tag_id
 
 if TYPE_CHECKING:
     from learnblock.client import Client
     from learnblock.devices import Frame
-    from learnblock.perception import Face, Lines, Tag
-
-
-class FaceEmotion(Protocol):
-    """What the detector ``emotions`` finds: a face with what it expresses."""
-
-    @property
-    def emotion(self) -> Emotion: ...
+    from learnblock.perception import Lines, Tag
 
 
 def get_image(robot: "Client") -> "Frame | None":
@@ -170,61 +163,6 @@ def tag_on_the_center(robot: "Client", idTag: int | str | None = None) -> bool:
     return tag is not None and tag.is_center
 
 
-def is_there_face(robot: "Client") -> bool:
-    """Does the camera see a face?"""
-    return bool(_faces(robot))
-
-
-def is_left_face(robot: "Client") -> bool:
-    """Does the camera see a face on the left of the picture?"""
-    return any(face.is_left for face in _faces(robot))
-
-
-def is_right_face(robot: "Client") -> bool:
-    """Does the camera see a face on the right of the picture?"""
-    return any(face.is_right for face in _faces(robot))
-
-
-def is_up_face(robot: "Client") -> bool:
-    """Does the camera see a face high in the picture?"""
-    return any(face.is_up for face in _faces(robot))
-
-
-def is_down_face(robot: "Client") -> bool:
-    """Does the camera see a face low in the picture?"""
-    return any(face.is_down for face in _faces(robot))
-
-
-def is_center_face(robot: "Client") -> bool:
-    """Does the camera see a face in the middle of the picture?"""
-    return any(face.is_center for face in _faces(robot))
-
-
-def is_any_face_happy(robot: "Client") -> bool:
-    """Does the camera see a happy face?"""
-    return _is_any_face(robot, Emotion.JOY)
-
-
-def is_any_face_sad(robot: "Client") -> bool:
-    """Does the camera see a sad face?"""
-    return _is_any_face(robot, Emotion.SADNESS)
-
-
-def is_any_face_neutral(robot: "Client") -> bool:
-    """Does the camera see a neutral face?"""
-    return _is_any_face(robot, Emotion.NEUTRAL)
-
-
-def is_any_face_angry(robot: "Client") -> bool:
-    """Does the camera see an angry face?"""
-    return _is_any_face(robot, Emotion.ANGER)
-
-
-def is_any_face_surprised(robot: "Client") -> bool:
-    """Does the camera see a surprised face?"""
-    return _is_any_face(robot, Emotion.SURPRISE)
-
-
 def _lines(robot: "Client") -> "Lines | None":
     lines: Lines | None = robot.detect("lines")
     return lines
@@ -234,17 +172,7 @@ def _tags(robot: "Client") -> "Sequence[Tag]":
     return robot.detect("tags") or ()
 
 
-def _faces(robot: "Client") -> "Sequence[Face]":
-    return robot.detect("faces") or ()
-
-
 def _find(robot: "Client", wanted: int | str | None) -> "Tag | None":
     """The first tag seen of those `wanted`: a number, a name, or None for any."""
     number = None if wanted is None else tag_id(wanted)
     return next((tag for tag in _tags(robot) if number is None or tag.id == number), None)
-
-
-def _is_any_face(robot: "Client", emotion: Emotion) -> bool:
-    # A robot on which this detector is not installed, or not allowed, answers None.
-    faces: Sequence[FaceEmotion] = robot.detect("emotions") or ()
-    return any(face.emotion == emotion for face in faces)
