@@ -132,6 +132,7 @@ def test_a_component_for_emotions_starts_for_drawn_faces():
         (("apriltag", "--port", "70000"), "70000 is not in the range"),
         (("apriltag", "--layout", "row"), "'row' is not one of"),
         (("apriltag", "--port", "0", "--host", "nowhere.invalid"), "cannot listen at nowhere"),
+        (("apriltag", "--port", "0", "--host", "a" * 70), "cannot listen at aaa"),
     ],
 )
 def test_a_component_that_cannot_be_is_told_in_a_sentence(arguments, sentence):

@@ -3,13 +3,17 @@
 import re
 import subprocess
 import sys
+from time import monotonic
 
 import pytest
 from click.testing import CliRunner
 
 from ice_runtime import components
 from learnblock.cli import main
+from learnblock.components import serve
+from learnblock.emulators import emulate
 from learnblock.ice.robocomp import Layout
+from learnblock.robots import connect
 from learnblock.vision import TABLE
 from runs import run_file
 from shown_pictures import a_face
@@ -85,6 +89,23 @@ def test_what_one_computer_sees_another_process_may_look_for(tmp_path):
     ours = run(tmp_path, "sim-ebo", *program, world="tags")
     assert [report.ended for report, _ in (seen, ours)] == ["finished"] * 2
     assert seen[1] == ours[1] == ["False", "True True True"]
+
+
+def test_a_real_robots_camera_is_looked_through_by_a_component():
+    adapter, port = serve("apriltag", port=0)
+    TABLE.change("apriltag", f"127.0.0.1:{port}")
+    with (
+        adapter,
+        emulate("rcis", "tags") as emulation,
+        connect("rcis", **emulation.settings) as robot,
+    ):
+        with emulation.twin.body() as body:
+            x, y, _ = body.pose
+            body.place(x, y, 135)
+        deadline = monotonic() + 10
+        while not robot.is_tag(2):
+            assert monotonic() < deadline
+        assert robot.detect("emotions") is None
 
 
 def test_on_a_real_robot_emotions_have_no_effect_until_they_are_switched_on(mine, tmp_path):

@@ -106,10 +106,12 @@ def serve(
     wanted = kind.port if port is None else port
     try:
         return adapter, adapter.serve({name: servant}, wanted)
-    except OSError as error:
+    except (OSError, UnicodeError) as error:
+        # Some texts cannot even be looked up.
         adapter.close()
+        reason = getattr(error, "strerror", None) or error
         raise LearnBlockError(
-            f"the component {name} cannot listen at {host}:{wanted}: {error.strerror or error};"
+            f"the component {name} cannot listen at {host}:{wanted}: {reason};"
             " choose another --port or --host"
         ) from error
 
