@@ -1,6 +1,7 @@
 /** Dialogs for what is set of real robots and of perception. */
 
 import { useComputed, useSignal } from "@preact/signals";
+import { Fragment } from "preact";
 import { useEffect } from "preact/hooks";
 
 import { t } from "../../i18n";
@@ -81,15 +82,16 @@ function Form({ table, robot }: { table: SettingsTable; robot: string }) {
   return (
     <form onSubmit={save} noValidate>
       {settings.map((setting) => (
-        <SettingField
-          key={setting.name}
-          setting={setting}
-          value={values.value[setting.name]}
-          wrong={setting.name in changed ? wrong[setting.name] : undefined}
-          change={(value) => (values.value = { ...values.value, [setting.name]: value })}
-        />
+        <Fragment key={setting.name}>
+          <SettingField
+            setting={setting}
+            value={values.value[setting.name]}
+            wrong={setting.name in changed ? wrong[setting.name] : undefined}
+            change={(value) => (values.value = { ...values.value, [setting.name]: value })}
+          />
+          {setting.name === EMOTIONS && <Law asks={asks} agreed={agreed.value} agree={(on) => (agreed.value = on)} />}
+        </Fragment>
       ))}
-      {robot === PERCEPTION && <Law asks={asks} agreed={agreed.value} agree={(on) => (agreed.value = on)} />}
       <p role="status" class="dim">
         {t(isChanged ? "machine.unsaved" : "machine.saved")}
       </p>
