@@ -822,7 +822,7 @@ class Completion(Struct, frozen=True, omit_defaults=True):
     Args:
         label: what is shown and filtered by.
         insert: what is inserted.
-        sort: skill, function, variable, when, keyword, robot.
+        sort: skill, function, variable, when, keyword, robot, library.
         detail: its parameters.
         help: one sentence.
         category: of a skill, as sets of blocks name it.

@@ -1,4 +1,5 @@
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -170,6 +171,13 @@ def test_a_function_offers_its_own_variables_within_itself(program):
 
 def test_brackets_that_are_there_are_not_inserted_again():
     assert typed("function.tu|(90)")["turn"].insert == "turn"
+
+
+def test_import_offers_the_libraries_there_are():
+    waltz = replace(builtin()["turn"], name="waltz", library="dance")
+    whole = Document.from_text("import ", EBO, {**builtin(), "waltz": waltz})
+    found = complete(whole, "blocktext", 1, 8)
+    assert ['"dance"'] == [one.label for one in found.options]
 
 
 def test_activate_offers_the_whens():

@@ -93,7 +93,9 @@ class Completer:
             yield from self.anything()
         elif cursor.word_before in {"activate", "deactivate"}:
             yield from self.whens()
-        elif cursor.word_before not in {"def", "when", "import"}:
+        elif cursor.word_before == "import":
+            yield from self.libraries()
+        elif cursor.word_before not in {"def", "when"}:
             yield from self.anything()
 
     @property
@@ -103,6 +105,10 @@ class Completer:
     @property
     def skills(self) -> Mapping[str, BlockConfiguration]:
         return self.vocabulary.document.target.configurations
+
+    def libraries(self) -> Iterator[Completion]:
+        for name in self.vocabulary.document.target.importable.names:
+            yield Completion(f'"{name}"', f'"{name}"', "library")
 
     # Behind a dot.
 
