@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from learnblock import files
 from learnblock.blocks import builtin
+from learnblock.blocks.block_sets import BlockNames, BlockSet
 from learnblock.errors import LearnBlockError, ProgramError, ProjectError, UnknownNameError
 from learnblock.language.workspace import Block, BlockComment, Input, Variable, Workspace
 from learnblock.server.messages import PastRun
@@ -90,6 +91,18 @@ workspaces = st.builds(
     st.lists(st.builds(Variable, texts, texts), max_size=2),
 )
 names = st.from_regex(r"[a-z0-9][a-z0-9 _.-]{0,10}[a-z]", fullmatch=True)
+mentioned = st.builds(
+    BlockNames,
+    categories=st.lists(ids, max_size=2).map(tuple),
+    blocks=st.lists(ids, max_size=2).map(tuple),
+)
+block_sets = st.builds(
+    BlockSet,
+    name=names,
+    title=st.dictionaries(st.just("en"), texts),
+    show=mentioned,
+    hide=mentioned,
+)
 projects = st.builds(
     Project,
     names,
@@ -99,6 +112,8 @@ projects = st.builds(
     names,
     names | st.just(""),
     st.lists(ids, max_size=3).map(tuple),
+    names,
+    st.lists(block_sets, max_size=2).map(tuple),
 )
 
 
@@ -160,6 +175,10 @@ def assert_read_or_refused(data):
         ({"world": "line.toml/"}, "no-name", "no path"),
         ({"robot": "../robot"}, "no-name", "no path"),
         ({"workspace": {"stacks": [[{"type": "x"}]]}}, "missing-key", "lacks `id`"),
+        ({"shown": 3}, "wrong-value", "it is the name of a set of blocks"),
+        ({"block_sets": [{}] * 9}, "wrong-value", "it is a list of at most 8 sets of blocks"),
+        ({"block_sets": [{"shown": {}}]}, "unknown-key", "did you mean `show`?"),
+        ({"block_sets": [{"show": {"block": []}}]}, "unknown-key", "did you mean `blocks`?"),
     ],
 )
 def test_a_wrong_value_is_refused_with_its_place_and_advice(values, code, words):

@@ -27,7 +27,7 @@ from typing import Annotated, Any, NoReturn
 import msgspec
 from msgspec import Meta, Struct, field
 
-from learnblock.blocks.block_sets import EVERYTHING, BlockSet
+from learnblock.blocks.block_sets import EVERYTHING, BlockNames, BlockSet
 from learnblock.errors import Diagnostic, ProjectError, did_you_mean
 from learnblock.language.workspace import Workspace
 from learnblock.running import DEFAULT_ROBOT
@@ -242,7 +242,7 @@ def _explained(refusal: str, text: str) -> Diagnostic:
         advice = _ADVICE.get(missing[1], "it belongs there")
         return _at("", text, "missing-key", f"{_owner(place)} lacks `{missing[1]}`: {advice}")
     if unknown := _UNKNOWN.match(refusal):
-        known = _File.__struct_fields__
+        known = _known(place)
         hint = did_you_mean(unknown[1], known) or "known are: " + ", ".join(known)
         message = f"{_owner(place)} has a key `{unknown[1]}`, which is not known; {hint}"
         return _at(unknown[1], text, "unknown-key", message)
@@ -251,6 +251,14 @@ def _explained(refusal: str, text: str) -> Diagnostic:
     advice = _ADVICE.get(key, 'the file begins with `{"learnblock": 1`')
     message = f"{_owner(place)} is {value}: {wrong}; {advice}"
     return _at(key, text, "wrong-value", message)
+
+
+def _known(place: str) -> tuple[str, ...]:
+    """The keys that there may be at a place."""
+    if not place.startswith("block_sets"):
+        return _File.__struct_fields__
+    kind = BlockNames if place.endswith((".show", ".hide")) else BlockSet
+    return kind.__struct_fields__
 
 
 def _owner(place: str) -> str:
