@@ -18,7 +18,10 @@ PLACE = re.compile(r"\{\d\}")
 SEAM = re.compile(r"\{\d\}|[`:,]| in | uses | such as ")
 PUT_TOGETHER = [
     f"there is no {kind} "
-    for kind in ("project", "example", "version", "world", "robot", "set of blocks")
+    for kind in (
+        *("project", "example", "version", "world", "robot", "set of blocks"),
+        *("block of your own", "deleted block"),
+    )
 ]
 LOCATED = re.compile(r"\S+?:\d+:\d+: [\w-]+ (.*)")
 
