@@ -5,8 +5,10 @@ from pathlib import Path
 
 import pytest
 
+from learnblock import own_blocks
 from learnblock.blocks import all_configurations, load_configurations
 from learnblock.errors import BlockConfigurationError
+from learnblock.fields import Range
 from learnblock.tag_names import tag_id
 from learnblock.testing import FakeRobot
 
@@ -44,7 +46,7 @@ def test_the_skill_has_no_effect_on_a_robot_without_wheels(home):
 
 
 def test_the_example_of_a_test_passes(home):
-    exec(examples("python")[2], {})  # noqa: S102 - the page's own program
+    exec(examples("python")[3], {})  # noqa: S102 - the page's own program
 
 
 def test_the_skill_is_a_block_before_it_is_configured(home):
@@ -52,6 +54,26 @@ def test_the_skill_is_a_block_before_it_is_configured(home):
 
     assert "Dance a waltz: sway to the right and to the left." == blocks["waltz"].tooltip["EN"]
     assert blocks["is_fast"].returns_value
+
+
+def test_each_hint_of_the_page_names_a_field(home):
+    (home / "skills" / "paint.py").write_text(examples("python")[2])
+    paint = all_configurations()["paint"]
+
+    assert ["float", "choice", "colour", "angle"] == [one.type for one in paint.parameters]
+    assert (Range(0, 100), ("thin", "thick")) == (
+        paint.parameters[0].range,
+        paint.parameters[1].choices,
+    )
+    with FakeRobot() as robot:
+        robot.paint(direction=0)
+        assert ("RGBLed:Up.set_color", 255, 136, 0) in robot.commands
+
+
+def test_the_check_has_nothing_to_say_of_the_files_of_the_page():
+    for source in (examples("python")[0], examples("python")[2]):
+        assert () == own_blocks.check(source).problems
+    assert () == own_blocks.check(examples("python")[0], examples("json")[0]).problems
 
 
 def test_the_configuration_gives_it_a_colour_a_tab_and_a_language(home):
