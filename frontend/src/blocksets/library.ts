@@ -76,7 +76,7 @@ export class BlockSetLibrary {
 
   /** Read a set from a file; it is not saved by that. */
   async readFile(file: File): Promise<void> {
-    this.refusal.value = file.size > LONGEST ? t("blockSets.large", { name: file.name }) : "";
+    this.refusal.value = file.size > LONGEST ? t("blocksets.large", { name: file.name }) : "";
     if (this.refusal.value) return;
     this.connection.send({ kind: "ReadBlockSet", filename: file.name.slice(-100), text: await file.text() });
   }

@@ -32,7 +32,7 @@ function items(page: Page) {
     { text: t("project.examples"), run: () => dialogs.show("examples") },
     { text: t("project.saveAs"), separated: true, run: () => dialogs.show("saveAs") },
     { text: t("project.history"), run: () => dialogs.show("history") },
-    { text: t("blockSets.menu"), separated: true, run: () => dialogs.show("blockSets") },
+    { text: t("blocksets.menu"), separated: true, run: () => dialogs.show("blockSets") },
     { text: t("ownblocks.menu"), run: () => dialogs.show("ownBlocks") },
     { text: t("libraries.menu"), run: () => dialogs.show("libraries") },
     { text: t("tags.menu"), run: () => dialogs.show("tags") },

@@ -35,24 +35,24 @@ export function BlockSetActions({ draft, tabs, look }: Props) {
   if (naming.value) return <SaveForm draft={draft} tabs={tabs} look={look} done={() => (naming.value = false)} />;
   return (
     <>
-      {empty && <p class="dim">{t("blockSets.empty")}</p>}
+      {empty && <p class="dim">{t("blocksets.empty")}</p>}
       <Actions cancel={() => dialogs.close()}>
         <button type="button" class="button bordered" onClick={() => chooseFile(".toml", (file) => void blockSets.readFile(file))}>
-          {t("blockSets.load")}
+          {t("blocksets.load")}
         </button>
         <button type="button" class="button bordered" onClick={() => blockSets.export(setOf(draft, tabs))}>
-          {t("blockSets.download")}
+          {t("blocksets.download")}
         </button>
         {isOwn && (
           <button type="button" class="button bordered" onClick={() => (remove(page, draft.base), look(blockSets.shown.peek()))}>
-            {t("blockSets.delete")}
+            {t("blocksets.delete")}
           </button>
         )}
         <button type="button" class="button bordered" disabled={empty} onClick={() => (naming.value = true)}>
-          {t("blockSets.saveAs")}
+          {t("blocksets.saveAs")}
         </button>
         <button type="button" class="button filled" disabled={empty} onClick={show}>
-          {t("blockSets.show")}
+          {t("blocksets.show")}
         </button>
       </Actions>
     </>
@@ -62,7 +62,7 @@ export function BlockSetActions({ draft, tabs, look }: Props) {
 function SaveForm({ draft, tabs, look, done }: Props & { done: () => void }) {
   const { blockSets } = usePage();
   const isOurs = blockSets.ours.value.some((one) => one.name === draft.base.name);
-  const name = useSignal(isOurs ? t("blockSets.myBlocks") : (draft.base.name ?? ""));
+  const name = useSignal(isOurs ? t("blocksets.myBlocks") : (draft.base.name ?? ""));
   const taken = blockSets.own.value.some((one) => one.name === name.value.trim());
   const save = (event: SubmitEvent) => {
     event.preventDefault();
@@ -74,7 +74,7 @@ function SaveForm({ draft, tabs, look, done }: Props & { done: () => void }) {
   return (
     <form onSubmit={save}>
       <label class="field">
-        {t("blockSets.name")}
+        {t("blocksets.name")}
         <input
           required
           autofocus
@@ -85,11 +85,11 @@ function SaveForm({ draft, tabs, look, done }: Props & { done: () => void }) {
         />
       </label>
       <p class="dim" role="status">
-        {taken ? t("blockSets.replaces") : t("blockSets.saveHelp")}
+        {taken ? t("blocksets.replaces") : t("blocksets.saveHelp")}
       </p>
       <Actions cancel={done}>
         <button type="submit" class="button filled">
-          {t("blockSets.save")}
+          {t("blocksets.save")}
         </button>
       </Actions>
     </form>
@@ -104,19 +104,19 @@ function named(set: BlockSet, name: string): BlockSet {
 /** One of ours that was changed is no longer ours. */
 function renamed(set: BlockSet, ours: readonly BlockSet[]): BlockSet {
   const title = titleOf(ours.find((one) => one.name === set.name) ?? set);
-  return named(set, t("blockSets.changed", { title }));
+  return named(set, t("blocksets.changed", { title }));
 }
 
 /** Show a set's blocks; it can be taken back. */
 function choose({ blockSets, toasts }: Page, set: BlockSet): void {
   const before = blockSets.shown.peek();
   blockSets.choose(set);
-  const action = { text: t("blockSets.undo"), run: () => blockSets.choose(before) };
-  toasts.show({ sort: "note", text: t("blockSets.shownNow", { title: titleOf(set) }), action });
+  const action = { text: t("blocksets.undo"), run: () => blockSets.choose(before) };
+  toasts.show({ sort: "note", text: t("blocksets.shownNow", { title: titleOf(set) }), action });
 }
 
 function remove({ blockSets, toasts }: Page, set: BlockSet): void {
   blockSets.delete(set);
-  const action = { text: t("blockSets.undo"), run: () => blockSets.save(set, false) };
-  toasts.show({ sort: "note", text: t("blockSets.deleted", { title: titleOf(set) }), action });
+  const action = { text: t("blocksets.undo"), run: () => blockSets.save(set, false) };
+  toasts.show({ sort: "note", text: t("blocksets.deleted", { title: titleOf(set) }), action });
 }

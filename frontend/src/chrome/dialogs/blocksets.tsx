@@ -40,7 +40,7 @@ export function BlockSetsDialog() {
     if (blockSets.read.value && tabs.value) look(blockSets.read.value);
   });
   return (
-    <Dialog title={t("blockSets.title")} close={() => dialogs.close()} size="large">
+    <Dialog title={t("blocksets.title")} close={() => dialogs.close()} size="large">
       {failed.value && <p role="alert">{t("blocks.failed")}</p>}
       {draft.value && tabs.value && (
         <>
@@ -98,9 +98,9 @@ function Sets({ chosen, choose }: SetsProps) {
   });
   return (
     <div class="sets">
-      <SetGroup word="blockSets.ours" sets={ours.value} chosen={chosen} choose={choose} />
-      <SetGroup word="blockSets.carried" sets={alone.value} chosen={chosen} choose={choose} />
-      <SetGroup word="blockSets.own" sets={own.value} chosen={chosen} choose={choose} />
+      <SetGroup word="blocksets.ours" sets={ours.value} chosen={chosen} choose={choose} />
+      <SetGroup word="blocksets.carried" sets={alone.value} chosen={chosen} choose={choose} />
+      <SetGroup word="blocksets.own" sets={own.value} chosen={chosen} choose={choose} />
     </div>
   );
 }

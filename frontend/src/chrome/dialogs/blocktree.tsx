@@ -24,22 +24,22 @@ export function BlockTree({ tabs, ticks, changed, change }: Props) {
   return (
     <div class="block-tree">
       <label class="field">
-        {t("blockSets.search")}
+        {t("blocksets.search")}
         <input type="search" value={search.value} onInput={({ currentTarget }) => (search.value = currentTarget.value)} />
       </label>
       <p class="dim" role="status">
-        {t("blockSets.count", { shown: all.filter((one) => ticks.blocks.has(one)).length, all: all.length })}
-        {changed && ` · ${t("blockSets.isChanged")}`}
+        {t("blocksets.count", { shown: all.filter((one) => ticks.blocks.has(one)).length, all: all.length })}
+        {changed && ` · ${t("blocksets.isChanged")}`}
       </p>
       <div class="both">
         <button type="button" class="button bordered" onClick={() => change(tick(ticks, found.flatMap(({ blocks }) => blocks), true))}>
-          {t("blockSets.all")}
+          {t("blocksets.all")}
         </button>
         <button type="button" class="button bordered" onClick={() => change(tick(ticks, found.flatMap(({ blocks }) => blocks), false))}>
-          {t("blockSets.none")}
+          {t("blocksets.none")}
         </button>
       </div>
-      <ul class="tabs-of-blocks" aria-label={t("blockSets.blocks")}>
+      <ul class="tabs-of-blocks" aria-label={t("blocksets.blocks")}>
         {found.map((tab) => (
           <TabRow key={tab.category} tab={tab} ticks={ticks} change={change} open={open} searching={search.value !== ""} />
         ))}
@@ -51,7 +51,7 @@ export function BlockTree({ tabs, ticks, changed, change }: Props) {
           checked={ticks.later}
           onChange={({ currentTarget }) => change({ ...ticks, later: currentTarget.checked })}
         />
-        {t("blockSets.later")}
+        {t("blocksets.later")}
       </label>
     </div>
   );
@@ -95,7 +95,7 @@ function TabRow({ tab, ticks, change, open, searching }: RowProps) {
             class={isOpen ? "button open" : "button"}
             aria-expanded={isOpen}
             aria-controls={list}
-            aria-label={t("blockSets.blocksOf", { tab: title })}
+            aria-label={t("blocksets.blocksOf", { tab: title })}
             onClick={toggle}
           >
             <Icon name="down" />
@@ -147,7 +147,7 @@ function Absent({ ticks, change }: Pick<Props, "ticks" | "change">) {
   if (names.length === 0) return null;
   return (
     <fieldset>
-      <legend>{t("blockSets.absent")}</legend>
+      <legend>{t("blocksets.absent")}</legend>
       {names.map((name) => (
         <Tick key={name} label={name} some all set={() => change(forget(ticks, name))} />
       ))}

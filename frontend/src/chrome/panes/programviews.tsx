@@ -56,7 +56,7 @@ function ShownBlocks() {
   if (!blockSets.hidesSome.value) return null;
   return (
     <button type="button" class="button shown-blocks" onClick={() => dialogs.show("blockSets")}>
-      {t("blockSets.button", { title: titleOf(blockSets.shown.value) })}
+      {t("blocksets.button", { title: titleOf(blockSets.shown.value) })}
     </button>
   );
 }
