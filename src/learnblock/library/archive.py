@@ -76,8 +76,8 @@ def _unzipped(content: bytes, where: str) -> dict[str, bytes]:
     except LibraryError:
         raise
     except Exception as error:  # noqa: BLE001 - of a broken zip Python raises whatever it likes
-        message = f"this is no library in one file: {type(error).__name__}: {error}"
-        raise _wrong(where, "no-zip", message) from None
+        message = "this is no library in one file: it is no zip, or a broken one"
+        raise _wrong(where, "no-zip", message) from error
     return found
 
 
