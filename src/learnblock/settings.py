@@ -173,10 +173,11 @@ def _value(text: str, kind: inspect.Type) -> Any:
     if _is_text(kind):
         return text
     try:
-        return tomllib.loads(f"value = {text}")["value"]
+        written = tomllib.loads(f"value = {text}")
     except tomllib.TOMLDecodeError:
         # One of the words that are allowed, or told as the wrong value that it is.
         return text
+    return written["value"] if len(written) == 1 else text
 
 
 def _is_text(kind: inspect.Type) -> bool:
