@@ -76,3 +76,22 @@ def test_a_python_file_may_import_any_package(tmp_path):
     assert codes(path) == []
     path.write_text(path.read_text().replace("numpy", "no_such_package"))
     assert codes(path) == ["unknown-library"]
+
+
+def test_without_our_package_a_python_file_finds_no_library_and_no_skills_of_a_file(
+    tmp_path, monkeypatch
+):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
+    folder = tmp_path / "home" / "libraries" / "dance"
+    folder.mkdir(parents=True)
+    (folder / "library.toml").write_text('learnblock = 1\nname = "dance"\nversion = "1"\n')
+    (folder / "__init__.py").write_text("def waltz(robot): pass\n")
+    (tmp_path / "helper.py").write_text("def sway(robot): pass\n")
+    text = "from {0}{1} import *\nfrom learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n"
+    path = tmp_path / "program.py"
+    for package, expected in (("learnblock.libraries.", []), ("", ["unknown-library"])):
+        path.write_text(text.format(package, "dance"))
+        assert codes(path) == expected
+    for package, expected in (("learnblock.libraries.", []), ("", ["unknown-skill"])):
+        path.write_text(text.format(package, "helper") + "robot.sway()\n")
+        assert codes(path) == expected

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable, Collection, Mapping
 from contextlib import nullcontext, suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
@@ -16,6 +16,7 @@ from learnblock.devices import Pose
 from learnblock.errors import Diagnostic, LearnBlockError, ProgramError, UnknownNameError
 from learnblock.language.nodes import Import
 from learnblock.language.nodes import Program as Tree
+from learnblock.language.python_imports import PACKAGE
 from learnblock.robots import RobotEntry
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.ending import Ending, How
@@ -59,6 +60,13 @@ class Source:
     def imports(self) -> frozenset[str]:
         """The libraries and files that it imports."""
         return frozenset(one.module for one in self.tree.items if isinstance(one, Import))
+
+    @property
+    def libraries(self) -> frozenset[str]:
+        """Those that it imports as libraries, whose skills are the robot's; in Block-Text all."""
+        if not self.is_python:
+            return self.imports
+        return frozenset(one for one in self.imports if f"{PACKAGE}.{one} import" in self.text)
 
     @property
     def robot(self) -> str | None:
@@ -135,18 +143,17 @@ def check(source: Source, robot: RobotEntry | None = None) -> list[Diagnostic]:
     """What is wrong or doubtful in a program, on a robot when one is given."""
     devices = robot.load().known_devices() if robot else None
     folder = source.path.resolve().parent
-    beside = {one.name: one for one in libraries.blocks_beside(folder, source.imports)}
+    beside = {one.name: one for one in libraries.blocks_beside(folder, source.libraries)}
     skills = all_configurations().extended({**beside, **builtin()})
     found = libraries.importable(folder, source.imports)
     return language.check(source.tree, skills, devices, _with_packages(found, source))
 
 
 def _with_packages(found: Importable, source: Source) -> Importable:
-    """With what else Python finds: a Python file may import any package that is installed."""
-    if not source.is_python:
-        return found
-    packages = {one for one in source.imports if find_spec(one.partition(".")[0]) is not None}
-    return replace(found, files=found.files | packages)
+    """What Python finds: without our package before its name a library is not found."""
+    plain = source.imports - source.libraries
+    packages = {one for one in plain if find_spec(one.partition(".")[0]) is not None}
+    return Importable(found.libraries - plain, found.files | packages)
 
 
 def program(source: Source, robot: RobotEntry) -> Program:
