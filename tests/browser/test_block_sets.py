@@ -136,6 +136,18 @@ def test_a_set_goes_out_as_a_file_comes_in_again_and_is_deleted(pupil, own_serve
     assert tabs(pupil) == ["Start"]
 
 
+def test_what_was_ticked_is_there_again_after_escape_and_gone_after_cancel(pupil):
+    open_dialog(pupil)
+    pupil.dialog().get_by_role("checkbox", name="Camera", exact=True).uncheck()
+    pupil.page.keyboard.press("Escape")
+    open_dialog(pupil)
+    expect(pupil.dialog().get_by_role("status")).to_contain_text("changed, not saved yet")
+    expect(pupil.dialog().get_by_role("checkbox", name="Camera", exact=True)).not_to_be_checked()
+    pupil.dialog().get_by_role("button", name="Cancel").click()
+    open_dialog(pupil)
+    expect(pupil.dialog().get_by_role("checkbox", name="Camera", exact=True)).to_be_checked()
+
+
 def test_a_wrong_file_is_told_in_the_dialog(pupil, tmp_path):
     file = tmp_path / "lesson.toml"
     file.write_text("[show]\nblock = []\n")

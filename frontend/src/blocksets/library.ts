@@ -5,6 +5,7 @@ import { computed, signal } from "@preact/signals";
 import type { Connection } from "../connection";
 import { language, t } from "../i18n";
 import type { BlockSet, FromPage } from "../messages";
+import type { Draft } from "./ticks";
 
 export const EVERYTHING: BlockSet = { name: "everything" };
 
@@ -30,13 +31,17 @@ export class BlockSetLibrary {
   readonly problems = signal<readonly string[]>([]);
   /** The set of the file that was read last. */
   readonly read = signal<BlockSet | null>(null);
+  /** What was ticked and neither used nor given up. */
+  readonly draft = signal<Draft | null>(null);
   /** Why the server refused what was asked last. */
   readonly refusal = signal("");
   readonly hidesSome = computed(() => this.shown.value.name !== EVERYTHING.name);
 
   constructor(private readonly connection: Connection) {
+    connection.on("Opened", () => (this.draft.value = null));
     connection.on("BlocksShown", ({ set, carried = [] }) => {
-      this.shown.value = set;
+      // The palette is made anew for another set, and for no other reason.
+      if (JSON.stringify(set) !== JSON.stringify(this.shown.peek())) this.shown.value = set;
       this.carried.value = carried;
     });
     connection.on("BlockSets", ({ ours, own, problems = [] }) => {

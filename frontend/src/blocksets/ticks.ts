@@ -24,6 +24,20 @@ export interface Ticks {
   readonly later: boolean;
 }
 
+/** A set that is being looked at, with ticks that may differ from what it says by now. */
+export interface Draft {
+  readonly base: BlockSet;
+  readonly ticks: Ticks;
+  readonly changed: boolean;
+}
+
+/** The set that a draft stands for. */
+export function setOf({ base, ticks, changed }: Draft, groups: readonly Group[]): BlockSet {
+  if (!changed) return base;
+  const { name, title, description } = base;
+  return { name, title, description, ...saidBy(ticks, groups) };
+}
+
 export function ticksOf(set: BlockSet, groups: readonly Group[]): Ticks {
   const shown = groups.flatMap(({ category, blocks }) => blocks.filter((block) => shows(set, category, block)));
   return { blocks: new Set(shown), absent: absentIn(set, groups), later: !isExclusive(set) };

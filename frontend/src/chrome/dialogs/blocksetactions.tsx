@@ -4,12 +4,12 @@ import { useSignal } from "@preact/signals";
 
 import type { LabelledTab } from "../../blocks/labels";
 import { titleOf } from "../../blocksets/library";
+import { setOf, type Draft } from "../../blocksets/ticks";
 import { language, t } from "../../i18n";
 import type { BlockSet } from "../../messages";
 import { chooseFile } from "../files";
 import { usePage, type Page } from "../page";
 import { Actions } from "../widgets/dialog";
-import { setOf, type Draft } from "./blocksets";
 
 /** As the server takes it. */
 const LONGEST_NAME = 60;
@@ -28,15 +28,19 @@ export function BlockSetActions({ draft, tabs, look }: Props) {
   const isOurs = blockSets.ours.value.some((one) => one.name === draft.base.name);
   const isOwn = blockSets.own.value.some((one) => one.name === draft.base.name);
   const empty = draft.ticks.blocks.size === 0;
-  const show = () => {
+  const leave = () => {
+    blockSets.draft.value = null;
     dialogs.close();
+  };
+  const show = () => {
+    leave();
     choose(page, draft.changed && isOurs ? renamed(setOf(draft, tabs), blockSets.ours.value) : setOf(draft, tabs));
   };
   if (naming.value) return <SaveForm draft={draft} tabs={tabs} look={look} done={() => (naming.value = false)} />;
   return (
     <>
       {empty && <p class="dim">{t("blocksets.empty")}</p>}
-      <Actions cancel={() => dialogs.close()}>
+      <Actions cancel={leave}>
         <button type="button" class="button bordered" onClick={() => chooseFile(".toml", (file) => void blockSets.readFile(file))}>
           {t("blocksets.load")}
         </button>

@@ -5,7 +5,7 @@ import { useEffect, useId } from "preact/hooks";
 
 import type { LabelledTab } from "../../blocks/labels";
 import { descriptionOf, titleOf } from "../../blocksets/library";
-import { saidBy, ticksOf, type Ticks } from "../../blocksets/ticks";
+import { ticksOf } from "../../blocksets/ticks";
 import { language, t } from "../../i18n";
 import type { BlockSet } from "../../messages";
 import { said } from "../../sentences";
@@ -15,17 +15,10 @@ import { BlockTree } from "./blocktree";
 import { BlockSetActions } from "./blocksetactions";
 import "./blocksets.css";
 
-/** A set that is being looked at, with ticks that may differ from what it says by now. */
-export interface Draft {
-  readonly base: BlockSet;
-  readonly ticks: Ticks;
-  readonly changed: boolean;
-}
-
 export function BlockSetsDialog() {
   const { dialogs, blockSets } = usePage();
   const tabs = useSignal<readonly LabelledTab[] | null>(null);
-  const draft = useSignal<Draft | null>(null);
+  const { draft } = blockSets;
   const failed = useSignal(false);
   const look = (base: BlockSet) => {
     draft.value = { base, ticks: ticksOf(base, tabs.value ?? []), changed: false };
@@ -33,7 +26,7 @@ export function BlockSetsDialog() {
   useEffect(() => blockSets.list(), []);
   useSignalEffect(() => {
     void load(language.value)
-      .then((found) => ((tabs.value = found), look(draft.peek()?.base ?? blockSets.shown.peek())))
+      .then((found) => ((tabs.value = found), draft.peek()?.changed || look(blockSets.shown.peek())))
       .catch(() => (failed.value = true));
   });
   useSignalEffect(() => {
@@ -64,13 +57,6 @@ export function BlockSetsDialog() {
 async function load(code: string): Promise<readonly LabelledTab[]> {
   const { labelledTabs } = await import("../../blocks/labels");
   return labelledTabs(code);
-}
-
-/** The set that a draft stands for. */
-export function setOf({ base, ticks, changed }: Draft, tabs: readonly LabelledTab[]): BlockSet {
-  if (!changed) return base;
-  const { name, title, description } = base;
-  return { name, title, description, ...saidBy(ticks, tabs) };
 }
 
 function Refusals() {
