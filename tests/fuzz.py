@@ -26,10 +26,12 @@ import set_files
 import thymio_wires
 from learnblock import language
 from learnblock.blocks import builtin, load_configurations
-from learnblock.errors import LearnBlockError
+from learnblock.description_file import read
+from learnblock.errors import LearnBlockError, SettingsError
 from learnblock.new.client import client_source
 from learnblock.new.robot_plan import read_plan
 from learnblock.simulator import World, load_robot, load_world
+from learnblock.vision import TABLE
 from new_robots import EVERYTHING, guide
 
 TESTS = Path(__file__).parent
@@ -43,6 +45,11 @@ NASTY = (
     "é", "名", "🤖", "x" * 3000, "\n" * 100, "def f(x):\n    return x\n", "import os\n",
     "from x import *\n",
 )  # fmt: skip
+
+SETTINGS = (
+    '[perception]\nemotions_on_cameras = true\napriltag = "localhost:25000"\nwebcam = 0\n',
+    '[perception]\nlayout = "rows"\npatience = 2.5\nvideo = "a.mp4"\nwebcam = "none"\n[page]\n',
+)
 
 
 @dataclass(frozen=True)
@@ -95,6 +102,7 @@ def targets(folder: Path) -> tuple[Target, ...]:
         Target("source of blocks", own_block_files.read_source, (own_block_files.SOURCE,)),
         Target("chosen for blocks", own_block_files.read_configuration, (own_block_files.WORDS,)),
         Target("exported block", own_block_files.read_package, (own_block_files.PACKAGE,)),
+        Target("settings", lambda text: read_settings(folder, text), SETTINGS),
         Target("CoppeliaSim's answers", coppeliasim_answers.read, coppeliasim_answers.texts()),
         Target("Cozmo's frames", cozmo_wires.read_frame, cozmo_wires.frame_texts()),
         Target("Cozmo's pictures", cozmo_wires.read_picture, cozmo_wires.picture_texts()),
@@ -154,6 +162,12 @@ def read_world(folder: Path, text: str) -> None:
     """Load a world and let a moment pass in it."""
     world = World(load_world(written(folder / "world.toml", text)))
     world.step()
+
+
+def read_settings(folder: Path, text: str) -> None:
+    """Read a user's settings, as far as they concern what cameras see."""
+    file = written(folder / "settings.toml", text)
+    read(file, TABLE._file_kind(), SettingsError, lambda _: ())
 
 
 def written(path: Path, text: str) -> Path:
