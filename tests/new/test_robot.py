@@ -8,13 +8,14 @@ from pathlib import Path
 
 import pytest
 
-from learnblock import robots
+from learnblock import language, robots, running
 from learnblock.new.files import write_new
 from learnblock.new.robot import files_at_home, files_of_package, unkept
 from learnblock.new.robot_plan import named, plan_of, read_plan
 from learnblock.new.skill import skill_files
 from learnblock.server.catalog import welcome
 from new_robots import DOCS, EVERYTHING, guide
+from runs import EXAMPLES, run_example
 
 ROOT = Path(__file__).parents[2]
 
@@ -78,6 +79,15 @@ def test_a_twins_description_lies_beside_it(home):
     (home / "robots" / "whole.toml").unlink()
     with pytest.raises(LookupError, match="there is no simulated robot `whole`"):
         robots.find("sim-whole").load().description()
+
+
+def test_a_program_for_the_twin_runs_by_itself_with_the_same_trace(home, tmp_path):
+    program, trace = tmp_path / "dance.py", tmp_path / "trace.jsonl"
+    tree = running.read(EXAMPLES / "dance.bt").tree
+    program.write_text(language.to_python(tree, robots.module_of("sim-pathfinder")).text)
+    environment = {**os.environ, "LEARNBLOCK_TRACE": str(trace), "LEARNBLOCK_WORLD": "empty"}
+    subprocess.run([sys.executable, program], env=environment, check=True)
+    assert trace.read_bytes() == run_example("dance.bt", "sim-pathfinder", world="empty").trace
 
 
 def test_a_package_of_its_own_passes_its_test_where_it_is_installed(tmp_path):
