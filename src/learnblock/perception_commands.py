@@ -21,8 +21,13 @@ def perception_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001
     learnblock perception set apriltag localhost:25000
     learnblock perception set apriltag --default
     """  # noqa: D301 - click wants the character itself
-    if ctx.invoked_subcommand is None:
-        _show(as_json=as_json)
+    if ctx.invoked_subcommand is not None:
+        return
+    from learnblock.vision import TABLE, WHY_EMOTIONS_ARE_OFF  # noqa: PLC0415 - as below
+
+    _show(as_json=as_json)
+    if not as_json and not TABLE.load().emotions_on_cameras:
+        click.echo(f"\n{WHY_EMOTIONS_ARE_OFF}")
 
 
 @perception_group.command("set")
@@ -50,11 +55,9 @@ def set_command(
 
 
 def _show(*, as_json: bool) -> None:
-    from learnblock.vision import TABLE, WHY_EMOTIONS_ARE_OFF  # noqa: PLC0415 - as above
+    from learnblock.vision import TABLE  # noqa: PLC0415 - as above
 
     print_settings(list(TABLE.describe()), as_json=as_json)
-    if not as_json and not TABLE.load().emotions_on_cameras:
-        click.echo(f"\n{WHY_EMOTIONS_ARE_OFF}")
 
 
 def _whole_path(value: str) -> str:
