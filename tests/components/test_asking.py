@@ -103,6 +103,19 @@ def test_our_own_component_shows_the_order_it_was_told(order):
         assert asked.find_order() is order
 
 
+def test_a_component_that_refuses_the_other_order_shows_its_own():
+    class Strict(Answering):
+        def processimage(self, picture):
+            if picture.width < picture.height:
+                raise ValueError("too narrow")
+            return [FoundTag(7, 231, 149)]
+
+    with Adapter() as adapter:
+        servant = Servant(interfaces(Layout.TOOL)["apriltag"], Strict())
+        with AskedTags("127.0.0.1", adapter.serve({"apriltag": servant})) as asked:
+            assert asked.find_order() is Order.COLUMNS
+
+
 def test_tags_that_cannot_be_in_the_picture_are_left_out():
     wrong = [(587, 5, 5), (-1, 5, 5), (3, -1, 5), (3, 320, 5), (3, 5, 240), (3, 2**31 - 1, 0)]
     adapter, port = answering("apriltag", *(FoundTag(*one) for one in [*wrong, (3, 319, 239)]))

@@ -10,7 +10,7 @@ import numpy as np
 from learnblock.closing import Closing
 from learnblock.components.labels import emotion_of
 from learnblock.components.pictures import Order, packed
-from learnblock.errors import IceError, IceLinkError, RobotConnectionError
+from learnblock.errors import IceError, IceLinkError, IceRefusedError, RobotConnectionError
 from learnblock.ice.endpoint import Endpoint
 from learnblock.ice.proxy import Proxy
 from learnblock.ice.robocomp import Layout, interfaces
@@ -108,11 +108,16 @@ class AskedTags(Asked):
     def find_order(self) -> Order:
         """Show it a tag, which it finds in its place only if it reads the numbers as we meant."""
         picture = _picture_of_a_tag()
-        for order in Order:
+        fitting = (order for order in Order if self._finds_the_tag(picture, order))
+        return next(fitting, Order.ROWS)
+
+    def _finds_the_tag(self, picture: Frame, order: Order) -> bool:
+        try:
             found = islice(self._ask(picture, order), MOST_FOUND)
-            if any(_is_shown(one) for one in found):
-                return order
-        return Order.ROWS
+        except IceRefusedError:
+            # What it takes for a picture of another size, it may refuse.
+            return False
+        return any(_is_shown(one) for one in found)
 
     def _understood(self, found: list[FoundTag], frame: Frame) -> tuple[Tag, ...]:
         height, width = frame.shape[:2]
