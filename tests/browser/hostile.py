@@ -9,6 +9,10 @@ from learnblock.server.pages.page import MessageError, decode
 
 PROGRAM = "main:\n    function.sleep(1)\nend\n"
 WORLD = {"title": "Mine", "floor": {"size": [1000, 1000]}, "robot": [{"x": 0, "y": 0}]}
+SOURCE = "def waltz(robot, times: int = 3):\n    return times\n"
+BLOCK = json.dumps({"learnblock_block": 1, "name": "dance", "source": [SOURCE]})
+SET = {"name": "lesson"}
+LIBRARY = {"filename": "songs.lblib", "content": "UEsDBA=="}
 PLACE = {"request": 1, "notation": "blocktext", "line": 2, "column": 14}
 #: Every message of a page, with values of its own.
 SAID = {
@@ -46,6 +50,34 @@ SAID = {
     "ReadWorld": {"name": "line"},
     "CheckWorld": {"world": WORLD},
     "SaveWorld": {"name": "mine", "world": WORLD},
+    "ListOwnBlocks": {},
+    "CheckOwnBlock": {"request": 1, "name": "dance", "source": SOURCE, "configuration": "[]"},
+    "SaveOwnBlock": {"name": "dance", "source": SOURCE, "configuration": "", "replaces": ""},
+    "TryOwnBlock": {"name": "dance", "source": SOURCE, "arguments": [1, "a", [2.5], True, None]},
+    "DuplicateOwnBlock": {"name": "dance", "new": "another"},
+    "DeleteOwnBlock": {"name": "dance"},
+    "RestoreOwnBlock": {"name": "dance"},
+    "ExportOwnBlock": {"name": "dance"},
+    "ImportOwnBlock": {"content": BLOCK, "replace": True},
+    "ListBlockSets": {},
+    "ChooseBlockSet": {"set": SET},
+    "ReadBlockSet": {"filename": "lesson.toml", "text": "show = ['lb_main']"},
+    "SaveBlockSet": {"set": SET, "replace": True},
+    "DeleteBlockSet": {"name": "lesson"},
+    "ExportBlockSet": {"set": SET},
+    "ReadSettings": {"robot": "ev3"},
+    "ChangeSettings": {"robot": "ev3", "values": {"wheel_radius": 28}},
+    "SaveTags": {"names": {"ball": 3}},
+    "ReadTags": {"filename": "tags.csv", "text": "ball,3"},
+    "ExportTags": {"format": "html"},
+    "ListLibraries": {},
+    "ListExportable": {},
+    "ReadLibraries": {"files": [LIBRARY]},
+    "ImportLibraries": {"files": [LIBRARY]},
+    "RemoveLibrary": {"name": "songs"},
+    "DownloadLibrary": {"name": "songs"},
+    "MakeLibrary": {"name": "songs", "version": "1.0", "functions": ["f"], "own": ["dance"]},
+    "UseLibrary": {"name": "songs"},
 }
 assert set(SAID) == {kind.__name__ for kind in get_args(FromPage)}
 WRONG = (
