@@ -143,6 +143,16 @@ def put_on(pupil, theme):
     pupil.page.get_by_role("menuitemradio", name=theme).click()
 
 
+def blocks_shown(pupil):
+    pupil.project("Blocks shown…")
+    pupil.dialog().get_by_role("button", name="Blocks of Control", exact=True).click()
+
+
+def names_of_tags(pupil):
+    pupil.project("Names of tags…")
+    pupil.dialog().get_by_role("button", name="Add a name").click()
+
+
 DIALOGS = {
     "open": lambda pupil: pupil.project("Open…"),
     "examples": lambda pupil: pupil.project("Examples…"),
@@ -151,8 +161,8 @@ DIALOGS = {
     "delete": lambda pupil: pupil.project("Delete…"),
     "shortcuts": lambda pupil: pupil.page.keyboard.press("F1"),
     "settings": lambda pupil: help_menu(pupil, "Settings"),
-    "blocks shown": lambda pupil: blocks_shown(pupil),
-    "names of tags": lambda pupil: names_of_tags(pupil),
+    "blocks shown": blocks_shown,
+    "names of tags": names_of_tags,
     "settings of robots": lambda pupil: settings(pupil, "Settings of robots…", "Address"),
     "perception": lambda pupil: settings(pupil, "Perception…", "Webcam"),
     "tour": lambda pupil: help_menu(pupil, "A tour of the page"),
@@ -162,16 +172,6 @@ DIALOGS = {
 def help_menu(pupil, command):
     pupil.press("Help and settings")
     pupil.page.get_by_role("menuitem", name=command, exact=True).click()
-
-
-def blocks_shown(pupil):
-    pupil.project("Blocks shown…")
-    pupil.dialog().get_by_role("button", name="Blocks of Control", exact=True).click()
-
-
-def names_of_tags(pupil):
-    pupil.project("Names of tags…")
-    pupil.dialog().get_by_role("button", name="Add a name").click()
 
 
 def settings(pupil, command, field):

@@ -33,6 +33,8 @@ export class BlockSetLibrary {
   readonly read = signal<BlockSet | null>(null);
   /** What was ticked and neither used nor given up. */
   readonly draft = signal<Draft | null>(null);
+  /** The one that was deleted last, as long as that can be taken back. */
+  readonly deleted = signal<BlockSet | null>(null);
   /** Why the server refused what was asked last. */
   readonly refusal = signal("");
   readonly hidesSome = computed(() => this.shown.value.name !== EVERYTHING.name);
@@ -57,7 +59,7 @@ export class BlockSetLibrary {
 
   list(): void {
     this.refusal.value = "";
-    this.read.value = null;
+    this.read.value = this.deleted.value = null;
     this.connection.send({ kind: "ListBlockSets" });
   }
 
@@ -67,12 +69,13 @@ export class BlockSetLibrary {
 
   save(set: BlockSet, replace: boolean): void {
     this.refusal.value = "";
+    this.deleted.value = null;
     this.connection.send({ kind: "SaveBlockSet", set, replace });
   }
 
-  delete({ name = "" }: BlockSet): void {
+  delete(set: BlockSet): void {
     this.refusal.value = "";
-    this.connection.send({ kind: "DeleteBlockSet", name });
+    if (this.connection.send({ kind: "DeleteBlockSet", name: set.name ?? "" })) this.deleted.value = set;
   }
 
   export(set: BlockSet): void {

@@ -48,7 +48,7 @@ export function BlockSetActions({ draft, tabs, look }: Props) {
           {t("blocksets.download")}
         </button>
         {isOwn && (
-          <button type="button" class="button bordered" onClick={() => (remove(page, draft.base), look(blockSets.shown.peek()))}>
+          <button type="button" class="button bordered" onClick={() => (blockSets.delete(draft.base), look(blockSets.shown.peek()))}>
             {t("blocksets.delete")}
           </button>
         )}
@@ -117,10 +117,4 @@ function choose({ blockSets, toasts }: Page, set: BlockSet): void {
   blockSets.choose(set);
   const action = { text: t("blocksets.undo"), run: () => blockSets.choose(before) };
   toasts.show({ sort: "note", text: t("blocksets.shownNow", { title: titleOf(set) }), action });
-}
-
-function remove({ blockSets, toasts }: Page, set: BlockSet): void {
-  blockSets.delete(set);
-  const action = { text: t("blocksets.undo"), run: () => blockSets.save(set, false) };
-  toasts.show({ sort: "note", text: t("blocksets.deleted", { title: titleOf(set) }), action });
 }

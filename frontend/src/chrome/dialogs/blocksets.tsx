@@ -47,6 +47,7 @@ export function BlockSetsDialog() {
             />
           </div>
           <Refusals />
+          <Deleted look={look} />
           <BlockSetActions key={draft.value.base.name} draft={draft.value} tabs={tabs.value} look={look} />
         </>
       )}
@@ -67,6 +68,28 @@ function Refusals() {
       {sentences.map((one) => (
         <p key={one}>{said(one)}</p>
       ))}
+    </div>
+  );
+}
+
+/** What was deleted, and the way back. */
+function Deleted({ look }: { look: (set: BlockSet) => void }) {
+  const { blockSets } = usePage();
+  const { deleted } = blockSets;
+  const undo = (set: BlockSet) => {
+    blockSets.save(set, false);
+    look(set);
+  };
+  return (
+    <div role="status" class="deleted">
+      {deleted.value && (
+        <>
+          <span>{t("blocksets.deleted", { title: titleOf(deleted.value) })}</span>
+          <button type="button" class="button bordered" onClick={() => deleted.value && undo(deleted.value)}>
+            {t("blocksets.undo")}
+          </button>
+        </>
+      )}
     </div>
   );
 }
