@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from learnblock.blocks import block_sets, builtin
-from learnblock.blocks.block_sets import BlockSet, BlockNames
+from learnblock.blocks.block_sets import BlockNames, BlockSet
 from learnblock.blocks.palette import palette
 from learnblock.errors import BlockSetError, UnknownNameError
 
