@@ -21,6 +21,9 @@ import { themeOf } from "./themes";
 /** What of an editor the next one, in another language, takes over. */
 interface View {
   readonly workspace: Workspace;
+  /** The palette's open tab, by its name. */
+  readonly tab: string;
+  readonly focused: "palette" | "program" | null;
   readonly scale: number;
   readonly x: number;
   readonly y: number;
@@ -123,13 +126,37 @@ export class Editor {
   /** What a successor takes over. */
   get view(): View {
     const { scale, scrollX, scrollY } = this.workspace;
-    return { workspace: this.read(), scale, x: scrollX, y: scrollY };
+    return { workspace: this.read(), tab: this.openTab, focused: this.focused, scale, x: scrollX, y: scrollY };
   }
 
-  takeOver({ workspace, scale, x, y }: View): void {
+  takeOver({ workspace, tab, focused, scale, x, y }: View): void {
     this.show(workspace);
     this.workspace.setScale(scale);
     this.workspace.scroll(x, y);
+    this.open(tab);
+    if (focused === "program") this.focus();
+    else if (focused && this.toolbox) Blockly.getFocusManager().focusTree(this.toolbox);
+  }
+
+  private get focused(): View["focused"] {
+    const { activeElement } = document;
+    if (!this.workspace.getInjectionDiv().contains(activeElement)) return null;
+    return activeElement?.closest(".blocklyToolbox, .blocklyFlyout") ? "palette" : "program";
+  }
+
+  private get openTab(): string {
+    const item = this.toolbox?.getSelectedItem();
+    return item instanceof Blockly.ToolboxCategory ? item.getName() : "";
+  }
+
+  private open(tab: string): void {
+    const items = this.toolbox?.getToolboxItems() ?? [];
+    const found = items.find((item) => item instanceof Blockly.ToolboxCategory && item.getName() === tab);
+    if (tab && found) this.toolbox?.setSelectedItem(found as Blockly.ToolboxCategory);
+  }
+
+  private get toolbox(): Blockly.Toolbox | null {
+    return this.workspace.getToolbox() as Blockly.Toolbox | null;
   }
 
   private hear(event: Blockly.Events.Abstract): void {

@@ -132,13 +132,11 @@ class Blocks implements BlocksIsland {
   private open(): void {
     if (!this.palette) return;
     const view = this.editor?.view;
-    const focused = this.dom.contains(document.activeElement);
     if (!view) this.shown = null;
     this.editor?.destroy();
     this.dom.textContent = "";
     this.editor = new Editor(this.dom, this.palette, theme.peek(), this.actions(), () => this.edited());
     if (view) this.editor.takeOver(view);
-    if (focused) this.editor.focus();
     this.showAll();
   }
 

@@ -33,6 +33,8 @@ export class Draft {
   private readonly original = signal<Written>(this.written.peek());
   private readonly asking = new Throttle(PERIOD);
   private request = 0;
+  /** What the last question was about: an answer is of use only while it is what is written. */
+  private asked: Written | null = null;
   private saving: Written | null = null;
   /** Whether the name follows the function's: until somebody writes one. */
   private named = false;
@@ -43,8 +45,7 @@ export class Draft {
       connection.on("OwnBlockChecked", (message) => this.hear(message)),
       connection.on("OwnBlockSaved", ({ name }) => this.hearSaved(name)),
       connection.on("Failed", ({ message, request }) => request === "SaveOwnBlock" && this.refused(message)),
-      effect(() => this.keepUnsaved()),
-      effect(() => this.ask(this.written.value, language.value)),
+      effect(() => this.ask(language.value, this.written.value)),
     ];
   }
 
@@ -102,21 +103,24 @@ export class Draft {
       this.goesOn.value = left !== null;
       this.written.value = left ?? original;
     });
+    this.ends.push(effect(() => this.keepUnsaved()));
   }
 
-  private ask({ name, source, configuration }: Written, code: string): void {
+  private ask(code: string, written: Written): void {
+    const { name, source, configuration } = written;
     const replaces = this.saved.peek();
     const question = { name: name.trim(), source, configuration, replaces, language: code };
     if (!source) return;
     this.asking.do(() => {
       this.request += 1;
+      this.asked = written;
       this.connection.send({ kind: "CheckOwnBlock", request: this.request, ...question });
     });
   }
 
   private hear(message: OwnBlockChecked): void {
     if (message.request === 0) this.refused("");
-    else if (message.request !== this.request) return;
+    else if (message.request !== this.request || this.asked !== this.written.peek()) return;
     this.checked.value = message;
     const { configuration = "" } = message;
     if (!configuration) return;

@@ -103,17 +103,19 @@ function FunctionChoice({ editing: { draft, chosen, block } }: { editing: Editin
 function Problems({ editing }: { editing: Editing }) {
   const problems = editing.problems.value;
   return (
-    <ul class="own-block-problems" role="status" aria-label={t("ownblocks.problems")} hidden={problems.length === 0}>
-      {problems.map((problem) => (
-        <li key={`${problem.part} ${problem.line ?? 0} ${problem.message}`}>
-          <button type="button" class={`problem ${problem.severity}`} onClick={() => editing.goTo(problem)}>
-            <Icon name={problem.severity} />
-            <span>{said(problem.message)}</span>
-            <span class="dim">{placeOf(problem)}</span>
-          </button>
-        </li>
-      ))}
-    </ul>
+    <div class="own-block-problems" role="status" aria-label={t("ownblocks.problems")} hidden={problems.length === 0}>
+      <ul>
+        {problems.map((problem) => (
+          <li key={`${problem.part} ${problem.line ?? 0} ${problem.message}`}>
+            <button type="button" class={`problem ${problem.severity}`} onClick={() => editing.goTo(problem)}>
+              <Icon name={problem.severity} />
+              <span>{said(problem.message)}</span>
+              <span class="dim">{placeOf(problem)}</span>
+            </button>
+          </li>
+        ))}
+      </ul>
+    </div>
   );
 }
 

@@ -5,6 +5,7 @@ import { useEffect } from "preact/hooks";
 
 import type { Palette } from "../blocks/palette";
 import { t } from "../i18n";
+import { Committed } from "./committed";
 import type { Editing } from "./editing";
 import { WordsTable } from "./wordstable";
 
@@ -40,11 +41,11 @@ function Choices({ editing: { draft, block, palette } }: { editing: Editing }) {
     <>
       <label class="field">
         {t("ownblocks.category")}
-        <input
+        <Committed
           list="own-block-categories"
-          maxLength={LONGEST_NAME}
+          longest={LONGEST_NAME}
           value={category}
-          onChange={({ currentTarget }) => draft.configure(name, (one) => ({ ...one, category: currentTarget.value }))}
+          commit={(text) => draft.configure(name, (one) => ({ ...one, category: text }))}
         />
         <datalist id="own-block-categories">
           {categories.map(([key, title]) => (

@@ -40,10 +40,10 @@ export class Preview implements Island {
     this.dom.remove();
   }
 
-  /** Blockly measures what it draws: it can begin once there is room. */
+  /** Blockly measures what it draws: it can begin once there is room; a wide block is made smaller. */
   resize(): void {
-    if (this.workspace || !this.dom.clientWidth) return;
-    this.workspace = Blockly.inject(this.host, options());
+    if (!this.dom.clientWidth) return;
+    this.workspace ??= Blockly.inject(this.host, options());
     this.redraw();
   }
 
@@ -51,7 +51,6 @@ export class Preview implements Island {
     this.shown = preview;
     this.dom.hidden = preview === null;
     this.resize();
-    this.redraw();
   }
 
   private redraw(): void {
@@ -76,9 +75,11 @@ export class Preview implements Island {
 
   private fit(block: Blockly.BlockSvg): void {
     const { width, height } = block.getHeightWidth();
+    const scale = Math.min(1, this.dom.clientWidth / (width + 2 * MARGIN));
     block.moveTo(new Blockly.utils.Coordinate(MARGIN, MARGIN));
-    this.host.style.width = `${width + 2 * MARGIN}px`;
-    this.host.style.height = `${height + 2 * MARGIN}px`;
+    this.host.style.width = `${scale * (width + 2 * MARGIN)}px`;
+    this.host.style.height = `${scale * (height + 2 * MARGIN)}px`;
+    this.workspace?.setScale(scale);
     Blockly.svgResize(this.workspace!);
   }
 }
@@ -90,6 +91,7 @@ function options(): Blockly.BlocklyOptions {
     media: MEDIA,
     readOnly: true,
     sounds: false,
+    zoom: { maxScale: 1, minScale: 0.1 },
     move: { scrollbars: false, drag: false, wheel: false },
     plugins: { connectionChecker: Checker },
   };

@@ -5,6 +5,7 @@ import { useSignal } from "@preact/signals";
 import { language, languages, t } from "../i18n";
 import type { OwnBlockPreview } from "../messages";
 import { argumentsOf, type Argument } from "./arguments";
+import { Committed } from "./committed";
 import { languagesOf, withVariable, withWord, type Configured, type Words } from "./configuration";
 import type { Draft } from "./draft";
 
@@ -83,11 +84,7 @@ function Row({ title, field, words = {}, codes, set }: RowProps) {
       <td class="dim">{field && fieldText(field)}</td>
       {codes.map((code) => (
         <td key={code}>
-          <input
-            aria-label={`${title}, ${nameOf(code)}`}
-            value={words[code] ?? ""}
-            onChange={({ currentTarget }) => set(code, currentTarget.value.trim())}
-          />
+          <Committed label={`${title}, ${nameOf(code)}`} value={words[code] ?? ""} commit={(text) => set(code, text)} />
         </td>
       ))}
     </tr>
