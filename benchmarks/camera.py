@@ -1,14 +1,12 @@
-"""How long a camera frame and each detector take, and how much faster than life a camera runs."""
+"""How long a camera frame takes, and how much faster than life a camera runs."""
 
 import math
 import statistics
 import time
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Callable
 
 import numpy as np
 
-from learnblock.perception import DETECTORS, detect
 from learnblock.simulator.camera import CameraModel, CameraPose, Image, Surface, render
 from learnblock.simulator.textures import FloorLine, face, floor, tag
 
@@ -76,21 +74,14 @@ def pose_at(frame: int) -> CameraPose:
     return CameraPose(300 * math.cos(angle) - 400, 300 * math.sin(angle), 100, 20 * angle, -10)
 
 
-def look(name: str, frames: Sequence[Image], number: int) -> object:
-    return detect(name, frames[number])
-
-
 def report(model: CameraModel) -> None:
     world, generator = typical_world(), np.random.default_rng(1)
-    frames = [render(world, model, pose_at(frame)) for frame in range(FRAMES)]
     clean = milliseconds(lambda frame: render(world, model, pose_at(frame)))
     noisy = milliseconds(lambda frame: render(world, model, pose_at(frame), noise=(generator, 2.0)))
     print(f"{model.width} by {model.height}")
     print(f"  render            {clean:6.2f} ms")
     print(f"  render with noise {noisy:6.2f} ms")
     print(f"  {CAMERA_HERTZ} Hz camera      {1000 / CAMERA_HERTZ / noisy:6.1f} times real time")
-    for name in DETECTORS:
-        print(f"  detect {name:<10} {milliseconds(partial(look, name, frames)):6.2f} ms")
 
 
 if __name__ == "__main__":
