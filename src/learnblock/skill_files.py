@@ -78,7 +78,8 @@ def names(path: Path) -> tuple[str, ...]:
     Raises:
         OSError: it cannot be read.
     """
-    return _names(path, path.stat().st_mtime_ns)
+    found = path.stat()
+    return _names(path, (found.st_mtime_ns, found.st_size))
 
 
 def names_in(source: str) -> tuple[str, ...]:
@@ -87,7 +88,7 @@ def names_in(source: str) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=512)
-def _names(path: Path, changed: int) -> tuple[str, ...]:  # noqa: ARG001 - reads anew when changed
+def _names(path: Path, version: tuple[int, int]) -> tuple[str, ...]:  # noqa: ARG001 - reads anew when changed
     try:
         source = read(path)
     except ProgramError:

@@ -1,6 +1,6 @@
 """The check of a block before it is accepted; nothing of it is run."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from learnblock.blocks.configuration import BlockConfiguration
 from learnblock.blocks.signature import Signature, signatures
@@ -11,7 +11,14 @@ from learnblock.own_blocks.own_block import Checked, Part, Problem, checked_name
 from learnblock.own_blocks.source_check import wrong_source
 
 
-def check(source: str, configuration: str = "", *, name: str = "", replaces: str = "") -> Checked:
+def check(
+    source: str,
+    configuration: str = "",
+    *,
+    name: str = "",
+    replaces: str = "",
+    others: Mapping[str, str] | None = None,
+) -> Checked:
     """What is wrong with a block, and how it would be.
 
     Args:
@@ -19,9 +26,10 @@ def check(source: str, configuration: str = "", *, name: str = "", replaces: str
         configuration: what is chosen for them, as JSON; empty for nothing.
         name: that it is to be saved under; empty where it has none yet.
         replaces: the name that it is saved under, if it is.
+        others: names that are taken, as of `others_names`; None to ask for them.
     """
     filename = f"{name or 'block'}.py"
-    taken = taken_names(but=replaces)
+    taken = taken_names(but=replaces, others=others)
     problems = [
         *_problems("name", _wrong_name(name, replaces)),
         *_problems("source", wrong_source(source, filename, taken)),

@@ -10,18 +10,25 @@ from learnblock.blocks.reserved import RESERVED
 from learnblock.errors import LearnBlockError
 
 
-def taken_names(*, but: str = "") -> Mapping[str, str]:
+def taken_names(*, but: str = "", others: Mapping[str, str] | None = None) -> Mapping[str, str]:
     """The names, each with a sentence that says whose it is.
 
     Args:
         but: the name of the block whose own functions are left out.
+        others: what `others_names` answers, if that was asked already.
     """
-    taken = {block.name: _of_library(block.library) for block in installed_blocks()}
-    taken |= dict.fromkeys(_of_plugins(), "a plugin has a skill of this name already")
+    taken: dict[str, str] = {}
     for path in skill_files.own_files():
         if path.stem != but:
             reason = f"your block `{path.stem}` has a function of this name already"
             taken |= dict.fromkeys(skill_files.names(path), reason)
+    return {**taken, **(others_names() if others is None else others)}
+
+
+def others_names() -> Mapping[str, str]:
+    """Those that are not the user's own."""
+    taken = {block.name: _of_library(block.library) for block in installed_blocks()}
+    taken |= dict.fromkeys(_of_plugins(), "a plugin has a skill of this name already")
     taken |= dict.fromkeys(RESERVED, "every robot has something of this name already")
     taken |= dict.fromkeys(builtin(), "LearnBlock has a skill of this name already")
     return taken

@@ -3,7 +3,7 @@
 What is deleted goes into a folder ``deleted`` beside them, where the last of each name is kept.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from learnblock import skill_files
@@ -19,14 +19,15 @@ from learnblock.files import save as save_file
 from learnblock.home import home
 from learnblock.own_blocks import copying, package
 from learnblock.own_blocks.checking import check
-from learnblock.own_blocks.clashes import taken_names
+from learnblock.own_blocks.clashes import others_names, taken_names
 from learnblock.own_blocks.own_block import Checked, OwnBlock, Problem, checked_name
 from learnblock.own_blocks.package import Package
 
 
 def own_blocks() -> tuple[OwnBlock, ...]:
     """All of them, in the order of their names, also those that are wrong."""
-    return tuple(_read(path) for path in skill_files.own_files())
+    others = others_names()
+    return tuple(_read(path, others) for path in skill_files.own_files())
 
 
 def find(name: str) -> OwnBlock:
@@ -35,7 +36,7 @@ def find(name: str) -> OwnBlock:
     Raises:
         UnknownNameError: there is none of that name.
     """
-    return _read(_existing(name))
+    return _read(_existing(name), others_names())
 
 
 def save(name: str, source: str, configuration: str = "", *, replaces: str = "") -> Checked:
@@ -179,13 +180,13 @@ def _refuse_taken(name: str, old: Path | None) -> None:
         raise OwnBlockError(name, [Diagnostic("name-taken", message)])
 
 
-def _read(path: Path) -> OwnBlock:
+def _read(path: Path, others: Mapping[str, str]) -> OwnBlock:
     name = path.stem
     try:
         source, configuration = skill_files.read(path), _chosen(_configuration(path))
     except (LearnBlockError, OSError) as error:
         return _unreadable(name, error)
-    checked = check(source, configuration, name=name, replaces=name)
+    checked = check(source, configuration, name=name, replaces=name, others=others)
     category = checked.blocks[0].category if checked.blocks else category_of(name)
     return OwnBlock(
         name, source, configuration, skill_files.names(path), category, checked.problems

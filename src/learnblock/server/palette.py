@@ -8,6 +8,8 @@ from anyio import to_thread
 from starlette.requests import Request
 from starlette.responses import Response
 
+from learnblock.server.sessions.own_files import Version, version
+
 #: Languages are asked for by name, and anyone may ask for many.
 _MOST_LANGUAGES = 16
 _LONGEST_NAME = 20
@@ -16,7 +18,7 @@ _LONGEST_NAME = 20
 async def palette(request: Request) -> Response:
     """``palette/es.json``"""
     language = request.path_params["language"][:_LONGEST_NAME]
-    content = await to_thread.run_sync(_encoded, language)
+    content = await to_thread.run_sync(lambda: _encoded(language, version()))
     etag = f'"{hashlib.sha256(content).hexdigest()[:32]}"'
     headers = {"etag": etag, "cache-control": "no-cache"}
     if request.headers.get("if-none-match", "").removeprefix("W/") == etag:
@@ -24,13 +26,8 @@ async def palette(request: Request) -> Response:
     return Response(content, media_type="application/json", headers=headers)
 
 
-def renew() -> None:
-    """Other blocks are there than before."""
-    _encoded.cache_clear()
-
-
 @lru_cache(_MOST_LANGUAGES)
-def _encoded(language: str) -> bytes:
+def _encoded(language: str, blocks: Version) -> bytes:  # noqa: ARG001 - made anew when they change
     from learnblock.blocks import all_configurations  # noqa: PLC0415 - the server answers first
     from learnblock.blocks.palette import palette as made  # noqa: PLC0415
 

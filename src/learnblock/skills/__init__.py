@@ -136,7 +136,7 @@ def _later(path: Path, name: str) -> Skill:
 def _loaded(path: Path, name: str) -> Skill:
     function = getattr(load(path), name, None)
     if not inspect.isfunction(function):
-        raise LearnBlockError(f"{path}: when it has run, `{name}` is no function any more")
+        raise LearnBlockError(f"{_short(path)}: when it has run, `{name}` is no function any more")
     return function
 
 
@@ -150,8 +150,13 @@ def load(path: Path) -> ModuleType:
         return import_file(path)
     except (Exception, SystemExit) as error:
         raise LearnBlockError(
-            f"{path}: the skills in it cannot be loaded: {_told(error)}"
+            f"{_short(path)}: the skills in it cannot be loaded: {_told(error)}"
         ) from error
+
+
+def _short(path: Path) -> str:
+    """A file of the user's own as people speak of it; its whole path is told with its line."""
+    return f"{path.parent.name}/{path.name}"
 
 
 def _told(error: BaseException) -> str:

@@ -8,7 +8,6 @@ from anyio import to_thread
 
 from learnblock.blocks import BlockConfiguration, all_configurations
 from learnblock.errors import LearnBlockError
-from learnblock.server import palette
 from learnblock.server.messages import Message, PaletteChanged
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project_file import Project, checked_name
@@ -84,7 +83,6 @@ class Sessions:
         Args:
             own: the project whose turn it is; the others take theirs when they can.
         """
-        palette.renew()
         configurations = await to_thread.run_sync(all_configurations)
         if own:
             await own.know(configurations)
