@@ -9,7 +9,7 @@ from learnblock.library.archive import ENDING, pack, read, unpack
 from learnblock.library.clashes import Clash, clashes
 from learnblock.library.contents import Library, from_files
 from learnblock.library.making import make, own_skills
-from learnblock.library.manifest import Manifest, manifest
+from learnblock.library.manifest import Manifest, Name, Version, manifest, order
 from learnblock.library.renaming import renamed
 from learnblock.library.shelf import Shelved, install, installed, remove, shelved, versions, write
 
@@ -18,7 +18,9 @@ __all__ = [
     "Clash",
     "Library",
     "Manifest",
+    "Name",
     "Shelved",
+    "Version",
     "clashes",
     "find",
     "from_files",
@@ -26,6 +28,7 @@ __all__ = [
     "installed",
     "make",
     "manifest",
+    "order",
     "own_skills",
     "pack",
     "read",

@@ -75,7 +75,7 @@ def _unzipped(content: bytes, where: str) -> dict[str, bytes]:
                 found[name] = unpacked
     except LibraryError:
         raise
-    except Exception as error:  # noqa: BLE001 - of a broken zip Python raises whatever it likes
+    except Exception as error:
         message = "this is no library in one file: it is no zip, or a broken one"
         raise _wrong(where, "no-zip", message) from error
     return found

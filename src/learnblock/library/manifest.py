@@ -51,9 +51,14 @@ class Manifest(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=
 
     @property
     def order(self) -> tuple[int, ...]:
-        """The version as something that can be compared: 1.2 is 1.2.0, and older than 1.10."""
-        numbers = [int(part) for part in self.version.split(".")]
-        return tuple(numbers + [0] * (3 - len(numbers)))
+        """The version as something that can be compared."""
+        return order(self.version)
+
+
+def order(version: str) -> tuple[int, ...]:
+    """A version as something that can be compared: 1.2 is 1.2.0, and older than 1.10."""
+    numbers = [int(part) for part in version.split(".")]
+    return tuple(numbers + [0] * (3 - len(numbers)))
 
 
 def manifest(

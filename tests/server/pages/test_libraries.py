@@ -190,3 +190,32 @@ def test_an_installed_library_goes_out_as_it_came_in(page):
     imported(page, file)
     page.say("DownloadLibrary", name="dance")
     assert page.hear("LibraryMade")["content"] == file["content"]
+
+
+def test_a_project_remembers_with_which_version_it_was_made(server, page, projects):
+    page.open("ball")
+    imported(page, packed(version="1.2"))
+    edited(page, 'import "dance"\n\nmain:\n    function.waltz(1)\nend\n')
+    page.hear("Saved", edit=1)
+    saved = json.loads((projects / "ball.learnblock").read_text("utf-8"))
+    assert saved["libraries"] == {"dance": "1.2"}
+    imported(page, packed(), replace=True)
+    saved["libraries"] = {"dance": "1.10", "songs": "2"}
+    (projects / "copy.learnblock").write_text(json.dumps(saved), "utf-8")
+    page.say("Open", name="copy")
+    remarks = [page.hear("Failed")["message"] for _ in range(2)]
+    assert remarks == [
+        "this program was made with version 1.10 of the library dance, and 1.0.0 is installed:"
+        " import the newer one",
+        "this program was made with version 2 of the library songs, which is not installed: import"
+        " it",
+    ]
+
+
+@pytest.mark.parametrize("libraries", [{"../dance": "1"}, {"dance": "one"}, ["dance"]])
+def test_a_project_names_libraries_and_no_paths(page, projects, libraries):
+    page.open("ball")
+    project = {"learnblock": 1, "blocktext": [], "libraries": libraries}
+    (projects / "wrong.learnblock").write_text(json.dumps(project), "utf-8")
+    page.say("Open", name="wrong")
+    assert "it gives the version of each library" in page.hear("Failed")["message"]

@@ -14,19 +14,23 @@
 ```
 
 Texts are lists of their lines. ``python`` stands there only where its author wrote it by hand,
-``workspace`` says where the blocks lie, ``breakpoints`` names blocks, and ``shown`` and
-``block_sets`` say which blocks the palette shows.
+``workspace`` says where the blocks lie, ``breakpoints`` names blocks, ``shown`` and
+``block_sets`` say which blocks the palette shows, and ``libraries`` with which versions of those it
+was made.
 """
 
+import dataclasses
 import json
 import re
 import unicodedata
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, NoReturn
 
 import msgspec
 from msgspec import Meta, Struct, field
 
+from learnblock import library
 from learnblock.blocks.block_sets import EVERYTHING, BlockNames, BlockSet
 from learnblock.errors import Diagnostic, ProjectError, did_you_mean
 from learnblock.language.workspace import Workspace
@@ -38,6 +42,8 @@ VERSION = 1
 #: Bytes; a thousand statements with their blocks take a tenth of it.
 LARGEST = 4 * 1024 * 1024
 LONGEST_NAME = 100
+#: That a program imports.
+MOST_LIBRARIES = 1000
 
 # No separators, and neither end may be what Windows strips or Unix hides.
 _NAME = re.compile(r"[^\W_](?:[\w .-]*[\w-])?")
@@ -58,6 +64,7 @@ class Project:
         breakpoints: ids of blocks.
         shown: the name of the set of blocks that the palette shows.
         block_sets: those that are not ours, so that the project takes them along.
+        libraries: the version of each that the program was made with.
     """
 
     name: str
@@ -69,6 +76,7 @@ class Project:
     breakpoints: tuple[str, ...] = ()
     shown: str = EVERYTHING
     block_sets: tuple[BlockSet, ...] = ()
+    libraries: Mapping[str, str] = dataclasses.field(default_factory=dict)
 
 
 Choice = Annotated[str, Meta(max_length=LONGEST_NAME)]
@@ -86,6 +94,7 @@ class _File(Struct, forbid_unknown_fields=True):
     )
     shown: Choice = EVERYTHING
     block_sets: Annotated[tuple[BlockSet, ...], Meta(max_length=MOST_CARRIED)] = ()
+    libraries: Annotated[dict[library.Name, library.Version], Meta(max_length=MOST_LIBRARIES)] = {}
     python: list[str] | None = None
     workspace: Workspace | None = None
 
@@ -172,6 +181,7 @@ def _project(file: _File, name: str) -> Project:
         breakpoints=tuple(file.breakpoints),
         shown=file.shown,
         block_sets=file.block_sets,
+        libraries=file.libraries,
     )
 
 
@@ -216,7 +226,7 @@ def _check_choices(file: _File, filename: str) -> None:
 
 
 _SUCH_AS = {"robot": DEFAULT_ROBOT, "world": "line"}
-_PLACE = re.compile(r" - at `\$\.?(.*?)`$")
+_PLACE = re.compile(r" - at (?:`key` in )?`\$\.?(.*?)`$")
 _UNKNOWN = re.compile(r"Object contains unknown field `(.+)`")
 _MISSING = re.compile(r"Object missing required field `(.+)`")
 _BYTE = re.compile(r" \(byte (\d+)\)")
@@ -228,6 +238,7 @@ _ADVICE = {
     "breakpoints": f"it is a list of the ids of at most {MOST_BREAKPOINTS} blocks",
     "shown": "it is the name of a set of blocks, such as `first-steps`",
     "block_sets": f"it is a list of at most {MOST_CARRIED} sets of blocks",
+    "libraries": 'it gives the version of each library, such as `{"dance": "1.2.0"}`',
     "workspace": "leave it out to have the blocks laid out anew",
 }
 
@@ -317,6 +328,8 @@ def _values(project: Project) -> dict[str, Any]:
         values["shown"] = project.shown
     if project.block_sets:
         values["block_sets"] = msgspec.to_builtins(project.block_sets)
+    if project.libraries:
+        values["libraries"] = dict(project.libraries)
     values["blocktext"] = project.blocktext.split("\n")
     if project.python is not None:
         values["python"] = project.python.split("\n")

@@ -10,6 +10,7 @@ from learnblock.server import catalog
 from learnblock.server.pages.sentences import sentence
 from learnblock.server.program.document import Document
 from learnblock.server.projects.project_file import Project
+from learnblock.server.sessions.library_versions import LibraryVersions
 from learnblock.server.sessions.shown_blocks import ShownBlocks
 
 #: Where there is neither the world that a project names nor one that its robot likes.
@@ -26,6 +27,7 @@ class Prepared:
         robot: the one it names, or else our default.
         world: likewise.
         shown_blocks: which the palette shows.
+        libraries: which versions it was made with.
         breakpoints: ids of blocks.
         remarks: what could not be as it was saved.
     """
@@ -35,6 +37,7 @@ class Prepared:
     robot: RobotEntry
     world: str
     shown_blocks: ShownBlocks
+    libraries: LibraryVersions
     breakpoints: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
 
@@ -52,14 +55,16 @@ def prepare(project: Project) -> Prepared:
         devices=robot.load().known_devices(),
     )
     shown_blocks, no_set = _shown_blocks(project)
+    libraries = LibraryVersions(project.libraries)
     return Prepared(
         name=project.name,
         document=settled(document),
         robot=robot,
         world=world,
         shown_blocks=shown_blocks,
+        libraries=libraries,
         breakpoints=tuple(project.breakpoints),
-        remarks=(*no_robot, *no_world, *no_set),
+        remarks=(*no_robot, *no_world, *no_set, *libraries.remarks()),
     )
 
 

@@ -42,6 +42,7 @@ class Session:
         self.world = prepared.world
         self.breakpoints = prepared.breakpoints
         self.shown_blocks = prepared.shown_blocks
+        self.libraries = prepared.libraries
         self.edits = Edits(prepared.document)
         self.turn = asyncio.Lock()
         self.archive = Archive(folder, lambda: self.project, self._saving, self._failed)
@@ -68,6 +69,7 @@ class Session:
             breakpoints=self.breakpoints,
             shown=self.shown_blocks.name,
             block_sets=self.shown_blocks.carried,
+            libraries=self.libraries.used(self.document.good.tree),
         )
 
     async def close(self) -> None:
@@ -139,6 +141,7 @@ class Session:
     async def know(self, configurations: Mapping[str, BlockConfiguration]) -> None:
         """Other skills are there than before."""
         before = self.document
+        self.libraries = await to_thread.run_sync(self.libraries.renewed)
         await self._think(lambda: self.edits.replace(before.with_configurations(configurations)))
 
     # Settings.
