@@ -1,6 +1,7 @@
 """Blocks of one's own on the command line, from saving to running somewhere else."""
 
 import json
+import os
 
 import pytest
 from click.testing import CliRunner
@@ -152,3 +153,13 @@ def test_a_block_that_shadows_a_skill_hides_nothing(run, program, own_home):
 
     assert "finished" == program("main:\n    function.stop_bot()\nend\n", run)["ended"]
     assert "LearnBlock has a skill of this name already" in run("blocks").stdout
+
+
+def test_nothing_of_a_block_runs_in_the_host_s_process(run, program, own_home):
+    source = "import os\nprint(os.getpid())\n\n\ndef waltz(robot): ...\n"
+    own_blocks.save("dance", source)
+    program("main:\n    function.waltz()\nend\n", run)
+    printed = run("run", "program.bt").stdout
+
+    assert printed.strip().isdecimal()
+    assert str(os.getpid()) != printed.strip()
