@@ -135,5 +135,6 @@ def test_a_wrong_file_in_the_folder_keeps_the_others_in_use(own_home):
     (own_home / "sets").mkdir()
     (own_home / "sets" / "broken.toml").write_text("show = 3")
     (own_home / "sets" / "good.toml").write_text(LESSON)
+    (own_home / "sets" / "folder.toml").mkdir()
     found, wrong = block_sets.own()
-    assert ([one.name for one in found], len(wrong)) == (["good"], 1)
+    assert ([one.name for one in found], len(wrong)) == (["good"], 2)

@@ -95,6 +95,9 @@ def own() -> tuple[tuple[BlockSet, ...], tuple[BlockSetError, ...]]:
             sets.append(read(file))
         except BlockSetError as error:
             errors.append(error)
+        except OSError as error:
+            reason = f"it cannot be read: {error.strerror or error}"
+            errors.append(BlockSetError(file.name, [Diagnostic("no-access", reason)]))
     return tuple(sets), tuple(errors)
 
 

@@ -25,6 +25,13 @@ def test_a_wrong_dictionary_is_told_and_keeps_nobody_from_working(page, own_home
     assert page.run()["ended"] == "finished"
 
 
+def test_a_dictionary_that_cannot_be_read_keeps_nobody_from_working(page, own_home):
+    (own_home / "tags.toml").mkdir()
+    page.say("New")
+    assert page.hear("Tags")["problem"]
+    assert page.run()["ended"] == "finished"
+
+
 def test_every_page_hears_of_new_names(server, page, own_home):
     page.open()
     with server.visit() as other:

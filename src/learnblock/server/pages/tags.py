@@ -15,7 +15,7 @@ def present() -> messages.Tags:
     """The dictionary as it is now, or why there is none."""
     try:
         return messages.Tags(dict(tag_names.tag_names()))
-    except LearnBlockError as error:
+    except (LearnBlockError, OSError) as error:
         return messages.Tags({}, sentence(error))
 
 
