@@ -31,6 +31,10 @@ def test_nothing_is_wrong_with_a_function_that_takes_the_robot():
     assert ("waltz", "Ball room") == (block.name, block.category)
 
 
+def test_without_a_name_the_tab_is_called_after_the_first_function():
+    assert "Waltz" == check(PLAIN).blocks[0].category
+
+
 def test_several_functions_and_helpers_are_fine():
     source = PLAIN + "def _half(x): return x / 2\ndef tango(robot): _half(3)\n"
 

@@ -41,6 +41,9 @@ def check(
     except ProgramError:
         # The source's problems say why.
         return Checked(tuple(problems), chosen=configuration)
+    if not name and found:
+        # The page calls a new file after its first function.
+        filename = f"{found[0].name}.py"
     followed = {one.name: one for one in choices.followed(chosen, found)}
     stale = choices.out_of_date(followed, {one.name: one for one in found})
     blocks = choices.complete(found, followed, filename)
