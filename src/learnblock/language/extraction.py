@@ -1,12 +1,10 @@
 """Functions taken out of a program, to live in a library: with all that they need and no more."""
 
-import ast
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
 from learnblock.errors import Diagnostic, LibraryError, UnknownNameError
-from learnblock.language.findings import defined_names, python_error
 from learnblock.language.format import format as format_program
 from learnblock.language.library import FUNCTIONS
 from learnblock.language.markers import raw_names
@@ -23,16 +21,14 @@ from learnblock.language.nodes import (
     Name,
     Program,
     Raw,
-    RawExpression,
     SkillCall,
     Span,
-    expressions,
     set_by,
     statements,
     within,
 )
-from learnblock.language.python_scopes import stored_names
 from learnblock.language.symbols import Symbols
+from learnblock.language.uses import called_by, expressions_in, names_in, set_by_python
 
 
 def with_needed(program: Program, names: Iterable[str]) -> tuple[str, ...]:
@@ -49,7 +45,7 @@ def with_needed(program: Program, names: Iterable[str]) -> tuple[str, ...]:
             raise UnknownNameError("function", name, functions)
         if name not in found:
             found.add(name)
-            ahead += [call for call in _calls(functions[name]) if call in functions]
+            ahead += [call for call in called_by(functions[name]) if call in functions]
     return tuple(name for name in functions if name in found)
 
 
@@ -121,7 +117,7 @@ class _Extraction:
         """The variables of the whole program in an item."""
         own = self.symbols.own(item)
         for statement in statements((item,)):
-            for node, used in _names(statement):
+            for node, used in names_in(statement):
                 if used not in own and used in self.symbols.variables:
                     yield used, node.span
 
@@ -151,7 +147,7 @@ class _Extraction:
 
     def events(self, function: Def) -> Iterator[Diagnostic]:
         for statement in statements((function,)):
-            used = [(name, one.span) for one, name in _names(statement) if self.is_state(name)]
+            used = [(name, one.span) for one, name in names_in(statement) if self.is_state(name)]
             if isinstance(statement, Activate | Deactivate):
                 used.append((statement.name, statement.span))
             for name, span in used:
@@ -166,7 +162,7 @@ class _Extraction:
 
     def calls(self, function: Def) -> Iterator[Diagnostic]:
         for statement in statements((function,)):
-            for node in _within(statement):
+            for node in expressions_in(statement):
                 if isinstance(node, Call) and not self.is_known(node.name):
                     message = (
                         f"`{function.name}` calls `{node.name}`, which is no function of this"
@@ -181,7 +177,7 @@ class _Extraction:
         """Raw Python that would have to hand the robot on, or that needs other raw Python."""
         own = self.symbols.own(function)
         for statement in statements((function,)):
-            for node, name in _names(statement):
+            for node, name in names_in(statement):
                 if name in own:
                     continue
                 if name in self.program.functions:
@@ -202,7 +198,7 @@ class _Extraction:
         """What raw Python outside of all functions sets, defines and imports."""
         outside = (one for one in self.symbols.items if not isinstance(one, Def))
         found = (one.text for one in statements(tuple(outside)) if isinstance(one, Raw))
-        return {name for text in found for name in _set_by_python(text)}
+        return {name for text in found for name in set_by_python(text)}
 
     def variable(self, name: str, span: Span) -> Iterator[Diagnostic]:
         elsewhere = next(self.set_elsewhere(name), None)
@@ -238,37 +234,6 @@ class _Extraction:
                     isinstance(statement, Raw) and name in raw_names(statement.text)
                 ):
                     yield statement.span
-
-
-def _calls(function: Def) -> Iterator[str]:
-    for statement in statements((function,)):
-        for node in _within(statement):
-            if isinstance(node, Call):
-                yield node.name
-
-
-def _names(statement: Item) -> Iterator[tuple[Name | Raw | RawExpression, str]]:
-    """The names in a statement itself, also those that its raw Python uses."""
-    if isinstance(statement, Raw):
-        for name in sorted(raw_names(statement.text)):
-            yield statement, name
-    for node in _within(statement):
-        if isinstance(node, Name):
-            yield node, node.name
-        elif isinstance(node, RawExpression):
-            for name in sorted(raw_names(node.text.strip())):
-                yield node, name
-
-
-def _set_by_python(text: str) -> set[str]:
-    if python_error(text, "exec"):
-        return set()
-    return defined_names(text) | stored_names(ast.parse(text))
-
-
-def _within(statement: Item) -> Iterator[Expression]:
-    for expression in expressions(statement):
-        yield from within(expression)
 
 
 def _problem(code: str, message: str, span: Span) -> Diagnostic:
