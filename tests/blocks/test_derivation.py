@@ -5,12 +5,12 @@ from importlib.metadata import EntryPoint
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from learnblock.blocks import builtin
 from learnblock.blocks.configuration import BlockConfiguration, Parameter
-from learnblock.blocks.derivation import derive, derive_plugins, fitted
+from learnblock.blocks.derivation import derive, derive_plugin, fitted, plugins
 from learnblock.blocks.load import load_configurations
 from learnblock.blocks.signature import signatures
 from learnblock.errors import LearnBlockError, ProgramError
@@ -139,6 +139,7 @@ plain = st.sampled_from(
 )  # fmt: skip
 
 
+@settings(deadline=None)
 @given(
     st.dictionaries(words, plain),
     st.booleans(),
@@ -293,7 +294,7 @@ def test_a_plugin_s_skills_are_read_without_importing_it(tmp_path, monkeypatch, 
     monkeypatch.syspath_prepend(str(tmp_path))
     plugin(monkeypatch, module)
 
-    assert ["rumba"] == [block.name for _, block in derive_plugins()]
+    assert ["rumba"] == [block.name for point in plugins() for _, block in derive_plugin(point)]
     assert "lb_dances" not in sys.modules
 
 
@@ -302,4 +303,4 @@ def test_a_plugin_whose_module_is_missing_is_named(monkeypatch, module):
     plugin(monkeypatch, module)
 
     with pytest.raises(LearnBlockError, match=f"the plugin `dances` names the module {module}"):
-        list(derive_plugins())
+        [*derive_plugin(*plugins())]

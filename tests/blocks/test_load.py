@@ -1,5 +1,6 @@
 import json
 import re
+from importlib.metadata import EntryPoint
 from pathlib import Path
 from typing import get_args
 
@@ -392,6 +393,21 @@ def configurations(draw) -> BlockConfiguration:
     )  # fmt: skip
 
 
+@settings(deadline=None)
 @given(configurations())
 def test_what_is_written_is_read_as_it_was(block):
     assert (block,) == load_configurations(written([block]))
+
+
+def test_a_plugin_that_is_wrong_takes_no_other_with_it(home, monkeypatch):
+    (home / "lb_good.py").write_text("def rumba(robot): ...\n")
+    (home / "lb_bad.py").write_text("def tango(robot:\n")
+    monkeypatch.syspath_prepend(str(home))
+    points = [
+        EntryPoint(name, name, "learnblock.skills") for name in ("lb_gone", "lb_bad", "lb_good")
+    ]
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: points)
+    found = all_configurations()
+
+    assert "rumba" in found
+    assert 2 == len(found.problems)

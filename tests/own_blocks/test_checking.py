@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from learnblock.blocks import load_configurations
@@ -196,6 +196,7 @@ def test_nothing_is_run():
     assert () == check("raise SystemExit\n" + PLAIN).problems
 
 
+@settings(deadline=None, max_examples=50)
 @given(st.text(max_size=60), st.text(max_size=30))
 def test_whatever_is_written_is_told_or_fine(source, configuration):
     checked = check(source, configuration)
@@ -206,6 +207,7 @@ def test_whatever_is_written_is_told_or_fine(source, configuration):
 # What was checked once is the same when it is checked again.
 
 
+@settings(deadline=None, max_examples=50)
 @given(
     st.sampled_from(["motor", "express"]),
     st.dictionaries(st.sampled_from(["EN", "ES"]), st.just("hop")),

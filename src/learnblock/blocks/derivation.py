@@ -2,7 +2,7 @@
 
 import importlib.util
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from importlib.machinery import ModuleSpec
 from pathlib import Path
@@ -114,19 +114,24 @@ def may_be(argument: Argument, field: FieldType) -> bool:
     return is_plain and field.type in _FINER.get(argument.field.type, ())
 
 
-def derive_plugins() -> Iterator[tuple[Signature, BlockConfiguration]]:
-    """The skills of installed plugins: modules named by entry points ``learnblock.skills``.
-
-    Raises:
-        LearnBlockError: a plugin's module cannot be found.
-        ProgramError: it is no Python.
-    """
+def plugins() -> "Iterable[EntryPoint]":
+    """The installed plugins: each names a module by an entry point ``learnblock.skills``."""
     from importlib.metadata import entry_points  # noqa: PLC0415 - it searches all that is installed
 
-    for point in entry_points(group="learnblock.skills"):
-        path = _source_of(point)
-        for one in signatures(skill_files.read(path), str(path)):
-            yield one, derived(one, str(path))
+    return entry_points(group="learnblock.skills")
+
+
+def derive_plugin(point: "EntryPoint") -> Iterator[tuple[Signature, BlockConfiguration]]:
+    """The skills of a plugin, which is not imported.
+
+    Raises:
+        LearnBlockError: its module cannot be found.
+        ProgramError: it is no Python.
+        OSError: it cannot be read.
+    """
+    path = _source_of(point)
+    for one in signatures(skill_files.read(path), str(path)):
+        yield one, derived(one, str(path))
 
 
 def _source_of(point: "EntryPoint") -> Path:

@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from learnblock import skill_files
 from learnblock.blocks.configuration import BlockConfiguration, Configurations
-from learnblock.blocks.derivation import derive_plugins, derived, fitted
+from learnblock.blocks.derivation import derive_plugin, derived, fitted, plugins
 from learnblock.blocks.libraries import installed_blocks
 from learnblock.blocks.load import builtin, completed, load_configurations
 from learnblock.blocks.reserved import RESERVED
@@ -13,13 +14,17 @@ from learnblock.blocks.signature import Signature, signatures
 from learnblock.errors import FileError, LearnBlockError
 from learnblock.home import home
 
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
+
 
 def known() -> Configurations:
     """Every block. A file that is wrong is left out and told, and all others are there."""
     search = _Search({**builtin()})
     for path in skill_files.own_files():
         search.users(path)
-    search.plugins()
+    for point in plugins():
+        search.plugin(point)
     for block in installed_blocks():
         search.found.setdefault(block.name, block)
     for path in sorted((home() / "blocks").glob("*.json")):
@@ -48,12 +53,14 @@ class _Search:
         except OSError as error:
             self.problems.append(LearnBlockError(f"{path}: {error.strerror}"))
 
-    def plugins(self) -> None:
+    def plugin(self, point: "EntryPoint") -> None:
         try:
-            for signature, block in derive_plugins():
+            for signature, block in derive_plugin(point):
                 self.skill(signature, block)
         except LearnBlockError as error:
             self.problems.append(error)
+        except OSError as error:
+            self.problems.append(LearnBlockError(f"the plugin `{point.name}`: {error.strerror}"))
 
     def skill(self, signature: Signature, block: BlockConfiguration) -> None:
         if block.name not in RESERVED and block.name not in self.found:

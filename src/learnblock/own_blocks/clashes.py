@@ -1,9 +1,10 @@
 """Names that the functions of a block of one's own cannot have, since others have them."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
 
 from learnblock import skill_files
-from learnblock.blocks.derivation import derive_plugins
+from learnblock.blocks.derivation import derive_plugin, plugins
 from learnblock.blocks.libraries import installed_blocks
 from learnblock.blocks.load import builtin
 from learnblock.blocks.reserved import RESERVED
@@ -38,9 +39,9 @@ def _of_library(name: str) -> str:
     return f"the library `{name}` has a skill of this name already"
 
 
-def _of_plugins() -> list[str]:
-    try:
-        return [signature.name for signature, _ in derive_plugins()]
-    except LearnBlockError:
-        # It is told wherever the blocks that there are are asked for.
-        return []
+def _of_plugins() -> Iterator[str]:
+    for point in plugins():
+        # One that cannot be read is told wherever all blocks are asked for.
+        with suppress(LearnBlockError, OSError):
+            for signature, _ in derive_plugin(point):
+                yield signature.name
