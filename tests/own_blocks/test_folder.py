@@ -7,7 +7,12 @@ import pytest
 
 from learnblock import own_blocks
 from learnblock.blocks import all_configurations
-from learnblock.errors import LearnBlockError, OwnBlockError, UnknownNameError
+from learnblock.errors import (
+    BlockConfigurationError,
+    LearnBlockError,
+    OwnBlockError,
+    UnknownNameError,
+)
 from learnblock.testing import FakeRobot
 
 DANCE = """\
@@ -136,6 +141,24 @@ def test_a_block_goes_to_another_home_as_one_file(dance, tmp_path, monkeypatch):
 
     assert "dance.block.json" == filename
     assert before == own_blocks.import_file(text)
+
+
+def test_a_configuration_by_hand_without_outer_braces_goes_along(dance, own_home, monkeypatch):
+    by_hand = """
+      "type": "motor", "category": "By hand", "name": "waltz", "shape": ["blockLeft"]
+    """
+    (own_home / "blocks" / "dance.json").write_text(by_hand)
+    _, text = own_blocks.export("dance")
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(own_home / "fresh"))
+
+    assert "By hand" == own_blocks.import_file(text).category
+
+
+def test_a_block_with_a_wrong_configuration_is_not_given_away(dance, own_home):
+    (own_home / "blocks" / "dance.json").write_text("{")
+
+    with pytest.raises(BlockConfigurationError, match="not-json"):
+        own_blocks.export("dance")
 
 
 def test_a_block_is_replaced_only_if_that_is_meant(dance):

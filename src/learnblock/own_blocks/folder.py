@@ -112,12 +112,9 @@ def export(name: str) -> tuple[str, str]:
 
     Raises:
         UnknownNameError: there is none of that name.
-        OwnBlockError: its configuration is wrong.
+        BlockConfigurationError: its configuration is wrong.
     """
     block = find(name)
-    wrong = [one.diagnostic for one in block.problems if one.part == "configuration"]
-    if any(one.severity == "error" for one in wrong):
-        raise OwnBlockError(f"{name}.json", wrong)
     packed = package.pack(Package(block.name, block.source, block.configuration))
     return block.name + package.ENDING, packed
 

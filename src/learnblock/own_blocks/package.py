@@ -21,6 +21,8 @@ from typing import Annotated, Any, NoReturn
 import msgspec
 from msgspec import Meta, Struct, field
 
+from learnblock.blocks import load_configurations
+from learnblock.blocks.written import written
 from learnblock.errors import Diagnostic, OwnBlockError
 from learnblock.own_blocks.own_block import checked_name
 
@@ -56,13 +58,18 @@ _decode = msgspec.json.Decoder(_File).decode
 
 
 def pack(package: Package) -> str:
-    """The text of the file."""
-    configuration = json.loads(package.configuration) if package.configuration.strip() else []
+    """The text of the file.
+
+    Raises:
+        BlockConfigurationError: the configuration is wrong.
+    """
+    # A configuration by hand may lack its outer braces, as the paper's do.
+    chosen = load_configurations(package.configuration) if package.configuration.strip() else ()
     values = {
         "learnblock_block": VERSION,
         "name": package.name,
         "source": package.source.split("\n"),
-        "configuration": configuration if isinstance(configuration, list) else [configuration],
+        "configuration": json.loads(written(chosen)),
     }
     return json.dumps(values, indent=2, ensure_ascii=False) + "\n"
 
