@@ -20,7 +20,7 @@ SKILLS = {
         ("x = 1\n", 'import "dance"\n\nx = 1\n'),
         ('import "songs"\n\nx = 1\n', 'import "songs"\nimport "dance"\n\nx = 1\n'),
         ("# About.\n\nx = 1\n", '# About.\n\nimport "dance"\n\nx = 1\n'),
-        ("# Of f.\ndef f(): end\n", 'import "dance"\n\n# Of f.\ndef f():\n    pass\nend\n'),
+        ("# Of f.\ndef f(): pass end\n", 'import "dance"\n\n# Of f.\ndef f():\n    pass\nend\n'),
         ('robot(world="line")\n', 'import "dance"\n\nrobot(world="line")\n'),
         ("main:\n    pass\nend\n", 'import "dance"\n\nmain:\n    pass\nend\n'),
         ('import "dance"\n', 'import "dance"\n'),
