@@ -122,6 +122,7 @@ class Camera(Sensor["Frame | None"]):
             by default the frame is read and searched here.
         drawn: whether it sees drawn and simulated faces alone, in which emotions may be recognised
             whatever the settings say.
+        focal: the lens's focal length in pixels, where it is known: it gives the poses of tags.
         close: switches it off, where somebody has to.
     """
 
@@ -131,11 +132,13 @@ class Camera(Sensor["Frame | None"]):
         detect: Callable[[str], Any] | None = None,
         *,
         drawn: bool = False,
+        focal: float | None = None,
         close: Callable[[], None] | None = None,
     ) -> None:
         super().__init__(read, detect=detect or self._detect)
         self.detect: Callable[[str], Any] = self.functions["detect"]
         self._drawn = drawn
+        self._focal = focal
         self._switch_off = close
         self._vision: Vision | None = None
 
@@ -151,7 +154,7 @@ class Camera(Sensor["Frame | None"]):
             # Imported on first use: a robot whose camera nobody uses pays nothing for it.
             from learnblock.vision import Vision  # noqa: PLC0415
 
-            self._vision = Vision(self.read, drawn=self._drawn)
+            self._vision = Vision(self.read, drawn=self._drawn, focal=self._focal)
         return self._vision.detect(name)
 
 

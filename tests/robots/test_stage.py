@@ -179,6 +179,15 @@ def test_a_robot_without_a_camera_shows_no_picture(stage):
     assert stage("sim-thymio", "empty").camera() is None
 
 
+def test_a_twin_knows_its_lens_and_so_how_far_a_tag_is():
+    with Ebo(world="tags") as robot:
+        shown = Stage.of(robot)
+        tag = shown.scene().world["tag"][0]
+        shown.place(*_before(tag, 400))
+        # EBO's lens is 55 mm ahead of its middle.
+        assert robot.get_tag_distance(tag["id"]) == pytest.approx(345, rel=0.02)
+
+
 def test_who_looks_takes_no_frame():
     with Ebo(world="tags") as robot:
         shown = Stage.of(robot)

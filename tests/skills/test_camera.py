@@ -1,9 +1,11 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from learnblock.devices import Camera
 from learnblock.errors import UnknownNameError
-from learnblock.perception import Lines, LineView, Tag
+from learnblock.perception import Lines, LineView, Tag, TagPose
 
 NOTHING = {"left": 0, "center": 0, "right": 0}
 
@@ -101,6 +103,14 @@ def test_without_a_number_the_first_tag_seen_counts(robot):
     assert robot.tag_on_the_left()
     assert not robot.tag_on_the_right()
     assert robot.tag_on_the_right(2)
+
+
+def test_a_tag_is_as_far_away_as_its_pose_says(robot):
+    placed = replace(tag(3, 160), pose=TagPose(30, 0, 400, 0, 0, 0))
+    robot.set_detections("tags", (tag(1, 10), placed))
+
+    assert pytest.approx(401, abs=1) == robot.get_tag_distance(3)
+    assert [None, None] == [robot.get_tag_distance(), robot.get_tag_distance(7)]
 
 
 def test_any_tag_will_do(robot):

@@ -72,12 +72,14 @@ def _tag(
 ) -> Tag:
     height, width = frame.shape[:2]
     top_left, top_right, bottom_right, bottom_left = ((x, y) for x, y in corners.tolist())
-    known = focal is not None and size is not None
+    pose = None
+    if focal is not None and size is not None:
+        pose = pose_of(corners, (width, height), focal, size)
     return Tag(
         number,
         _crossing(corners),
         (top_left, top_right, bottom_right, bottom_left),
-        pose_of(corners, (width, height), focal, size) if known else None,
+        pose,
         width,
         height,
     )

@@ -457,7 +457,7 @@ _DEVICES: dict[str, Callable[[RobotBody, str], Device]] = {
     "Animator": lambda body, _: Animator(_logged(body, "Animator", "play")),
     "Base": _base,
     "Bumper": lambda body, _: Bumper(body.bumper),
-    "Camera": lambda body, key: Camera(partial(body.frame, key), drawn=True),
+    "Camera": lambda body, key: Camera(partial(body.frame, key), drawn=True, focal=body.focal(key)),
     "Display": lambda body, _: Display(show_emotion=body.show_emotion),
     "DistanceSensors": lambda body, _: DistanceSensors(body.distances),
     "GroundSensors": lambda body, _: GroundSensors(body.ground),

@@ -276,6 +276,14 @@ class RobotBody:
         reach = speed * DT * (self._world.steps - since)
         return start + min(max(target - start, -reach), reach)
 
+    def focal(self, key: str = "ROBOT") -> float:
+        """The focal length of a camera's lens in pixels.
+
+        Raises:
+            UnknownNameError: the robot has no such camera.
+        """
+        return self._camera(key).focal
+
     def frame(self, key: str = "ROBOT") -> NDArray[np.uint8]:
         """A camera's newest frame: RGB, uint8, shape (height, width, 3), not to be written to.
 

@@ -163,6 +163,22 @@ def tag_on_the_center(robot: "Client", idTag: int | str | None = None) -> bool:
     return tag is not None and tag.is_center
 
 
+def get_tag_distance(robot: "Client", idTag: int | str | None = None) -> float | None:
+    """How far is the tag from the camera, in mm?
+
+    None without the tag in the picture, and on a robot whose lens is not known. Tags are taken to
+    have a black square of 80 mm.
+
+    Args:
+        idTag: the tag's number, or its name in the dictionary of tags; None is the first tag seen.
+
+    Raises:
+        UnknownNameError: no tag has this name.
+    """
+    tag = _find(robot, idTag)
+    return None if tag is None else tag.distance
+
+
 def _lines(robot: "Client") -> "Lines | None":
     lines: Lines | None = robot.detect("lines")
     return lines

@@ -20,11 +20,19 @@ class Vision(Closing):
         read: answers the newest picture, a newer one being another object, or None.
         drawn: whether the camera sees drawn and simulated faces alone, in which emotions may be
             recognised whatever the settings say.
+        focal: the lens's focal length in pixels, where it is known: it gives the poses of tags.
     """
 
-    def __init__(self, read: "Callable[[], Frame | None]", *, drawn: bool) -> None:
+    def __init__(
+        self,
+        read: "Callable[[], Frame | None]",
+        *,
+        drawn: bool,
+        focal: float | None = None,
+    ) -> None:
         self._read = read
         self._drawn = drawn
+        self._focal = focal
         self._sight: Sight | None = None
         self._ending = ExitStack()
 
@@ -67,7 +75,7 @@ class Vision(Closing):
 
         sight = self._sight
         if sight is None or not _is_same(sight.frame, frame):
-            sight = self._sight = Sight(frame, detectors=self._detectors)
+            sight = self._sight = Sight(frame, self._focal, detectors=self._detectors)
         return sight
 
 
