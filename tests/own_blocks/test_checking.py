@@ -55,6 +55,8 @@ def test_several_functions_and_helpers_are_fine():
         ("def f(robot): ...\ndef f(robot): ...\n", "duplicate-name", 2, "in line 1 already"),
         ("def square(side): ...\n", "no-robot", 1, "`side`, and it is given the robot"),
         ("x = 1\ndef turn(robot): ...\n", "name-taken", 2, "LearnBlock has a skill"),
+        ("def f(robot,\n  class_=3): ...\n", "bad-name", 2, "`class_` means `class` in Block-Text"),
+        ("def from_(robot): ...\n", "bad-name", 1, "choose another name"),
         ("def stop(robot): ...\n", "name-taken", 1, "every robot has something of this name"),
         ("def f(robot, *, key): ...\n", "unfit-parameter", 1, "no block can give `key`"),
         ("def f(robot,\n      x: Decimal = 3): ...\n", "bad-hint", 2, "`Decimal` names no field"),

@@ -8,6 +8,7 @@ from learnblock import skill_files
 from learnblock.blocks.configuration import NUMBERS, Parameter
 from learnblock.blocks.signature import Argument, Place, Signature, signature
 from learnblock.errors import Diagnostic, ProgramError, Severity
+from learnblock.language.names import attribute_to_python
 from learnblock.own_blocks.imports_check import wrong_imports
 
 _ROBOT = "robot"
@@ -101,6 +102,7 @@ def _wrong_function(one: Signature, taken: Mapping[str, str]) -> Iterator[Diagno
     if one.name in taken:
         message = f"`{one.name}`: {taken[one.name]}; choose another name"
         yield _said("name-taken", message, one.place)
+    yield from _wrong_spelling(one.name, one.place)
     if one.robot != _ROBOT:
         message = (
             f"the first parameter of `{one.name}` is `{one.robot}`, and it is given the robot: call"
@@ -113,7 +115,19 @@ def _wrong_function(one: Signature, taken: Mapping[str, str]) -> Iterator[Diagno
         )
         yield _said("unfit-parameter", message, one.place)
     for argument in one.arguments:
+        yield from _wrong_spelling(argument.name, argument.place)
         yield from _wrong_argument(one.name, argument)
+
+
+def _wrong_spelling(name: str, place: Place) -> Iterator[Diagnostic]:
+    """A name that Block-Text has for a word of Python, such as ``class_``."""
+    plain = name.rstrip("_")
+    if attribute_to_python(name) != name:
+        message = (
+            f"`{name}` means `{plain}` in Block-Text, where it is spelled without `_`: choose"
+            " another name"
+        )
+        yield _said("bad-name", message, place)
 
 
 def _wrong_argument(function: str, one: Argument) -> Iterator[Diagnostic]:
