@@ -51,6 +51,7 @@ def test_a_description_may_name_every_device(read):
         ('slot = "Rear"', 'slot = "$name"', r"wrong-key the slot '\$name' is no word"),
         ('key = "second"', 'key = "a\\nb"', "wrong-key the key"),
         ('key = "second"', "", r"of `camera`, two have the key `ROBOT`"),
+        ("radius = 70", "radius = 500", "too-wide the body reaches 500 mm .* more than 400 has no"),
         ("shape = ", "form = ", "`body` has a key `form`, which is not known"),
     ],
 )

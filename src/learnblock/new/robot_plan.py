@@ -22,6 +22,10 @@ from learnblock.simulator.robot_description import RobotFile
 _WORDS = re.compile(r"\w[\w ]*")
 
 
+WIDEST = 400.0
+"""From the middle between the wheels to the farthest corner of a body, mm."""
+
+
 class Network(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """Where a robot is in the network, unless its user says otherwise."""
 
@@ -108,6 +112,12 @@ def is_key(text: str) -> bool:
 def _check(plan: RobotPlan) -> Iterator[Finding]:
     yield from robot_description.check(plan)
     yield from _check_keys(plan)
+    if round(plan.body.reach) > WIDEST:
+        message = (
+            f"the body reaches {plan.body.reach:.0f} mm from the middle between the wheels: more"
+            f" than {WIDEST:g} has no room in our worlds, which are 2000 mm wide"
+        )
+        yield Finding(("body",), "too-wide", message)
     if plan.gyroscope and plan.gyroscope.key != "Z_AXIS":
         message = f"`gyroscope.key` is {plan.gyroscope.key!r}: a robot's own gyroscope is Z_AXIS"
         yield Finding(("gyroscope", "key"), "unusual-key", message)
