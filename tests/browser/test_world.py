@@ -104,6 +104,16 @@ def test_the_camera_shows_what_perception_found_in_its_picture(pupil):
     expect(camera).to_have_count(0)
 
 
+def test_the_camera_s_picture_tells_what_a_face_expresses(pupil):
+    pupil.open_example("Imitate feelings")
+    pupil.press("Robot's camera")
+    camera = pupil.page.get_by_role("complementary", name="Robot's camera")
+    pupil.press("Run")
+    expect(camera.get_by_role("listitem").first).to_have_text("Face: happy")
+    pupil.picture("feelings")
+    pupil.press("Stop")
+
+
 # Driving by hand.
 
 

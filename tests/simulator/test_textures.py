@@ -149,3 +149,15 @@ def test_a_floor_without_pixels_is_refused():
 def test_a_line_of_one_point_or_no_width_is_refused(points, width, message):
     with pytest.raises(TextureError, match=message):
         FloorLine(points, width)
+
+
+def test_another_number_is_another_person():
+    faces = [face("joy", 100, person) for person in (0, 1, 2, 1000)]
+    assert np.array_equal(face("joy", 100), faces[0])
+    assert np.array_equal(face("joy", 100, 2), faces[2])
+    assert 4 == len({one.tobytes() for one in faces})
+
+
+def test_a_person_below_zero_is_refused():
+    with pytest.raises(TextureError, match="count from 0"):
+        face("joy", 100, -1)
