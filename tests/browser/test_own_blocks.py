@@ -278,12 +278,13 @@ def test_a_block_is_made_by_the_keyboard_alone(pupil):
     keys.press("ArrowRight")
     assert keys.hears() == "Try it"
     keys.walk("Tab", "^Try it on")
-    keys.press("Control+s")
+    with pupil.page.expect_response("**/palette/en.json"):
+        keys.press("Control+s")
     expect(pupil.dialog().get_by_text("by_keys is saved")).to_be_visible()
     keys.press("Escape")
     expect(pupil.dialog()).to_have_count(0)
-    expect(pupil.page.locator(".blocklyFlyout .lb_skill_by_keys")).to_be_visible()
     assert keys.region() == "blocks"
+    keys.walk("ArrowDown", "main program")
     keys.take("My blocks", "by keys")
     pupil.sees("blocktext", "function.by_keys(2)")
 

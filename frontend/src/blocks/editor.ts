@@ -133,9 +133,10 @@ export class Editor {
     this.show(workspace);
     this.workspace.setScale(scale);
     this.workspace.scroll(x, y);
-    this.open(tab);
+    const opened = this.open(tab);
     if (focused === "program") this.focus();
-    else if (focused && this.toolbox) Blockly.getFocusManager().focusTree(this.toolbox);
+    if (focused === "palette" && opened) Blockly.getFocusManager().focusNode(opened);
+    else if (focused === "palette" && this.toolbox) Blockly.getFocusManager().focusTree(this.toolbox);
   }
 
   private get focused(): View["focused"] {
@@ -149,10 +150,11 @@ export class Editor {
     return item instanceof Blockly.ToolboxCategory ? item.getName() : "";
   }
 
-  private open(tab: string): void {
-    const items = this.toolbox?.getToolboxItems() ?? [];
-    const found = items.find((item) => item instanceof Blockly.ToolboxCategory && item.getName() === tab);
-    if (tab && found) this.toolbox?.setSelectedItem(found as Blockly.ToolboxCategory);
+  private open(tab: string): Blockly.ToolboxCategory | null {
+    const tabs = (this.toolbox?.getToolboxItems() ?? []).filter((item) => item instanceof Blockly.ToolboxCategory);
+    const found = tabs.find((item) => tab && item.getName() === tab) ?? null;
+    if (found) this.toolbox?.setSelectedItem(found);
+    return found;
   }
 
   private get toolbox(): Blockly.Toolbox | null {

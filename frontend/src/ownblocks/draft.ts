@@ -35,6 +35,9 @@ export class Draft {
   private request = 0;
   /** What the last question was about: an answer is of use only while it is what is written. */
   private asked: Written | null = null;
+  private answered: Written | null = null;
+  /** Whether it is to be saved as soon as the server has answered. */
+  private waiting = false;
   private saving: Written | null = null;
   /** Whether the name follows the function's: until somebody writes one. */
   private named = false;
@@ -45,7 +48,7 @@ export class Draft {
       connection.on("OwnBlockChecked", (message) => this.hear(message)),
       connection.on("OwnBlockSaved", ({ name }) => this.hearSaved(name)),
       connection.on("Failed", ({ message, request }) => request === "SaveOwnBlock" && this.refused(message)),
-      effect(() => this.ask(language.value, this.written.value)),
+      effect(() => this.ask(language.value, this.written.value, this.saved.value)),
     ];
   }
 
@@ -87,6 +90,9 @@ export class Draft {
   }
 
   save(): void {
+    // Its name is that of its function, which the server is still reading.
+    this.waiting = !this.named && this.answered !== this.written.peek();
+    if (this.waiting) return;
     const { name, source, configuration } = this.written.peek();
     if (!name.trim()) return this.refuse(t("ownblocks.nameless"));
     this.saving = this.written.peek();
@@ -106,9 +112,8 @@ export class Draft {
     this.ends.push(effect(() => this.keepUnsaved()));
   }
 
-  private ask(code: string, written: Written): void {
+  private ask(code: string, written: Written, replaces: string): void {
     const { name, source, configuration } = written;
-    const replaces = this.saved.peek();
     const question = { name: name.trim(), source, configuration, replaces, language: code };
     if (!source) return;
     this.asking.do(() => {
@@ -123,9 +128,14 @@ export class Draft {
     else if (message.request !== this.request || this.asked !== this.written.peek()) return;
     this.checked.value = message;
     const { configuration = "" } = message;
-    if (!configuration) return;
+    if (configuration) this.show(configuration, message.previews ?? []);
+    this.answered = this.written.peek();
+    if (this.waiting) this.save();
+  }
+
+  private show(configuration: string, previews: readonly OwnBlockPreview[]): void {
     this.blocks.value = blocksIn(configuration);
-    this.previews.value = message.previews ?? [];
+    this.previews.value = previews;
     this.followFunction();
   }
 
