@@ -28,9 +28,9 @@ EMOTIONS = ("neutral", "joy", "sadness", "anger", "fear", "disgust", "surprise")
 # face-api's FaceFeatureExtractor.
 SIDE = 112
 MEAN = np.array([122.782, 117.001, 104.298], np.float32)
-# What the net says changes with a few pixels of the box round a face. So it looks at two squares, of
-# these parts of the cascade's side and moved up by a part of it, and says the mean of both. Chosen
-# on drawn faces of persons 1 to 60.
+# What the net says changes with a few pixels of the box round a face. So it looks at two squares,
+# of these parts of the cascade's side and moved up by a part of it, and says the mean of both.
+# Chosen on drawn faces of persons 1 to 60.
 SQUARES = (0.88, 1.0)
 RISE = 0.025
 # A net of OpenCV keeps working memory of its own: one face at a time.
