@@ -1,6 +1,7 @@
 """The files of a new robot: they are clean, and their own test passes at once."""
 
 import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -63,8 +64,10 @@ def test_the_test_of_the_guides_robot_passes_at_once(home, tmp_path):
     status, said = tool("pytest", *command, folder=tmp_path, LEARNBLOCK_HOME="elsewhere")
     assert status == 0, said
     assert "14 passed, 2 skipped" in said
-    assert "14 passed, 2 skipped" in DOCS.read_text("utf-8")
-    assert "`open_link()` is not written yet; what it must do: Reach the robot by" in said
+    told = DOCS.read_text("utf-8")
+    assert "14 passed, 2 skipped" in told
+    unwritten = re.compile(r"pathfinder\.py:\d+: `open_link\(\)` is not written yet")
+    assert {*unwritten.findall(told)} == {*unwritten.findall(said)}
 
 
 def test_both_robots_are_in_the_pages_list(home):
