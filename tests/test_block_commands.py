@@ -155,6 +155,14 @@ def test_a_block_that_shadows_a_skill_hides_nothing(run, program, own_home):
     assert "LearnBlock has a skill of this name already" in run("blocks").stdout
 
 
+def test_a_block_asks_and_prints_as_its_program_does(run, tmp_path):
+    own_blocks.save("talk", "def greet(robot):\n    print('hello', input('name? '))\n")
+    (tmp_path / "program.bt").write_text("main:\n    function.greet()\nend\n")
+    result = CliRunner().invoke(main, ["run", "program.bt"], input="Ana\n")
+
+    assert "name? hello Ana\n" == result.stdout
+
+
 def test_nothing_of_a_block_runs_in_the_host_s_process(run, program, own_home):
     source = "import os\nprint(os.getpid())\n\n\ndef waltz(robot): ...\n"
     own_blocks.save("dance", source)

@@ -150,6 +150,8 @@ class _Program:
     def _own_process(self, namespace: dict[str, Any]) -> Iterator[None]:
         signal.signal(signal.SIGTERM, self._interrupt)
         sys.stdout = sys.stderr = self._output
+        # For the modules that the program imports, and the files of its skills.
+        builtins.input = self._input
         if self._setup.folder:
             sys.path.insert(0, self._setup.folder)
         # The module `__main__` is the program, as it would be without us.
