@@ -54,6 +54,13 @@ def test_every_detector_refuses_what_is_no_picture(name):
 
 
 @pytest.mark.parametrize("name", DETECTORS)
+@pytest.mark.parametrize("size", [(1, 1), (2, 400), (400, 1), (30, 31)])
+def test_every_detector_looks_at_frames_of_any_size(name, size):
+    noise = np.random.default_rng(1).integers(0, 256, (*size, 3)).astype(np.uint8)
+    assert detect(name, noise) == detect(name, noise[::-1][::-1])
+
+
+@pytest.mark.parametrize("name", DETECTORS)
 def test_the_same_frame_gives_the_same_detections(name):
     frame = frame_with_everything()
     assert detect(name, frame) == detect(name, frame.copy())
