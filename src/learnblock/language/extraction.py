@@ -86,7 +86,7 @@ class _Extraction:
 
     @cached_property
     def functions(self) -> tuple[Def, ...]:
-        return tuple(self.program.functions[name] for name in self.names)
+        return tuple(self.symbols.functions[name] for name in self.names)
 
     @cached_property
     def symbols(self) -> Symbols:
@@ -158,7 +158,7 @@ class _Extraction:
                 yield _problem("event-in-library", message, span)
 
     def is_state(self, name: str) -> bool:
-        return state_of(name, self.program.whens.keys()) is not None
+        return state_of(name, self.symbols.whens.keys()) is not None
 
     def calls(self, function: Def) -> Iterator[Diagnostic]:
         for statement in statements((function,)):
@@ -171,7 +171,7 @@ class _Extraction:
                     yield _problem("unknown-function", message, node.span)
 
     def is_known(self, function: str) -> bool:
-        return function in self.program.functions or function in FUNCTIONS
+        return function in self.symbols.functions or function in FUNCTIONS
 
     def python(self, function: Def) -> Iterator[Diagnostic]:
         """Raw Python that would have to hand the robot on, or that needs other raw Python."""
@@ -180,7 +180,7 @@ class _Extraction:
             for node, name in names_in(statement):
                 if name in own:
                     continue
-                if name in self.program.functions:
+                if name in self.symbols.functions:
                     message = (
                         f"`{function.name}` names the function `{name}` without calling it in"
                         " Block-Text: a library could not hand the robot on"
@@ -201,7 +201,7 @@ class _Extraction:
         return {name for text in found for name in set_by_python(text)}
 
     def variable(self, name: str, span: Span) -> Iterator[Diagnostic]:
-        elsewhere = next(self.set_elsewhere(name), None)
+        elsewhere = self.set_elsewhere.get(name)
         if elsewhere is not None:
             message = (
                 f"the functions use `{name}`, which line {elsewhere.line} sets as well: give it"
@@ -223,17 +223,27 @@ class _Extraction:
             and (node.name in {"elapsedTime", "input"} or node.name not in FUNCTIONS)
         )
 
-    def set_elsewhere(self, name: str) -> Iterator[Span]:
-        """Where what is not taken sets a variable, which a library would not notice."""
-        taken = {id(one) for one in (*self.functions, self.beginnings.get(name))}
+    @cached_property
+    def set_elsewhere(self) -> dict[str, Span]:
+        """Where what is not taken sets each variable first, which a library would not notice."""
+        taken = {id(one) for one in (*self.functions, *self.beginnings.values())}
+        found: dict[str, Span] = {}
         for item in self.symbols.items:
-            if id(item) in taken or name in self.symbols.own(item):
+            if id(item) in taken:
                 continue
+            own = self.symbols.own(item)
             for statement in statements((item,)):
-                if set_by(statement) == name or (
-                    isinstance(statement, Raw) and name in raw_names(statement.text)
-                ):
-                    yield statement.span
+                for name in _set_in(statement):
+                    if name not in own:
+                        found.setdefault(name, statement.span)
+        return found
+
+
+def _set_in(statement: Item) -> Iterator[str]:
+    if isinstance(statement, Raw):
+        yield from raw_names(statement.text)
+    elif name := set_by(statement):
+        yield name
 
 
 def _problem(code: str, message: str, span: Span) -> Diagnostic:

@@ -47,12 +47,13 @@ def _places(tree: ast.Module, name: str, lines: list[bytes]) -> Iterator[tuple[i
 
 
 def _refuse(tree: ast.Module, name: str, new: str, filename: str) -> None:
+    defined = {id(node) for node in tree.body if isinstance(node, ast.FunctionDef)}
     for node in ast.walk(tree):
         line = getattr(node, "lineno", 0)
         if new in _named(node):
             message = f"`{new}` stands there already: choose another name"
             raise LibraryError(filename, [Diagnostic("name-taken", message, line)])
-        if node not in tree.body and name in _bound(node):
+        if name in _bound(node) and id(node) not in defined:
             message = f"`{name}` means something else there as well: rename it there by hand"
             raise LibraryError(filename, [Diagnostic("two-meanings", message, line)])
 
