@@ -283,7 +283,7 @@ def test_a_block_is_made_by_the_keyboard_alone(pupil):
     expect(pupil.dialog().get_by_text("by_keys is saved")).to_be_visible()
     keys.press("Escape")
     expect(pupil.dialog()).to_have_count(0)
-    assert keys.region() == "blocks"
+    expect(pupil.page.locator("[data-region=blocks]:focus-within")).to_be_attached()
     keys.walk("ArrowDown", "main program")
     keys.take("My blocks", "by keys")
     pupil.sees("blocktext", "function.by_keys(2)")

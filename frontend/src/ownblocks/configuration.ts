@@ -40,32 +40,10 @@ function isBlock(found: unknown): found is Configured {
   return typeof found === "object" && found !== null && typeof (found as Configured).name === "string";
 }
 
-/** Blocks with one of them changed. */
-export function withBlock(blocks: readonly Configured[], name: string, change: (block: Configured) => Configured): Configured[] {
-  return blocks.map((block) => (block.name === name ? change(block) : block));
-}
-
-/** Blocks as JSON. */
-export function written(blocks: readonly Configured[]): string {
+/** The configuration with one block changed. */
+export function withBlock(configuration: string, name: string, change: (block: Configured) => Configured): string {
+  const blocks = blocksIn(configuration).map((block) => (block.name === name ? change(block) : block));
   return JSON.stringify(blocks, null, 2);
-}
-
-/** Blocks with those of their words that were chosen: the others are the source's, and change with it. */
-export function chosenOf(blocks: readonly Configured[], chosen: readonly Configured[]): Configured[] {
-  return blocks.map((block) => {
-    const own = chosen.find(({ name }) => name === block.name);
-    const translate = new Map(own?.variables?.map((one) => [one.name, one.translate]));
-    return {
-      ...block,
-      languages: common(block.languages, own?.languages),
-      tooltip: common(block.tooltip, own?.tooltip),
-      variables: block.variables?.map((one) => ({ ...one, translate: common(one.translate, translate.get(one.name)) })) ?? [],
-    };
-  });
-}
-
-function common(words: Words = {}, chosen: Words = {}): Words {
-  return Object.fromEntries(Object.entries(words).filter(([language]) => language in chosen));
 }
 
 /** Texts with one set, or taken away where it is empty. */

@@ -6,7 +6,7 @@ import type { Connection } from "../connection";
 import { language, t } from "../i18n";
 import type { OwnBlock, OwnBlockChecked, OwnBlockPreview, OwnBlockProblem } from "../messages";
 import { Throttle } from "../world/throttle";
-import { blocksIn, chosenOf, type Configured, withBlock, written } from "./configuration";
+import { blocksIn, type Configured, withBlock } from "./configuration";
 import { drop, keep, unsaved, type Written } from "./unsaved";
 
 /** ms between two questions. */
@@ -35,6 +35,8 @@ export class Draft {
   private request = 0;
   /** What the last question was about: an answer is of use only while it is what is written. */
   private asked: Written | null = null;
+  /** The configuration without what the source says by itself: what is chosen in the form goes into it. */
+  private chosen = "";
   private answered: Written | null = null;
   /** Whether it is to be saved as soon as the server has answered. */
   private waiting = false;
@@ -75,10 +77,9 @@ export class Draft {
 
   /** Change what is chosen for one of its functions. */
   configure(name: string, change: (block: Configured) => Configured): void {
-    const blocks = this.blocks.peek();
-    const chosen = chosenOf(blocks, blocksIn(this.written.peek().configuration));
-    this.blocks.value = withBlock(blocks, name, change);
-    this.change({ configuration: written(withBlock(chosen, name, change)) });
+    this.chosen = withBlock(this.chosen, name, change);
+    this.blocks.value = this.blocks.peek().map((block) => (block.name === name ? change(block) : block));
+    this.change({ configuration: this.chosen });
   }
 
   /** Go back to what is saved. */
@@ -128,12 +129,13 @@ export class Draft {
     else if (message.request !== this.request || this.asked !== this.written.peek()) return;
     this.checked.value = message;
     const { configuration = "" } = message;
-    if (configuration) this.show(configuration, message.previews ?? []);
+    if (configuration) this.show(message);
     this.answered = this.written.peek();
     if (this.waiting) this.save();
   }
 
-  private show(configuration: string, previews: readonly OwnBlockPreview[]): void {
+  private show({ configuration = "", chosen = "", previews = [] }: OwnBlockChecked): void {
+    this.chosen = chosen;
     this.blocks.value = blocksIn(configuration);
     this.previews.value = previews;
     this.followFunction();
