@@ -163,7 +163,7 @@ def delete_own(name: str) -> None:
     file = _own_file(name)
     if not file.is_file():
         known = [path.stem for path in _own_folder().glob("*.toml")]
-        raise UnknownNameError("set of blocks of your own", name, known)
+        raise UnknownNameError("set of blocks", name, known)
     file.unlink()
 
 

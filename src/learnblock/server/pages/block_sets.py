@@ -42,7 +42,9 @@ async def _export(page: Page, message: messages.ExportBlockSet) -> None:
 
 def _all() -> messages.BlockSets:
     own, wrong = block_sets.own()
-    problems = tuple(f"{error.filename}: {sentence(error)}" for error in wrong)
+    problems = tuple(
+        f"the file {error.filename} is no set of blocks: {sentence(error)}" for error in wrong
+    )
     return messages.BlockSets(tuple(block_sets.built_in().values()), own, problems)
 
 
