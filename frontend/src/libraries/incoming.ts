@@ -29,7 +29,8 @@ export function fileOf({ filename, content, renamings }: Incoming): LibraryFile 
 
 /** A file after the server has looked at it: each new clash is given a name that is likely free. */
 export function looked(file: Incoming, read: LibraryRead): Incoming {
-  const clashes = (read.clashes ?? []).filter(({ skill }) => !file.renamings.some((one) => one.name.trim() === skill));
+  const known = new Set(file.renamings.flatMap(({ skill, name }) => [skill, name.trim()]));
+  const clashes = (read.clashes ?? []).filter(({ skill }) => !known.has(skill));
   const found = clashes.map((clash) => renaming(clash, read.library));
   return { ...file, read, renamings: [...file.renamings, ...found] };
 }

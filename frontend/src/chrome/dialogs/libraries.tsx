@@ -1,7 +1,7 @@
 /** The dialog about libraries: those that are installed, files to import, and a library of one's own. */
 
 import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 
 import { language, t } from "../../i18n";
 import { ENDING } from "../../libraries/shelf";
@@ -102,12 +102,15 @@ function Row({ library }: { library: InstalledLibrary }) {
 
 function Removal({ name, keep }: { name: string; keep: () => void }) {
   const { libraries } = usePage();
+  const button = useRef<HTMLButtonElement>(null);
+  // The button that had the focus has gone.
+  useEffect(() => button.current?.focus(), []);
   return (
     <li>
       <div class="row-main" role="alert">
         {t("libraries.reallyRemove", { name })}
       </div>
-      <button type="button" class="button bordered" autofocus onClick={keep}>
+      <button type="button" class="button bordered" ref={button} onClick={keep}>
         {t("libraries.keep")}
       </button>
       <button type="button" class="button filled" onClick={() => libraries.remove(name)}>

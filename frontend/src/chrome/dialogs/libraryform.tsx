@@ -76,11 +76,12 @@ interface FieldProps {
 }
 
 function Field({ word, help, value, pattern, longest, optional = false }: FieldProps) {
-  const id = useId();
+  const [field, id] = [useId(), useId()];
   return (
-    <label class="field">
-      {t(word)}
+    <div class="field">
+      <label for={field}>{t(word)}</label>
       <input
+        id={field}
         required={!optional}
         pattern={pattern}
         maxLength={longest}
@@ -91,7 +92,7 @@ function Field({ word, help, value, pattern, longest, optional = false }: FieldP
       <span id={id} class="dim">
         {t(help)}
       </span>
-    </label>
+    </div>
   );
 }
 
@@ -116,20 +117,20 @@ function Tick({ name, ticks, text, more = "", problem = "" }: TickProps) {
     ticks.value = new Set(on ? [...others, name] : others);
   };
   return (
-    <label class="check">
-      <input
-        type="checkbox"
-        disabled={Boolean(problem)}
-        aria-describedby={id}
-        checked={ticks.value.has(name)}
-        onChange={({ currentTarget }) => change(currentTarget.checked)}
-      />
-      <span>
-        <code>{text}</code>{" "}
-        <span id={id} class={problem ? "library-problem" : "dim"}>
-          {problem || more}
-        </span>
+    <div class="library-part">
+      <label class="check">
+        <input
+          type="checkbox"
+          disabled={Boolean(problem)}
+          aria-describedby={id}
+          checked={ticks.value.has(name)}
+          onChange={({ currentTarget }) => change(currentTarget.checked)}
+        />
+        <code>{text}</code>
+      </label>
+      <span id={id} class={problem ? "library-problem" : "dim"}>
+        {problem || more}
       </span>
-    </label>
+    </div>
   );
 }
