@@ -182,6 +182,7 @@ parameters = st.fixed_dictionaries(
         "name": st.sampled_from(["a", "b"]) | anything,
         "range": st.lists(st.integers() | st.floats(), max_size=3) | anything,
         "choices": st.lists(st.text(max_size=3) | anything, max_size=3) | anything,
+        "choiceNames": st.dictionaries(st.text(max_size=3), anything) | anything,
         "default": anything,
         "translate": st.dictionaries(st.sampled_from(["EN", "en", "??"]), anything) | anything,
     },
@@ -375,6 +376,7 @@ fields = st.one_of(
     st.tuples(st.just("colour"), st.just("#ff8800"), st.none(), st.just(())),
     st.tuples(st.just("choice"), st.just("a"), st.none(), st.just(("a", "b c"))),
 )
+choice_names = st.dictionaries(st.sampled_from(["a", "b c"]), texts)
 
 
 @st.composite
@@ -383,8 +385,11 @@ def configurations(draw) -> BlockConfiguration:
     parameters = []
     for i, (kind, default, range_, choices) in enumerate(draw(st.lists(fields, max_size=4))):
         given_default = None if i < required else draw(st.sampled_from([default, None]))
+        names = draw(choice_names) if choices else {}
         parameters.append(
-            Parameter(f"p{i}", kind, given_default, i < required, draw(texts), range_, choices)
+            Parameter(
+                f"p{i}", kind, given_default, i < required, draw(texts), range_, choices, names
+            )
         )
     return BlockConfiguration(
         draw(st.sampled_from(["motor", "others"])), draw(some_words), "waltz", tuple(parameters),

@@ -126,11 +126,22 @@ def test_every_parameter_but_a_list_has_a_shadow():
             ("lb_slider", 3),
         ),
         (Parameter("x", "angle", range=Range(-9, -1)), {"min": -9, "max": -1}, ("lb_angle", -1)),
-        (Parameter("x", "choice", choices=("a", "b")), {"options": ["a", "b"]}, ("lb_choice", "a")),
+        (
+            Parameter("x", "choice", choices=("a", "b")),
+            {"options": [["a", "a"], ["b", "b"]]},
+            ("lb_choice", "a"),
+        ),
         (
             Parameter("x", "choice", "b", choices=("a", "b")),
-            {"options": ["a", "b"]},
+            {"options": [["a", "a"], ["b", "b"]]},
             ("lb_choice", "b"),
+        ),
+        (
+            Parameter(
+                "x", "choice", choices=("a", "b"), choice_names={"b": {"ES": "bé", "EN": "bee"}}
+            ),
+            {"options": [["a", "a"], ["bee", "b"]]},
+            ("lb_choice", "a"),
         ),
         (Parameter("x", "colour", "#00ff00"), None, ("lb_colour", "#00ff00")),
         (Parameter("x", "colour"), None, ("lb_colour", "#ff0000")),

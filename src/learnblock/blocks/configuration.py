@@ -29,6 +29,8 @@ class Parameter:
         translations: name shown on the block, by upper-case language code.
         range: of a number, if it has one.
         choices: the texts that there are to choose from, of the type ``choice``.
+        choice_names: what is shown for a choice, by the choice and then by upper-case language
+            code; programs hold the choice itself.
     """
 
     name: str
@@ -38,6 +40,7 @@ class Parameter:
     translations: Mapping[str, str] = field(default_factory=dict)
     range: Range | None = None
     choices: tuple[str, ...] = ()
+    choice_names: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
     def objection(self, value: object) -> str:
         """Why a number or a text is none that its field offers; empty where it is one.

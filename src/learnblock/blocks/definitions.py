@@ -150,23 +150,28 @@ def skill_definition(configuration: BlockConfiguration, language: str) -> Defini
         "type": SKILL + configuration.name,
         "style": f"lb_{configuration.type}",
         "message0": " ".join(parts),
-        "args0": [_parameter(one) for one in configuration.parameters],
+        "args0": [_parameter(one, language) for one in configuration.parameters],
         "inputsInline": True,
         "tooltip": _plain(translated(configuration.tooltip, language, "")),
         **shape,
     }
 
 
-def _parameter(parameter: Parameter) -> Definition:
-    field = _field(parameter)
+def _parameter(parameter: Parameter, language: str) -> Definition:
+    field = _field(parameter, language)
     value = _value(parameter.name, _CHECKS.get(parameter.type))
     return {**value, "field": field} if field else value
 
 
-def _field(parameter: Parameter) -> Definition:
+def _field(parameter: Parameter, language: str) -> Definition:
     """What the field in its place offers, under a key that our page knows and Blockly does not."""
     if parameter.choices:
-        return {"options": list(parameter.choices)}
+        names = parameter.choice_names
+        return {
+            "options": [
+                [translated(names.get(one, {}), language, one), one] for one in parameter.choices
+            ]
+        }
     if parameter.range is None:
         return {}
     ends = {"min": parameter.range.least, "max": parameter.range.most}

@@ -95,6 +95,11 @@ def _fitted_parameter(chosen: Parameter | None, argument: Argument, known: Param
         translations={**known.translations, **chosen.translations},
         range=field.range,
         choices=field.choices,
+        choice_names={
+            choice: names
+            for choice, names in {**known.choice_names, **chosen.choice_names}.items()
+            if choice in field.choices
+        },
     )
 
 

@@ -116,6 +116,7 @@ def _trusted_parameter(raw: dict[str, Any]) -> Parameter:
         required="default" not in raw,
         translations=raw["translate"],
         choices=tuple(raw.get("choices", ())),
+        choice_names=raw.get("choiceNames", {}),
     )
 
 

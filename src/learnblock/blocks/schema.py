@@ -42,6 +42,7 @@ _PARAMETER_KEYS = {
     "translate": False,
     "range": False,
     "choices": False,
+    "choiceNames": False,
 }
 _KEY_ADVICE = {
     "type": "it says what kind of block this is, such as `motor`",
@@ -106,6 +107,7 @@ class _Reader:
         who = f"{block}, {_called(value, 'the parameter')}"
         fields = self._fields(value, path, who, _PARAMETER_KEYS)
         kind = self._choice(fields, "type", path, who, PARAMETER_TYPES)
+        choices = self._choices(fields, kind, path, who)
         return Parameter(
             name=self._name(fields, path, who),
             type=kind,
@@ -113,7 +115,8 @@ class _Reader:
             required="default" not in fields,
             translations=self._languages(fields, "translate", path, who),
             range=self._range(fields, kind, path, who),
-            choices=self._choices(fields, kind, path, who),
+            choices=choices,
+            choice_names=self._choice_names(fields, choices, path, who),
         )
 
     # Their parts.
@@ -293,6 +296,21 @@ class _Reader:
         at: Path = (*path, "choices") if "choices" in fields else path
         self._wrong("bad-choices", at, f"{who}: `choices` is {_shown(items)}; {wrong}")
         return ()
+
+    def _choice_names(
+        self, fields: Mapping[str, Any], choices: tuple[str, ...], path: Path, who: str
+    ) -> dict[str, dict[str, str]]:
+        value, at = fields.get("choiceNames", {}), (*path, "choiceNames")
+        what = f"{who}: `choiceNames`"
+        if not isinstance(value, dict):
+            advice = 'write {"slow": {"ES": "lento"}}'
+            self._wrong("wrong-type", at, f"{what} is {_shown(value)}; {advice}")
+            return {}
+        for name in value.keys() - set(choices):
+            hint = did_you_mean(name, choices) or "it names what is among the `choices`"
+            place = self._document.keys.get((*at, name), Place())
+            self._note("unknown-key", f"{what}: there is no choice {_shown(name)}; {hint}", place)
+        return {name: self._languages(value, name, at, what) for name in choices if name in value}
 
     # Names that must differ, and parameters without a default behind those that have one.
 

@@ -33,8 +33,14 @@ def _parameter(parameter: Parameter) -> dict[str, Any]:
         **({} if parameter.required else {"default": parameter.default}),
         **({"range": _range(parameter.range)} if parameter.range else {}),
         **({"choices": list(parameter.choices)} if parameter.choices else {}),
+        **_choice_names(parameter),
         "translate": dict(parameter.translations),
     }
+
+
+def _choice_names(parameter: Parameter) -> dict[str, Any]:
+    names = {choice: dict(names) for choice, names in parameter.choice_names.items()}
+    return {"choiceNames": names} if names else {}
 
 
 def _range(found: Range) -> list[float]:
