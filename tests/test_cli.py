@@ -39,8 +39,8 @@ def write(tmp_path):
 def test_help_shows_every_command_and_how_to_start():
     shown = call("--help").output
     commands = (
-        "open", "run", "check", "format", "convert", "robots", "new", "perception", "worlds", "skills",
-        "demo",
+        "open", "run", "check", "format", "convert", "robots", "new", "perception", "worlds",
+        "skills", "demo",
     )  # fmt: skip
     for command in commands:
         assert f"\n  {command} " in shown
