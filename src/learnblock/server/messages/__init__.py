@@ -1,0 +1,408 @@
+"""The whole conversation between the server and a page.
+
+A page speaks first: `Open` or `New`; everything else is about the project it has opened. Each
+message is a JSON object whose `kind` names it; camera frames alone are binary (`CameraFrame` says
+how). ``python -m learnblock.server.typescript`` writes the page's types from this module.
+"""
+
+from learnblock.server.messages.base import (
+    LONGEST_TEXT,
+    MOST_CARRIED,
+    Coordinate,
+    Id,
+    Message,
+    Name,
+    Notation,
+    ShortText,
+    StateName,
+    Text,
+    View,
+)
+from learnblock.server.messages.block_sets import (
+    BlockSetRead,
+    BlockSets,
+    BlocksShown,
+    ChooseBlockSet,
+    DeleteBlockSet,
+    ExportBlockSet,
+    ListBlockSets,
+    ReadBlockSet,
+    SaveBlockSet,
+)
+from learnblock.server.messages.libraries import (
+    MOST_LIBRARIES,
+    MOST_SKILLS,
+    DownloadLibrary,
+    Exportable,
+    ExportableBlocks,
+    ExportableFunction,
+    ImportLibraries,
+    InstalledLibrary,
+    Libraries,
+    LibrariesRead,
+    LibraryFile,
+    LibraryMade,
+    LibraryRead,
+    ListExportable,
+    ListLibraries,
+    MakeLibrary,
+    ReadLibraries,
+    RemoveLibrary,
+    SkillClash,
+    UseLibrary,
+)
+from learnblock.server.messages.own_blocks import (
+    MOST_ARGUMENTS,
+    CheckOwnBlock,
+    DeleteOwnBlock,
+    DuplicateOwnBlock,
+    ExportOwnBlock,
+    ImportOwnBlock,
+    ListOwnBlocks,
+    OwnBlock,
+    OwnBlockChecked,
+    OwnBlockPreview,
+    OwnBlockProblem,
+    OwnBlocks,
+    OwnBlockSaved,
+    PaletteChanged,
+    RestoreOwnBlock,
+    SaveOwnBlock,
+    TryOwnBlock,
+)
+from learnblock.server.messages.program import (
+    MOST_BREAKPOINTS,
+    Complete,
+    Completion,
+    Completions,
+    Describe,
+    Description,
+    Document,
+    EditBlocks,
+    EditText,
+    Format,
+    Place,
+    Problem,
+    Redo,
+    Rename,
+    SetBreakpoints,
+    Undo,
+)
+from learnblock.server.messages.projects import (
+    Delete,
+    ExampleChoice,
+    Export,
+    Failed,
+    File,
+    History,
+    Import,
+    ListHistory,
+    ListProjects,
+    New,
+    Open,
+    Opened,
+    PastRun,
+    ProjectEntry,
+    Projects,
+    Restore,
+    RobotChoice,
+    SaveAs,
+    Saved,
+    Settings,
+    Version,
+    Welcome,
+)
+from learnblock.server.messages.running import (
+    Answer,
+    CameraFrame,
+    ChooseRobot,
+    ChooseWorld,
+    Drive,
+    Ended,
+    GoalNow,
+    InputWanted,
+    Pause,
+    PlaceRobot,
+    Printed,
+    ResetWorld,
+    Resume,
+    Robot,
+    Run,
+    RunState,
+    Seen,
+    SetSpeed,
+    Sound,
+    Step,
+    Stop,
+    Telemetry,
+    Variables,
+    WatchCamera,
+    WhenNow,
+)
+from learnblock.server.messages.settings import ChangeSettings, ReadSettings, Setting, SettingsTable
+from learnblock.server.messages.tags import (
+    MOST_TAGS,
+    ExportTags,
+    ReadTags,
+    SaveTags,
+    Tags,
+    TagsRead,
+)
+from learnblock.server.messages.worlds import (
+    CheckWorld,
+    ReadWorld,
+    SaveWorld,
+    Scene,
+    WorldChecked,
+    WorldChoice,
+    Worlds,
+    WorldToEdit,
+)
+
+FromPage = (
+    Open
+    | New
+    | Import
+    | SaveAs
+    | Delete
+    | Export
+    | ListProjects
+    | ListHistory
+    | Restore
+    | EditBlocks
+    | EditText
+    | Undo
+    | Redo
+    | Format
+    | Rename
+    | Complete
+    | Describe
+    | SetBreakpoints
+    | ChooseRobot
+    | ChooseWorld
+    | Run
+    | Stop
+    | Pause
+    | Resume
+    | Step
+    | SetSpeed
+    | Answer
+    | ResetWorld
+    | PlaceRobot
+    | Drive
+    | WatchCamera
+    | ReadWorld
+    | CheckWorld
+    | SaveWorld
+    | ListOwnBlocks
+    | CheckOwnBlock
+    | SaveOwnBlock
+    | TryOwnBlock
+    | DuplicateOwnBlock
+    | DeleteOwnBlock
+    | RestoreOwnBlock
+    | ExportOwnBlock
+    | ImportOwnBlock
+    | ListBlockSets
+    | ChooseBlockSet
+    | ReadBlockSet
+    | SaveBlockSet
+    | DeleteBlockSet
+    | ExportBlockSet
+    | ReadSettings
+    | ChangeSettings
+    | SaveTags
+    | ReadTags
+    | ExportTags
+    | ListLibraries
+    | ListExportable
+    | ReadLibraries
+    | ImportLibraries
+    | RemoveLibrary
+    | DownloadLibrary
+    | MakeLibrary
+    | UseLibrary
+)
+
+ToPage = (
+    Welcome
+    | Worlds
+    | Projects
+    | Opened
+    | Settings
+    | File
+    | History
+    | Saved
+    | Failed
+    | Document
+    | Completions
+    | Description
+    | RunState
+    | InputWanted
+    | Printed
+    | Ended
+    | Variables
+    | Telemetry
+    | Sound
+    | CameraFrame
+    | Scene
+    | WorldToEdit
+    | WorldChecked
+    | OwnBlocks
+    | OwnBlockChecked
+    | OwnBlockSaved
+    | PaletteChanged
+    | BlockSets
+    | BlocksShown
+    | BlockSetRead
+    | SettingsTable
+    | Tags
+    | TagsRead
+    | Libraries
+    | LibrariesRead
+    | Exportable
+    | LibraryMade
+)
+
+__all__ = [
+    "LONGEST_TEXT",
+    "MOST_ARGUMENTS",
+    "MOST_BREAKPOINTS",
+    "MOST_CARRIED",
+    "MOST_LIBRARIES",
+    "MOST_SKILLS",
+    "MOST_TAGS",
+    "Answer",
+    "BlockSetRead",
+    "BlockSets",
+    "BlocksShown",
+    "CameraFrame",
+    "ChangeSettings",
+    "CheckOwnBlock",
+    "CheckWorld",
+    "ChooseBlockSet",
+    "ChooseRobot",
+    "ChooseWorld",
+    "Complete",
+    "Completion",
+    "Completions",
+    "Coordinate",
+    "Delete",
+    "DeleteBlockSet",
+    "DeleteOwnBlock",
+    "Describe",
+    "Description",
+    "Document",
+    "DownloadLibrary",
+    "Drive",
+    "DuplicateOwnBlock",
+    "EditBlocks",
+    "EditText",
+    "Ended",
+    "ExampleChoice",
+    "Export",
+    "ExportBlockSet",
+    "ExportOwnBlock",
+    "ExportTags",
+    "Exportable",
+    "ExportableBlocks",
+    "ExportableFunction",
+    "Failed",
+    "File",
+    "Format",
+    "FromPage",
+    "GoalNow",
+    "History",
+    "Id",
+    "Import",
+    "ImportLibraries",
+    "ImportOwnBlock",
+    "InputWanted",
+    "InstalledLibrary",
+    "Libraries",
+    "LibrariesRead",
+    "LibraryFile",
+    "LibraryMade",
+    "LibraryRead",
+    "ListBlockSets",
+    "ListExportable",
+    "ListHistory",
+    "ListLibraries",
+    "ListOwnBlocks",
+    "ListProjects",
+    "MakeLibrary",
+    "Message",
+    "Name",
+    "New",
+    "Notation",
+    "Open",
+    "Opened",
+    "OwnBlock",
+    "OwnBlockChecked",
+    "OwnBlockPreview",
+    "OwnBlockProblem",
+    "OwnBlockSaved",
+    "OwnBlocks",
+    "PaletteChanged",
+    "PastRun",
+    "Pause",
+    "Place",
+    "PlaceRobot",
+    "Printed",
+    "Problem",
+    "ProjectEntry",
+    "Projects",
+    "ReadBlockSet",
+    "ReadLibraries",
+    "ReadSettings",
+    "ReadTags",
+    "ReadWorld",
+    "Redo",
+    "RemoveLibrary",
+    "Rename",
+    "ResetWorld",
+    "Restore",
+    "RestoreOwnBlock",
+    "Resume",
+    "Robot",
+    "RobotChoice",
+    "Run",
+    "RunState",
+    "SaveAs",
+    "SaveBlockSet",
+    "SaveOwnBlock",
+    "SaveTags",
+    "SaveWorld",
+    "Saved",
+    "Scene",
+    "Seen",
+    "SetBreakpoints",
+    "SetSpeed",
+    "Setting",
+    "Settings",
+    "SettingsTable",
+    "ShortText",
+    "SkillClash",
+    "Sound",
+    "StateName",
+    "Step",
+    "Stop",
+    "Tags",
+    "TagsRead",
+    "Telemetry",
+    "Text",
+    "ToPage",
+    "TryOwnBlock",
+    "Undo",
+    "UseLibrary",
+    "Variables",
+    "Version",
+    "View",
+    "WatchCamera",
+    "Welcome",
+    "WhenNow",
+    "WorldChecked",
+    "WorldChoice",
+    "WorldToEdit",
+    "Worlds",
+]
