@@ -10,16 +10,16 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
-from learnblock.block_commands import blocks_group
+from learnblock.commands.blocks import blocks_group
+from learnblock.commands.libraries import library_group
+from learnblock.commands.new import new_group
+from learnblock.commands.perception import component_command, perception_group
+from learnblock.commands.robots import emulate_command, robots_group
+from learnblock.commands.sets import sets_command
+from learnblock.commands.tags import tags_group
 from learnblock.console import ExitCode, print_json
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
 from learnblock.files import save
-from learnblock.library_commands import library_group
-from learnblock.new_commands import new_group
-from learnblock.perception_commands import component_command, perception_group
-from learnblock.robot_commands import emulate_command, robots_group
-from learnblock.set_commands import sets_command
-from learnblock.tag_commands import tags_group
 
 if TYPE_CHECKING:
     from learnblock.running import Source

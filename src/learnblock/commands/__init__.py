@@ -1,0 +1,1 @@
+"""The command line's parts: a module for each group of commands that `learnblock.cli` has."""
