@@ -7,10 +7,6 @@ export interface Variable {
   readonly name: string;
   readonly type: string;
   readonly default?: unknown;
-  readonly min?: number;
-  readonly max?: number;
-  readonly step?: number;
-  readonly options?: readonly string[];
   readonly translate?: Words;
 }
 

@@ -68,9 +68,9 @@ function Value({ argument, value, set }: ValueProps) {
     case "choice":
       return (
         <select value={value} onChange={take}>
-          {choices(argument).map(([text, name]) => (
-            <option key={name} value={name}>
-              {text}
+          {allowed.options?.map(([label, choice]) => (
+            <option key={choice} value={choice}>
+              {label}
             </option>
           ))}
         </select>
@@ -90,10 +90,6 @@ function Value({ argument, value, set }: ValueProps) {
     case "tag":
       return <input value={value} onInput={take} />;
   }
-}
-
-function choices({ allowed: { options = [] } }: Argument): (readonly [string, string])[] {
-  return options.map((one) => (typeof one === "string" ? [one, one] : one));
 }
 
 function Outcome({ editing: { trying } }: { editing: Editing }) {

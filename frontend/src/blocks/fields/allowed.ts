@@ -2,10 +2,10 @@
 
 import type * as Blockly from "blockly/core";
 
-/** A choice by its value, or by what is shown for it and its value. */
-type Choice = string | readonly [label: string, value: string];
+/** A choice: what is shown for it, and its value. */
+type Choice = readonly [label: string, value: string];
 
-/** Limits of a number, or the values to choose from; what is not said is free. */
+/** Limits of a number, or what there is to choose from; what is not said is free. */
 export interface Allowed {
   readonly min?: number;
   readonly max?: number;

@@ -30,7 +30,7 @@ export class FieldChoice extends Blockly.FieldDropdown {
 
 function choices(this: Blockly.FieldDropdown): Blockly.MenuOption[] {
   const { options = [] } = allowedAt(this as Blockly.Field);
-  const found = options.map((one): Blockly.MenuOption => (typeof one === "string" ? [one, one] : [one[0], one[1]]));
+  const found = options.map(([label, value]): Blockly.MenuOption => [label, value]);
   const own = this.getValue() ?? "";
   return found.length && found.some((option) => option[1] === own) ? found : [[own, own], ...found];
 }
