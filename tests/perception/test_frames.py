@@ -19,8 +19,9 @@ def test_a_picture_passes_unchanged():
         (np.zeros((3, 4), np.uint8), r"shape is \(3, 4\)"),
         (np.zeros((3, 4, 4), np.uint8), r"shape is \(3, 4, 4\)"),
         (np.zeros((0, 4, 3), np.uint8), r"is empty, its shape is \(0, 4, 3\)"),
+        (np.zeros((1, 8193, 3), np.uint8), "a side has 8192 pixels at most"),
     ],
-    ids=["none", "list", "float", "grey", "rgba", "empty"],
+    ids=["none", "list", "float", "grey", "rgba", "empty", "long"],
 )
 def test_what_is_no_picture_is_refused_with_what_was_expected(frame, message):
     with pytest.raises(FrameError, match=message):
