@@ -6,8 +6,8 @@ from numpy.typing import NDArray
 from learnblock.errors import LearnBlockError
 
 Frame = NDArray[np.uint8]
-#: Pixels; no camera's picture has a longer side, and OpenCV would search a single row of millions of
-#: them for hours.
+#: Pixels; no camera's picture has a longer side, and a single row of millions of them OpenCV would
+#: search for hours.
 LONGEST_SIDE = 8192
 
 
