@@ -1,5 +1,7 @@
 """The dialogs of the blocks that people make themselves, as a pupil sees them."""
 
+import re
+
 from playwright.sync_api import expect
 
 #: Ten lines of Python.
@@ -70,6 +72,7 @@ class Bench:
         """Save, and wait until that is done."""
         self.dialog.get_by_role("button", name="Save", exact=True).click()
         expect(self.dialog.get_by_text("is saved, and in the palette")).to_be_visible()
+        expect(self.dialog.get_by_role("heading", name=re.compile("^Block "))).to_be_visible()
 
     def close(self):
         self.dialog.get_by_role("button", name="Close").click()

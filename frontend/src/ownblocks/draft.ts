@@ -28,6 +28,8 @@ export class Draft {
   readonly previews = signal<readonly OwnBlockPreview[]>([]);
   /** As JSON: what was written, or else what the server makes of the source. */
   readonly configuration = computed(() => this.written.value.configuration || (this.checked.value?.configuration ?? ""));
+  /** Whether what the server said is about what is written now. */
+  readonly current = computed(() => this.answered.value === this.written.value);
   readonly dirty = computed(() => !same(this.written.value, this.original.value));
 
   private readonly original = signal<Written>(this.written.peek());
@@ -37,7 +39,7 @@ export class Draft {
   private asked: Written | null = null;
   /** The configuration without what the source says by itself: what is chosen in the form goes into it. */
   private chosen = "";
-  private answered: Written | null = null;
+  private readonly answered = signal<Written | null>(null);
   /** Whether it is to be saved as soon as the server has answered. */
   private waiting = false;
   private saving: Written | null = null;
@@ -92,7 +94,7 @@ export class Draft {
 
   save(): void {
     // Its name is that of its function, which the server is still reading.
-    this.waiting = !this.named && this.answered !== this.written.peek();
+    this.waiting = !this.named && !this.current.peek();
     if (this.waiting) return;
     const { name, source, configuration } = this.written.peek();
     if (!name.trim()) return this.refuse(t("ownblocks.nameless"));
@@ -130,7 +132,7 @@ export class Draft {
     this.checked.value = message;
     const { configuration = "" } = message;
     if (configuration) this.show(message);
-    this.answered = this.written.peek();
+    this.answered.value = this.written.peek();
     if (this.waiting) this.save();
   }
 

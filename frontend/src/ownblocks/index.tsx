@@ -1,5 +1,6 @@
 /** The dialog in which a block of the user's own is written: code, words, a try, and what is wrong. */
 
+import { effect, type Signal } from "@preact/signals";
 import { render } from "preact";
 
 import { PageContext, type Page } from "../chrome/page";
@@ -9,12 +10,12 @@ import { Editor } from "./editor";
 import "./ownblocks.css";
 
 /**
- * @param name of the block; empty for a new one.
+ * @param name of the block, which follows what it is saved as; empty for a new one.
  * @param line of its source to go to, from 1; 0 for none.
  */
-export function createOwnBlockEditor(page: Page, name: string, line: number): Island {
+export function createOwnBlockEditor(page: Page, name: Signal<string>, line: number): Island {
   const dom = document.createElement("div");
-  const editing = new Editing(page, name, line);
+  const editing = new Editing(page, name.peek(), line);
   dom.className = "own-block";
   dom.addEventListener("keydown", (event) => pressed(event, editing), { capture: true });
   dom.addEventListener("keydown", stayInCode);
@@ -24,7 +25,11 @@ export function createOwnBlockEditor(page: Page, name: string, line: number): Is
     </PageContext.Provider>,
     dom,
   );
+  const unfollow = effect(() => {
+    name.value = editing.draft.saved.value || name.peek();
+  });
   const destroy = () => {
+    unfollow();
     render(null, dom);
     editing.destroy();
   };

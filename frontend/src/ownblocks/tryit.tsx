@@ -35,7 +35,7 @@ export function TryIt({ editing }: { editing: Editing }) {
           </label>
         ))}
         <div class="own-block-run">
-          <button type="submit" class="button filled" disabled={!preview || context.running.active.value}>
+          <button type="submit" class="button filled" disabled={!preview || !draft.current.value || context.running.active.value}>
             {t("ownblocks.try", { robot })}
           </button>
           <button type="button" class="button bordered" disabled={!trying.active.value} onClick={() => trying.stop()}>

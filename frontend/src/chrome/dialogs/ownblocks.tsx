@@ -131,12 +131,13 @@ function OutcomeLine() {
 export function OwnBlockDialog({ name }: { name: OwnBlockDialogName }) {
   const page = usePage();
   useFocusAfterwards();
+  const saved = useSignal(name.ownBlock);
   const close = () => page.dialogs.close();
   const load = async () => {
     const { createOwnBlockEditor } = await import("../../ownblocks");
-    return createOwnBlockEditor(page, name.ownBlock, name.line);
+    return createOwnBlockEditor(page, saved, name.line);
   };
-  const title = name.ownBlock ? t("ownblocks.edit", { name: name.ownBlock }) : t("ownblocks.newTitle");
+  const title = saved.value ? t("ownblocks.edit", { name: saved.value }) : t("ownblocks.newTitle");
   return (
     <Dialog title={title} close={close} size="whole">
       <IslandPlace load={load} />
