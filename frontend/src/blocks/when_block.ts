@@ -2,6 +2,7 @@
 
 import * as Blockly from "blockly/core";
 
+import { FreeChoice } from "./free_choice";
 import { changeShape, stepButton } from "./step_button";
 
 interface WhenState {
@@ -86,23 +87,10 @@ function usesOf(workspace: Blockly.Workspace, name: string): Blockly.Block[] {
   );
 }
 
-/** A choice among the `when`s; a name that none has is kept and shown. */
-class FieldWhen extends Blockly.FieldDropdown {
+/** A choice among the `when`s, however late they come. */
+class FieldWhen extends FreeChoice {
   constructor() {
     super(choices);
-  }
-
-  // Anew each time: the name is among them however late the `when`s themselves come.
-  override getOptions(): Blockly.MenuOption[] {
-    return super.getOptions(false);
-  }
-
-  protected override doClassValidation_(value?: string): string | null {
-    return value ?? null;
-  }
-
-  protected override getText_(): string | null {
-    return this.getValue();
   }
 }
 

@@ -3,28 +3,15 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
+import { FreeChoice } from "../free_choice";
 import { actionsOf } from "../menus";
 import { allowedAt } from "./allowed";
 import { openPanel } from "./panel";
 
-/** A choice among those that the parameter names; what a program says besides is kept and shown. */
-export class FieldChoice extends Blockly.FieldDropdown {
+/** A choice among those that the parameter names: only a block that has found its place knows them. */
+export class FieldChoice extends FreeChoice {
   constructor() {
     super(choices);
-  }
-
-  // Anew each time: only a block that has found its place knows what is allowed there.
-  override getOptions(): Blockly.MenuOption[] {
-    return super.getOptions(false);
-  }
-
-  protected override doClassValidation_(value?: string): string | null {
-    return value ?? null;
-  }
-
-  protected override getText_(): string | null {
-    const found = this.getOptions().find((option) => option[1] === this.getValue());
-    return found ? String(found[0]) : this.getValue();
   }
 }
 
