@@ -20,6 +20,7 @@ import { language } from "./i18n";
 import { LibraryShelf } from "./libraries/shelf";
 import { Shelf } from "./ownblocks/shelf";
 import { MachineSettings } from "./machine/settings";
+import { RobotMaker } from "./newrobot/maker";
 import { theme } from "./preferences";
 import { Program } from "./program";
 import { runError } from "./runerror";
@@ -58,6 +59,7 @@ function assemble(): Page {
     blockSets,
     tags,
     machine: new MachineSettings(connection),
+    robotMaker: new RobotMaker(connection),
     shelf,
     libraries: new LibraryShelf(connection),
     announcer: new Announcer(context),

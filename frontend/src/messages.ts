@@ -9,6 +9,10 @@ export interface Answer {
   text: string;
 }
 
+export interface BeginRobot {
+  kind: "BeginRobot";
+}
+
 export interface Block {
   type: string;
   id: string;
@@ -407,6 +411,12 @@ export interface MakeLibrary {
   own?: string[];
 }
 
+export interface MakeRobot {
+  kind: "MakeRobot";
+  name: string;
+  description: string;
+}
+
 export interface New {
   kind: "New";
   name?: string;
@@ -595,10 +605,32 @@ export interface Robot {
   emotion?: string;
 }
 
+export interface RobotBegun {
+  kind: "RobotBegun";
+  description: string;
+}
+
 export interface RobotChoice {
   name: string;
   title: string;
   simulated: boolean;
+}
+
+export interface RobotMade {
+  kind: "RobotMade";
+  name: string;
+  files?: string[];
+  problems?: RobotProblem[];
+}
+
+export interface RobotProblem {
+  message: string;
+  line?: number;
+}
+
+export interface Robots {
+  kind: "Robots";
+  robots: RobotChoice[];
 }
 
 export interface Run {
@@ -892,7 +924,9 @@ export type FromPage =
   | RemoveLibrary
   | DownloadLibrary
   | MakeLibrary
-  | UseLibrary;
+  | UseLibrary
+  | BeginRobot
+  | MakeRobot;
 
 export type ToPage =
   | Welcome
@@ -931,4 +965,7 @@ export type ToPage =
   | Libraries
   | LibrariesRead
   | Exportable
-  | LibraryMade;
+  | LibraryMade
+  | RobotBegun
+  | RobotMade
+  | Robots;

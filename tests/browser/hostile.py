@@ -78,6 +78,8 @@ SAID = {
     "DownloadLibrary": {"name": "songs"},
     "MakeLibrary": {"name": "songs", "version": "1.0", "functions": ["f"], "own": ["dance"]},
     "UseLibrary": {"name": "songs"},
+    "BeginRobot": {},
+    "MakeRobot": {"name": "rover", "description": "[body]\nlength = -1"},
 }
 assert set(SAID) == {kind.__name__ for kind in get_args(FromPage)}
 WRONG = (

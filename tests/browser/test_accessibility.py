@@ -165,6 +165,7 @@ DIALOGS = {
     "names of tags": names_of_tags,
     "settings of robots": lambda pupil: settings(pupil, "Settings of robots…", "Address"),
     "perception": lambda pupil: settings(pupil, "Perception…", "Webcam"),
+    "new robot": lambda pupil: settings(pupil, "New robot…", "Description (TOML)"),
     "tour": lambda pupil: help_menu(pupil, "A tour of the page"),
 }
 

@@ -3,7 +3,8 @@
 import pytest
 
 from learnblock.errors import RobotDescriptionError
-from learnblock.new.robot_plan import named, plan_of, read_plan
+from learnblock.new import template
+from learnblock.new.robot_plan import named, parse_plan, plan_of, read_plan
 from learnblock.simulator.robot_description import RobotFile
 from new_robots import EVERYTHING, guide
 
@@ -68,3 +69,9 @@ def test_values_from_elsewhere_are_checked_alike():
 
 def test_a_description_gets_another_name(read):
     assert named(read(guide()), "rover").name == "rover"
+
+
+def test_the_description_that_a_page_begins_with_is_that_of_the_guide():
+    description = template.read("robot/description.toml")
+    assert guide().strip() == description.strip()
+    assert parse_plan(description).title == "Pathfinder"

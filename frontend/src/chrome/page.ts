@@ -11,6 +11,7 @@ import type { Dialogs } from "./dialogs/dialogs";
 import type { LibraryShelf } from "../libraries/shelf";
 import type { Shelf } from "../ownblocks/shelf";
 import type { MachineSettings } from "../machine/settings";
+import type { RobotMaker } from "../newrobot/maker";
 import type { TagDictionary } from "../tags/dictionary";
 import type { Project } from "./project";
 import type { Toasts } from "./notes/toasts";
@@ -25,6 +26,7 @@ export interface Page {
   readonly blockSets: BlockSetLibrary;
   readonly tags: TagDictionary;
   readonly machine: MachineSettings;
+  readonly robotMaker: RobotMaker;
   readonly shelf: Shelf;
   readonly libraries: LibraryShelf;
   readonly toasts: Toasts;

@@ -38,6 +38,7 @@ export class Project {
     connection.on("Welcome", (welcome) => this.begin(welcome));
     connection.on("Projects", ({ projects }) => this.listed(projects));
     connection.on("Opened", ({ name }) => this.opened(name));
+    connection.on("Robots", ({ robots }) => (this.welcome.value &&= { ...this.welcome.value, robots }));
     connection.on("Worlds", ({ worlds }) => (this.worlds.value = worlds));
     connection.on("History", (history) => (this.history.value = history));
     connection.on("File", ({ filename, text }) => saveFile(filename, text, "text/plain"));

@@ -89,6 +89,17 @@ def read_plan(file: Path) -> RobotPlan:
     return description_file.read(file, RobotPlan, RobotDescriptionError, _check)
 
 
+def parse_plan(source: str) -> RobotPlan:
+    """A description in a text.
+
+    Raises:
+        RobotDescriptionError: the text is wrong.
+    """
+    name, error = "the description", RobotDescriptionError
+    values = description_file.parse(source, name, error)
+    return description_file.convert(values, RobotPlan, error, _check, name=name, source=source)
+
+
 def plan_of(values: Mapping[str, Any]) -> RobotPlan:
     """A description whose values come from elsewhere.
 

@@ -115,11 +115,16 @@ def welcome(folder: str) -> Welcome:
     """
     return Welcome(
         version=version("learnblock-studio"),
-        robots=tuple(map(_robot_choice, robots.entries().values())),
+        robots=robot_choices(),
         worlds=world_choices(),
         examples=tuple(examples().values()),
         folder=folder,
     )
+
+
+def robot_choices() -> tuple[RobotChoice, ...]:
+    """The robots there are."""
+    return tuple(map(_robot_choice, robots.entries().values()))
 
 
 def _robot_choice(entry: robots.RobotEntry) -> RobotChoice:

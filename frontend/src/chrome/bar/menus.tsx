@@ -39,6 +39,7 @@ export function HelpMenu() {
     { text: t("project.examples"), run: () => dialogs.show("examples") },
     { text: t("settings.title"), separated: true, run: () => dialogs.show("settings") },
     { text: t("machine.robotsMenu"), run: () => dialogs.show("robotSettings") },
+    { text: t("newrobot.menu"), run: () => dialogs.show("newRobot") },
     { text: t("machine.perceptionMenu"), run: () => dialogs.show("perception") },
   ];
   return <Menu label={t("bar.help")} icon="help" items={items} side="right" />;

@@ -14,6 +14,7 @@ export type DialogName =
   | "tags"
   | "robotSettings"
   | "perception"
+  | "newRobot"
   | "ownBlocks"
   | "libraries"
   | { readonly delete: string }

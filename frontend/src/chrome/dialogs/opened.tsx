@@ -7,6 +7,7 @@ import { ExamplesDialog } from "./examples";
 import { HistoryDialog } from "./history";
 import { IslandPlace } from "../widgets/island";
 import { LibrariesDialog } from "./libraries";
+import { NewRobotDialog } from "./newrobot";
 import { OpenDialog } from "./open";
 import { OwnBlockDialog, OwnBlocksDialog } from "./ownblocks";
 import { usePage } from "../page";
@@ -27,6 +28,7 @@ const DIALOGS = {
   tags: TagsDialog,
   robotSettings: RobotSettingsDialog,
   perception: PerceptionDialog,
+  newRobot: NewRobotDialog,
   ownBlocks: OwnBlocksDialog,
   libraries: LibrariesDialog,
 } as const;

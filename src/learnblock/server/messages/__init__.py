@@ -112,6 +112,14 @@ from learnblock.server.messages.projects import (
     Version,
     Welcome,
 )
+from learnblock.server.messages.robots import (
+    BeginRobot,
+    MakeRobot,
+    RobotBegun,
+    RobotMade,
+    RobotProblem,
+    Robots,
+)
 from learnblock.server.messages.running import (
     Answer,
     CameraFrame,
@@ -222,6 +230,8 @@ FromPage = (
     | DownloadLibrary
     | MakeLibrary
     | UseLibrary
+    | BeginRobot
+    | MakeRobot
 )
 
 ToPage = (
@@ -262,6 +272,9 @@ ToPage = (
     | LibrariesRead
     | Exportable
     | LibraryMade
+    | RobotBegun
+    | RobotMade
+    | Robots
 )
 
 __all__ = [
@@ -273,6 +286,7 @@ __all__ = [
     "MOST_SKILLS",
     "MOST_TAGS",
     "Answer",
+    "BeginRobot",
     "BlockSetRead",
     "BlockSets",
     "BlocksShown",
@@ -331,6 +345,7 @@ __all__ = [
     "ListOwnBlocks",
     "ListProjects",
     "MakeLibrary",
+    "MakeRobot",
     "Message",
     "Name",
     "New",
@@ -365,7 +380,11 @@ __all__ = [
     "RestoreOwnBlock",
     "Resume",
     "Robot",
+    "RobotBegun",
     "RobotChoice",
+    "RobotMade",
+    "RobotProblem",
+    "Robots",
     "Run",
     "RunState",
     "SaveAs",

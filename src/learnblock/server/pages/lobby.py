@@ -15,6 +15,7 @@ from learnblock.server.pages import (
     own_blocks,
     past,
     projecting,
+    robot_making,
     settings,
     tags,
     world_editing,
@@ -35,6 +36,7 @@ HANDLERS = {
     **settings.HANDLERS,
     **libraries.HANDLERS,
     **own_blocks.HANDLERS,
+    **robot_making.HANDLERS,
 }
 
 

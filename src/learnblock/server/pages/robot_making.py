@@ -1,0 +1,55 @@
+"""What is done when a page has a robot made from its description."""
+
+from collections.abc import Mapping
+
+from anyio import to_thread
+
+from learnblock.errors import FileTakenError, NewNameError, RobotDescriptionError
+from learnblock.home import home
+from learnblock.server import catalog, messages
+from learnblock.server.pages.page import Handler, Page
+
+
+async def _begin(page: Page, _: messages.BeginRobot) -> None:
+    from learnblock.new.template import read  # noqa: PLC0415 - few pages make robots
+
+    page.tell(messages.RobotBegun(read("robot/description.toml")))
+
+
+async def _make(page: Page, message: messages.MakeRobot) -> None:
+    try:
+        files = await to_thread.run_sync(_written, message.name.strip(), message.description)
+    except RobotDescriptionError as error:
+        problems = (messages.RobotProblem(one.message, one.line) for one in error.diagnostics)
+        page.tell(messages.RobotMade(message.name, problems=tuple(problems)))
+        return
+    page.sessions.tell(messages.Robots(await to_thread.run_sync(catalog.robot_choices)))
+    page.tell(messages.RobotMade(message.name.strip(), files))
+
+
+def _written(name: str, description: str) -> tuple[str, ...]:
+    """Write a robot's files; answer their paths.
+
+    Raises:
+        NewNameError: it cannot be called that.
+        RobotDescriptionError: the description is wrong.
+        OSError: a file cannot be written.
+    """
+    from learnblock.new.files import write_new  # noqa: PLC0415 - as above
+    from learnblock.new.names import check_robot_name  # noqa: PLC0415
+    from learnblock.new.robot import files_at_home  # noqa: PLC0415
+    from learnblock.new.robot_plan import named, parse_plan  # noqa: PLC0415
+
+    check_robot_name(name)
+    files = files_at_home(named(parse_plan(description), name), home())
+    try:
+        write_new(files)
+    except FileTakenError:
+        raise NewNameError(f"there is a robot `{name}` already: choose another name") from None
+    return tuple(map(str, files))
+
+
+HANDLERS: Mapping[type, Handler] = {
+    messages.BeginRobot: _begin,
+    messages.MakeRobot: _make,
+}

@@ -1,0 +1,83 @@
+"""A robot is made from its description on the page."""
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+from learnblock.new.template import read
+
+WRONG = read("robot/description.toml").replace("radius = 33", "radius = -1")
+
+
+@pytest.fixture
+def pupil(sit_down, own_server):
+    """Before a server whose home nobody else uses."""
+    return sit_down(own_server)
+
+
+@pytest.fixture
+def dialog(pupil):
+    pupil.press("Help and settings")
+    pupil.page.get_by_role("menuitem", name="New robot…").click()
+    return pupil.page.get_by_role("dialog", name="New robot")
+
+
+def test_a_robot_is_made_from_its_description_and_its_twin_is_chosen(dialog, pupil):
+    expect(described(dialog)).to_have_value(re.compile("maximum_speed"))
+    dialog.get_by_role("textbox", name="Name").fill("pathfinder")
+    pupil.picture("description")
+    dialog.get_by_role("button", name="Make the robot").click()
+    expect(dialog).to_contain_text("sim_pathfinder.py")
+    pupil.picture("made")
+    dialog.get_by_role("button", name="Use its twin").click()
+    expect(pupil.page.get_by_role("combobox", name="Robot")).to_have_value("sim-pathfinder")
+    pupil.choose("Speed", "As fast as it goes")
+    pupil.press("Run")
+    pupil.state("Ended")
+
+
+def test_what_is_wrong_with_a_description_is_told_at_its_line(dialog, pupil):
+    expect(described(dialog)).not_to_be_empty()
+    described(dialog).fill(WRONG)
+    dialog.get_by_role("textbox", name="Name").fill("rover")
+    dialog.get_by_role("button", name="Make the robot").click()
+    expect(dialog.get_by_role("alert")).to_contain_text("wheels.radius")
+    dialog.get_by_role("button", name=re.compile("^Line ")).click()
+    assert selected(described(dialog)) == "radius = -1"
+    pupil.page.keyboard.press("Escape")
+    # Nothing that was written is lost.
+    pupil.press("Help and settings")
+    pupil.page.get_by_role("menuitem", name="New robot…").click()
+    expect(described(dialog)).to_have_value(WRONG)
+
+
+def test_a_name_that_is_taken_or_leads_elsewhere_is_refused(dialog):
+    expect(described(dialog)).not_to_be_empty()
+    for name, told in {"cozmo": "there is a robot", "../away": "cannot be called"}.items():
+        dialog.get_by_role("textbox", name="Name").fill(name)
+        dialog.get_by_role("button", name="Make the robot").click()
+        expect(dialog.get_by_role("alert")).to_contain_text(told)
+
+
+def test_in_spanish_by_keyboard(pupil):
+    pupil.press("Language")
+    pupil.page.get_by_role("menuitemradio", name="Español").click()
+    pupil.page.get_by_role("button", name="Ayuda").focus()
+    pupil.page.keyboard.press("Enter")
+    pupil.page.get_by_role("menuitem", name="Robot nuevo…").focus()
+    pupil.page.keyboard.press("Enter")
+    dialog = pupil.page.get_by_role("dialog", name="Robot nuevo")
+    expect(dialog.get_by_role("textbox", name="Descripción")).not_to_be_empty()
+    dialog.get_by_role("textbox", name="Nombre").focus()
+    pupil.page.keyboard.type("cozmo")
+    pupil.page.keyboard.press("Enter")
+    expect(dialog.get_by_role("alert")).to_contain_text("ya hay un robot `cozmo`")
+
+
+def described(dialog):
+    return dialog.get_by_role("textbox", name="Description")
+
+
+def selected(box):
+    return box.evaluate("box => box.value.slice(box.selectionStart, box.selectionEnd)")
