@@ -113,11 +113,14 @@ function Made() {
         ))}
       </ul>
       <p class="dim">{t("newrobot.next")}</p>
-      <Actions cancel={() => dialogs.close()}>
+      <div class="actions">
+        <button type="button" class="button bordered" onClick={() => dialogs.close()}>
+          {t("chrome.close")}
+        </button>
         <button type="button" class="button filled" ref={button} onClick={use}>
           {t("newrobot.use")}
         </button>
-      </Actions>
+      </div>
     </>
   );
 }
