@@ -1,7 +1,15 @@
 """Files that are written as a whole or not at all."""
 
 import os
+import re
 from pathlib import Path
+
+_DEVICE = re.compile(r"(?:con|prn|aux|nul|com\d|lpt\d)(?:\..*)?", re.IGNORECASE)
+
+
+def is_device_name(name: str) -> bool:
+    """Whether Windows keeps the name to a device, with any ending: no file can be called so."""
+    return bool(_DEVICE.fullmatch(name))
 
 
 def save(path: Path, data: bytes) -> None:

@@ -99,9 +99,7 @@ class Table(Generic[SettingsT]):
             known = [one.name for one in msgspec.structs.fields(self.kind)]
             raise UnknownNameError(f"setting of {self.owner}", name, known)
         value = field.default if text is None else _value(text, self._types()[name])
-        changed = self._converted({**_as_dict(self.load()), name: value})
-        self._save(changed)
-        return changed
+        return self.change_all({name: value})
 
     def wrong(self, values: Mapping[str, Any]) -> dict[str, str]:
         """Why some of these values cannot be: a sentence for each of them, by name."""

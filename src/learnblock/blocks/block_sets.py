@@ -25,7 +25,7 @@ from msgspec import Meta, Struct
 
 from learnblock import description_file
 from learnblock.errors import BlockSetError, Diagnostic, UnknownNameError
-from learnblock.files import save
+from learnblock.files import is_device_name, save
 from learnblock.home import home
 
 #: Our own, in the order of the lessons.
@@ -36,7 +36,6 @@ MOST_OWN = 200
 
 _FOLDER = Path(__file__).parent / "sets"
 _NAME = re.compile(r"\w(?:[\w -]{0,58}\w)?")
-_RESERVED = re.compile(r"con|prn|aux|nul|com\d|lpt\d", re.IGNORECASE)
 
 Language = Annotated[str, Meta(min_length=2, max_length=20)]
 Title = Annotated[str, Meta(max_length=100)]
@@ -174,7 +173,7 @@ def checked_name(name: str) -> str:
         BlockSetError: it is one of ours, or no name of a file.
     """
     name = unicodedata.normalize("NFC", name)
-    if not _NAME.fullmatch(name) or _RESERVED.fullmatch(name):
+    if not _NAME.fullmatch(name) or is_device_name(name):
         _refuse(
             name,
             f"a set of blocks cannot be called {name!r:.80}: use up to 60 letters, digits, `-`, `_`"

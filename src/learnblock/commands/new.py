@@ -56,13 +56,11 @@ def robot(
     filled in; each says what it must do.
     """
     from learnblock.home import home  # noqa: PLC0415 - `--help` needs none of it
-    from learnblock.new.files import write_new  # noqa: PLC0415
     from learnblock.new.robot import files_at_home, files_of_package  # noqa: PLC0415
 
     plan = _plan(name, description)
     files = files_of_package(plan, folder) if folder else files_at_home(plan, home())
-    write_new(files, force=force)
-    _tell(files)
+    _write(files, force=force)
     test = next(path for path in files if path.name.startswith("test_"))
     if folder:
         click.echo(f"Next: pip install -e {shlex.quote(f'{folder}[test]')}, and then")
@@ -80,12 +78,10 @@ def robot(
 def skill(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 - a flag of click
     """Write a skill, which is a block at once, and its test."""
     from learnblock.home import home  # noqa: PLC0415
-    from learnblock.new.files import write_new  # noqa: PLC0415
     from learnblock.new.skill import skill_files  # noqa: PLC0415
 
     files = skill_files(name, folder or home())
-    write_new(files, force=force)
-    _tell(files)
+    _write(files, force=force)
     click.echo(f"Next: change what it does. In Block-Text it is function.{name}().")
 
 
@@ -96,12 +92,10 @@ def skill(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 
 def world(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 - a flag of click
     """Write a world for the simulator, with one thing of each kind."""
     from learnblock.home import home  # noqa: PLC0415
-    from learnblock.new.files import write_new  # noqa: PLC0415
     from learnblock.new.world import world_files  # noqa: PLC0415
 
     files = world_files(name, folder or home())
-    write_new(files, force=force)
-    _tell(files)
+    _write(files, force=force)
     given = name if folder is None else str(next(iter(files)))
     click.echo(f"Next: learnblock run PROGRAM --world {shlex.quote(given)}")
 
@@ -122,6 +116,9 @@ def _plan(name: str | None, description: Path | None) -> "RobotPlan":
     return plan
 
 
-def _tell(files: Mapping[Path, str]) -> None:
+def _write(files: Mapping[Path, str], *, force: bool) -> None:
+    from learnblock.new.files import write_new  # noqa: PLC0415 - `--help` needs none of it
+
+    write_new(files, force=force)
     for path in files:
         click.echo(f"wrote {path}")

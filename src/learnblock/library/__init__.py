@@ -11,7 +11,16 @@ from learnblock.library.contents import Library, from_files
 from learnblock.library.making import make, own_skills
 from learnblock.library.manifest import Manifest, Name, Version, manifest, order
 from learnblock.library.renaming import renamed
-from learnblock.library.shelf import Shelved, install, installed, remove, shelved, versions, write
+from learnblock.library.shelf import (
+    Shelved,
+    install,
+    installed,
+    readable,
+    remove,
+    shelved,
+    versions,
+    write,
+)
 
 __all__ = [
     "ENDING",
@@ -32,6 +41,7 @@ __all__ = [
     "own_skills",
     "pack",
     "read",
+    "readable",
     "remove",
     "renamed",
     "shelved",

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 from learnblock.blocks import builtin
 from learnblock.blocks.known import known
-from learnblock.blocks.libraries import blocks, installed, texts
+from learnblock.blocks.libraries import installed_blocks
 from learnblock.blocks.reserved import RESERVED
-from learnblock.errors import Diagnostic, LearnBlockError, LibraryError
+from learnblock.errors import Diagnostic, LibraryError
 from learnblock.library.contents import Library
 from learnblock.library.making import own_skills
 
@@ -64,7 +64,11 @@ def refuse_clashes(libraries: Iterable[Library]) -> None:
 def _others(coming: Iterable[str]) -> Mapping[str, str]:
     """Who has which name, but for the libraries that come anew."""
     found = {name: "a plugin" for name, one in known().items() if not one.library}
-    found |= {skill: f"the library {name}" for name, skill in _installed() if name not in coming}
+    found |= {
+        one.name: f"the library {one.library}"
+        for one in installed_blocks()
+        if one.library not in coming
+    }
     found |= {
         skill: f"your own blocks in {stem}.py"
         for stem, skills in own_skills().items()
@@ -72,13 +76,3 @@ def _others(coming: Iterable[str]) -> Mapping[str, str]:
     }
     found |= dict.fromkeys(builtin(), "LearnBlock's own")
     return found | dict.fromkeys(RESERVED, "every robot's own")
-
-
-def _installed() -> Iterable[tuple[str, str]]:
-    for name, folder in installed().items():
-        try:
-            skills = blocks(name, texts(folder))
-        except (LearnBlockError, OSError):
-            # One that cannot be read takes no names.
-            continue
-        yield from ((name, one.name) for one in skills)

@@ -11,11 +11,7 @@ from learnblock import description_file
 from learnblock.blocks.libraries import MANIFEST
 from learnblock.description_file import Finding
 from learnblock.errors import LibraryError
-
-#: Names of devices, which Windows gives to no folder.
-_DEVICES = frozenset(
-    ["con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(10))]
-)
+from learnblock.files import is_device_name
 
 Name = Annotated[
     str,
@@ -97,6 +93,6 @@ def write_manifest(given: Manifest) -> str:
 
 
 def _findings(given: Manifest) -> Iterator[Finding]:
-    if keyword.iskeyword(given.name) or given.name in _DEVICES:
+    if keyword.iskeyword(given.name) or is_device_name(given.name):
         message = f'name is "{given.name}", which no library can be called; choose another name'
         yield Finding(("name",), "name-taken", message)

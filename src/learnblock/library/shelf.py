@@ -49,15 +49,17 @@ def installed(name: str) -> Library:
         UnknownNameError: there is none of that name.
         LearnBlockError: it is broken.
     """
-    found = libraries.installed()
-    if name not in found:
-        raise UnknownNameError("library", name, found)
-    return read(found[name])
+    return read(_folder_of(name))
+
+
+def readable() -> dict[str, Library]:
+    """The installed libraries that are not broken, by name."""
+    return {one.name: one.library for one in shelved() if one.library}
 
 
 def versions() -> dict[str, str]:
     """The version of each library that is installed and can be read."""
-    return {one.name: one.library.manifest.version for one in shelved() if one.library}
+    return {name: library.manifest.version for name, library in readable().items()}
 
 
 def install(coming: Iterable[Library], *, replace: bool = False) -> tuple[Library, ...]:
@@ -77,7 +79,7 @@ def install(coming: Iterable[Library], *, replace: bool = False) -> tuple[Librar
     coming = tuple(coming)
     _refuse_twice(coming)
     refuse_clashes(coming)
-    there = {one.name: one.library for one in shelved()}
+    there = readable()
     new = tuple(one for one in coming if not _is_same(there.get(one.name), one))
     if not replace:
         for library in new:
@@ -94,13 +96,18 @@ def remove(name: str) -> None:
         UnknownNameError: there is none of that name.
         OSError: it cannot be moved.
     """
-    found = libraries.installed()
-    if name not in found:
-        raise UnknownNameError("library", name, found)
+    present = _folder_of(name)
     trash = folder() / ".trash" / name
     trash.parent.mkdir(exist_ok=True)
     _delete(trash)
-    found[name].rename(trash)
+    present.rename(trash)
+
+
+def _folder_of(name: str) -> Path:
+    found = libraries.installed()
+    if name not in found:
+        raise UnknownNameError("library", name, found)
+    return found[name]
 
 
 def _shelved(name: str, path: Path) -> Shelved:

@@ -7,13 +7,13 @@ from pathlib import Path
 from learnblock.blocks import all_configurations
 from learnblock.blocks.reserved import RESERVED
 from learnblock.errors import NewNameError
+from learnblock.files import is_device_name
 from learnblock.robots import entries
 
 LONGEST = 40
 """Characters of a name."""
 
 _ROBOT = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
-_OF_WINDOWS = re.compile(r"con|prn|aux|nul|com\d|lpt\d")
 _FUNCTION = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 
 
@@ -60,7 +60,7 @@ def check_skill_name(name: str, file: Path) -> None:
 
 def _is_free(module: str) -> bool:
     """Whether neither Python nor a file system uses the name itself."""
-    reserved = keyword.iskeyword(module) or _OF_WINDOWS.fullmatch(module)
+    reserved = keyword.iskeyword(module) or is_device_name(module)
     return len(module) <= LONGEST and not reserved
 
 

@@ -8,6 +8,7 @@ from typing import Literal
 from learnblock.blocks.configuration import BlockConfiguration
 from learnblock.blocks.written import written
 from learnblock.errors import Diagnostic, OwnBlockError
+from learnblock.files import is_device_name
 
 #: Where a problem lies.
 Part = Literal["name", "source", "configuration"]
@@ -15,7 +16,6 @@ LONGEST_NAME = 60
 
 # No separators and no dots, and neither end may be what Windows strips or Unix hides.
 _NAME = re.compile(r"[^\W_](?:[\w -]*[\w-])?")
-_RESERVED = re.compile(r"con|prn|aux|nul|com\d|lpt\d", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +98,7 @@ def checked_name(name: str) -> str:
             f"a block cannot be called {name!r:.80}: letters, digits, blanks, `-` and `_` make a"
             f" name, at most {LONGEST_NAME} of them, and it begins with a letter or digit"
         )
-    elif _RESERVED.fullmatch(name):
+    elif is_device_name(name):
         wrong = f"`{name}` is a device's name on Windows: choose another one"
     if wrong:
         raise OwnBlockError(name, [Diagnostic("wrong-name", wrong)])

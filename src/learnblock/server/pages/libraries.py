@@ -104,8 +104,7 @@ def _renamed(file: messages.LibraryFile) -> Library:
 def _looked_at(files: tuple[messages.LibraryFile, ...]) -> messages.LibrariesRead:
     found = [_opened(file) for file in files]
     clashes = library.clashes(one for one, _ in found if one is not None)
-    versions = library.shelved()
-    there = {one.name: one.library for one in versions if one.library is not None}
+    there = library.readable()
     return messages.LibrariesRead(
         tuple(
             _file(file, one, problem, there, clashes)

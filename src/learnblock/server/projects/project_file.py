@@ -33,6 +33,7 @@ from msgspec import Meta, Struct, field
 from learnblock import library
 from learnblock.blocks.block_sets import EVERYTHING, BlockNames, BlockSet
 from learnblock.errors import Diagnostic, ProjectError, did_you_mean
+from learnblock.files import is_device_name
 from learnblock.language.workspace import Workspace
 from learnblock.running import DEFAULT_ROBOT
 from learnblock.server.messages import MOST_BREAKPOINTS, MOST_CARRIED, Id
@@ -47,7 +48,6 @@ MOST_LIBRARIES = 1000
 
 # No separators, and neither end may be what Windows strips or Unix hides.
 _NAME = re.compile(r"[^\W_](?:[\w .-]*[\w-])?")
-_RESERVED = re.compile(r"(?:con|prn|aux|nul|com\d|lpt\d)(?:\..*)?", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -123,7 +123,7 @@ def checked_name(name: str) -> str:
             f"a project cannot be called {name!r:.120}: letters, digits, blanks, `-`, `_` and `.`"
             f" make a name, at most {LONGEST_NAME} of them, and it begins with a letter or digit",
         )
-    if _RESERVED.fullmatch(name):
+    if is_device_name(name):
         _refuse(name, "wrong-name", f"`{name}` is a device's name on Windows: choose another one")
     return name
 
