@@ -228,8 +228,8 @@ def _list_of(known: Sequence[str]) -> str:
 
 
 def _near(value: object, allowed: inspect.Type) -> str:
-    choices = [str(choice) for choice in _choices(allowed)]
-    hint = did_you_mean(value, choices) if isinstance(value, str) else ""
+    known = list(map(str, choices(allowed)))
+    hint = did_you_mean(value, known) if isinstance(value, str) else ""
     return f"; {hint}" if hint else ""
 
 
@@ -274,24 +274,27 @@ def _describe_list(allowed: inspect.TupleType | inspect.VarTupleType) -> str:
     return f"a list of {allowed.min_length or 0} to {allowed.max_length} entries, each {item}"
 
 
-def _bare(allowed: inspect.Type) -> inspect.Type:
-    return _bare(allowed.type) if isinstance(allowed, inspect.Metadata) else allowed
+def bare(allowed: inspect.Type) -> inspect.Type:
+    """A type without what is said of it."""
+    return bare(allowed.type) if isinstance(allowed, inspect.Metadata) else allowed
 
 
-def _alternatives(allowed: inspect.Type) -> list[inspect.Type]:
-    bare = _bare(allowed)
-    return list(map(_bare, bare.types)) if isinstance(bare, inspect.UnionType) else [bare]
+def alternatives(allowed: inspect.Type) -> list[inspect.Type]:
+    """The types of which a value may have one."""
+    kind = bare(allowed)
+    return list(map(bare, kind.types)) if isinstance(kind, inspect.UnionType) else [kind]
 
 
 def _fields(allowed: inspect.Type) -> tuple[inspect.Field, ...]:
-    for kind in _alternatives(allowed):
+    for kind in alternatives(allowed):
         if isinstance(kind, inspect.StructType):
             return kind.fields
     return ()
 
 
-def _choices(allowed: inspect.Type) -> list[object]:
-    kinds = _alternatives(allowed)
+def choices(allowed: inspect.Type) -> list[object]:
+    """The values that are allowed by themselves."""
+    kinds = alternatives(allowed)
     return [
         choice for kind in kinds if isinstance(kind, inspect.LiteralType) for choice in kind.values
     ]
@@ -308,7 +311,7 @@ def _type_at(root: inspect.Type, path: KeyPath) -> inspect.Type:
 def _entry(allowed: inspect.Type, step: str | int) -> inspect.Type:
     if isinstance(step, str):
         return next(field.type for field in _fields(allowed) if field.encode_name == step)
-    for kind in _alternatives(allowed):
+    for kind in alternatives(allowed):
         if isinstance(kind, inspect.TupleType):
             return kind.item_types[step]
         if isinstance(kind, inspect.VarTupleType):

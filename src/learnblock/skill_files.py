@@ -1,7 +1,8 @@
 """Python files of skills, read without running them: whatever stands in one does nothing yet."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,6 +12,7 @@ from learnblock.home import home
 
 if TYPE_CHECKING:
     import ast
+    from importlib.metadata import EntryPoint
 
 #: Bytes; longer files are no skills that a person wrote.
 LARGEST = 1024 * 1024
@@ -21,6 +23,13 @@ _DEFINITION = re.compile(r"^def[ \t]+([^\W\d_]\w*)[ \t]*\([ \t]*[^\W\d*)]", re.M
 def own_files() -> tuple[Path, ...]:
     """The files in the ``skills`` folder of `home`, in the order of their names."""
     return tuple(sorted(filter(Path.is_file, (home() / "skills").glob("*.py"))))
+
+
+def plugins() -> "Iterable[EntryPoint]":
+    """The installed plugins: each names a module by an entry point ``learnblock.skills``."""
+    from importlib.metadata import entry_points  # noqa: PLC0415 - it searches all that is installed
+
+    return entry_points(group="learnblock.skills")
 
 
 def read(path: Path) -> str:
@@ -45,13 +54,31 @@ def parse(source: str, filename: str) -> "ast.Module":
         ProgramError: it is no Python.
     """
     import ast  # noqa: PLC0415 - most programs have no skills of their own
-    import warnings  # noqa: PLC0415
+
+    with _told(source, filename):
+        return ast.parse(source, filename)
+
+
+def require_python(source: str, filename: str) -> None:
+    """Refuse also what Python would refuse when it is imported; it is translated, and not run.
+
+    Raises:
+        ProgramError: it is no Python.
+    """
+    with _told(source, filename):
+        compile(source, filename, "exec", dont_inherit=True)
+
+
+@contextmanager
+def _told(source: str, filename: str) -> Iterator[None]:
+    """What Python says of a file, in our words."""
+    import warnings  # noqa: PLC0415 - most programs have no skills of their own
 
     try:
         with warnings.catch_warnings():
             # Who wrote the file hears of these when it is run.
             warnings.simplefilter("ignore")
-            return ast.parse(source, filename)
+            yield
     except SyntaxError as error:
         place = (error.lineno or 0, error.offset or 0, error.end_offset or 0)
         raise ProgramError(filename, [_no_python(error.msg, *place)], source) from None

@@ -8,9 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from learnblock import skill_files
 from learnblock.blocks import builtin
 from learnblock.blocks.configuration import BlockConfiguration, Parameter
-from learnblock.blocks.derivation import derive, derive_plugin, fitted, plugins
+from learnblock.blocks.derivation import derive, derive_plugin, fitted
 from learnblock.blocks.load import load_configurations
 from learnblock.blocks.signature import signatures
 from learnblock.errors import LearnBlockError, ProgramError
@@ -294,7 +295,9 @@ def test_a_plugin_s_skills_are_read_without_importing_it(tmp_path, monkeypatch, 
     monkeypatch.syspath_prepend(str(tmp_path))
     plugin(monkeypatch, module)
 
-    assert ["rumba"] == [block.name for point in plugins() for _, block in derive_plugin(point)]
+    assert ["rumba"] == [
+        block.name for point in skill_files.plugins() for _, block in derive_plugin(point)
+    ]
     assert "lb_dances" not in sys.modules
 
 
@@ -303,4 +306,4 @@ def test_a_plugin_whose_module_is_missing_is_named(monkeypatch, module):
     plugin(monkeypatch, module)
 
     with pytest.raises(LearnBlockError, match=f"the plugin `dances` names the module {module}"):
-        [*derive_plugin(*plugins())]
+        [*derive_plugin(*skill_files.plugins())]

@@ -2,7 +2,7 @@
 
 import importlib.util
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from importlib.machinery import ModuleSpec
 from pathlib import Path
@@ -117,13 +117,6 @@ def may_be(argument: Argument, field: FieldType) -> bool:
         return True
     is_plain = argument.field.range is None
     return is_plain and field.type in _FINER.get(argument.field.type, ())
-
-
-def plugins() -> "Iterable[EntryPoint]":
-    """The installed plugins: each names a module by an entry point ``learnblock.skills``."""
-    from importlib.metadata import entry_points  # noqa: PLC0415 - it searches all that is installed
-
-    return entry_points(group="learnblock.skills")
 
 
 def derive_plugin(point: "EntryPoint") -> Iterator[tuple[Signature, BlockConfiguration]]:

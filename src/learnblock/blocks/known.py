@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from learnblock import skill_files
 from learnblock.blocks.configuration import BlockConfiguration, Configurations
-from learnblock.blocks.derivation import derive_plugin, derived, fitted, plugins
+from learnblock.blocks.derivation import derive_plugin, derived, fitted
 from learnblock.blocks.libraries import installed_blocks
 from learnblock.blocks.load import builtin, completed, load_configurations
 from learnblock.blocks.reserved import RESERVED
@@ -23,7 +23,7 @@ def known() -> Configurations:
     search = _Search({**builtin()})
     for path in skill_files.own_files():
         search.users(path)
-    for point in plugins():
+    for point in skill_files.plugins():
         search.plugin(point)
     for block in installed_blocks():
         search.found.setdefault(block.name, block)

@@ -1,8 +1,8 @@
 """Our detectors as components, for whoever asks."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping
 from types import MappingProxyType
+from typing import Any, ClassVar
 
 from learnblock.components.labels import label_of
 from learnblock.components.pictures import Order, unpacked
@@ -17,58 +17,49 @@ from learnblock.vision.settings import TABLE, WHY_EMOTIONS_ARE_OFF
 LOOPBACK = "127.0.0.1"
 
 
-class Tags:
-    """Apriltag.
+class Component:
+    """What answers in the place of one of RoboComp's components.
 
     Args:
         order: of the numbers of pictures; None finds it out for each.
     """
 
+    #: Whose findings it tells.
+    detector: ClassVar[str]
+    #: Where such a component usually listens.
+    port: ClassVar[int]
+
     def __init__(self, order: Order | None) -> None:
         self._order = order
+
+    def _found(self, picture: Picture) -> Any:
+        return detect(self.detector, unpacked(picture, self._order))
+
+
+class Tags(Component):
+    """Apriltag."""
+
+    detector = "tags"
+    port = 25000
 
     def processimage(self, picture: Picture) -> tuple[FoundTag, ...]:
-        frame = unpacked(picture, self._order)
-        return tuple(FoundTag(tag.id, *map(round, tag.center)) for tag in detect("tags", frame))
+        return tuple(FoundTag(tag.id, *map(round, tag.center)) for tag in self._found(picture))
 
 
-class Emotions:
-    """EmotionRecognition.
+class Emotions(Component):
+    """EmotionRecognition."""
 
-    Args:
-        order: of the numbers of pictures; None finds it out for each.
-    """
-
-    def __init__(self, order: Order | None) -> None:
-        self._order = order
+    detector = "emotions"
+    port = 10006
 
     def processimage(self, picture: Picture) -> tuple[FoundEmotion, ...]:
-        frame = unpacked(picture, self._order)
-        found = map(_told, detect("emotions", frame))
+        found = map(_told, self._found(picture))
         return tuple(one for one in found if one is not None)
 
 
-@dataclass(frozen=True, slots=True)
-class Kind:
-    """A component that we can be.
-
-    Args:
-        detector: whose findings it tells.
-        port: where such a component usually listens.
-        make: makes what answers.
-    """
-
-    detector: str
-    port: int
-    make: Callable[[Order | None], object]
-
-
 #: By the identities of their objects.
-COMPONENTS: Mapping[str, Kind] = MappingProxyType(
-    {
-        "apriltag": Kind("tags", 25000, Tags),
-        "emotionrecognition": Kind("emotions", 10006, Emotions),
-    }
+COMPONENTS: Mapping[str, type[Component]] = MappingProxyType(
+    {"apriltag": Tags, "emotionrecognition": Emotions}
 )
 
 
@@ -101,7 +92,7 @@ def serve(
     kind = COMPONENTS[name]
     if not TABLE.load().permits(kind.detector, drawn=drawn):
         raise LearnBlockError(_refusal(name))
-    servant = Servant(interfaces(Layout.TOOL)[name], kind.make(order))
+    servant = Servant(interfaces(Layout.TOOL)[name], kind(order))
     adapter = Adapter(host)
     wanted = kind.port if port is None else port
     try:

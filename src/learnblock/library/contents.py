@@ -1,7 +1,6 @@
 """A library as a value, and as the files that it consists of."""
 
 import re
-import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -11,7 +10,7 @@ from types import MappingProxyType
 from learnblock import language, skill_files
 from learnblock.blocks import BlockConfiguration, load_configurations
 from learnblock.blocks.libraries import CONFIGURATIONS, MANIFEST, blocks, skills_in
-from learnblock.errors import Diagnostic, LibraryError, ProgramError
+from learnblock.errors import Diagnostic, LibraryError
 from learnblock.language import names
 from learnblock.language.extraction import extracted
 from learnblock.language.nodes import Assign, Blank, Comment, Def
@@ -107,7 +106,7 @@ def check(library: Library, where: str) -> None:
     seen: dict[str, str] = {}
     for file, text in library.files.items():
         if file.endswith(".py"):
-            _refuse_no_python(text, file)
+            skill_files.require_python(text, file)
         for skill in skills_in(file, text):
             if skill.name in seen:
                 message = f"the skill `{skill.name}` stands in {seen[skill.name]} as well: keep one"
@@ -118,18 +117,6 @@ def check(library: Library, where: str) -> None:
         raise LibraryError(where, [Diagnostic("no-skill", message)])
     if library.configurations:
         load_configurations(library.configurations)
-
-
-def _refuse_no_python(source: str, filename: str) -> None:
-    """Refuse what Python would refuse when it is imported; it is translated, and not run."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            compile(source, filename, "exec", dont_inherit=True)
-    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
-        line = (error.lineno or 0) if isinstance(error, SyntaxError) else 0
-        message = f"this is no Python: {error.msg if isinstance(error, SyntaxError) else error}"
-        raise ProgramError(filename, [Diagnostic("syntax-error", message, line)], source) from None
 
 
 def _texts(files: Mapping[str, bytes], where: str) -> dict[str, str]:

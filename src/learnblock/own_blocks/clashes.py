@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 
 from learnblock import skill_files
-from learnblock.blocks.derivation import derive_plugin, plugins
+from learnblock.blocks.derivation import derive_plugin
 from learnblock.blocks.libraries import installed_blocks
 from learnblock.blocks.load import builtin
 from learnblock.blocks.reserved import RESERVED
@@ -40,7 +40,7 @@ def _of_library(name: str) -> str:
 
 
 def _of_plugins() -> Iterator[str]:
-    for point in plugins():
+    for point in skill_files.plugins():
         # One that cannot be read is told wherever all blocks are asked for.
         with suppress(LearnBlockError, OSError):
             for signature, _ in derive_plugin(point):

@@ -45,7 +45,7 @@ def described(settings: Table[Any]) -> Iterator[Setting]:
     found = inspect.type_info(settings.kind)
     assert isinstance(found, inspect.StructType)  # noqa: S101 - for the type checker
     for one, field in zip(settings.describe(), found.fields, strict=True):
-        kind = _bare(field.type)
+        kind = description_file.bare(field.type)
         yield Setting(
             name=one.name,
             sort=_sort(kind),
@@ -54,7 +54,7 @@ def described(settings: Table[Any]) -> Iterator[Setting]:
             allowed=description_file.describe(kind),
             description=_description(field.type),
             **_bounds(kind),
-            choices=tuple(_choices(kind)),
+            choices=tuple(map(str, description_file.choices(kind))),
             secret=one.name in _SECRET,
         )
 
@@ -101,14 +101,6 @@ def _video(name: str) -> str:
     return str(found)
 
 
-def _bare(kind: inspect.Type) -> inspect.Type:
-    return _bare(kind.type) if isinstance(kind, inspect.Metadata) else kind
-
-
-def _alternatives(kind: inspect.Type) -> list[inspect.Type]:
-    return list(map(_bare, kind.types)) if isinstance(kind, inspect.UnionType) else [kind]
-
-
 def _sort(kind: inspect.Type) -> Sort:
     sorts: dict[type[inspect.Type], Sort] = {
         inspect.BoolType: "boolean",
@@ -118,21 +110,15 @@ def _sort(kind: inspect.Type) -> Sort:
         inspect.TupleType: "list",
         inspect.VarTupleType: "list",
     }
-    found = [sorts.get(type(one), "text") for one in _alternatives(kind)]
+    found = [sorts.get(type(one), "text") for one in description_file.alternatives(kind)]
     return next((one for one in found if one != "choice"), found[0])
 
 
 def _bounds(kind: inspect.Type) -> dict[str, Any]:
-    for one in _alternatives(kind):
+    for one in description_file.alternatives(kind):
         if isinstance(one, inspect.IntType | inspect.FloatType):
             return {"least": one.ge, "most": one.le}
     return {}
-
-
-def _choices(kind: inspect.Type) -> Iterator[str]:
-    for one in _alternatives(kind):
-        if isinstance(one, inspect.LiteralType):
-            yield from map(str, one.values)
 
 
 def _description(kind: inspect.Type) -> str:

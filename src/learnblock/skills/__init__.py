@@ -108,10 +108,7 @@ def _imported(names: Collection[str] | None) -> dict[str, Skill]:
 def _plugins(names: Collection[str] | None) -> dict[str, Skill]:
     if names is not None and not names:
         return {}
-    from importlib.metadata import entry_points  # noqa: PLC0415 - it searches all that is installed
-
-    points = entry_points(group="learnblock.skills")
-    return _of_modules((point.load() for point in points), names)
+    return _of_modules((point.load() for point in skill_files.plugins()), names)
 
 
 def _users(names: Collection[str] | None) -> dict[str, Skill]:
