@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 from learnblock import skill_files
 from learnblock.errors import Diagnostic, LibraryError
+from learnblock.skill_names import places, replaced
 
 
 def renamed(source: str, name: str, new: str, filename: str) -> str:
@@ -22,28 +23,12 @@ def renamed(source: str, name: str, new: str, filename: str) -> str:
     """
     tree = skill_files.parse(source, filename)
     _refuse(tree, name, new, filename)
-    lines = [line.encode("utf-8", "surrogatepass") for line in source.split("\n")]
-    old = name.encode()
-    for line, column in sorted(_places(tree, name, lines), reverse=True):
-        text, end = lines[line - 1], column + len(old)
-        if text[column:end] != old:
+    found = tuple(places(tree, source, {name}))
+    for place in found:
+        if not place.is_plain:
             message = f"`{name}` is written in an unusual way: rename it there by hand"
-            raise LibraryError(filename, [Diagnostic("two-meanings", message, line)])
-        lines[line - 1] = text[:column] + new.encode() + text[end:]
-    return b"\n".join(lines).decode("utf-8", "surrogatepass")
-
-
-def _places(tree: ast.Module, name: str, lines: list[bytes]) -> Iterator[tuple[int, int]]:
-    """Where a skill is named: lines from 1, columns in bytes from 0."""
-    for node in ast.walk(tree):
-        match node:
-            case ast.FunctionDef(name=found) if found == name:
-                yield node.lineno, lines[node.lineno - 1].find(name.encode(), node.col_offset + 3)
-            case ast.Name(id=found) if found == name:
-                yield node.lineno, node.col_offset
-            case ast.Attribute(value=ast.Name(id="robot"), attr=found) if found == name:
-                end = node.end_col_offset or 0
-                yield node.end_lineno or 0, end - len(name.encode())
+            raise LibraryError(filename, [Diagnostic("two-meanings", message, place.line)])
+    return replaced(source, found, {name: new})
 
 
 def _refuse(tree: ast.Module, name: str, new: str, filename: str) -> None:

@@ -1,13 +1,13 @@
 """A copy of a block, whose functions have other names: no two skills share one."""
 
-import ast
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 from learnblock import skill_files
 from learnblock.blocks.written import written
 from learnblock.own_blocks import chosen as choices
+from learnblock.skill_names import places, replaced
 
 
 def new_names(functions: Collection[str], wish: str, taken: Collection[str]) -> Mapping[str, str]:
@@ -36,27 +36,8 @@ def renamed_source(source: str, names: Mapping[str, str]) -> str:
         ProgramError: it is no Python.
     """
     tree = skill_files.parse(source, "block.py")
-    # From the end, so that what is still to be changed stays where it was.
-    places = sorted(_places(tree, names), reverse=True)
-    lines = [line.encode() for line in source.split("\n")]
-    for row, column, name in places:
-        line = lines[row - 1]
-        at = line.find(name.encode(), column)
-        lines[row - 1] = line[:at] + names[name].encode() + line[at + len(name.encode()) :]
-    return b"\n".join(lines).decode()
-
-
-def _places(tree: ast.Module, names: Collection[str]) -> Iterator[tuple[int, int, str]]:
-    """Line, and byte of the line at or before which a name begins."""
-    for node in ast.walk(tree):
-        match node:
-            case ast.FunctionDef(name=name) if name in names:
-                yield node.lineno, node.col_offset + len("def"), name
-            case ast.Name(id=name) if name in names:
-                yield node.lineno, node.col_offset, name
-            case ast.Attribute(value=ast.Name(id="robot") as robot, attr=name) if name in names:
-                if node.end_lineno == robot.end_lineno and robot.end_col_offset is not None:
-                    yield node.lineno, robot.end_col_offset, name
+    # One that is written in an unusual way stays, and the check of the copy tells it.
+    return replaced(source, (one for one in places(tree, source, names) if one.is_plain), names)
 
 
 def renamed_configuration(configuration: str, names: Mapping[str, str]) -> str:
