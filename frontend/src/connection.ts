@@ -57,6 +57,14 @@ export class Connection {
     return () => known.delete(listener as Listener);
   }
 
+  /** Be told why the server has refused one of these requests; otherwise as `on`. */
+  onRefused(requests: readonly FromPage["kind"][], listener: (reason: string) => void): () => void {
+    const known = new Set<string>(requests);
+    return this.on("Failed", ({ message, request = "" }) => {
+      if (known.has(request)) listener(message);
+    });
+  }
+
   /** Be told of camera frames; the `CameraFrame` message before says what each is. */
   onFrame(listener: FrameListener): () => void {
     this.frameListeners.add(listener);

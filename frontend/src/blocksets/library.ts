@@ -9,14 +9,14 @@ import type { Draft } from "./ticks";
 
 export const EVERYTHING: BlockSet = { name: "everything" };
 
-const REQUESTS = new Set<string>([
+const REQUESTS = [
   "ListBlockSets",
   "ChooseBlockSet",
   "ReadBlockSet",
   "SaveBlockSet",
   "DeleteBlockSet",
   "ExportBlockSet",
-] satisfies FromPage["kind"][]);
+] as const satisfies readonly FromPage["kind"][];
 
 /** As long as the server takes. */
 const LONGEST = 256 * 1024;
@@ -52,9 +52,7 @@ export class BlockSetLibrary {
       this.problems.value = problems;
     });
     connection.on("BlockSetRead", ({ set }) => (this.read.value = set));
-    connection.on("Failed", ({ message, request = "" }) => {
-      if (REQUESTS.has(request)) this.refusal.value = message;
-    });
+    connection.onRefused(REQUESTS, (reason) => (this.refusal.value = reason));
   }
 
   list(): void {

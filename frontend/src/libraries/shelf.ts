@@ -20,7 +20,7 @@ export const ENDING = ".lblib";
 /** Bytes, as many as the server takes. */
 const LARGEST = 1_000_000;
 const MOST = 20;
-const REQUESTS = new Set<string>([
+const REQUESTS = [
   "ListLibraries",
   "ReadLibraries",
   "ImportLibraries",
@@ -28,7 +28,7 @@ const REQUESTS = new Set<string>([
   "DownloadLibrary",
   "MakeLibrary",
   "UseLibrary",
-] satisfies FromPage["kind"][]);
+] as const satisfies readonly FromPage["kind"][];
 
 export class LibraryShelf {
   /** Null until the server has told. */
@@ -45,8 +45,7 @@ export class LibraryShelf {
     connection.on("LibrariesRead", ({ files }) => this.read(files));
     connection.on("Exportable", (exportable) => (this.exportable.value = exportable));
     connection.on("LibraryMade", ({ filename, content }) => this.made(filename, content));
-    connection.on("Failed", ({ message, request = "" }) => {
-      if (!REQUESTS.has(request)) return;
+    connection.onRefused(REQUESTS, (message) => {
       this.doing = null;
       this.outcome.value = { sort: "failed", text: message };
     });

@@ -10,7 +10,7 @@ export const PERCEPTION = "";
 
 export type Values = Readonly<Record<string, unknown>>;
 
-const REQUESTS = new Set<string>(["ReadSettings", "ChangeSettings"] satisfies FromPage["kind"][]);
+const REQUESTS = ["ReadSettings", "ChangeSettings"] as const satisfies readonly FromPage["kind"][];
 
 export class MachineSettings {
   /** The table that was told last; null until then. */
@@ -20,9 +20,7 @@ export class MachineSettings {
 
   constructor(private readonly connection: Connection) {
     connection.on("SettingsTable", (table) => (this.table.value = table));
-    connection.on("Failed", ({ message, request = "" }) => {
-      if (REQUESTS.has(request)) this.refusal.value = message;
-    });
+    connection.onRefused(REQUESTS, (reason) => (this.refusal.value = reason));
   }
 
   read(robot: string): void {

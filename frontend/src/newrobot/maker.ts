@@ -6,7 +6,7 @@ import type { Connection } from "../connection";
 import { t } from "../i18n";
 import type { FromPage, RobotMade, RobotProblem } from "../messages";
 
-const REQUESTS = new Set<string>(["BeginRobot", "MakeRobot"] satisfies FromPage["kind"][]);
+const REQUESTS = ["BeginRobot", "MakeRobot"] as const satisfies readonly FromPage["kind"][];
 
 /** As long as the server takes. */
 const LONGEST = 65_536;
@@ -22,9 +22,7 @@ export class RobotMaker {
   constructor(private readonly connection: Connection) {
     connection.on("RobotBegun", ({ description }) => (this.description.value ||= description));
     connection.on("RobotMade", (made) => this.hear(made));
-    connection.on("Failed", ({ message, request = "" }) => {
-      if (REQUESTS.has(request)) this.problems.value = [{ message }];
-    });
+    connection.onRefused(REQUESTS, (message) => (this.problems.value = [{ message }]));
   }
 
   /** Go on with what was written, or begin with what the server begins with. */

@@ -51,7 +51,7 @@ export class Draft {
     this.ends = [
       connection.on("OwnBlockChecked", (message) => this.hear(message)),
       connection.on("OwnBlockSaved", ({ name }) => this.hearSaved(name)),
-      connection.on("Failed", ({ message, request }) => request === "SaveOwnBlock" && this.refused(message)),
+      connection.onRefused(["SaveOwnBlock"], (reason) => this.refused(reason)),
       effect(() => this.ask(language.value, this.written.value, this.saved.value)),
     ];
   }

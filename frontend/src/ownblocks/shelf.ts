@@ -18,13 +18,13 @@ export interface Outcome {
 
 /** As long as the server takes. */
 const LONGEST = 1_000_000;
-const REQUESTS = new Set<string>([
+const REQUESTS = [
   "DuplicateOwnBlock",
   "DeleteOwnBlock",
   "RestoreOwnBlock",
   "ExportOwnBlock",
   "ImportOwnBlock",
-] satisfies FromPage["kind"][]);
+] as const satisfies readonly FromPage["kind"][];
 
 export class Shelf {
   /** Null until the server has told. */
@@ -37,8 +37,7 @@ export class Shelf {
     connection.on("Opened", () => this.list());
     connection.on("OwnBlocks", ({ blocks }) => (this.blocks.value = blocks));
     connection.on("OwnBlockSaved", ({ name }) => this.saved(name));
-    connection.on("Failed", ({ message, request = "" }) => {
-      if (!REQUESTS.has(request)) return;
+    connection.onRefused(REQUESTS, (message) => {
       this.doing = null;
       this.outcome.value = { sort: "failed", message };
     });

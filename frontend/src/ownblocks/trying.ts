@@ -26,7 +26,7 @@ export class Trying {
       connection.on("Printed", ({ text }) => this.print(text)),
       connection.on("InputWanted", ({ prompt }) => this.active.peek() && (this.prompt.value = prompt)),
       connection.on("Ended", (ended) => this.end(ended)),
-      connection.on("Failed", ({ message, request }) => request === "TryOwnBlock" && (this.refused.value = message)),
+      connection.onRefused(["TryOwnBlock"], (reason) => (this.refused.value = reason)),
     ];
   }
 

@@ -8,7 +8,7 @@ import type { ExportTags, FromPage } from "../messages";
 
 export type Names = Readonly<Record<string, number>>;
 
-const REQUESTS = new Set<string>(["SaveTags", "ReadTags", "ExportTags"] satisfies FromPage["kind"][]);
+const REQUESTS = ["SaveTags", "ReadTags", "ExportTags"] as const satisfies readonly FromPage["kind"][];
 
 /** As long as the server takes. */
 const LONGEST = 256 * 1024;
@@ -28,9 +28,7 @@ export class TagDictionary {
       this.problem.value = problem;
     });
     connection.on("TagsRead", ({ names }) => (this.read.value = names));
-    connection.on("Failed", ({ message, request = "" }) => {
-      if (REQUESTS.has(request)) this.refusal.value = message;
-    });
+    connection.onRefused(REQUESTS, (reason) => (this.refusal.value = reason));
   }
 
   save(names: Names): void {

@@ -38,7 +38,7 @@ export class Saving implements Island {
       effect(() => this.show(wrong.value)),
       connection.on("Worlds", () => this.saved()),
       connection.on("WorldChecked", ({ problems: found }) => found.length > 0 && this.refused(t("editor.wrong"))),
-      connection.on("Failed", ({ message, request }) => request === "SaveWorld" && this.refused(said(message))),
+      connection.onRefused(["SaveWorld"], (reason) => this.refused(said(reason))),
     ];
   }
 
