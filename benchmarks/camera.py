@@ -1,4 +1,4 @@
-"""How long a camera frame takes, and how much faster than life a camera runs."""
+"""Measure the time of a camera frame, and how much faster than real time a camera runs."""
 
 import math
 import statistics
@@ -17,7 +17,7 @@ CAMERA_HERTZ = 20
 def upright(
     start: tuple[float, float], end: tuple[float, float], low: float, high: float, texture: Image
 ) -> Surface:
-    """A wall whose left end, for who looks at it, is `start`."""
+    """A wall whose left end, seen from its front, is `start`."""
     corners = [(*start, high), (*end, high), (*end, low), (*start, low)]
     return Surface(np.array(corners), texture, two_sided=False)
 
@@ -59,7 +59,7 @@ def typical_world() -> list[Surface]:
 
 
 def milliseconds(task: Callable[[int], object]) -> float:
-    """The median over a drive, after a lap to warm up."""
+    """Return the median over a drive, after a lap to warm up."""
     task(0)
     times = []
     for frame in range(FRAMES):

@@ -1,4 +1,4 @@
-"""How long Block-Text takes to become Python, beside what the paper's own tool took.
+"""Measure how long Block-Text takes to become Python, compared with the paper's own tool.
 
 Run it with ``python benchmarks/conversion.py``. Each time is the best of several runs.
 """
@@ -8,7 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from learnblock.language import check, format, from_python, parse, to_python  # noqa: A004
-from learnblock.language.nodes import Comment, statements
+from learnblock.language.tree.nodes import Comment
+from learnblock.language.tree.traversal import statements
 
 CASES = Path(__file__).parent.parent / "tests" / "cases"
 LINES = (
@@ -25,7 +26,7 @@ STATEMENTS = 6
 
 
 def synthetic(count: int) -> str:
-    """A program of `count` statements."""
+    """Return a program of `count` statements."""
     return "x = 0\ny = 0\n" + ("\n".join(LINES) + "\n") * ((count - 2) // STATEMENTS)
 
 
@@ -42,7 +43,7 @@ def case(name: str) -> str:
     return (CASES / name / "program.bt").read_text(encoding="utf-8")
 
 
-# The paper's tool on a machine of the same class, in milliseconds, parse and generate.
+# The paper's tool on a similar machine, in milliseconds: parsing and generating.
 PROGRAMS = (
     ("listing 4", case("square_trajectory"), 16.0),
     ("listings 7 and 8", case("reaction_to_tags"), 50.0),

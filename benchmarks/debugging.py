@@ -1,7 +1,7 @@
-"""What it costs to watch and control a run, and how soon it obeys.
+"""Measure the cost of watching and controlling a run, and how soon a command takes effect.
 
-Run it with ``python benchmarks/debugging.py``. A debugged program is to take less than twice the
-time of another one, and a pause less than 100 ms, whatever the program does.
+Run it with ``python benchmarks/debugging.py``. A debugged program should take less than
+twice the time of another one, and a pause less than 100 ms, whatever the program does.
 """
 
 import queue
@@ -10,9 +10,10 @@ from collections.abc import Callable
 from statistics import median
 from time import perf_counter
 
+from learnblock.monitor.stage import make_stage
+
 from learnblock import robots, running
-from learnblock.robots.stage import make_stage
-from learnblock.running import Session
+from learnblock.running import ProgramRun
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.program import Program
 from learnblock.runtime.watcher import Watcher
@@ -30,7 +31,7 @@ THOUGHT = HEADER + "print('here')\nn = 0\nwhile n < 10 ** 9:\n    n += 1\n"
 
 
 class States(Watcher):
-    """Hands what is told to another thread."""
+    """Pass messages to another thread."""
 
     def __init__(self) -> None:
         self.told: queue.Queue[str] = queue.Queue()
@@ -47,7 +48,7 @@ class States(Watcher):
 
 
 def best(work: Callable[[], object]) -> float:
-    """The least time of several, in seconds."""
+    """Return the shortest of several times, in seconds."""
     times = []
     for _ in range(ROUNDS):
         began = perf_counter()
@@ -59,7 +60,7 @@ def best(work: Callable[[], object]) -> float:
 def cost(name: str, program: Program) -> None:
     robot = robots.find("sim-ebo")
     plain, debugged = (
-        best(lambda make=make: Session(program, robot, debugger=make()).run())  # type: ignore[misc]
+        best(lambda make=make: ProgramRun(program, robot, debugger=make()).run())  # type: ignore[misc]
         for make in (lambda: None, Debugger)
     )
     print(f"{name:28} {plain:6.3f} s, debugged {debugged:6.3f} s: {debugged / plain:.2f} times")
@@ -74,14 +75,14 @@ def pause_once(source: str) -> float:
     states = States()
     program = Program("program.py", source, source)
     robot = robots.find("sim-ebo")
-    session = Session(program, robot, watcher=states, debugger=Debugger())
+    session = ProgramRun(program, robot, watcher=states, debugger=Debugger())
     session.set_speed(1.0)
     thread = threading.Thread(target=session.run)
     thread.start()
     states.wait_for("here")
     began = perf_counter()
     session.pause()
-    # Of one that sleeps the world is held, of one that thinks the program.
+    # A sleeping program pauses with its world; a calculating one pauses at its next line.
     states.wait_for("paused" if source == SLEEP else "held")
     taken = perf_counter() - began
     session.stop()

@@ -1,9 +1,9 @@
-"""Every example on every robot of the paper: through the real driver and wire, against its twin.
+"""Run every example on every robot of the paper, through its real driver and wire.
 
-Run it with ``python benchmarks/drivers.py [--seconds 40] [ROBOT...]``. At the other end of each
-wire stands our emulator, whose twin is driven in real time; all robots run side by side. The table
-says for each pair how it ended, or which device is missing, and how far the robot was from where
-the same program takes the twin in lock-step, as the root mean square of the path in mm.
+Run it with ``python benchmarks/drivers.py [--seconds 40] [ROBOT...]``. Our emulator is at the
+other end of each wire and moves its twin in real time; all robots run at the same time. For each
+pair, the table shows how the run ended, or which device is missing, and how far the robot was from
+the path of the same program on the twin in lock-step, as a root mean square in mm.
 """
 
 import argparse
@@ -22,7 +22,7 @@ import tomli_w
 from learnblock.emulators import TWINS, emulate
 from learnblock.robots import find
 
-TESTS = Path(__file__).parents[1] / "tests"
+TESTS = Path(__file__).parents[1] / "tests" / "helpers"
 sys.path.insert(0, str(TESTS))
 
 from runs import EXAMPLES, WORLDS  # noqa: E402 - found through the line above
@@ -45,24 +45,24 @@ def run(example: str, robot: str, seconds: float, home: str, *more: str) -> dict
 
 
 def path_of_twin(example: str, robot: str, seconds: float, home: str) -> Track:
-    """Where the same program takes the twin in lock-step: (time s, x mm, y mm)."""
+    """Return the path of the twin in lock-step with the same program: (time s, x mm, y mm)."""
     trace = Path(home) / f"{example}.jsonl"
     world = WORLDS.get(example, "empty")
     run(example, TWINS[robot], seconds, home, "--world", world, "--trace", str(trace))
     if not trace.exists():
-        # Its check refused it: the real robot has more than its twin.
+        # The check refused it: the real robot has more devices than its twin.
         return []
     lines = map(json.loads, trace.read_text().splitlines())
     return [(line["t"], *line["pose"][:2]) for line in lines if "pose" in line]
 
 
 def settle(home: str, robot: str, chosen: dict) -> None:
-    """Have the user's settings lead to the emulator."""
+    """Write the settings with which the driver reaches the emulator."""
     (Path(home) / "settings.toml").write_text(tomli_w.dumps({"robots": {robot: dict(chosen)}}))
 
 
 def away(driven: Track, twins: Track) -> float:
-    """The root mean square of the distance between two paths at the same times, mm."""
+    """Return the root mean square of the distance between two paths at the same times, in mm."""
     times = [time for time, _, _ in twins]
     begun = next((t for t, x, y in driven if math.dist((x, y), driven[0][1:]) > 2), 0.0)
     left = next((t for t, x, y in twins if math.dist((x, y), twins[0][1:]) > 2), 0.0)
@@ -75,7 +75,7 @@ def away(driven: Track, twins: Track) -> float:
 
 
 def outcome(example: str, robot: str, seconds: float) -> str:
-    """One cell of the table."""
+    """Return one cell of the table."""
     with tempfile.TemporaryDirectory() as home:
         with emulate(robot, WORLDS.get(example, "empty")) as emulation:
             settle(home, robot, emulation.settings)
@@ -92,7 +92,7 @@ def outcome(example: str, robot: str, seconds: float) -> str:
 
 
 def column(robot: str, seconds: float) -> dict[str, str]:
-    """All examples on one robot, one after the other."""
+    """Run all examples on one robot, one after the other."""
     return {example: outcome(example, robot, seconds) for example in NAMES}
 
 

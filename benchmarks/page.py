@@ -1,8 +1,8 @@
-"""How quick the page is: opening it, seeing an edit in all three views, drawing the world.
+"""Measure the page: opening it, showing an edit in all three views, drawing the world.
 
     python benchmarks/page.py [opening] [sync] [drawing]
 
-It takes a built page, Playwright and a Chromium (``CHROMIUM=/path/to/it``).
+It needs a built page, Playwright and a Chromium (``CHROMIUM=/path/to/it``).
 """
 
 import json
@@ -31,11 +31,11 @@ SIZES = (100, 1000, 5000)
 ROUNDS = 20
 OPENINGS = 5
 STARTS = 5
-#: ms for which frames are counted.
+#: The time in which frames are counted, in ms.
 WATCHED = 8000
-#: ms in which the largest program is there, on a slow machine.
+#: The time in which the largest program appears on a slow machine, in ms.
 PATIENCE = 120_000
-#: The number in its second line is what is edited.
+#: The edit changes the number in its second line.
 HEAD = "main:\n    function.sleep(1)\n"
 BODY = """\
     x = x + 2 * (y - 1)
@@ -49,18 +49,18 @@ CANVAS = "[data-region=blocks] .blocklySvg > .blocklyWorkspace > .blocklyBlockCa
 NUMBER = f"{CANVAS} .lb_skill_sleep > .blocklyShadow"
 COLUMNS = ("all", "worst", "sending", "server", "showing", "painting")
 PARTS = ("opening", "sync", "drawing")
-#: Without a graphics card.
+#: There is no graphics card.
 SOFTWARE = "--enable-unsafe-swiftshader"
 
 
-# The page opens.
+# Opening the page.
 
 
 def opening(browser: Browser) -> None:
     starts = [started() for _ in range(STARTS)]
     print(f"server      {statistics.median(starts):.2f} s until the first answer")
     with serving() as address:
-        opened(browser, address)  # It makes the project that is opened from then on.
+        opened(browser, address)  # The first visit creates the project that later visits open.
         measured = [opened(browser, address) for _ in range(OPENINGS)]
     first, again = (sorted(one[index] for one in measured) for index in (0, 1))
     print(f"page ready  {median_of(first, 'ready')} ms; again, from the cache,", end=" ")
@@ -70,7 +70,7 @@ def opening(browser: Browser) -> None:
 
 
 def started() -> float:
-    """Seconds from the command to the first answer."""
+    """Return the seconds from the command to the first answer."""
     began = perf_counter()
     with serving() as address, urllib.request.urlopen(address) as answer:  # noqa: S310
         answer.read()
@@ -78,7 +78,7 @@ def started() -> float:
 
 
 def opened(browser: Browser, address: str) -> "tuple[Figures, Figures]":
-    """With nothing in the cache, and again."""
+    """Open the page with an empty cache, and again."""
     with visitor(browser) as page:
         return ready(page, address), ready(page, address)
 
@@ -89,7 +89,7 @@ def ready(page: Page, address: str) -> "Figures":
 
 
 class Figures(dict[str, float]):
-    """What was measured once."""
+    """The measurements of one opening."""
 
     def __lt__(self, other: "Figures") -> bool:
         return self["ready"] < other["ready"]
@@ -116,7 +116,7 @@ def sync(browser: Browser) -> None:
 
 
 def program(size: int) -> tuple[str, int]:
-    """A program of at least so many blocks, and how many it has."""
+    """Return a program of at least this many blocks, and their number."""
     smallest = count(HEAD + BODY + "end\n")
     each = count(HEAD + 2 * BODY + "end\n") - smallest
     times = 1 + max(0, -(-(size - smallest) // each))
@@ -125,7 +125,7 @@ def program(size: int) -> tuple[str, int]:
 
 
 def count(text: str) -> int:
-    """How many blocks a program has, without the pale ones that stand for defaults."""
+    """Count the blocks of a program, without the shadow blocks that show defaults."""
     return len(blocks(to_workspace(parse(text), builtin()).workspace))
 
 
@@ -158,7 +158,7 @@ def put_in(page: Page, text: str) -> None:
 
 
 def typed(page: Page, turn: int) -> "Sync":
-    """Another digit in Block-Text, until blocks and Python show it."""
+    """Change a digit in Block-Text, and wait until blocks and Python show it."""
     put_cursor_behind_number(page)
     page.keyboard.press("Shift+ArrowLeft")
     digit = digit_of(turn)
@@ -175,7 +175,7 @@ def put_cursor_behind_number(page: Page) -> None:
 
 
 def filled(page: Page, turn: int) -> "Sync":
-    """Another digit in a block, until both texts show it."""
+    """Change a digit in a block, and wait until both texts show it."""
     page.locator(NUMBER).first.click()
     page.locator(".blocklyHtmlInput").wait_for()
     digit = digit_of(turn)
@@ -189,12 +189,12 @@ def filled(page: Page, turn: int) -> "Sync":
 
 
 def digit_of(turn: int) -> str:
-    """Another one each turn."""
+    """Each turn types a different digit."""
     return str(2 + turn % 8)
 
 
 class Sync:
-    """ms from a key until the edit was seen, and what they were spent on."""
+    """Return the ms from a key until the edit is visible, and how they were spent."""
 
     def __init__(self, figures: dict[str, float]) -> None:
         self.whole = figures["painted"] - figures["pressed"]
@@ -222,7 +222,7 @@ def print_row(what: str, edits: list[Sync]) -> None:
     print(f"{what:22}" + "".join(f"{time:10.0f}" for time in columns), flush=True)
 
 
-# The world is drawn.
+# Drawing the world.
 
 
 def drawing(browser: Browser) -> None:
@@ -233,7 +233,7 @@ def drawing(browser: Browser) -> None:
         page.wait_for_url(re.compile("project=frames"))
         page.get_by_role("combobox", name="Robot").select_option(label="EBO")
         page.get_by_role("tab", name="Sensors").click()
-        page.get_by_role("button", name="Robot's camera").click()
+        page.get_by_role("button", name="Robot camera").click()
         page.get_by_role("button", name="Run", exact=True).click()
         page.locator(".camera-place canvas, .camera-place img").first.wait_for()
         page.wait_for_function("() => learnblock.context.running.active.value")
@@ -242,12 +242,12 @@ def drawing(browser: Browser) -> None:
     print(f"of {figures['display']:.1f} of the display; longest gap {figures['gap']:.0f} ms")
 
 
-# The surroundings.
+# The setup.
 
 
 @contextmanager
 def serving() -> Iterator[str]:
-    """The address of a server with a home of its own."""
+    """Return the address of a server with an empty home folder."""
     with tempfile.TemporaryDirectory() as home:
         command = [sys.executable, "-m", "learnblock", "--no-browser", "--port", "0"]
         environment = {**os.environ, "LEARNBLOCK_HOME": home}
@@ -264,7 +264,7 @@ def serving() -> Iterator[str]:
 
 @contextmanager
 def visitor(browser: Browser) -> Iterator[Page]:
-    """A page of somebody who has seen the tour."""
+    """Open a page that has already shown the tour."""
     likes = json.dumps({"tourDone": True, "language": "en", "sound": False})
     context = browser.new_context(viewport={"width": 1800, "height": 900}, locale="en")
     context.set_default_timeout(PATIENCE)

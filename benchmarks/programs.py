@@ -24,7 +24,7 @@ while True:
     robot.sleep(0.05)
 """
 LOOKING = STEERING.replace("is_front_obstacle(150)", "is_any_tag()")
-#: program, robots, seconds of the world, and the factor aimed at.
+#: Program, robots, seconds of the world, and the target factor.
 CASES = (
     ("1 robot", STEERING, 1, 200, 200),
     ("10 robots", STEERING, 10, 20, 30),
@@ -34,7 +34,7 @@ CASES = (
 
 
 def factor(python: str, count: int, seconds: float) -> float:
-    """Seconds of the world for one of the wall clock, once every program runs."""
+    """Return the seconds of the world for one second of real time, once all programs run."""
     simulation = Robot.make_simulation(world="tags")
     trace = Trace()
     started = 0.0
@@ -44,7 +44,7 @@ def factor(python: str, count: int, seconds: float) -> float:
 
         def make_robot(*_program: object) -> Robot:
             nonlocal started
-            # The last of them: by then every process runs.
+            # Measuring starts with the last program, when all processes run.
             started = perf_counter()
             return Robot(simulation=simulation, name=f"robot {index}")
 

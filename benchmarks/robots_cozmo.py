@@ -1,7 +1,7 @@
-"""What driving a Cozmo costs, and what a bad network does to it: ours beside bare pycozmo.
+"""Measure the cost of driving a Cozmo, and the effect of a bad network: ours and bare pycozmo.
 
-Run it with ``python benchmarks/robots_cozmo.py``. At the other end of the wire stands our emulator;
-datagrams get lost in a relay, both ways.
+Run it with ``python benchmarks/robots_cozmo.py``. Our emulator is at the other end of the wire,
+and a relay loses datagrams in both directions.
 """
 
 import logging
@@ -22,10 +22,10 @@ from learnblock.robots.cozmo import sound
 from learnblock.testing import Relay
 
 ROUNDS, CALLS = 7, 200
-#: Microseconds that a call may cost more than pycozmo's own.
+#: The microseconds that a call may cost more than pycozmo's own.
 LITTLE = 20.0
 LOSSES = (0.0, 0.02, 0.1, 0.2)
-#: Seconds after which a sound that has not arrived never will.
+#: The seconds after which a sound counts as lost.
 PATIENCE = 5.0
 TONE = sound.packed(sound.tone(440, 1.0))
 
@@ -49,7 +49,7 @@ def reached(port: int) -> Any:
 
 @contextmanager
 def bare(port: int) -> Iterator[pycozmo.Client]:
-    """pycozmo as it is."""
+    """Bare pycozmo."""
     client = pycozmo.Client(("127.0.0.1", port), enable_procedural_face=False)
     client.start()
     client.connect()
@@ -62,7 +62,7 @@ def bare(port: int) -> Iterator[pycozmo.Client]:
 
 
 def cost(work: Callable[[], object]) -> float:
-    """Microseconds of one call, at the best of some rounds, while little waits to be sent."""
+    """Return the microseconds of one call in the fastest round, while few packets wait."""
     best = float("inf")
     for _ in range(ROUNDS):
         began = perf_counter()
@@ -74,7 +74,7 @@ def cost(work: Callable[[], object]) -> float:
 
 
 def costs() -> dict[str, tuple[float, float]]:
-    """Microseconds of calls, ours and pycozmo's."""
+    """Return the microseconds of calls, ours and pycozmo's."""
     with emulated() as (_, port), reached(port) as robot:
         base, gyroscope = robot.device(Base), robot.device(Gyroscope, "Z_AXIS")
         head = robot.device(JointMotor, "CAMERA")
@@ -89,11 +89,11 @@ def costs() -> dict[str, tuple[float, float]]:
 
 
 def rates() -> tuple[float, float, float]:
-    """Reports and pictures a second, and ms until a command is with the robot."""
+    """Return reports and pictures a second, and the ms until a command reaches the robot."""
     with emulated() as (machine, port), reached(port) as robot:
         camera, frames, last = robot.device(Camera), 0, None
         reports: list[object] = []
-        # Nothing but the session knows how many there are.
+        # Only the session knows how many there are.
         robot._session.add_handler(packets.RobotState, lambda *said: reports.append(said))  # noqa: SLF001
         until = monotonic() + 3
         while monotonic() < until:
@@ -106,7 +106,7 @@ def rates() -> tuple[float, float, float]:
 
 
 def latency(robot: Any, machine: Any) -> float:
-    """Seconds until the robot has a command."""
+    """Return the seconds until a command reaches the robot."""
     known, began = machine.received["SetHeadAngle"], perf_counter()
     robot.device(JointMotor, "CAMERA").move(5)
     while machine.received["SetHeadAngle"] == known:
@@ -115,7 +115,7 @@ def latency(robot: Any, machine: Any) -> float:
 
 
 def arrived(machine: Any) -> str:
-    """How much of a sound arrives, in how long."""
+    """Return how much of a sound arrives, and how long that takes."""
     began = monotonic()
     while len(machine.heard) < len(TONE) and monotonic() - began < PATIENCE:
         threading.Event().wait(0.005)

@@ -1,8 +1,8 @@
-"""What driving an EV3 costs by each way in, to an emulated brick on this machine.
+"""Measure the cost of driving an EV3 by each kind of connection, to an emulated brick.
 
 Run it with ``python benchmarks/robots_ev3.py``. A control cycle is a command to the wheels and the
-state of all sensors that comes with its answer. Beside it stands the same conversation without us:
-the same bytes on a bare socket, or the same call of bare rpyc.
+state of all sensors in its reply. It is compared with the same exchange without our code: the same
+bytes on a bare socket, or the same call of bare rpyc.
 """
 
 import socket
@@ -23,16 +23,16 @@ from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.wheels import turns
 from learnblock.robots.ev3.wires import UNLOCK
 
-#: Short and many: the machine has other things to do too.
+#: Short and many, since the machine has other things to do too.
 ROUNDS, CYCLES = 100, 100
-#: What `move_straight(1)` says.
+#: The command that `move_straight(1)` sends.
 DRIVE = turns(1, 0, 30, 120)
-#: What a call may cost more than the bare conversation: this part of it, or so many microseconds.
+#: The allowed extra cost over the bare connection: this fraction, or so many microseconds.
 PART, LITTLE = 0.05, 20.0
 
 
 def cost(work: Callable[[], object], rounds: int = ROUNDS) -> float:
-    """Microseconds of one call, at the best of some rounds."""
+    """Return the microseconds of one call in the fastest round."""
     best = float("inf")
     for _ in range(rounds):
         began = perf_counter()
@@ -43,7 +43,7 @@ def cost(work: Callable[[], object], rounds: int = ROUNDS) -> float:
 
 
 def bare_agent(settings: Any) -> float:
-    """Lines on a socket."""
+    """Send lines over a socket."""
     chosen = Settings(**settings)
     with socket.create_connection((chosen.address, chosen.agent_port)) as connection:
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -61,7 +61,7 @@ def bare_agent(settings: Any) -> float:
 
 
 def bare_rpyc(settings: Any) -> float:
-    """A call of the function there that does the same."""
+    """Call the function on the brick that does the same."""
     with classic(settings) as connection:
         connection.execute(AGENT.read_text() + BEGIN)
         introduction = lines.introduction(Settings(**settings), "").decode()
@@ -73,7 +73,7 @@ def bare_rpyc(settings: Any) -> float:
 
 
 def papers_rpyc(settings: Any) -> float:
-    """As the paper's client did it: python-ev3dev2's motors driven from here, speeds made once."""
+    """Drive as the paper's client did: python-ev3dev2's motors from here, speeds created once."""
     with classic(settings) as connection:
         motors = connection.modules["ev3dev2.motor"]
         speed, gyroscope = motors.SpeedDPS(10), connection.modules["ev3dev2.sensor.lego"].GyroSensor
@@ -91,12 +91,12 @@ def papers_rpyc(settings: Any) -> float:
 
 
 def classic(settings: Any) -> Any:
-    """A connection of rpyc's own kind."""
+    """Connect as rpyc does by default."""
     return closing(rpyc.classic.connect(settings["address"], settings["rpyc_port"]))
 
 
 def bare_direct(settings: Any) -> float:
-    """Direct commands on a socket."""
+    """Send direct commands over a socket."""
     chosen = Settings(**settings)
     orders = direct.turn(1, 2, 300) + direct.turn(3, 2, 300)
     queries = [direct.turned(1), direct.turned(3)]
@@ -118,7 +118,7 @@ BARE = {"agent": bare_agent, "rpyc": bare_rpyc, "direct": bare_direct}
 
 
 def measure(way: str) -> None:
-    """Print one way's figures."""
+    """Print the figures of one kind of connection."""
     with emulate("ev3", "empty", connection=way) as emulation:
         settings = dict(emulation.settings)
         bare = BARE[way](settings)

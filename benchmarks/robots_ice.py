@@ -1,6 +1,6 @@
-"""Calls and pictures a second over Ice, and what our layers add to a call.
+"""Measure calls and pictures a second over Ice, and what our layers add to a call.
 
-Run it with ``python benchmarks/robots_ice.py``. The components stand on the real Ice runtime
+Run it with ``python benchmarks/robots_ice.py``. The components use the real Ice runtime
 (Debian's python3-zeroc-ice) on this machine.
 """
 
@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from time import perf_counter
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 
 from ice_runtime import components
 from learnblock.devices import Base, Camera, DistanceSensors
@@ -29,7 +29,7 @@ ROUNDS = 15
 
 
 def seconds_of(calls: Sequence[Callable[[], object]], times: int) -> list[float]:
-    """Of one call each: the least of some rounds, in which they take turns."""
+    """Return the least time of one call of each kind; the kinds take turns."""
 
     def round_of(call: Callable[[], object]) -> float:
         begun = perf_counter()

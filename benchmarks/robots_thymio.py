@@ -1,12 +1,12 @@
-"""The Thymio in Aseba's playground: its units, how often it is read, and what a call costs.
+"""Measure the Thymio in Aseba's playground: its units, its update rate, the cost of a call.
 
 Run it with ``python benchmarks/robots_thymio.py``; it needs Debian's packages aseba,
 dbus-daemon and libglib2.0-bin, and prints
 
 - the speed of a wheel at motor speed 1 and the distance between the wheels, by driving and turning;
-- what a distance sensor reads at known distances from a wall, and what our table makes of it;
-- how often what is read is renewed, against the playground's own step of 30 ms;
-- what telling the motors costs through our layers, against `thymiodirect`'s own connection.
+- a distance sensor's readings at known distances from a wall, and our table's results for them;
+- how often readings are updated, compared with the playground's step of 30 ms;
+- the cost of a motor command through our layers, compared with `thymiodirect`'s own connection.
 """
 
 import math
@@ -27,18 +27,18 @@ from learnblock.devices import Base, DistanceSensors
 from learnblock.robots.thymio import Robot, units
 from learnblock.simulator.geometry import Pose
 
-TESTS = Path(__file__).parents[1] / "tests"
+TESTS = Path(__file__).parents[1] / "tests" / "helpers"
 sys.path.insert(0, str(TESTS))
 
 from playground import Playground, missing  # noqa: E402 - found through the line above
 
-#: mm from the robot's middle to its front sensor.
+#: Distance from the robot's middle to its front sensor in mm.
 FRONT = 79.5
 SAMPLES = 12
 
 
 def speed(ground: Playground, robot: Robot) -> tuple[float, float]:
-    """(mm/s at motor speed 1, mm between the wheels), each measured over two seconds or so."""
+    """Return (mm/s at motor speed 1, wheel distance in mm), measured over about two seconds."""
     motors = robot._motors  # noqa: SLF001 - below our units
     ground.pose = Pose(-800, 0, 0)
     begin, end, seconds = driven(ground, lambda: motors.drive(300, 300), lambda: motors.drive(0, 0))
@@ -53,7 +53,7 @@ def speed(ground: Playground, robot: Robot) -> tuple[float, float]:
 def driven(
     ground: Playground, begin: Callable[[], None], end: Callable[[], None]
 ) -> tuple[Pose, Pose, float]:
-    """Where it was at two moments of a steady drive, and the seconds between them."""
+    """Return its place at two moments of a steady drive, and the seconds between them."""
     begin()
     sleep(0.5)
     first, began = ground.pose, monotonic()
@@ -65,7 +65,7 @@ def driven(
 
 
 def proximity(ground: Playground, robot: Robot, distance: float) -> list[int]:
-    """What the front sensor reads so many mm from the border."""
+    """Return the front sensor's reading this many mm from the border."""
     border = ground.world.floor.size[0] / 2
     ground.pose = Pose(border - FRONT - distance, 0, 0)
     sleep(0.15)
@@ -78,7 +78,7 @@ def proximity(ground: Playground, robot: Robot, distance: float) -> list[int]:
 
 
 def renewals(robot: Robot) -> float:
-    """How many times a second what is read is renewed."""
+    """Return how many times a second the readings are updated."""
     link = robot._link  # noqa: SLF001
     seen, began = 0, monotonic()
     last = None
@@ -91,7 +91,7 @@ def renewals(robot: Robot) -> float:
 
 
 def cost(work: Callable[[], object], times: int = 2000) -> float:
-    """Microseconds of one call, the best of five rounds."""
+    """Return the microseconds of one call, the best of five rounds."""
     rounds = []
     for _ in range(5):
         began = perf_counter()
@@ -103,10 +103,10 @@ def cost(work: Callable[[], object], times: int = 2000) -> float:
 
 
 def bare(port: int) -> tuple[float, float]:
-    """Microseconds of setting both motors, and of reading a variable, by `thymiodirect` alone.
+    """Return the microseconds of setting both motors and reading a variable by `thymiodirect`.
 
-    By its messages and its description of a node: its own connection over TCP takes half a message
-    for a whole one and is soon lost.
+    Only its messages and its description of a node are used: its own TCP connection mistakes half a
+    message for a whole one, and soon fails.
     """
     node = RemoteNode(1)
     for name in units.SOUNDS:
@@ -129,7 +129,7 @@ def bare(port: int) -> tuple[float, float]:
 
 
 def main() -> None:
-    """Measure all of it and print it."""
+    """Measure and print everything."""
     with closing(Playground("empty")) as ground:
         with Robot(**ground.settings) as robot:
             unit, track = speed(ground, robot)
@@ -143,7 +143,7 @@ def main() -> None:
                 print(f"{distance:>12} {spread} {made:>20.0f}")
             print(f"\nreadings renewed {renewals(robot):.1f} times a second; the playground's 33.3")
             base = robot.device(Base)
-            # The same speeds again would not be sent.
+            # The driver does not send the same speeds again.
             speeds = cycle((10, 20))
             ours = (
                 cost(lambda: base.move(next(speeds), 0)),

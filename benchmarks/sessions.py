@@ -1,9 +1,9 @@
-"""How many pages one server serves, each with a robot of its own that drives.
+"""Measure how many pages one server serves, each with its own driving robot.
 
     python benchmarks/sessions.py [sessions] [seconds]
 
-Every page runs an endless program at the speed of life and counts how often it is told of its
-world: it is to be ten times a second or more.
+Every page runs an endless program in real time and counts the updates of its world, which
+should be ten a second or more.
 """
 
 import asyncio
@@ -38,7 +38,7 @@ end
 
 
 class Page:
-    """A page whose robot drives; `told` are the moments at which it was told of its world."""
+    """A page whose robot drives; `told` are the times of the world updates that it received."""
 
     def __init__(self, socket: ClientConnection) -> None:
         self.told: list[float] = []
@@ -110,20 +110,20 @@ def children(process: int) -> list[int]:
 
 
 def megabytes(process: int) -> float:
-    """The memory that a process shares with no other."""
+    """Return the memory that a process does not share with others."""
     rollup = Path(f"/proc/{process}/smaps_rollup").read_text().splitlines()
     return sum(int(line.split()[1]) for line in rollup if line.startswith("Private_")) / 1024
 
 
 def processor_time(process: int) -> float:
-    """Seconds of one processor that a process has used."""
+    """Return the processor seconds that a process has used."""
     fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 @contextmanager
 def serving() -> Iterator[tuple[int, int]]:
-    """The port and the process of a server with a home of its own."""
+    """Return the port and the process of a server with an empty home folder."""
     with tempfile.TemporaryDirectory() as home:
         environment = {**os.environ, "LEARNBLOCK_TOKEN": TOKEN, "LEARNBLOCK_HOME": home}
         command = [sys.executable, "-m", "learnblock", "--no-browser", "--port", "0"]

@@ -1,8 +1,8 @@
-"""How fast the embedded world runs: microseconds a step, and how many times real time.
+"""Measure the embedded world: microseconds a step, and the factor of real time.
 
     python benchmarks/simulation.py [seconds of simulated time]
 
-Robots drive circles in the world `obstacles`, bump into one another, and read their sensors at 20
+Robots drive in circles in the world `obstacles`, bump into each other, and read their sensors at 20
 Hz, as a program does.
 """
 
@@ -19,7 +19,7 @@ ROBOTS = (1, 10, 30)
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """Wall time for a stretch of simulated time, both in seconds."""
+    """Return the wall time for a stretch of simulated time, both in seconds."""
 
     wall: float
     simulated: float

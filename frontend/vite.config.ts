@@ -5,7 +5,7 @@ import { brotliCompressSync } from "node:zlib";
 import type { Plugin } from "vite";
 import { defineConfig, loadEnv } from "vite";
 
-/** Packs once, as small as can be, what the server would otherwise pack at each opening. */
+/** Compresses the files once at the build, with the best compression, instead of at each request. */
 const brotli: Plugin = {
   name: "brotli",
   writeBundle({ dir }, bundle) {
@@ -16,33 +16,47 @@ const brotli: Plugin = {
   },
 };
 
+/** A file of words; its language is the folder's name. */
+const WORDS = /\/learnblock\/i18n\/(\w+)\/.*\.ftl/;
+
+/** One chunk for each language, loaded when it is used. */
+function wordsChunk(id: string): string | null {
+  const language = WORDS.exec(id)?.[1];
+  return language ? `words-${language}` : null;
+}
+
 export default defineConfig(({ mode }) => {
-  // `learnblock dev` starts Vite beside a server and says where that is.
+  // `learnblock dev` starts Vite beside a server and passes its address.
   const env = loadEnv(mode, ".", "LEARNBLOCK_");
-  const target = env["LEARNBLOCK_SERVER"] ?? "http://127.0.0.1:8421";
-  // To the server a page that Vite serves looks like its own.
-  const headers = { origin: target, cookie: `learnblock_token=${env["LEARNBLOCK_TOKEN"] ?? ""}` };
+  const target = env.LEARNBLOCK_SERVER ?? "http://127.0.0.1:8421";
+  // For the server, a page from Vite looks like its own.
+  const headers = { origin: target, cookie: `learnblock_token=${env.LEARNBLOCK_TOKEN ?? ""}` };
   const own = { target, changeOrigin: true, headers };
   return {
-    // Relative addresses throughout: the page also lives behind a proxy, at whatever path.
+    // Relative addresses everywhere: a proxy may serve the page at any path.
     base: "./",
     plugins: [brotli],
     build: {
       outDir: "../src/learnblock/server/static",
       emptyOutDir: true,
-      // Blockly alone is larger than Vite's idea of a large file.
+      // Shipped with the page: the licences of everything that is bundled.
+      license: { fileName: "third-party-notices.md" },
+      // Blockly alone exceeds the default limit.
       chunkSizeWarningLimit: 1500,
       rolldownOptions: {
         output: {
-          // Blockly asks for its pictures and sounds by name, in one folder.
+          // Blockly loads its pictures and sounds by name from one folder.
           assetFileNames: ({ originalFileNames }) =>
             originalFileNames.some((name) => name.includes("blockly/media/"))
               ? "media/[name][extname]"
               : "assets/[name]-[hash][extname]",
+          codeSplitting: { groups: [{ name: wordsChunk }] },
         },
       },
     },
     server: {
+      // The words of all messages are beside the Python code that sends them.
+      fs: { allow: [".", "../src/learnblock/i18n"] },
       proxy: { "/ws": { ...own, ws: true }, "/palette": own, "/textures": own, "/worlds": own },
     },
   };

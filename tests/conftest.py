@@ -1,22 +1,47 @@
-"""What all tests share."""
+"""Fixtures and settings of all tests."""
 
+import os
 import signal
 import sys
 from pathlib import Path
 
 import pytest
 
-# Modules of helpers that several tests import, such as `runs`.
-sys.path.insert(0, str(Path(__file__).parent))
+TESTS = Path(__file__).parent
 
-# A shell ignores Ctrl-C for what it starts in the background, and all that this starts inherits it.
+# Modules of helpers that several tests import, such as `runs`.
+sys.path.insert(0, str(TESTS / "helpers"))
+
+# A shell ignores Ctrl-C for background processes, and their children inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+#: Folders whose tests need a browser, or the other end of a robot's wire.
+MARKED = ("browser", "wire")
+
+
+def pytest_xdist_auto_num_workers(config):
+    """One worker per core; none for a file or a test named by hand, which starts at once."""
+    if config.args != config.getini("testpaths"):
+        return 0
+    return os.cpu_count() or 1
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    for item in items:
+        folder = item.path.relative_to(TESTS).parts[0]
+        if folder in MARKED:
+            item.add_marker(folder)
+        # The tests of a file share fixtures, such as a server, so one worker runs them all.
+        if item.get_closest_marker("spread") is None:
+            item.add_marker(pytest.mark.xdist_group(str(item.path.relative_to(TESTS))))
+
+
 @pytest.fixture(autouse=True)
 def own_home(tmp_path_factory, monkeypatch):
-    """No test sees, or changes, what the user who runs it keeps."""
+    """Use an empty home, so that no test sees or changes the files of the user who runs it."""
     home = tmp_path_factory.mktemp("home")
     monkeypatch.setenv("LEARNBLOCK_HOME", str(home))
     for name in ("WORLD", "SEED", "PACE", "TRACE"):

@@ -1,4 +1,4 @@
-"""What is closed when it is done with: by `close`, or at the end of a ``with``."""
+"""The base class of resources that are closed by `close` or at the end of a ``with``."""
 
 from abc import ABC, abstractmethod
 from types import TracebackType
@@ -6,11 +6,11 @@ from typing import Self
 
 
 class Closing(ABC):
-    """The base of what has something to give back."""
+    """A resource that is closed by `close` or at the end of a ``with``."""
 
     @abstractmethod
     def close(self) -> None:
-        """Give it back; the second time it does nothing."""
+        """Release the resource; calling it twice is harmless."""
 
     def __enter__(self) -> Self:
         return self

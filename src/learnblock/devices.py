@@ -1,16 +1,16 @@
-"""Layer 2 of the robot side, the device access interfaces.
+"""The devices of robots, and the units they use.
 
-A device is built from the functions that reach the hardware, so a new robot is a matter of writing
-those functions and nothing else:
+A device is built from the functions that access the hardware, so those functions are all that a
+new robot has to provide:
 
     >>> from learnblock.devices import Gyroscope
     >>> gyroscope = Gyroscope(read=lambda: 90.0, reset=lambda: None)
     >>> gyroscope.read()
     90.0
 
-Units and signs are fixed here and nowhere else: millimetres and mm/s (forward positive), degrees
-and degrees/s (clockwise seen from above, that is a turn to the right, positive), seconds, and
-images as uint8 RGB arrays of shape (height, width, 3).
+All devices use these units and signs: millimetres and mm/s (forward is positive), degrees and
+degrees/s (clockwise seen from above, a turn to the right, is positive), seconds, and images as
+uint8 RGB arrays of shape (height, width, 3).
 """
 
 import math
@@ -18,13 +18,13 @@ from collections.abc import Callable, Mapping, Sequence
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from learnblock.errors import DeviceValueError, did_you_mean
+from learnblock.errors import DeviceValueError, nearest
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from learnblock.vision import Vision
+    from learnblock.perception.sources import Vision
 
     Frame = NDArray[np.uint8]
 
@@ -34,12 +34,12 @@ Pose = tuple[float, float, float]
 
 #: The key of a robot's first device of a type.
 DEFAULT_KEY = "ROBOT"
-#: What a distance sensor answers when it sees nothing, in mm.
+#: The reading of a distance sensor that sees nothing, in mm.
 NOTHING_SEEN = 2000.0
 
 
 class Emotion(StrEnum):
-    """What a robot's face can show."""
+    """The emotions that a robot's face can show."""
 
     FEAR = "fear"
     SURPRISE = "surprise"
@@ -52,12 +52,12 @@ class Emotion(StrEnum):
 
 
 class Device:
-    """A device as the functions it is built from; those a robot cannot offer are left out.
+    """A device, built from functions; functions that a robot cannot offer are left out.
 
     Args:
-        functions: the functions by name. They are kept in `functions` and called from there, which
-            lets another process build the same device from calls over a link, and a recorder
-            watch what the device is told.
+        functions: the functions by name. They are stored in `functions` and called from there, so
+            that another process can build the same device from remote calls, and a recorder can
+            watch the commands.
     """
 
     def __init__(self, **functions: Function | None) -> None:
@@ -69,7 +69,7 @@ class Device:
         return f"<{type(self).__name__}: {', '.join(self.functions)}>"
 
     def _do(self, name: str, *args: object) -> bool:
-        """Call the function if the robot offers it; say whether it does."""
+        """Call the function if the robot offers it, and return whether it does."""
         function = self.functions.get(name)
         if function is None:
             return False
@@ -78,7 +78,7 @@ class Device:
 
 
 class Sensor(Device, Generic[Reading]):
-    """A device that is read."""
+    """A device with readings."""
 
     def __init__(self, read: Callable[[], Reading], **functions: Function | None) -> None:
         super().__init__(read=read, **functions)
@@ -86,23 +86,23 @@ class Sensor(Device, Generic[Reading]):
 
 
 class Base(Device):
-    """The wheels, or whatever moves the robot over the floor.
+    """The wheels or other drive of the robot.
 
     Args:
         move: `move(adv, rot)` with adv in mm/s, forward positive, and rot in degrees/s, clockwise
-            positive; both stay until the next command.
-        read: answers the pose (x mm, y mm, heading in degrees) by odometry, where there is one.
+            positive; both apply until the next command.
+        read: returns the pose (x mm, y mm, heading in degrees) by odometry; None without odometry.
     """
 
     def __init__(
         self, move: Callable[[float, float], None], read: Callable[[], Pose] | None = None
     ) -> None:
         super().__init__(move=move, read=read)
-        #: The last commanded (adv, rot).
+        #: The last command (adv, rot).
         self.speed: tuple[float, float] = (0.0, 0.0)
 
     def move(self, adv: float, rot: float) -> None:
-        """Drive at `adv` mm/s while turning at `rot` degrees/s clockwise, until told otherwise."""
+        """Drive at `adv` mm/s, turning at `rot` degrees/s clockwise, until the next command."""
         speed = number("adv", adv), number("rot", rot)
         self.functions["move"](*speed)
         self.speed = speed
@@ -115,15 +115,15 @@ class Camera(Sensor["Frame | None"]):
     """A camera.
 
     Args:
-        read: answers the newest frame, uint8 RGB (height, width, 3), 320 by 240 by default, or None
-            when there is none yet; a newer one is another object.
-        detect: `detect(name)` answers what the detector of that name (``lines``, ``tags``,
-            ``faces``, ...) finds in the newest frame, or None without a frame or such a detector;
-            by default the frame is read and searched here.
-        drawn: whether it sees drawn and simulated faces alone, in which emotions may be recognised
-            whatever the settings say.
-        focal: the lens's focal length in pixels, where it is known: it gives the poses of tags.
-        close: switches it off, where somebody has to.
+        read: returns the newest frame, uint8 RGB (height, width, 3), 320 by 240 by default, or None
+            before the first one; every new frame is a new object.
+        detect: `detect(name)` returns the result of a detector (``lines``, ``tags``, ``faces``,
+            ...) for the newest frame, or None without a frame or such a detector; by default the
+            frame is searched in this process.
+        drawn: whether it sees only drawn and simulated faces, in which emotions may be recognised
+            regardless of the settings.
+        focal: the focal length of the lens in pixels, if known; the distance to tags needs it.
+        close: switches the camera off, if that is necessary.
     """
 
     def __init__(
@@ -137,13 +137,14 @@ class Camera(Sensor["Frame | None"]):
     ) -> None:
         super().__init__(read, detect=detect or self._detect)
         self.detect: Callable[[str], Any] = self.functions["detect"]
-        self._drawn = drawn
+        #: Whether it sees drawn and simulated faces alone.
+        self.drawn = drawn
         self._focal = focal
         self._switch_off = close
         self._vision: Vision | None = None
 
     def close(self) -> None:
-        """Look no more, and switch it off; the second time it does nothing."""
+        """Stop detecting and switch the camera off; calling it twice is harmless."""
         if self._vision:
             self._vision.close()
         if self._switch_off:
@@ -151,26 +152,26 @@ class Camera(Sensor["Frame | None"]):
 
     def _detect(self, name: str) -> Any:
         if self._vision is None:
-            # Imported on first use: a robot whose camera nobody uses pays nothing for it.
-            from learnblock.vision import Vision  # noqa: PLC0415
+            # Imported on first use: programs that do not use the camera start faster without it.
+            from learnblock.perception.sources import Vision  # noqa: PLC0415
 
-            self._vision = Vision(self.read, drawn=self._drawn, focal=self._focal)
+            self._vision = Vision(self.read, drawn=self.drawn, focal=self._focal)
         return self._vision.detect(name)
 
 
 class DistanceSensors(Sensor[Mapping[str, Sequence[float]]]):
-    """Distance sensors: `read` answers front, left, right and back, each a list of mm.
+    """Distance sensors: `read` returns front, left, right and back, each a list of mm.
 
-    A sensor that looks between two directions counts for both; 2000 means nothing seen.
+    A sensor between two directions counts for both; 2000 means nothing seen.
     """
 
 
 class GroundSensors(Sensor[Mapping[str, float | None]]):
-    """The floor's brightness: left, central and right, 0 (dark) to 100, None where absent."""
+    """Ground sensors: brightness left, central and right, 0 (dark) to 100, None if absent."""
 
 
 class Gyroscope(Sensor[float]):
-    """A gyroscope: `read` answers degrees turned since `reset`, clockwise positive, not wrapped.
+    """A gyroscope: `read` returns degrees turned since `reset`, clockwise positive, not wrapped.
 
     The usual key is ``Z_AXIS``, the axis that points up.
     """
@@ -179,31 +180,31 @@ class Gyroscope(Sensor[float]):
         super().__init__(read, reset=reset)
 
     def reset(self) -> None:
-        """Make the present heading 0."""
+        """Set the current heading to 0."""
         self.functions["reset"]()
 
 
 class Accelerometer(Sensor[tuple[float, float, float]]):
-    """An accelerometer: `read` answers (x forward, y left, z up) in m/s2; z is 9.81 at rest."""
+    """An accelerometer: `read` returns (x forward, y left, z up) in m/s2; z is 9.81 at rest."""
 
 
 class LightSensor(Sensor[float]):
-    """A light sensor: `read` answers 0 (dark) to 1023."""
+    """A light sensor: `read` returns 0 (dark) to 1023."""
 
 
 class Bumper(Sensor[bool]):
-    """A bumper: `read` answers True while it touches something."""
+    """A bumper: `read` returns True while it touches something."""
 
 
 class Controller(Sensor[Mapping[str, bool]]):
-    """A hand controller: `read` answers which of its eight buttons are pressed.
+    """A hand controller: `read` returns which of its eight buttons are pressed.
 
-    They are called lUp, lLeft, lRight, lDown, rUp, rLeft, rRight and rDown.
+    The buttons are lUp, lLeft, lRight, lDown, rUp, rLeft, rRight and rDown.
     """
 
 
 class Infrared(Sensor[int | None]):
-    """An infrared remote control: `read` answers the last code received, `send` sends one."""
+    """An infrared remote control: `read` returns the last code received, `send` sends one."""
 
     def __init__(
         self, read: Callable[[], int | None], send: Callable[[int], None] | None = None
@@ -211,7 +212,7 @@ class Infrared(Sensor[int | None]):
         super().__init__(read, send=send)
 
     def send(self, code: int) -> bool:
-        """Send a code; False where the robot can only receive."""
+        """Send a code; return False if the robot can only receive."""
         return self._do("send", whole("code", code))
 
 
@@ -219,8 +220,8 @@ class JointMotor(Device):
     """A joint that moves to an angle, under a key such as ``CAMERA`` or ``ARM``.
 
     Args:
-        move: `move(degrees)`; for a camera up is positive.
-        read: answers the joint's present angle, where it can be read.
+        move: `move(degrees)`; for a camera, up is positive.
+        read: returns the current angle of the joint; None if it cannot be read.
     """
 
     def __init__(
@@ -233,11 +234,11 @@ class JointMotor(Device):
 
 
 class Display(Device):
-    """A face: a screen, or lights that stand for emotions.
+    """A face: a screen, or lights that show emotions.
 
     Args:
-        show_emotion: shows one of the emotions, given by its name.
-        show_image: shows a frame, on a screen that can.
+        show_emotion: shows an emotion, given by its name.
+        show_image: shows a frame; None if the face cannot.
     """
 
     def __init__(
@@ -250,28 +251,28 @@ class Display(Device):
         self.emotion = Emotion.NONE
 
     def show_emotion(self, emotion: Emotion | str) -> None:
-        """Show an emotion, also given by its name."""
+        """Show an emotion or the emotion with this name."""
         shown = _emotion(emotion)
         self.functions["show_emotion"](shown.value)
         self.emotion = shown
 
     def show_image(self, frame: "Frame") -> bool:
-        """Show a picture; False on a face that can only show emotions."""
+        """Show a picture; return False if the face can only show emotions."""
         return self._do("show_image", frame)
 
 
 class Led(Device):
-    """A lamp that is on or off, under the key of its place."""
+    """A lamp that is on or off; its key names its place on the robot."""
 
-    def __init__(self, set: Callable[[bool], None]) -> None:  # noqa: A002 - the field's own word
+    def __init__(self, set: Callable[[bool], None]) -> None:  # noqa: A002 - the usual word
         super().__init__(set=set)
 
-    def set(self, on: bool) -> None:  # noqa: FBT001 - a lamp is on or it is not
+    def set(self, on: bool) -> None:  # noqa: FBT001 - a lamp is either on or off
         self.functions["set"](bool(on))
 
 
 class RGBLed(Device):
-    """A lamp with a colour, under the key of its place; red, green and blue from 0 to 255."""
+    """A lamp with a colour; red, green and blue from 0 to 255. Its key names its place."""
 
     def __init__(self, set_color: Callable[[int, int, int], None]) -> None:
         super().__init__(set_color=set_color)
@@ -283,7 +284,7 @@ class RGBLed(Device):
 
 
 class Speaker(Device):
-    """A loudspeaker: `say(text)`, `play(name)` and `tone(hertz, milliseconds)`, those it can do."""
+    """A loudspeaker: `say(text)`, `play(name)` and `tone(hertz, milliseconds)`, if supported."""
 
     def __init__(
         self,
@@ -358,7 +359,7 @@ class MP3(Device):
 
 
 class Animator(Device):
-    """Plays a robot's own behaviours by name, such as Cozmo's ``Dances``."""
+    """Plays the built-in behaviours of a robot by name, such as Cozmo's ``Dances``."""
 
     def __init__(self, play: Callable[[str], None]) -> None:
         super().__init__(play=play)
@@ -394,19 +395,23 @@ DEVICE_TYPES: Mapping[str, type[Device]] = {
 
 
 def number(name: str, value: object) -> float:
-    """`value` as a finite float; a DeviceValueError names the parameter otherwise."""
-    # numpy's numbers are no subclasses of float, but they convert as every number does. Asked for
-    # in this way, and not of `typing.SupportsFloat`, it costs a hundredth.
+    """`value` as a finite float.
+
+    Raises:
+        DeviceValueError: the parameter `name` has another value.
+    """
+    # numpy's numbers are not subclasses of float, but convert like other numbers. This check is a
+    # hundred times faster than `isinstance(value, typing.SupportsFloat)`.
     convert = getattr(type(value), "__float__", None)
     if convert is None or isinstance(value, bool):
-        raise DeviceValueError(f"`{name}` must be a number, not {value!r}")
+        raise DeviceValueError("device-not-number", name=name, value=f"{value!r:.80}")
     try:
         converted: float = convert(value)
     except (OverflowError, TypeError, ValueError) as error:
-        # A whole number with 400 digits, an array of two numbers.
-        raise DeviceValueError(f"`{name}` must be a number, not {value!r:.80}: {error}") from error
+        # Such as a whole number with 400 digits, or an array of two numbers.
+        raise DeviceValueError("device-not-number", name=name, value=f"{value!r:.80}") from error
     if not math.isfinite(converted):
-        raise DeviceValueError(f"`{name}` must be a finite number, not {value!r}")
+        raise DeviceValueError("device-not-finite", name=name, value=repr(value))
     return converted
 
 
@@ -416,7 +421,7 @@ def whole(name: str, value: object) -> int:
 
 
 def clamped(name: str, value: object, most: int) -> int:
-    """`value` as a whole number from 0 to `most`, the nearest one where it lies outside."""
+    """`value` as a whole number, limited to 0 to `most`."""
     return min(max(whole(name, value), 0), most)
 
 
@@ -424,6 +429,12 @@ def _emotion(emotion: str) -> Emotion:
     try:
         return Emotion(emotion)
     except ValueError:
-        names = [known.value for known in Emotion]
-        hint = did_you_mean(str(emotion), names) or "known are: " + ", ".join(names)
-        raise DeviceValueError(f"`emotion` must be an emotion, not {emotion!r}; {hint}") from None
+        names = tuple(known.value for known in Emotion)
+        suggestion = nearest(str(emotion), names)
+        if suggestion is None:
+            raise DeviceValueError(
+                "device-unknown-emotion", emotion=repr(emotion), known=names
+            ) from None
+        raise DeviceValueError(
+            "device-unknown-emotion-like", emotion=repr(emotion), suggestion=suggestion
+        ) from None

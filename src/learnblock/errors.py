@@ -1,8 +1,7 @@
-"""Every error LearnBlock raises, and the one shape in which it says what is wrong where.
+"""The errors of LearnBlock, and the one shape in which it reports what is wrong where.
 
-Each exception belongs to the family `LearnBlockError` and to the builtin it is, so that
-`except LearnBlockError` catches ours and `except ValueError` still works for those who never heard
-of us. This module imports nothing of ours.
+Each exception belongs to the family `LearnBlockError` and to the builtin it is, so that both
+`except LearnBlockError` and `except ValueError` catch it.
 """
 
 import difflib
@@ -10,24 +9,26 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
+from learnblock.i18n import Phrase, Value
+
 Severity = Literal["error", "warning"]
 
 
 @dataclass(frozen=True, slots=True)
 class Diagnostic:
-    """One thing that is wrong in a file that a person wrote, and what to do about it.
+    """A mistake in a user's file, and what to do about it.
 
     Args:
         code: a short stable name for scripts and tests, such as ``missing-colon``.
-        message: one sentence that names the thing, its value and what was expected.
-        line: 1 for the first line; 0 where the file as a whole is meant.
-        column: 1 for the first character of the line; 0 where the whole line is meant.
-        end_column: the column behind the last character meant; 0 where it is not known.
+        message: what is wrong and what to do.
+        line: 1 for the first line; 0 for the whole file.
+        column: 1 for the first character of the line; 0 for the whole line.
+        end_column: the column after the last character of the mistake; 0 if unknown.
         severity: an ``error`` keeps the program from running, a ``warning`` does not.
     """
 
     code: str
-    message: str
+    message: Phrase
     line: int = 0
     column: int = 0
     end_column: int = 0
@@ -38,25 +39,46 @@ class Diagnostic:
         return f"{filename}:{self.line}:{self.column}: {self.code} {self.message}"
 
     def pointed(self, source: str) -> str:
-        """The line of `source` it speaks of with a caret beneath, or "" where it names no line."""
+        """Return its line of `source` with a caret below, or "" if it has no line."""
         # Not splitlines: to an editor a form feed begins no line.
         lines = [line.removesuffix("\r") for line in source.split("\n")]
         if not 1 <= self.line <= len(lines):
             return ""
         text = lines[self.line - 1]
         start = min(max(self.column, 1), len(text) + 1) - 1
-        # A tab stays a tab under the text, so that the caret stands where the eye expects it.
+        # A tab stays a tab under the text, so that the caret is below the right character.
         indent = "".join("\t" if character == "\t" else " " for character in text[:start])
         width = max(1, min(self.end_column - 1, len(text)) - start)
         return f"{text}\n{indent}{'^' * width}"
 
 
 class LearnBlockError(Exception):
-    """The family of every error we raise."""
+    """The base class of all our errors.
+
+    ``str(error)`` is the English text.
+
+    Args:
+        code: of the phrase, such as ``robot-no-answer``; or a whole sentence, in a
+            third-party robot or skill.
+        values: of the phrase, by name.
+    """
+
+    def __init__(self, code: str = "", /, **values: Value) -> None:
+        self.phrase = Phrase(code, **values)
+        super().__init__(self.phrase)
+
+    def __str__(self) -> str:
+        return str(self.phrase)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _error, (type(self), self.phrase)
 
 
 class FileError(LearnBlockError, ValueError):
-    """A file that a person wrote is wrong: the base of the errors that carry diagnostics.
+    """A user's file is wrong: the base class of the errors with diagnostics.
+
+    ``str(error)`` has the form that scripts read, with the file's name and codes; `phrase` has the
+    sentences for a person, with their lines.
 
     Args:
         filename: as the user named it.
@@ -68,10 +90,18 @@ class FileError(LearnBlockError, ValueError):
         self.filename = filename
         self.diagnostics = tuple(diagnostics)
         self.source = source
-        super().__init__("\n".join(diagnostic.located(filename) for diagnostic in self.diagnostics))
+        super().__init__()
+        self.phrase = _summary(self.diagnostics)
 
-    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
+    def __str__(self) -> str:
+        return "\n".join(one.located(self.filename) for one in self.diagnostics)
+
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self), (self.filename, self.diagnostics, self.source)
+
+
+class EscapeError(LearnBlockError, ValueError):
+    """An escape sequence in a text names no character."""
 
 
 class ProgramError(FileError):
@@ -90,8 +120,12 @@ class BlockConfigurationError(FileError):
     """A block configuration is wrong."""
 
 
-class OwnBlockError(FileError):
-    """A block of one's own is wrong, or its name, or the file that it was exported to."""
+class CustomBlockError(FileError):
+    """A custom block is wrong, or its name, or the file that it was exported to."""
+
+
+class HintError(LearnBlockError, ValueError):
+    """A type hint has no field on a block."""
 
 
 class BlockSetError(FileError):
@@ -103,7 +137,7 @@ class ProjectError(FileError):
 
 
 class LibraryError(FileError):
-    """A library is wrong, or what is to become one."""
+    """A library is wrong, or the functions for a new one are."""
 
 
 class SettingsError(FileError):
@@ -111,14 +145,25 @@ class SettingsError(FileError):
 
 
 class UnknownNameError(LearnBlockError, LookupError):
-    """No robot, world, skill or example has this name."""
+    """No robot, world, skill or example has this name.
+
+    Args:
+        kind: what was looked for, by its short name in ``unknown.ftl``: ``robot``, ``block-set``.
+        name: the unknown name.
+        known: the names that exist.
+    """
 
     def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
         self.kind, self.name, self.known = kind, name, tuple(known)
-        hint = did_you_mean(name, self.known) or "known are: " + ", ".join(self.known)
-        super().__init__(f"there is no {kind} `{name}`; {hint}")
+        suggestion = nearest(name, self.known)
+        if suggestion is not None:
+            super().__init__("unknown-name-like", kind=kind, name=name, suggestion=suggestion)
+        elif self.known:
+            super().__init__("unknown-name-of", kind=kind, name=name, known=self.known)
+        else:
+            super().__init__("unknown-name", kind=kind, name=name)
 
-    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self), (self.kind, self.name, self.known)
 
 
@@ -138,16 +183,56 @@ class DeviceValueError(LearnBlockError, ValueError):
     """A device was given a value that no device of its type can take."""
 
 
+class TagNamesError(FileError):
+    """The names of tags are wrong."""
+
+
+class TagSizeError(LearnBlockError, ValueError):
+    """The size of a tag, or the focal length of a lens, has to be positive."""
+
+
+class FrameError(LearnBlockError, ValueError):
+    """A detector was given something that is not a picture."""
+
+
+class PictureError(LearnBlockError, ValueError):
+    """A component was sent something that is not a picture."""
+
+
+class WeightsMissingError(LearnBlockError, FileNotFoundError):
+    """The weights of the emotion detector were not built when LearnBlock was installed."""
+
+
+class TagNumberError(LearnBlockError, ValueError):
+    """No AprilTag has this number."""
+
+
 class RobotConnectionError(LearnBlockError, ConnectionError):
     """The robot cannot be reached, or the link to it broke."""
 
 
+class RobotNotFoundError(RobotConnectionError):
+    """Nothing that can be used answers at the robot's address; another connection may work."""
+
+
+class RobotBusyError(RobotConnectionError):
+    """The robot is in use by another program."""
+
+
+class EmulatorError(LearnBlockError, OSError):
+    """An emulator, or a program that it needs, does not start."""
+
+
+class SceneCallError(RobotConnectionError):
+    """CoppeliaSim refused to run a function."""
+
+
 class IceError(RobotConnectionError):
-    """The family of what goes wrong with components that speak Ice."""
+    """The family of errors of components that use the Ice protocol."""
 
 
 class IceEncodingError(IceError, ValueError):
-    """A value has not the type that was agreed, or bytes hold no such value."""
+    """A value or the received bytes do not have the type in the interface."""
 
 
 class IceLinkError(IceError):
@@ -155,23 +240,24 @@ class IceLinkError(IceError):
 
 
 class IceRefusedError(IceError):
-    """A component answered that it cannot do what it was asked for.
+    """A component refused a call.
 
     Args:
-        sentence: what it said.
+        code: names the words, or is the component's own message.
         kind: the name of Ice's exception, such as ``OperationNotExistException``.
+        values: the values shown in the words.
     """
 
-    def __init__(self, sentence: str, kind: str) -> None:
+    def __init__(self, code: str, /, kind: str, **values: Value) -> None:
         self.kind = kind
-        super().__init__(sentence)
+        super().__init__(code, **values)
 
-    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
-        return type(self), (str(self), self.kind)
+    def __reduce__(self) -> tuple[object, ...]:
+        return _refused_error, (self.phrase, self.kind)
 
 
 class NotWrittenError(LearnBlockError, NotImplementedError):
-    """A robot's author has not yet filled in a function that its devices are built from."""
+    """The author of a robot has not yet written a function that its devices need."""
 
 
 class MissingPackageError(LearnBlockError, ImportError):
@@ -179,11 +265,19 @@ class MissingPackageError(LearnBlockError, ImportError):
 
 
 class RobotStoppedError(LearnBlockError, RuntimeError):
-    """The robot was asked for something after it had been stopped and disconnected."""
+    """The robot was used after it had been stopped and disconnected."""
 
 
 class RobotAttributeError(LearnBlockError, AttributeError):
     """The robot has no skill of this name."""
+
+
+class InputEndedError(LearnBlockError, EOFError):
+    """A program asked for a line of input, and there is none."""
+
+
+class ForbiddenError(LearnBlockError, PermissionError):
+    """A program tried something that robot programs are not allowed to do."""
 
 
 class StillTurningError(LearnBlockError, TimeoutError):
@@ -198,8 +292,34 @@ class ProgramStopped(BaseException):
     """
 
 
-def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """``did you mean `follow`?`` for the nearest of `known`, or "" when none is near."""
+def _summary(diagnostics: Iterable[Diagnostic]) -> Phrase:
+    """Join all mistakes in a file into one phrase."""
+    sentences = list(map(_at_line, diagnostics))
+    summary = sentences.pop() if sentences else Phrase("")
+    for sentence in reversed(sentences):
+        summary = Phrase("file-mistakes", first=sentence, rest=summary)
+    return summary
+
+
+def _at_line(diagnostic: Diagnostic) -> Phrase:
+    if diagnostic.line:
+        line, problem = str(diagnostic.line), diagnostic.message
+        return Phrase("file-at-line", line=line, problem=problem)
+    return diagnostic.message
+
+
+def _error(kind: type[LearnBlockError], phrase: Phrase) -> LearnBlockError:
+    """Recreate an error from its pickled or sent values."""
+    return kind(phrase.code, **phrase.values)
+
+
+def _refused_error(phrase: Phrase, kind: str) -> IceRefusedError:
+    """Recreate an error from its pickled values."""
+    return IceRefusedError(phrase.code, kind=kind, **phrase.values)
+
+
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """The most similar of the known names, or None if none is similar; case does not matter."""
     folded = {candidate.casefold(): candidate for candidate in known}
     near = difflib.get_close_matches(name.casefold(), folded, n=1, cutoff=0.6)
-    return f"did you mean `{folded[near[0]]}`?" if near else ""
+    return folded[near[0]] if near else None

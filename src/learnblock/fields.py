@@ -1,4 +1,4 @@
-"""What the parameters of a skill accept, for the hints of a file of one's own.
+"""Types for the parameters of custom skills: each gives the block a suitable field.
 
     from typing import Annotated, Literal
 
@@ -14,8 +14,8 @@
         stop_at: TagName = "ball",
     ) -> None: ...
 
-The block then has a field for each: a slider, choices, a colour, a dial, the names of tags. To
-Python, and to whoever checks its types, they are plain numbers and texts.
+The block then has a slider, a list of choices, a colour, a dial and the names of tags as its
+fields. Python and type checkers treat the values as plain numbers and texts.
 """
 
 from dataclasses import dataclass
@@ -24,18 +24,18 @@ from dataclasses import dataclass
 Colour = str
 #: Degrees, clockwise positive.
 Angle = float
-#: A tag by its number, or by its name in the dictionary of tags.
+#: A tag by its number or its name.
 TagName = int | str
 
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """From where to where a number goes, in ``Annotated[float, Range(0, 100)]``.
+    """The range of a number, in ``Annotated[float, Range(0, 100)]``.
 
     Args:
-        least: the smallest.
-        most: the largest.
-        step: from one to the next; None for any number between them.
+        least: the smallest value.
+        most: the largest value.
+        step: from one value to the next; None allows any number in the range.
     """
 
     least: float
@@ -43,7 +43,7 @@ class Range:
     step: float | None = None
 
     def holds(self, value: float) -> bool:
-        """Whether a number is one of them."""
+        """Whether a number is in the range."""
         return self.least <= value <= self.most
 
     def __str__(self) -> str:

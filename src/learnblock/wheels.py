@@ -8,23 +8,26 @@ adv - r * track / 2.
 import math
 
 Wheels = tuple[float, float]
-"""Speeds over the ground of the left and the right wheel, mm/s."""
+"""Speeds of the left and the right wheel over the ground, mm/s."""
 
 
 def wheel_speeds(adv: float, rot: float, track: float) -> Wheels:
-    """Those that move a robot at (adv, rot)."""
+    """The wheel speeds that move a robot at (adv, rot)."""
     difference = math.radians(rot) * track / 2
     return adv + difference, adv - difference
 
 
 def body_speeds(wheels: Wheels, track: float) -> tuple[float, float]:
-    """(adv, rot) of a robot whose wheels turn so."""
+    """The speed (adv, rot) of a robot with these wheel speeds."""
     left, right = wheels
     return (left + right) / 2, math.degrees((left - right) / track)
 
 
 def limited(wheels: Wheels, maximum: float) -> Wheels:
-    """Both slowed down alike so that neither exceeds `maximum`: the same curve, driven slower."""
+    """Both speeds reduced by the same factor so that neither exceeds `maximum`.
+
+    The robot drives the same curve, only slower.
+    """
     fastest = max(abs(wheels[0]), abs(wheels[1]))
     if fastest <= maximum:
         return wheels
@@ -32,7 +35,7 @@ def limited(wheels: Wheels, maximum: float) -> Wheels:
 
 
 def accelerated(now: Wheels, target: Wheels, change: float) -> Wheels:
-    """One step from `now` towards `target`, with neither wheel changing by more than `change`."""
+    """One step from `now` towards `target`; neither wheel changes by more than `change`."""
     left, right = target[0] - now[0], target[1] - now[1]
     largest = max(abs(left), abs(right))
     if largest <= change:

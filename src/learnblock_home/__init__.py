@@ -1,8 +1,8 @@
-"""Where ``from learnblock_home.robots.rover import Robot`` finds what it imports.
+"""The user's folder as a package, for ``from learnblock_home.robots.rover import Robot``.
 
-In the user's own folder. `learnblock run` needs none of this; ``python square.py`` does.
+``python square.py`` needs it; `learnblock run` does not.
 """
 
-from learnblock.home import home
+from learnblock.storage.home import home
 
 __path__ = [str(home())]

@@ -1,12 +1,11 @@
-"""What a monkey does before the page: one thing after another, whatever is on the screen."""
-
-from pathlib import Path
+"""The random actions of a monkey test."""
 
 from browser.pupil import WORKSPACE
 from fuzz import NASTY, mutated, texts
+from places import ROOT
 
-PROGRAMS = texts(Path(__file__).parents[2] / "examples", "*.bt")
-#: Of the page, in pixels; most often the usual one.
+PROGRAMS = texts(ROOT / "examples", "*.bt")
+#: Sizes of the page in pixels; the usual one is the most frequent.
 ROOMS = ((1366, 768), (1366, 768), (1920, 1080), (1000, 700), (420, 800))
 WORDS = (
     "function.move_straight(100)\n", "function.turn_right()\n", "    x = 1\n", "if x > 3:\n",
@@ -33,7 +32,7 @@ FILES = (
     ("holiday.jpg", "no program"),
 )
 
-#: What can be clicked: where it is, and what it is called, in the order of the page.
+#: The position and name of everything that can be clicked, in the order of the page.
 CONTROLS = """() => {
     const wanted = "button, a[href], summary, input, textarea, [role=tab], [role=option],"
         + " [role=menuitem], [role=treeitem], [role=separator], [role=slider], [tabindex='0'],"
@@ -49,7 +48,7 @@ CONTROLS = """() => {
     }
     return found;
 }"""
-#: Where the edge of each thing is that can be taken and dragged.
+#: A point at the edge of each element that can be dragged.
 GRIPS = """(wanted) => [...document.querySelectorAll(wanted)].map((one) => {
     const box = one.getBoundingClientRect();
     const [x, y] = [box.x + 5, box.y + Math.min(14, box.height / 2)];
@@ -60,11 +59,11 @@ OFFERED = ".blocklyFlyout .blocklyDraggable > .blocklyPath"
 
 
 class Monkey:
-    """Does one thing after another, whatever is on the screen.
+    """Performs random actions on a page.
 
     Args:
-        pupil: at whose page it sits.
-        chance: chooses.
+        pupil: the owner of the page.
+        chance: the random numbers that choose the actions.
     """
 
     def __init__(self, pupil, chance):
@@ -78,7 +77,7 @@ class Monkey:
         return self.pupil.page
 
     def next_act(self):
-        """What to do next: a method of this class, which answers what it did in words."""
+        """Choose the next action: a method of this class that describes what it did."""
         return self._chance.choices(tuple(WEIGHTS), tuple(WEIGHTS.values()))[0]
 
     # Clicks and keys.
@@ -86,7 +85,7 @@ class Monkey:
     def click(self):
         controls = self._page.evaluate(CONTROLS)
         if not controls:
-            return "nothing there"
+            return "nothing to click"
         at = self._chance.choice(controls)
         self._page.mouse.click(at["x"], at["y"])
         return at["name"]
@@ -125,7 +124,7 @@ class Monkey:
 
     def type(self):
         if not self._into_text():
-            return "no text there"
+            return "no text"
         words = self._chance.choices(WORDS, k=self._chance.randint(1, 3))
         for word in words:
             self._page.keyboard.insert_text(word)
@@ -134,9 +133,9 @@ class Monkey:
 
     def _replace_text(self, text):
         if not self._into_text():
-            return "no text there"
+            return "no text"
         self._page.keyboard.press("Control+a")
-        # No keyboard types half a character.
+        # A keyboard cannot type half a surrogate pair.
         self._page.keyboard.insert_text(text.encode("utf-8", "ignore").decode())
         return repr(text[:200])
 
@@ -150,7 +149,7 @@ class Monkey:
     def fill(self):
         fields = self._page.evaluate(GRIPS, "input:not([type=file]), textarea")
         if not fields:
-            return "no field there"
+            return "no field"
         at = self._chance.choice(fields)
         value = self._chance.choice(VALUES)
         self._page.mouse.click(at["x"], at["y"])
@@ -159,7 +158,7 @@ class Monkey:
         self._page.keyboard.press(self._chance.choice(("Enter", "Tab", "Escape")))
         return value[:20]
 
-    # Blocks, and whatever else can be dragged.
+    # Dragging.
 
     def drag_block(self):
         return self._drag_one_of(BLOCKS)
@@ -174,10 +173,10 @@ class Monkey:
     def _drag_one_of(self, wanted):
         grips = self._page.evaluate(GRIPS, wanted)
         if not grips:
-            return "no block there"
+            return "no block"
         at = self._chance.choice(grips)
         others = self._page.evaluate(GRIPS, BLOCKS)
-        # Mostly to where it could snap in.
+        # Mostly to a place where it can connect.
         goal = self._chance.choice(others) if others and self._chance.random() < 0.6 else None
         to = (goal["x"], goal["y"] + 20) if goal else self._somewhere()
         self._drag((at["x"], at["y"]), to)
@@ -209,7 +208,7 @@ class Monkey:
     def choose(self):
         lists = self._page.locator("select:visible:enabled")
         if not lists.count():
-            return "no list there"
+            return "no list"
         chosen = lists.nth(self._chance.randrange(lists.count()))
         options = chosen.locator("option")
         value = self._chance.randrange(max(1, options.count()))
@@ -258,7 +257,7 @@ class Monkey:
 
     def go_back_or_forward(self):
         way = self._chance.choice(("Back", "Forward"))
-        # Where our page ends another one would be shown.
+        # Going beyond the history of our page would show another one.
         self._page.evaluate(f"navigation.canGo{way} && history.{way.lower()}()")
         return way
 
@@ -283,7 +282,7 @@ class Monkey:
         )
 
 
-#: How often each of them comes, more or less.
+#: The relative frequency of each action.
 WEIGHTS = {
     Monkey.click: 30,
     Monkey.click_anywhere: 5,

@@ -1,4 +1,4 @@
-"""A real server, a real browser, and the pupil who sits before it."""
+"""Fixtures: a real server, a real browser, and a pupil who uses them."""
 
 import os
 import re
@@ -14,9 +14,9 @@ import pytest
 from playwright.sync_api import Browser, Error, expect, sync_playwright
 
 from browser.pupil import PATIENCE, Pupil
+from places import ROOT
 
-ROOT = Path(__file__).parents[2]
-#: Screenshots are kept there, for whoever wants to see what a test saw.
+#: The folder for the screenshots of the tests.
 ARTEFACTS = Path(os.environ.get("LEARNBLOCK_ARTEFACTS", ROOT / "build" / "screenshots"))
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "microsoft-edge")
 #: WebGL without a graphics card.
@@ -24,7 +24,7 @@ SOFTWARE_RENDERING = ["--enable-unsafe-swiftshader"]
 
 
 def chromium():
-    """The browser of this machine; where there is none the tests are skipped, but not in CI."""
+    """Return the path of the browser; without one, skip the tests except in CI."""
     found = next(filter(None, map(shutil.which, BROWSERS)), None)
     if found is None and not os.environ.get("CI"):
         pytest.skip("no Chromium on this machine: apt install chromium")
@@ -33,14 +33,14 @@ def chromium():
 
 
 class Server:
-    """``learnblock`` as a user starts it, with a home and a folder of projects of its own.
+    """The command ``learnblock``, with its own home and folder of projects.
 
-    Started again it has the same address, as one that a teacher runs for a class.
+    A restarted server keeps its address, like one that a teacher runs for a class.
 
     Args:
-        home: its home.
-        options: of the command line.
-        errors: the file to which it tells what goes wrong; None for that of the tests.
+        home: its folder LEARNBLOCK_HOME.
+        options: options of the command line.
+        errors: the file for its error output; None for that of the tests.
     """
 
     def __init__(self, home, *options, errors=None):
@@ -76,15 +76,15 @@ class Server:
                 self.address = found[0]
                 self.port = urlsplit(self.address).port
                 return
-        raise AssertionError("the server ended before it said its address")
+        raise AssertionError("the server ended before it printed its address")
 
     def kill(self):
-        """As a crash of the machine would."""
+        """Kill the process, as a crash of the computer would."""
         self.process.kill()
         self._gone()
 
     def stop(self):
-        """As Ctrl-C does."""
+        """Stop the server as Ctrl-C does; return its exit status."""
         self.process.send_signal(signal.SIGINT)
         return self._gone()
 
@@ -96,7 +96,7 @@ class Server:
 
 @pytest.fixture(scope="package")
 def server(tmp_path_factory):
-    """One server for all tests that do it no harm."""
+    """A server shared by all tests that leave it intact."""
     server = Server(tmp_path_factory.mktemp("served-home"))
     yield server
     assert server.stop() == 0
@@ -104,7 +104,7 @@ def server(tmp_path_factory):
 
 @pytest.fixture
 def own_server(tmp_path):
-    """A server that may be killed."""
+    """A server for one test, which may kill it."""
     server = Server(tmp_path)
     yield server
     if server.process.poll() is None:
@@ -113,7 +113,7 @@ def own_server(tmp_path):
 
 @pytest.fixture(scope="package")
 def browser():
-    """A browser that ends with these tests: its event loop would stand in the way of the others."""
+    """A browser that closes after these tests: its event loop would disturb the others."""
     expect.set_options(timeout=PATIENCE)
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
@@ -125,7 +125,7 @@ def browser():
 
 @pytest.fixture
 def sit_down(browser: Browser, request):
-    """Makes a pupil who opens a server's page; an uncaught error in any page fails the test."""
+    """A function that opens a page as a pupil; an uncaught error in a page fails the test."""
     pupils = []
 
     def make(server, **options):
@@ -141,7 +141,7 @@ def sit_down(browser: Browser, request):
 
 @pytest.fixture
 def pupil(sit_down, server):
-    """A pupil before the page, in English."""
+    """A pupil who has opened the page in English."""
     return sit_down(server)
 
 

@@ -1,4 +1,4 @@
-"""What a page of ours would never say to the server."""
+"""Messages that our page never sends to the server."""
 
 import json
 import random
@@ -14,8 +14,8 @@ BLOCK = json.dumps({"learnblock_block": 1, "name": "dance", "source": [SOURCE]})
 SET = {"name": "lesson"}
 LIBRARY = {"filename": "songs.lblib", "content": "UEsDBA=="}
 PLACE = {"request": 1, "notation": "blocktext", "line": 2, "column": 14}
-#: Every message of a page, with values of its own.
-SAID = {
+#: Every message of a page, with valid values.
+MESSAGES = {
     "Open": {"name": "program"},
     "New": {"name": "another"},
     "Import": {"filename": "a.bt", "text": PROGRAM},
@@ -50,15 +50,15 @@ SAID = {
     "ReadWorld": {"name": "line"},
     "CheckWorld": {"world": WORLD},
     "SaveWorld": {"name": "mine", "world": WORLD},
-    "ListOwnBlocks": {},
-    "CheckOwnBlock": {"request": 1, "name": "dance", "source": SOURCE, "configuration": "[]"},
-    "SaveOwnBlock": {"name": "dance", "source": SOURCE, "configuration": "", "replaces": ""},
-    "TryOwnBlock": {"name": "dance", "source": SOURCE, "arguments": [1, "a", [2.5], True, None]},
-    "DuplicateOwnBlock": {"name": "dance", "new": "another"},
-    "DeleteOwnBlock": {"name": "dance"},
-    "RestoreOwnBlock": {"name": "dance"},
-    "ExportOwnBlock": {"name": "dance"},
-    "ImportOwnBlock": {"content": BLOCK, "replace": True},
+    "ListCustomBlocks": {},
+    "CheckCustomBlock": {"request": 1, "name": "dance", "source": SOURCE, "configuration": "[]"},
+    "SaveCustomBlock": {"name": "dance", "source": SOURCE, "configuration": "", "replaces": ""},
+    "TryCustomBlock": {"name": "dance", "source": SOURCE, "arguments": [1, "a", [2.5], True, None]},
+    "DuplicateCustomBlock": {"name": "dance", "new": "another"},
+    "DeleteCustomBlock": {"name": "dance"},
+    "RestoreCustomBlock": {"name": "dance"},
+    "ExportCustomBlock": {"name": "dance"},
+    "ImportCustomBlock": {"content": BLOCK, "replace": True},
     "ListBlockSets": {},
     "ChooseBlockSet": {"set": SET},
     "ReadBlockSet": {"filename": "lesson.toml", "text": "show = ['lb_main']"},
@@ -81,7 +81,7 @@ SAID = {
     "BeginRobot": {},
     "MakeRobot": {"name": "rover", "description": "[body]\nlength = -1"},
 }
-assert set(SAID) == {kind.__name__ for kind in get_args(FromPage)}
+assert set(MESSAGES) == {kind.__name__ for kind in get_args(FromPage)}
 WRONG = (
     None, True, -1, 10**30, 10**400, 1.5e308, float("inf"), float("nan"), "", "\0", "x" * 2000,
     "../../etc/passwd", [], [[[]]], {}, {"": {}}, ["a", 1, None], {"kind": "Open"}, "🤖", "\ud800",
@@ -89,19 +89,19 @@ WRONG = (
 
 
 def malformed(chance):
-    """Something that is no message."""
+    """Return something that is not a message."""
     while True:
-        said = chance.choice(WAYS)(chance)
+        message = chance.choice(WAYS)(chance)
         try:
-            decode(said)
+            decode(message)
         except MessageError:
-            return said
+            return message
 
 
 def disordered(chance):
-    """A message that comes at the wrong time, or speaks of what is not there."""
-    kind = chance.choice(tuple(SAID))
-    values = dict(SAID[kind])
+    """Return a message sent at the wrong time or about something missing."""
+    kind = chance.choice(tuple(MESSAGES))
+    values = dict(MESSAGES[kind])
     if values and chance.random() < 0.3:
         values[chance.choice(tuple(values))] = chance.choice(WRONG)
     return json.dumps({"kind": kind, **values})
@@ -124,20 +124,20 @@ def _of_no_kind(chance):
 
 
 def _with_wrong_values(chance):
-    kind = chance.choice(tuple(SAID))
-    wrong = {name: chance.choice(WRONG) for name in SAID[kind]}
-    return json.dumps({"kind": kind, **SAID[kind], **wrong})
+    kind = chance.choice(tuple(MESSAGES))
+    wrong = {name: chance.choice(WRONG) for name in MESSAGES[kind]}
+    return json.dumps({"kind": kind, **MESSAGES[kind], **wrong})
 
 
 def _with_too_few_values(chance):
-    kind = chance.choice(tuple(SAID))
-    kept = chance.sample(tuple(SAID[kind]), k=len(SAID[kind]) // 2)
-    return json.dumps({"kind": kind, **{name: SAID[kind][name] for name in kept}})
+    kind = chance.choice(tuple(MESSAGES))
+    kept = chance.sample(tuple(MESSAGES[kind]), k=len(MESSAGES[kind]) // 2)
+    return json.dumps({"kind": kind, **{name: MESSAGES[kind][name] for name in kept}})
 
 
 def _cut_off(chance):
-    said = json.dumps({"kind": (kind := chance.choice(tuple(SAID))), **SAID[kind]})
-    return said[: chance.randrange(len(said))]
+    message = json.dumps({"kind": (kind := chance.choice(tuple(MESSAGES))), **MESSAGES[kind]})
+    return message[: chance.randrange(len(message))]
 
 
 def _deep(chance):
@@ -160,6 +160,6 @@ WAYS = (
 
 
 def stream(say, count, seed):
-    """So many of what `say` says."""
+    """Return `count` messages made by `say`."""
     chance = random.Random(seed)  # noqa: S311 - repeatable, not secret
     return [say(chance) for _ in range(count)]

@@ -1,11 +1,11 @@
-"""A monkey before the page: it clicks, drags and types at random, and the page must bear it.
+"""A monkey test: random clicks, drags and keys, which the page must survive.
 
     uv run python tests/browser/monkey.py --seconds 600 --seed 1
 
-It fails on an uncaught error, on an error in the page's console, on an error that the server tells
-its terminal, on a request to a foreign host, and when the page no longer answers: after every
-hundred acts a program is begun and a text is written, and its blocks and its Python must follow.
-A seed chooses the acts; what they meet also depends on how fast the page is.
+It fails on an uncaught error, on an error in the page's console or the server's terminal, on a
+request to a foreign host, and when the page stops answering: after every hundred actions a new
+program is written, and its blocks and its Python must appear.
+A seed chooses the actions; their effects also depend on the speed of the page.
 """
 
 import argparse
@@ -23,66 +23,66 @@ from pathlib import Path
 from playwright.sync_api import Error, expect, sync_playwright
 
 if __name__ == "__main__":
-    # pytest does it for its tests.
-    sys.path.insert(0, str(Path(__file__).parents[1]))
+    # pytest does this for its tests.
+    sys.path.insert(0, str(Path(__file__).parents[1] / "helpers"))
 
 from browser.acts import ROOMS, Monkey
 from browser.conftest import ARTEFACTS, SOFTWARE_RENDERING, Server, chromium
 from browser.pupil import PATIENCE, Pupil
 
-#: Acts between two questions whether the page still answers.
+#: Actions between two checks that the page still answers.
 ROUND = 100
-#: Seconds in which an act, or an answer of the page, must be over.
+#: The longest time in seconds for an action or an answer of the page.
 LONGEST = 120
-#: So many acts are told after a failure.
-TOLD = 30
-#: What the monkey wanted to touch was gone before it came to it, and was perhaps meant to.
+#: The number of actions reported after a failure.
+REPORTED = 30
+#: The target disappeared before the action reached it, which is no failure.
 GONE = re.compile(r"context was destroyed|Timeout 2000ms")
 TROUBLE = re.compile(r"traceback|error|exception|never awaited", re.IGNORECASE)
 
 
 class HungError(Exception):
-    """The page takes no more acts."""
+    """The page no longer reacts."""
 
 
 @dataclass
 class Diary:
-    """What a monkey did, and what came of it."""
+    """The actions of a monkey, and their result."""
 
     seed: int
     acts: Counter = field(default_factory=Counter)
-    last: deque = field(default_factory=lambda: deque(maxlen=TOLD))
+    last: deque = field(default_factory=lambda: deque(maxlen=REPORTED))
     answers: int = 0
     failure: str | None = None
 
     def note(self, kind, what):
-        """Remember an act."""
+        """Record an action."""
         self.acts[kind] += 1
         self.last.append(f"{self.acts.total():5} {kind}: {what}")
 
     def __str__(self):
         counts = ", ".join(f"{kind} {count}" for kind, count in self.acts.most_common())
-        told = f"seed {self.seed}: {self.acts.total()} acts, {self.answers} answers\n{counts}"
-        return "\n".join((told, *self.last, self.failure)) if self.failure else told
+        report = f"seed {self.seed}: {self.acts.total()} acts, {self.answers} answers\n{counts}"
+        return "\n".join((report, *self.last, self.failure)) if self.failure else report
 
 
 class Watch:
-    """Hears what the page and the server complain of.
+    """Collects the errors of the page and the server.
 
     Args:
-        pupil: whose pages.
-        told: the file to which the server writes.
+        pupil: the owner of the pages.
+        log: the file to which the server writes.
     """
 
-    def __init__(self, pupil, told):
+    def __init__(self, pupil, log):
         self._pupil = pupil
-        self._told = told
+        self._log = log
         self._console = []
         pupil.context.on("console", self._hear)
 
     def check(self):
-        """Raises AssertionError if there has been a complaint."""
-        server = self._told.read_text("utf-8")
+        """Raise AssertionError if there was an error."""
+        server = self._log.read_text("utf-8")
         complaints = [*self._pupil.errors, *self._console, *self._pupil.foreign]
         if TROUBLE.search(server):
             complaints.append(server[-5000:])
@@ -93,17 +93,17 @@ class Watch:
             self._console.append(f"console: {message.text} ({message.location.get('url')})")
 
 
-def live(browser, home, *, seed, seconds):
-    """Let a monkey live for so many seconds before a page of its own; its diary."""
+def run_monkey(browser, home, *, seed, seconds):
+    """Let a monkey use a new page for some seconds; return its diary."""
     diary = Diary(seed)
-    told = home / "told.txt"
-    with told.open("w") as errors, _serving(home, errors) as server:
+    log = home / "log.txt"
+    with log.open("w") as errors, _serving(home, errors) as server:
         pupil = Pupil(browser, server, ARTEFACTS, f"monkey-{seed}")
         monkey = Monkey(pupil, random.Random(seed))  # noqa: S311 - repeatable, not secret
         try:
-            _live(monkey, Watch(pupil, told), diary, seconds)
+            _run_monkey(monkey, Watch(pupil, log), diary, seconds)
         except HungError as error:
-            # Whoever asks such a page for anything waits for ever.
+            # Any request to a page that hangs would wait forever.
             diary.failure = repr(error)
             return diary
         except (AssertionError, Error) as error:
@@ -113,17 +113,17 @@ def live(browser, home, *, seed, seconds):
     return diary
 
 
-def _live(monkey, watch, diary, seconds):
+def _run_monkey(monkey, watch, diary, seconds):
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline:
-        _live_a_round(monkey, watch, diary, deadline)
+        _run_round(monkey, watch, diary, deadline)
         with _in_time("the page does not answer"):
             answers(monkey.pupil, 1000 + diary.acts.total())
         watch.check()
         diary.answers += 1
 
 
-def _live_a_round(monkey, watch, diary, deadline):
+def _run_round(monkey, watch, diary, deadline):
     for _ in range(ROUND):
         if time.monotonic() > deadline:
             return
@@ -139,19 +139,19 @@ def _outcome(act, monkey):
     except Error as error:
         if not GONE.search(error.message):
             raise
-        return "in vain"
+        return "target gone"
 
 
 def answers(pupil, number):
-    """Begin a program in the page as a monkey left it, and see that all its views follow."""
+    """Write a new program in the page that a monkey left, and check that all views follow."""
     _tidy_up(pupil.page)
     before = pupil.name_of_project()
     pupil.page.locator("header .menu > button").first.click()
-    # In any language the first of the menu begins a program.
+    # The first item of the menu begins a program, in any language.
     pupil.page.get_by_role("menuitem").first.click()
     expect(pupil.page.locator("header .project-name")).not_to_have_text(before)
     _show_all(pupil.page)
-    # By its key: the monkey may have left no room to click into.
+    # By keyboard: the monkey may have left no space to click.
     pupil.editor("blocktext").focus()
     pupil.page.keyboard.press("Control+a")
     pupil.page.keyboard.insert_text(f"main:\n    function.sleep({number})\nend\n")
@@ -162,7 +162,7 @@ def answers(pupil, number):
 def _tidy_up(page):
     width, height = ROOMS[0]
     page.set_viewport_size({"width": width, "height": height})
-    # What is open may lie over something else that is open.
+    # Several menus and dialogs can be open on top of each other.
     for _ in range(5):
         page.keyboard.press("Escape")
     expect(page.locator("dialog[open]")).to_have_count(0)
@@ -185,7 +185,7 @@ def _serving(home, errors):
 
 @contextmanager
 def _in_time(otherwise):
-    """Raises HungError after a while: Playwright waits for ever for a page that hangs."""
+    """Raise HungError after a while: Playwright waits forever for a page that hangs."""
 
     def hang(_signal, _frame):
         raise HungError(otherwise)
@@ -199,7 +199,7 @@ def _in_time(otherwise):
 
 
 def main():
-    """Let a monkey live for as long as asked, and print its diary."""
+    """Run a monkey test, and print its diary."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--seed", type=int, default=0)
@@ -209,8 +209,8 @@ def main():
         browser = playwright.chromium.launch(
             executable_path=chromium(), args=["--no-sandbox", *SOFTWARE_RENDERING]
         )
-        diary = live(browser, Path(home), seed=options.seed, seconds=options.seconds)
-        print(diary, flush=True)  # noqa: T201 - its report
+        diary = run_monkey(browser, Path(home), seed=options.seed, seconds=options.seconds)
+        print(diary, flush=True)  # noqa: T201 - the report
         browser.close()
     raise SystemExit(diary.failure is not None)
 

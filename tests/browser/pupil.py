@@ -1,4 +1,4 @@
-"""A pupil before the page: sees what is on the screen, clicks, drags and types."""
+"""A pupil who uses the page: reads the screen, clicks, drags and types."""
 
 import json
 import re
@@ -7,27 +7,27 @@ from urllib.parse import urlsplit
 
 from playwright.sync_api import expect
 
-#: What a test waits for something to appear, in ms: a busy machine takes its time.
+#: The timeout of a test in ms, long enough for a busy computer.
 PATIENCE = 20_000
 LONGEST_RUN = 90_000
 WORKSPACE = "[data-region=blocks] .blocklySvg > .blocklyWorkspace"
-#: At which the workspace begins; the measures below are at 1.
+#: The initial scale of the workspace; the measures below are at scale 1.
 SCALE = 0.8
-#: Where the first statement within a hat and a loop begins, right of and below its corner.
+#: The first statement inside a hat and a loop, right of and below its corner.
 FIRST_IN_HAT = (16, 62)
 FIRST_IN_LOOP = (38, 56)
 
 
 class Pupil:
-    """Somebody who opens the page in a browser of their own.
+    """A user with a browser of their own, in which the page is open.
 
     Args:
         browser: the browser.
-        server: whose page is opened.
-        artefacts: where pictures go.
-        test: the test's name, which is the pictures'.
+        server: the server of the page.
+        artefacts: the folder for screenshots.
+        test: the name of the test, used for its screenshots.
         tour: whether the first-run tour is shown.
-        options: of the browser's context, such as ``viewport`` or ``has_touch``.
+        options: options of the browser context, such as ``viewport`` or ``has_touch``.
     """
 
     def __init__(
@@ -59,7 +59,7 @@ class Pupil:
         self.page = self.open()
 
     def open(self, address=None):
-        """Open the page in a new tab, at another address than the server's if one is given."""
+        """Open the page in a new tab, at the server's address or the given one."""
         page = self.context.new_page()
         page.on("pageerror", lambda error: self.errors.append(error.stack or str(error)))
         page.on("request", self._note_foreign)
@@ -68,7 +68,7 @@ class Pupil:
         return page
 
     def picture(self, name):
-        """Keep what is on the screen."""
+        """Save a screenshot."""
         self._pictures.mkdir(parents=True, exist_ok=True)
         self.page.screenshot(path=self._pictures / f"{name}.png")
 
@@ -89,14 +89,14 @@ class Pupil:
         self.page.get_by_role("menuitem", name=command, exact=True).click()
 
     def open_example(self, title):
-        """Open an example as a project of one's own."""
+        """Open an example as a new project."""
         with self._another_project():
             self.project("Examples…")
             self.dialog().get_by_role("button", name=title).first.click()
         expect(self.dialog()).to_have_count(0)
 
     def upload(self, file):
-        """Choose a file to be opened."""
+        """Upload a file."""
         with self.page.expect_file_chooser() as chooser:
             self.project("Upload a file…")
         chooser.value.set_files(file)
@@ -108,35 +108,35 @@ class Pupil:
         expect(self.page.locator("header .project-name")).not_to_have_text(before)
 
     def name_of_project(self):
-        """What the bar calls the project."""
+        """Return the name of the project in the bar."""
         return self.page.locator("header .project-name").text_content()
 
-    def works_on(self, name):
+    def expect_project(self, name):
         """Wait until a project is open."""
         expect(self.page.locator("header .project-name")).to_have_text(name)
 
-    def is_saved(self):
-        """Wait until the bar says so."""
+    def wait_until_saved(self):
+        """Wait until the bar shows that the project is saved."""
         expect(self.page.locator("header .saved")).to_have_text("Saved")
 
-    def told(self, sentence):
-        """Wait until a note says so; answer it."""
+    def expect_note(self, sentence):
+        """Wait until a notification has this text; return it."""
         note = self.page.locator(".toast", has_text=sentence)
         expect(note).to_be_visible()
         return note
 
     def dialog(self):
-        """The dialog that is open."""
+        """Return the open dialog."""
         return self.page.get_by_role("dialog")
 
     # Texts.
 
     def editor(self, view):
-        """What a text view shows: the element with its words."""
+        """Return the element with the text of a text view."""
         return self.page.locator(f"[data-region={view}] .cm-content")
 
     def show(self, *views):
-        """Have these views of the program before one, and no others."""
+        """Show exactly these views of the program."""
         for name in ("Blocks", "Block-Text", "Python"):
             self._switch(name, wanted=name in views)
 
@@ -146,30 +146,30 @@ class Pupil:
             button.click()
 
     def write(self, view, text):
-        """Replace a whole text, as by pasting."""
+        """Replace the whole text of a view, as by pasting."""
         self.editor(view).click()
         self.page.keyboard.press("Control+a")
         self.page.keyboard.insert_text(text)
 
     def sees(self, view, *lines):
-        """Wait until a text view shows these lines, whole or in part."""
+        """Wait until a text view contains these lines or parts of lines."""
         for line in lines:
             expect(self.editor(view)).to_contain_text(line)
 
     def lacks(self, view, words):
-        """Wait until a text view shows these words nowhere."""
+        """Wait until a text view no longer contains these words."""
         expect(self.editor(view)).not_to_contain_text(words)
 
     def lines(self, view):
-        """The lines of a text view."""
+        """Return the elements of the lines of a text view."""
         return self.page.locator(f"[data-region={view}] .cm-line")
 
     def reads(self, view):
-        """The lines that a text view shows now."""
+        """Return the lines that a text view shows now."""
         return self.lines(view).all_text_contents()
 
     def click_beside(self, view, line):
-        """Click in the margin beside a line, where breakpoints are."""
+        """Click in the margin next to a line, where breakpoints are."""
         margin = self.page.locator(f"[data-region={view}] .cm-breakpoints .cm-gutterElement")
         # The first one holds the margin open.
         margin.nth(line).click()
@@ -184,16 +184,16 @@ class Pupil:
         self.press_keys("ArrowRight", len(before[-1]))
 
     def press_keys(self, key, times):
-        """Press a key again and again."""
+        """Press a key several times."""
         for _ in range(times):
             self.page.keyboard.press(key)
 
     def text(self, view):
-        """All that a text view shows now."""
+        """Return the text that a text view shows now."""
         return "\n".join(self.reads(view))
 
-    def stands(self, view, line, before):
-        """Wait until the cursor of a text is in that line, behind these words."""
+    def expect_cursor(self, view, line, before):
+        """Wait until the text cursor is on this line, after these words."""
         expect(self.editor(view)).to_be_focused()
         self.page.wait_for_function(
             """([line, before]) => {
@@ -209,28 +209,28 @@ class Pupil:
             arg=[line, before],
         )
 
-    def stands_in(self, view, line):
-        """Wait until the cursor of a text is in that line."""
+    def expect_cursor_in(self, view, line):
+        """Wait until the text cursor is on this line."""
         expect(self.editor(view)).to_be_focused()
         shown = self.editor(view).locator(f":nth-match(.cm-line, {line})")
         expect(shown).to_have_class(re.compile("cm-activeLine"))
 
     def line_of(self, view, words):
-        """The number of the first line with these words."""
+        """Return the number of the first line with these words."""
         return 1 + next(at for at, line in enumerate(self.reads(view)) if words in line)
 
     def scrolled(self, view):
-        """How far a text is scrolled down."""
+        """Return how far a text is scrolled down, in pixels."""
         return self.editor(view).evaluate("content => content.closest('.cm-scroller').scrollTop")
 
     # Blocks.
 
     def blocks(self, kind):
-        """The blocks of a type in the program."""
+        """Return the blocks of a type in the program."""
         return self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas .{kind}")
 
     def all_blocks(self):
-        """Every block in the program."""
+        """Return all blocks of the program."""
         return self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas .blocklyBlock")
 
     def open_category(self, category):
@@ -240,7 +240,7 @@ class Pupil:
             row.click()
 
     def take(self, category, kind, words=""):
-        """Drag a block, the first with these words, out of the palette to free ground.
+        """Drag the first block with these words from the palette to an empty place.
 
         Returns:
             Its id.
@@ -255,35 +255,35 @@ class Pupil:
         return next(one for one in self.block_ids() if one not in known)
 
     def make_variable(self, name):
-        """Make a variable by the palette's button."""
+        """Create a variable with the palette's button."""
         self.open_category("Variables")
         self.page.locator(".blocklyFlyoutButton").first.click()
         self.answer(name)
 
     def set_variable(self, name, value):
-        """Take a block that gives a variable a number; answer its id."""
+        """Take a block that sets a variable to a number; return its id."""
         block = self.take("Variables", "variables_set")
         self.choose_in(block, name)
         self.put_number(block, value)
         return block
 
     def put_number(self, block, value):
-        """Plug a number into the first hole of a block that is empty."""
+        """Plug a number into the first empty input of a block."""
         number = self.take("Maths", "math_number")
         self.put_on(number, self.hole(block))
         self.fill(self.block(number), value)
 
     def choose_in(self, block, choice):
-        """Choose from a block's list: a variable, or a sign."""
+        """Choose a variable or an operator from a block's list."""
         self.block(block).locator("> .blocklyDropdownField").first.click()
         self.page.locator(".blocklyMenuItem", has_text=re.compile(rf"^\W*{choice}$")).click()
 
     def hole(self, block):
-        """The first hole of a block into which a value goes, or the pale value that is in it."""
+        """Return the first value input of a block, or the shadow block in it."""
         return self.block(block).locator("> .blocklyOutlinePath, > .blocklyShadow").first
 
     def _scroll_to(self, offered):
-        """Turn the wheel over the palette until a block of it can be taken."""
+        """Scroll the palette until one of its blocks is visible."""
         offered.wait_for()
         palette = self.page.locator(".blocklyFlyout:visible").bounding_box()
         self.page.mouse.move(palette["x"] + 20, palette["y"] + 20)
@@ -295,7 +295,7 @@ class Pupil:
         )
 
     def block(self, block):
-        """A block by its id."""
+        """Return a block by its id."""
         return self.page.locator(f'{WORKSPACE} > .blocklyBlockCanvas [data-id="{block}"]')
 
     def select_block(self, block):
@@ -303,20 +303,20 @@ class Pupil:
         block.locator("> .blocklyPath").first.click(position={"x": 5, "y": 15})
 
     def put_into(self, block, hat):
-        """Put a statement first into a hat."""
+        """Put a statement into a hat, as the first one."""
         self._drag(self.block(block), self._corner(self.block(hat), *FIRST_IN_HAT))
 
     def put_into_loop(self, block, loop):
-        """Put a statement first into a loop."""
+        """Put a statement into a loop, as the first one."""
         self._drag(self.block(block), self._corner(self.block(loop), *FIRST_IN_LOOP))
 
     def put_below(self, block, above):
-        """Put a statement below another one."""
+        """Put a statement below another."""
         path = self.block(above).locator("> .blocklyPath").first.bounding_box()
         self._drag(self.block(block), (path["x"], path["y"] + path["height"] - 8 * SCALE))
 
     def put_on(self, block, value):
-        """Plug a value in where another one, or a hole for one, is now."""
+        """Plug a value in at the place of another value or an empty input."""
         box = value.bounding_box()
         self._drag(self.block(block), (box["x"] + 4, box["y"] + 4))
 
@@ -328,13 +328,13 @@ class Pupil:
         self.page.keyboard.press("Enter")
 
     def answer(self, text):
-        """Answer the question that a dialog asks."""
+        """Type an answer into the open dialog."""
         field = self.page.locator("dialog[open] input")
         field.fill(text)
         field.press("Enter")
 
     def block_ids(self):
-        """The ids of all blocks in the program, from the top down and from left to right."""
+        """Return the ids of all blocks, from top to bottom and left to right."""
         found = self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas [data-id]")
         return found.evaluate_all(
             """all => all
@@ -344,7 +344,7 @@ class Pupil:
         )
 
     def places_of_blocks(self):
-        """Where each block is within what it hangs on, by its id."""
+        """Return the position of each block relative to its parent, by id."""
         found = self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas [data-id]")
         return found.evaluate_all(
             "all => Object.fromEntries(all.map("
@@ -356,13 +356,13 @@ class Pupil:
         return box["x"] + right * SCALE, box["y"] + down * SCALE
 
     def _drag(self, block, to):
-        """Take a block near its left edge, where it has no field, and let its corner go at `to`."""
+        """Drag a block at its left edge, which has no field, until its corner is at `to`."""
         with self.dragging(block, to):
             pass
 
     @contextmanager
     def dragging(self, block, to):
-        """Do something while a block is held where its corner is at `to`."""
+        """Hold a block with its corner at `to` during the with statement."""
         box = block.locator("> .blocklyPath").first.bounding_box()
         grip = (6 * SCALE, min(20 * SCALE, box["height"] / 2))
         mouse = self.page.mouse
@@ -380,18 +380,18 @@ class Pupil:
     # The world.
 
     def where_is_the_robot(self):
-        """What the world says when it is asked."""
+        """Ask where the robot is; return the answer."""
         self.press("Where is the robot?")
         said = self.page.locator(".world-said").text_content()
-        return re.search(r"\w+ at .*?, looking [a-z-]+", said)[0]
+        return re.search(r"\w+ at .*?, facing [a-z-]+", said)[0]
 
-    def robot_is(self, words):
-        """Wait until the world's picture is described by these words."""
+    def expect_robot(self, words):
+        """Wait until the description of the world's picture matches these words."""
         picture = self.page.locator(".world-view canvas")
         expect(picture).to_have_attribute("aria-label", re.compile(words))
 
     def carry_robot(self, right, down):
-        """Drag the robot, seen from above in the middle of the floor, by pixels."""
+        """Drag the robot from the middle of the floor, seen from above, by pixels."""
         picture = self.page.locator(".world-view canvas").bounding_box()
         tools = self.page.locator(".world-toolbar").bounding_box()
         top, bottom = tools["y"] + tools["height"], picture["y"] + picture["height"]
@@ -403,19 +403,19 @@ class Pupil:
 
     # Running.
 
-    def waits_for_the_end(self):
-        """Watch the program until it has ended."""
+    def wait_for_the_end(self):
+        """Wait until the program has ended."""
         expect(self.page.get_by_role("button", name="Stop", exact=True)).to_be_disabled(
             timeout=LONGEST_RUN
         )
 
     def place_of_robot(self):
-        """Ask where the robot is: mm east and north."""
+        """Ask where the robot is; return mm east and mm north."""
         self.page.locator("[data-tool=where]").click()
-        return self.place_told()
+        return self.described_place()
 
-    def place_told(self):
-        """Where the robot is, as the world has said it: mm east and north."""
+    def described_place(self):
+        """Return the last answer about the robot's position: mm east and mm north."""
         said = self.page.locator(".world-said").text_content()
         east, north = re.search(r"(\d+) mm (?:east|west), (\d+) mm (?:north|south)", said).groups()
         return (
@@ -424,20 +424,20 @@ class Pupil:
         )
 
     def tab(self, name):
-        """Open a tab of the output; answer what is in it."""
+        """Open a tab of the output; return its panel."""
         self.page.get_by_role("tab", name=name).click()
         return self.page.get_by_role("tabpanel", name=name)
 
     def state(self, word):
-        """Wait until the world's head says so: ``Running``, ``Paused``, ``Ended`` ..."""
+        """Wait until the header of the world shows this state, such as ``Running``."""
         expect(self._head()).to_contain_text(re.compile(word))
 
     def seconds(self):
-        """The world's time."""
+        """Return the time of the world in seconds."""
         return float(re.search(r"([\d.]+) s", self._head().inner_text())[1])
 
     def seconds_at_rest(self):
-        """The world's time, once the head has said the same for ten of its usual changes."""
+        """Return the time of the world after it has not changed for a second."""
         self.page.wait_for_function(
             """head => {
               const now = performance.now();
@@ -450,14 +450,14 @@ class Pupil:
         return self.seconds()
 
     def wait_until_later_than(self, seconds):
-        """Wait until more of the world's time has passed."""
+        """Wait until the time of the world is later than this."""
         self.page.wait_for_function(
             "([head, seconds]) => parseFloat(head.textContent.match(/([\\d.]+) s/)[1]) > seconds",
             arg=[self._head().element_handle(), seconds],
         )
 
     def trace_of_a_run(self):
-        """Run the program to its end; answer the hash of its trace."""
+        """Run the program to its end; return the hash of its trace."""
         self.press("Run")
         self.state("Starting|Running")
         self.state("Ended")

@@ -1,12 +1,13 @@
-"""Nothing on the page that axe, which knows what assistive technology needs, calls serious."""
+"""Accessibility: axe finds no serious fault on the page."""
 
 import re
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
 
-AXE = Path(__file__).parents[2] / "frontend/node_modules/axe-core/axe.min.js"
+from places import ROOT
+
+AXE = ROOT / "frontend/node_modules/axe-core/axe.min.js"
 THEMES = ("Light", "Dark", "High contrast")
 WAITS = "main:\n    function.sleep(600)\nend\n"
 WRONG = "main:\n    while\nend\n"
@@ -15,7 +16,7 @@ FAILS = "main:\n    x = 1 / 0\nend\n"
 
 @pytest.fixture(scope="module")
 def axe():
-    """The code of axe, which is no part of what is installed."""
+    """The code of axe, which only contributors install."""
     if not AXE.exists():
         pytest.skip("no axe-core: npm ci in frontend")
     return AXE.read_text()
@@ -23,29 +24,29 @@ def axe():
 
 @pytest.fixture
 def pupil(sit_down, server):
-    """With all views of a program on the screen."""
+    """A pupil with all views of a program on the screen."""
     pupil = sit_down(server, viewport={"width": 1600, "height": 900})
     pupil.begin()
     pupil.show("Blocks", "Block-Text", "Python")
     return pupil
 
 
-def test_axe_finds_what_is_wrong(pupil, axe):
+def test_axe_finds_a_button_without_a_name(pupil, axe):
     pupil.page.get_by_role("button", name="Undo").evaluate(
         "button => button.replaceWith(document.createElement('button'))"
     )
     assert [fault[0] for fault in faults(pupil, axe, "header")] == ["button-name"]
 
 
-def test_what_the_page_shows_of_a_run_has_no_serious_fault_in_any_theme(pupil, axe):
-    for name in ("Robot's camera", "Drive by hand"):
+def test_the_page_has_no_serious_fault_during_and_after_a_run_in_any_theme(pupil, axe):
+    for name in ("Robot camera", "Manual drive"):
         pupil.press(name)
     pupil.write("blocktext", WAITS)
     expect(pupil.blocks("lb_skill_sleep")).to_be_visible()
     pupil.press("Run")
     pupil.state("Running")
     for theme, tab in zip(THEMES, ("Variables", "Sensors", "Console"), strict=True):
-        put_on(pupil, theme)
+        choose_theme(pupil, theme)
         pupil.tab(tab)
         pupil.picture(theme)
         assert (theme, faults(pupil, axe)) == (theme, [])
@@ -55,19 +56,19 @@ def test_what_the_page_shows_of_a_run_has_no_serious_fault_in_any_theme(pupil, a
     assert faults(pupil, axe) == []
 
 
-def test_errors_are_shown_without_a_serious_fault_in_any_theme(pupil, axe):
+def test_errors_have_no_serious_fault_in_any_theme(pupil, axe):
     pupil.write("blocktext", WRONG)
     expect(pupil.page.locator(".stale-note")).to_be_visible()
     pupil.tab("Problems")
     for theme in THEMES:
-        put_on(pupil, theme)
+        choose_theme(pupil, theme)
         pupil.picture(theme)
         assert (theme, faults(pupil, axe)) == (theme, [])
 
 
-def test_what_is_open_over_the_page_has_no_serious_fault_in_any_theme(pupil, axe):
+def test_palette_search_and_menu_have_no_serious_fault_in_any_theme(pupil, axe):
     for theme in THEMES:
-        put_on(pupil, theme)
+        choose_theme(pupil, theme)
         pupil.open_category("Control")
         expect(pupil.page.locator(".blocklyFlyout .controls_if").first).to_be_visible()
         pupil.picture(f"{theme}-palette")
@@ -80,28 +81,30 @@ def test_what_is_open_over_the_page_has_no_serious_fault_in_any_theme(pupil, axe
         pupil.page.keyboard.press("Escape")
 
 
-def test_a_screen_reader_is_told_what_the_program_does(pupil):
+def test_a_screen_reader_reads_out_the_state_of_the_program(pupil):
     pupil.write("blocktext", WAITS)
     expect(pupil.blocks("lb_skill_sleep")).to_be_visible()
     pupil.press("Run")
-    says(pupil, "status", "Running")
+    expect_announcement(pupil, "status", "Running")
     pupil.press("Pause")
-    says(pupil, "status", "Paused")
+    expect_announcement(pupil, "status", "Paused")
     pupil.press("Stop")
-    says(pupil, "status", re.compile(r"Stopped after \d"))
+    expect_announcement(pupil, "status", re.compile(r"Stopped after \d"))
     pupil.write("blocktext", FAILS)
     expect(pupil.blocks("lb_skill_sleep")).to_have_count(0)
     pupil.press("Run")
-    says(pupil, "alert", re.compile("Stopped by an error .*Nothing can be divided by zero"))
+    expect_announcement(
+        pupil, "alert", re.compile("Stopped by an error .*You can't divide by zero")
+    )
 
 
-def test_a_block_is_read_out_by_its_words_and_values_when_it_is_come_to(pupil):
+def test_a_selected_block_is_read_out_with_its_words_and_values(pupil):
     pupil.write("blocktext", "main:\n    while x < 4:\n        function.sleep(5)\n    end\nend\n")
     expect(pupil.blocks("lb_skill_sleep")).to_be_visible()
     names = {
         "lb_main": "main program",
         "controls_whileUntil": "while, Variable 'x', less than, 4",
-        "lb_skill_sleep": "wait seconds, 5",
+        "lb_skill_sleep": "wait, 5, seconds",
     }
     for kind, words in names.items():
         block = pupil.blocks(kind)
@@ -113,7 +116,7 @@ def test_a_block_is_read_out_by_its_words_and_values_when_it_is_come_to(pupil):
 def test_no_dialog_has_a_serious_fault_in_any_theme(pupil, axe):
     found = []
     for theme in THEMES:
-        put_on(pupil, theme)
+        choose_theme(pupil, theme)
         for name, opened in DIALOGS.items():
             found += [(theme, name, fault) for fault in faults_of_dialog(pupil, axe, opened)]
     assert found == []
@@ -121,8 +124,8 @@ def test_no_dialog_has_a_serious_fault_in_any_theme(pupil, axe):
 
 def test_the_world_editor_has_no_serious_fault_in_any_theme(pupil, axe):
     for theme in THEMES:
-        put_on(pupil, theme)
-        pupil.press("Edit the world")
+        choose_theme(pupil, theme)
+        pupil.press("Edit world")
         for thing in ("Wall", "Tag", "Line", "Line to follow"):
             pupil.dialog().get_by_role("button", name=thing, exact=True).click()
         pupil.picture(theme)
@@ -132,24 +135,24 @@ def test_the_world_editor_has_no_serious_fault_in_any_theme(pupil, axe):
         expect(pupil.dialog()).to_have_count(0)
 
 
-def says(pupil, role, words):
-    """Wait until the page's own live region of that role says so."""
-    told = pupil.page.locator(f"[role={role}].hidden").filter(has_text=words)
-    expect(told).to_have_count(1)
+def expect_announcement(pupil, role, words):
+    """Wait until the page's live region of this role has these words."""
+    region = pupil.page.locator(f"[role={role}].hidden").filter(has_text=words)
+    expect(region).to_have_count(1)
 
 
-def put_on(pupil, theme):
-    pupil.press("Colours")
+def choose_theme(pupil, theme):
+    pupil.press("Theme")
     pupil.page.get_by_role("menuitemradio", name=theme).click()
 
 
-def blocks_shown(pupil):
-    pupil.project("Blocks shown…")
-    pupil.dialog().get_by_role("button", name="Blocks of Control", exact=True).click()
+def open_block_sets(pupil):
+    pupil.project("Choose blocks…")
+    pupil.dialog().get_by_role("button", name="Blocks in Control", exact=True).click()
 
 
-def names_of_tags(pupil):
-    pupil.project("Names of tags…")
+def open_tag_names(pupil):
+    pupil.project("Tag names…")
     pupil.dialog().get_by_role("button", name="Add a name").click()
 
 
@@ -160,23 +163,23 @@ DIALOGS = {
     "history": lambda pupil: pupil.project("History…"),
     "delete": lambda pupil: pupil.project("Delete…"),
     "shortcuts": lambda pupil: pupil.page.keyboard.press("F1"),
-    "settings": lambda pupil: help_menu(pupil, "Settings"),
-    "blocks shown": blocks_shown,
-    "names of tags": names_of_tags,
-    "settings of robots": lambda pupil: settings(pupil, "Settings of robots…", "Address"),
-    "perception": lambda pupil: settings(pupil, "Perception…", "Webcam"),
-    "new robot": lambda pupil: settings(pupil, "New robot…", "Description (TOML)"),
-    "tour": lambda pupil: help_menu(pupil, "A tour of the page"),
+    "settings": lambda pupil: open_from_help_menu(pupil, "Settings"),
+    "block sets": open_block_sets,
+    "tag names": open_tag_names,
+    "robot settings": lambda pupil: open_settings(pupil, "Robot settings…", "Address"),
+    "camera recognition": lambda pupil: open_settings(pupil, "Camera recognition…", "Webcam"),
+    "new robot": lambda pupil: open_settings(pupil, "New robot…", "Description (TOML)"),
+    "tour": lambda pupil: open_from_help_menu(pupil, "Page tour"),
 }
 
 
-def help_menu(pupil, command):
+def open_from_help_menu(pupil, command):
     pupil.press("Help and settings")
     pupil.page.get_by_role("menuitem", name=command, exact=True).click()
 
 
-def settings(pupil, command, field):
-    help_menu(pupil, command)
+def open_settings(pupil, command, field):
+    open_from_help_menu(pupil, command)
     expect(pupil.dialog().get_by_label(field, exact=True)).to_be_visible()
 
 
@@ -190,7 +193,7 @@ def faults_of_dialog(pupil, axe, opened):
 
 
 def faults(pupil, axe, part="body"):
-    """What is wrong in a part of the page and where, if it is serious or critical."""
+    """Return the serious and critical faults in a part of the page, with their places."""
     pupil.page.evaluate(f"() => {{ if (!globalThis.axe) {{ {axe} }} }}")
     found = pupil.page.evaluate("(part) => axe.run(part, { resultTypes: ['violations'] })", part)
     return [

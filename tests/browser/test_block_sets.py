@@ -1,4 +1,4 @@
-"""Sets of blocks: what the palette offers, from a first lesson to everything."""
+"""Block sets: the blocks in the palette, from a first lesson to everything."""
 
 import re
 
@@ -47,18 +47,18 @@ def test_a_first_lesson_shows_ten_blocks_and_leaves_the_program_as_it_is(pupil):
     assert tabs(pupil) == ["Driving", "Emotions", "Waiting", "Start"]
     expect(pupil.blocks("controls_repeat_ext")).to_be_visible()
     expect(pupil.blocks("lb_skill_turn_back")).to_be_visible()
-    pupil.told("Blocks shown now").get_by_role("button", name="Undo").click()
+    pupil.expect_note("Now showing").get_by_role("button", name="Undo").click()
     expect(pupil.page.locator(".shown-blocks")).to_have_count(0)
     assert len(tabs(pupil)) > 20
 
 
-def test_the_search_finds_only_what_is_shown(pupil):
+def test_the_search_finds_only_shown_blocks(pupil):
     show(pupil, "First steps")
     pupil.page.get_by_role("searchbox", name="Search for blocks").fill("repeat")
     expect(pupil.page.locator(".blocklyFlyout").first).to_contain_text("No matching blocks")
 
 
-def test_the_texts_suggest_what_is_shown_before_what_is_not(pupil):
+def test_the_texts_suggest_shown_blocks_before_hidden_ones(pupil):
     show(pupil, "First steps")
     pupil.write("blocktext", "main:\n    function.tur\nend\n")
     pupil.put_cursor("blocktext", "\nend")
@@ -80,13 +80,13 @@ def test_single_blocks_and_whole_tabs_are_chosen_and_saved(pupil, own_server):
     control = dialog.get_by_role("checkbox", name="Control", exact=True)
     assert control.evaluate("box => box.indeterminate")
     pupil.picture("ticked")
-    dialog.get_by_role("checkbox", name="made or installed later").uncheck()
+    dialog.get_by_role("checkbox", name="Also show blocks added later").uncheck()
     dialog.get_by_role("button", name="Save as…").click()
     dialog.get_by_role("textbox", name="Name").fill("Our lesson")
     dialog.get_by_role("button", name="Save", exact=True).click()
     expect(dialog.get_by_role("radio", name="Our lesson")).to_be_checked()
     dialog.get_by_role("button", name="Show these blocks").click()
-    pupil.told("Blocks shown now: Our lesson")
+    pupil.expect_note("Now showing: Our lesson")
     assert tabs(pupil) == ["Distances", "Control"]
     saved = (own_server.home / "sets" / "Our lesson.toml").read_text("utf-8")
     assert 'categories = [\n    "Distances",\n]' in saved
@@ -97,8 +97,8 @@ def test_an_exercise_brings_its_own_set_and_keeps_it(pupil, own_server, tmp_path
     file = tmp_path / "exercise.learnblock"
     file.write_text(EXERCISE, "utf-8")
     pupil.upload(file)
-    pupil.works_on("exercise")
-    expect(pupil.page.locator(".shown-blocks")).to_have_text("Blocks shown: On Tuesday")
+    pupil.expect_project("exercise")
+    expect(pupil.page.locator(".shown-blocks")).to_have_text("Blocks: On Tuesday")
     assert tabs(pupil) == ["Waiting", "Start", "Control"]
     expect(pupil.blocks("lb_skill_turn_back")).to_be_visible()
     open_dialog(pupil)
@@ -106,14 +106,14 @@ def test_an_exercise_brings_its_own_set_and_keeps_it(pupil, own_server, tmp_path
     pupil.dialog().get_by_role("radio", name="Everything").check()
     pupil.dialog().get_by_role("button", name="Show these blocks").click()
     expect(pupil.page.locator(".shown-blocks")).to_have_count(0)
-    pupil.is_saved()
+    pupil.wait_until_saved()
     pupil.page.reload()
-    pupil.works_on("exercise")
+    pupil.expect_project("exercise")
     show(pupil, "On Tuesday")
     assert tabs(pupil) == ["Waiting", "Start", "Control"]
 
 
-def test_a_set_goes_out_as_a_file_comes_in_again_and_is_deleted(pupil, own_server, tmp_path):
+def test_a_set_is_exported_deleted_and_imported_again(pupil, own_server, tmp_path):
     (own_server.home / "sets").mkdir()
     lesson = '[title]\nen = "Lesson one"\n\n[show]\nblocks = [\n    "lb_main",\n]\n'
     (own_server.home / "sets" / "lesson.toml").write_text(lesson)
@@ -121,7 +121,7 @@ def test_a_set_goes_out_as_a_file_comes_in_again_and_is_deleted(pupil, own_serve
     dialog = pupil.dialog()
     dialog.get_by_role("radio", name="Lesson one").check()
     with pupil.page.expect_download() as started:
-        dialog.get_by_role("button", name="Download").click()
+        dialog.get_by_role("button", name="Export set").click()
     file = tmp_path / started.value.suggested_filename
     started.value.save_as(file)
     assert file.read_text() == lesson
@@ -133,34 +133,34 @@ def test_a_set_goes_out_as_a_file_comes_in_again_and_is_deleted(pupil, own_serve
     dialog.get_by_role("button", name="Delete").click()
     expect(dialog.get_by_role("radio", name="Lesson one")).to_have_count(0)
     with pupil.page.expect_file_chooser() as chooser:
-        dialog.get_by_role("button", name="Open a file…").click()
+        dialog.get_by_role("button", name="Import set…").click()
     chooser.value.set_files(file)
     expect(dialog.get_by_role("status").first).to_have_text(re.compile("^1 of"))
     dialog.get_by_role("button", name="Show these blocks").click()
-    pupil.told("Blocks shown now: Lesson one")
+    pupil.expect_note("Now showing: Lesson one")
     assert tabs(pupil) == ["Start"]
 
 
-def test_what_was_ticked_is_there_again_after_escape_and_gone_after_cancel(pupil):
+def test_escape_keeps_the_ticks_and_cancel_discards_them(pupil):
     open_dialog(pupil)
     pupil.dialog().get_by_role("checkbox", name="Camera", exact=True).uncheck()
     pupil.page.keyboard.press("Escape")
     open_dialog(pupil)
-    expect(pupil.dialog().get_by_role("status").first).to_contain_text("changed, not saved yet")
+    expect(pupil.dialog().get_by_role("status").first).to_contain_text("changed, not saved")
     expect(pupil.dialog().get_by_role("checkbox", name="Camera", exact=True)).not_to_be_checked()
     pupil.dialog().get_by_role("button", name="Cancel").click()
     open_dialog(pupil)
     expect(pupil.dialog().get_by_role("checkbox", name="Camera", exact=True)).to_be_checked()
 
 
-def test_a_wrong_file_is_told_in_the_dialog(pupil, tmp_path):
+def test_a_wrong_file_is_reported_in_the_dialog(pupil, tmp_path):
     file = tmp_path / "lesson.toml"
     file.write_text("[show]\nblock = []\n")
     open_dialog(pupil)
     with pupil.page.expect_file_chooser() as chooser:
-        pupil.dialog().get_by_role("button", name="Open a file…").click()
+        pupil.dialog().get_by_role("button", name="Import set…").click()
     chooser.value.set_files(file)
-    expect(pupil.dialog().get_by_role("alert")).to_contain_text("did you mean `blocks`?")
+    expect(pupil.dialog().get_by_role("alert")).to_contain_text("Did you mean 'blocks'?")
 
 
 def test_the_dialog_works_by_keyboard_alone(pupil):
@@ -171,7 +171,7 @@ def test_the_dialog_works_by_keyboard_alone(pupil):
     expect(page.get_by_role("radio", name="First steps")).to_be_checked()
     focus_by_tab(page, "Show these blocks")
     page.keyboard.press("Enter")
-    pupil.told("Blocks shown now: First steps")
+    pupil.expect_note("Now showing: First steps")
     expect(pupil.dialog()).to_have_count(0)
 
 
@@ -179,22 +179,22 @@ def test_two_pages_of_a_project_show_the_same_blocks(pupil):
     first, second = pupil.page, pupil.open(pupil.page.url)
     show(pupil, "Events")
     pupil.page = second
-    expect(second.locator(".shown-blocks")).to_have_text("Blocks shown: Events")
+    expect(second.locator(".shown-blocks")).to_have_text("Blocks: Events")
     pupil.page = first
 
 
 def test_in_spanish_the_sets_have_spanish_names(sit_down, own_server):
     pupil = sit_down(own_server, language="es")
-    pupil.project("Bloques visibles…")
+    pupil.project("Elegir bloques…")
     pupil.dialog().get_by_role("radio", name="Primeros pasos").check()
     pupil.picture("spanish")
     pupil.dialog().get_by_role("button", name="Mostrar estos bloques").click()
-    pupil.told("Bloques visibles ahora: Primeros pasos")
+    pupil.expect_note("Se muestran: Primeros pasos")
     assert tabs(pupil)[0] == "Movimiento"
 
 
 def open_dialog(pupil):
-    pupil.project("Blocks shown…")
+    pupil.project("Choose blocks…")
     expect(pupil.dialog().get_by_role("checkbox", name="Distances")).to_be_visible()
 
 
@@ -202,11 +202,11 @@ def show(pupil, title):
     open_dialog(pupil)
     pupil.dialog().get_by_role("radio", name=title).check()
     pupil.dialog().get_by_role("button", name="Show these blocks").click()
-    expect(pupil.page.locator(".shown-blocks")).to_have_text(f"Blocks shown: {title}")
+    expect(pupil.page.locator(".shown-blocks")).to_have_text(f"Blocks: {title}")
 
 
 def tabs(pupil):
-    """The tabs of the palette but the search."""
+    """Return the tabs of the palette except the search."""
     expect(pupil.page.locator(".blocklyToolboxCategory").first).to_be_visible()
     found = pupil.page.locator(".blocklyToolboxCategoryLabel").all_text_contents()
     return [one for one in found if one]

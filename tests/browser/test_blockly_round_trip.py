@@ -1,4 +1,4 @@
-"""Programs through the real Blockly: what it is shown is what it gives back."""
+"""Round trips through the real Blockly: it returns the program that it was given."""
 
 import mimetypes
 import os
@@ -11,21 +11,21 @@ import pytest
 
 from learnblock.blocks.palette import palette
 from learnblock.language import Workspace, from_workspace, parse, to_workspace
-from learnblock.language.workspace import Block
+from learnblock.language.workspace.blocks import Block
+from places import ROOT
 from workspaces import CONFIGURATIONS, BlockTrees, as_json, blocks
 
-ROOT = Path(__file__).parents[2]
 HARNESS = Path(__file__).parent / "roundtrip"
 PROGRAMS = sorted([*ROOT.glob("examples/*.bt"), *ROOT.glob("tests/cases/*/program.bt")])
 RANDOM = 2000
 BATCH = 100
-#: Answers no request itself: the test does.
+#: A made-up address, whose requests the test answers.
 PLACE = "http://roundtrip.test/"
 
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory):
-    """The page's editor of blocks, built into a folder."""
+    """The folder of the page's block editor, built for this test."""
     npx = shutil.which("npx")
     if npx is None and not os.environ.get("CI"):
         pytest.skip("no Node.js on this machine, which builds the page")
@@ -41,7 +41,7 @@ def built(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def blockly(browser, built):
-    """A page with Blockly in it; answers what became of workspaces that it was shown in turn."""
+    """A function that loads workspaces into Blockly in turn and returns them as saved."""
     context = browser.new_context()
     page = context.new_page()
     errors = []
@@ -78,13 +78,13 @@ def read(workspace):
 
 
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: f"{path.parent.name}-{path.stem}")
-def test_an_example_is_the_same_program_after_blockly_has_had_it(blockly, path):
+def test_an_example_survives_a_round_trip_through_blockly(blockly, path):
     program = parse(path.read_text("utf-8"))
     (back,) = blockly([blocks_of(program)])
     assert read(back) == program
 
 
-def test_random_programs_are_the_same_after_blockly_has_had_them(blockly):
+def test_random_programs_survive_a_round_trip_through_blockly(blockly):
     changed = {}
     for first in range(0, RANDOM, BATCH):
         seeds = range(first, first + BATCH)
@@ -98,7 +98,7 @@ def test_random_programs_are_the_same_after_blockly_has_had_them(blockly):
     assert changed == {}
 
 
-def test_a_loose_call_of_a_function_that_is_gone_stays(blockly):
+def test_a_detached_call_of_a_deleted_function_is_kept(blockly):
     call = Block("procedures_callnoreturn", "call", x=1, y=2)
     call.extraState = {"name": "step", "params": ["angle"]}
     (back,) = blockly([Workspace([[call]])])
@@ -106,14 +106,14 @@ def test_a_loose_call_of_a_function_that_is_gone_stays(blockly):
 
 
 def differences(before, after):
-    """The blocks that Blockly has changed: each as it was, and as it is now."""
+    """Return the blocks that Blockly has changed: each before and after."""
     was, now = by_id(before), by_id(after)
     ids = dict.fromkeys([*was, *now])
     return {one: (was.get(one), now.get(one)) for one in ids if was.get(one) != now.get(one)}
 
 
 def by_id(workspace):
-    """Every block by its id, with the ids of what is plugged in."""
+    """Return every block by its id, with the ids of its inputs."""
     return {block.id: own(block) for block in blocks(workspace)}
 
 

@@ -1,4 +1,4 @@
-"""A real robot that sees faces, and on which emotions are off, tells why they have no effect."""
+"""A real robot with emotion recognition off: the result explains why it has no effect."""
 
 import pytest
 from playwright.sync_api import expect
@@ -7,7 +7,7 @@ from browser.conftest import Server
 from shown_pictures import a_face
 from videos import record
 
-#: A real robot without a camera: it looks through the video of the settings.
+#: A real robot without a camera, which uses the video of the settings.
 MINE = """
 from learnblock.devices import Base
 from learnblock.robots.real import RealRobot
@@ -30,7 +30,7 @@ end
 
 @pytest.fixture
 def watched(tmp_path):
-    """A server with such a robot, and a video of a happy face."""
+    """A server with this robot and a video of a happy face."""
     (tmp_path / "robots").mkdir()
     (tmp_path / "robots" / "mine.py").write_text(MINE)
     record(tmp_path / "face.avi", [a_face("joy")] * 5)
@@ -51,8 +51,8 @@ def test_the_result_says_why_emotions_had_no_effect(sit_down, watched):
     pupil.tab("Result")
     result = pupil.page.get_by_role("tabpanel", name="Result")
     expect(result).to_contain_text(
-        "is_any_face_happy: emotions are not recognised on this camera; the settings of"
-        " perception say why"
+        "is_any_face_happy: emotions are not recognised on this camera."
+        " Camera recognition in the menu says why."
     )
     pupil.picture("result")
     console = pupil.tab("Console").inner_text()

@@ -1,4 +1,4 @@
-"""What is wrong is said where it is, and the last good program stays in sight."""
+"""Errors are shown at their place, and the last working program stays visible."""
 
 import pytest
 from playwright.sync_api import expect
@@ -8,7 +8,7 @@ GOOD = "main:\n    x = 3\n    while x > 0:\n        x -= 1\n    end\nend\n"
 
 @pytest.fixture
 def pupil(sit_down, server):
-    """With a good program in all three views, on a screen with room for them."""
+    """A pupil with a correct program in all three views on a wide screen."""
     pupil = sit_down(server, viewport={"width": 1800, "height": 900})
     pupil.begin()
     pupil.show("Blocks", "Block-Text", "Python")
@@ -20,14 +20,14 @@ def pupil(sit_down, server):
 @pytest.mark.parametrize(
     ("view", "name", "line"), [("blocktext", "Block-Text", 3), ("python", "Python", 7)]
 )
-def test_a_wrong_line_is_underlined_and_listed_and_the_other_views_wait_for_its_end(
+def test_a_wrong_line_is_underlined_and_listed_and_the_other_views_wait_for_its_correction(
     pupil, view, name, line
 ):
     pupil.put_cursor(view, "while")
     pupil.press_keys("Delete", len("while"))
     pupil.page.keyboard.type("whle")
     note = pupil.page.locator(".stale-note")
-    expect(note).to_contain_text(f"{name} has an error in line {line}")
+    expect(note).to_contain_text(f"{name} has an error on line {line}")
     expect(pupil.editor(view).locator(".cm-lintRange-error")).not_to_have_count(0)
     for other in {"blocks", "blocktext", "python"} - {view}:
         expect(pupil.page.locator(f"[data-region={other}] .stale")).to_be_visible()
@@ -37,7 +37,7 @@ def test_a_wrong_line_is_underlined_and_listed_and_the_other_views_wait_for_its_
     pupil.picture("wrong")
     pupil.put_cursor(view, "end" if view == "blocktext" else "from")
     problem.click()
-    pupil.stands_in(view, line)
+    pupil.expect_cursor_in(view, line)
     pupil.put_cursor(view, "whle")
     pupil.press_keys("Delete", len("whle"))
     pupil.page.keyboard.type("while not")
@@ -49,7 +49,7 @@ def test_a_wrong_line_is_underlined_and_listed_and_the_other_views_wait_for_its_
     assert pupil.foreign == []
 
 
-def test_a_block_with_a_hole_is_marked_until_the_hole_is_filled(pupil):
+def test_a_block_with_an_empty_input_is_marked_until_that_is_undone(pupil):
     first = pupil.blocks("variables_set").first.get_attribute("data-id")
     pupil.put_below(pupil.take("Control", "controls_if"), first)
     expect(pupil.page.locator(".blocks .lbError")).not_to_have_count(0)
@@ -65,12 +65,12 @@ def test_a_block_with_a_hole_is_marked_until_the_hole_is_filled(pupil):
 @pytest.mark.parametrize(
     ("wrong", "said"),
     [
-        ("print(1 / x)", "Nothing can be divided by zero"),
-        ("print(late[0])", "A name is used that has no value yet"),
+        ("print(1 / x)", "You can't divide by zero"),
+        ("print(late[0])", "A name has no value"),
     ],
     ids=["division by zero", "a name without a value"],
 )
-def test_what_goes_wrong_in_a_run_is_told_at_its_block_and_its_lines(pupil, wrong, said):
+def test_a_runtime_error_is_shown_at_its_block_and_its_lines(pupil, wrong, said):
     never = "    if x > 5:\n        late = [1]\n    end\n"
     pupil.write("blocktext", GOOD.removesuffix("end\n") + f"{never}    {wrong}\nend\n")
     pupil.sees("python", wrong)
@@ -83,8 +83,8 @@ def test_what_goes_wrong_in_a_run_is_told_at_its_block_and_its_lines(pupil, wron
     problem = pupil.tab("Problems").locator(".problem.error")
     expect(problem).to_contain_text(said)
     problem.click()
-    pupil.stands("blocktext", 9, "    ")
-    pupil.picture("told")
+    pupil.expect_cursor("blocktext", 9, "    ")
+    pupil.picture("shown")
     pupil.page.keyboard.type("pass # ")
     expect(pupil.page.locator(".blocks .lbError")).to_have_count(0)
     assert pupil.foreign == []

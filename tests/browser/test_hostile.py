@@ -1,4 +1,4 @@
-"""Hostile pages before the real process: each is refused, and nobody else notices."""
+"""Hostile pages against the real process: each is refused without affecting other pages."""
 
 import http.client
 import socket
@@ -10,13 +10,13 @@ from websockets.sync.client import connect
 
 from browser.conftest import Server
 from browser.hostile import PROGRAM, disordered, malformed, stream
-from pages import PATIENCE, Visitor
+from pages import PATIENCE, Visitor, english
 
-#: Messages of one connection.
+#: The number of messages sent over one connection.
 BREATH = 100
 MEGABYTE = 1024 * 1024
-#: Of no project.
-NOBODY = "nobody"
+#: The name of a project that does not exist.
+UNKNOWN = "no-such-project"
 MASK = b"\0\0\0\0"
 UNKNOWN_OPCODE = b"\x83\x80" + MASK
 WITHOUT_MASK = b"\x81\x02{}"
@@ -25,7 +25,7 @@ NO_TEXT = b"\x81\x81" + MASK + "é".encode()[:1]
 
 
 def frame_of(size):
-    """The head of a websocket's frame: a text of so many bytes is to follow."""
+    """Return the header of a websocket frame for a text of `size` bytes."""
     return b"\x81\xff" + size.to_bytes(8, "big") + MASK
 
 
@@ -38,13 +38,13 @@ def own_server(tmp_path_factory):
 
 @pytest.fixture
 def stranger(own_server):
-    """A page that means no good, in a project that others work on."""
+    """A hostile page in a project that others use."""
     with visit(own_server) as stranger:
         stranger.project = stranger.open("shared", PROGRAM)["name"]
         yield stranger
 
 
-# What is said.
+# Messages.
 
 
 def test_each_of_nine_thousand_malformed_messages_is_refused(own_server, stranger):
@@ -52,24 +52,24 @@ def test_each_of_nine_thousand_malformed_messages_is_refused(own_server, strange
         with visit(own_server) as another:
             assert refusals(another, seed) == BREATH
     assert refusals(stranger, seed=89) == BREATH
-    works_as_ever(own_server, stranger.project)
+    check_that_editing_works(own_server, stranger.project)
 
 
-def test_a_thousand_messages_at_the_wrong_time_are_obeyed_or_refused(own_server, stranger):
+def test_a_thousand_messages_at_the_wrong_time_are_handled_or_refused(own_server, stranger):
     for seed in range(10):
         with visit(own_server) as another:
             another.say("Open", name=stranger.project)
-            for said in stream(disordered, BREATH, seed):
-                another.say_raw(said)
+            for message in stream(disordered, BREATH, seed):
+                another.say_raw(message)
             settle(another)
-    works_as_ever(own_server, stranger.project)
+    check_that_editing_works(own_server, stranger.project)
 
 
 @pytest.mark.parametrize("size", [4, 7])
 def test_a_message_that_is_too_long_is_refused(own_server, stranger, size):
     stranger.say("EditText", edit=2, notation="python", text="x" * size * MEGABYTE)
-    assert "too long" in stranger.hear("Failed")["message"]
-    works_as_ever(own_server, stranger.project)
+    assert "too long" in english(stranger.hear("Failed")["message"])
+    check_that_editing_works(own_server, stranger.project)
 
 
 @pytest.mark.parametrize(
@@ -82,16 +82,16 @@ def test_a_message_that_is_too_long_is_refused(own_server, stranger, size):
         (NO_TEXT, 1007),
     ],
 )
-def test_what_no_browser_sends_closes_its_connection_with_a_reason(
+def test_an_invalid_websocket_frame_closes_the_connection_with_its_status_code(
     own_server, stranger, data, code
 ):
     with visit(own_server) as another:
         another.socket.socket.sendall(data)
-        assert code_of_closing(another) == code
-    works_as_ever(own_server, stranger.project)
+        assert close_code(another) == code
+    check_that_editing_works(own_server, stranger.project)
 
 
-def test_a_server_ends_though_pages_have_said_more_than_it_can_do(tmp_path):
+def test_a_server_stops_with_unfinished_messages_in_its_queue(tmp_path):
     with serving(tmp_path) as server, visit(server) as page:
         page.open()
         for edit in range(BREATH):
@@ -101,44 +101,44 @@ def test_a_server_ends_though_pages_have_said_more_than_it_can_do(tmp_path):
         assert server.stop() == 0
 
 
-# Who says it.
+# Senders.
 
 
 def test_a_wrong_token_is_refused(server):
     with visit(server, token="guessed") as stranger:
-        assert code_of_closing(stranger) == 4403
+        assert close_code(stranger) == 4403
     assert status(server, "/?token=guessed") == 403
     assert status(server, f"/?token={server.token}") == 200
 
 
 @pytest.mark.parametrize("headers", [{"Host": "evil.example"}, {"Origin": "https://evil.example"}])
-def test_a_page_of_others_is_refused(server, headers):
+def test_a_request_for_another_host_or_origin_is_refused(server, headers):
     assert status(server, f"/?token={server.token}", **headers) == 403
 
 
 @pytest.mark.parametrize(
     ("host", "origin"), [("evil.example", None), ("127.0.0.1", "https://evil.example")]
 )
-def test_a_socket_of_others_is_refused(server, host, origin):
+def test_a_websocket_for_another_host_or_origin_is_refused(server, host, origin):
     with pytest.raises(InvalidStatus, match="403"), visit(server, host=host, origin=origin):
         pass
 
 
-# What a file says.
+# Files.
 
 
 @pytest.mark.parametrize("key", ["world", "robot"])
-def test_a_project_that_leads_out_of_its_folder_is_refused(pupil, tmp_path, key):
+def test_a_project_with_a_path_out_of_its_folder_is_refused(pupil, tmp_path, key):
     before = pupil.page.url
     file = tmp_path / "outside.learnblock"
     file.write_text(f'{{"learnblock": 1, "blocktext": ["main:"], "{key}": "../../etc/passwd"}}')
     pupil.upload(file)
-    pupil.told("and no path")
+    pupil.expect_note("can only name a")
     pupil.picture("refused")
     assert pupil.page.url == before
 
 
-def test_a_file_that_is_called_by_a_path_outside_stays_in_the_folder(own_server, stranger):
+def test_an_upload_with_a_path_as_its_name_stays_in_the_folder(own_server, stranger):
     stranger.say("Import", filename="../../outside.bt", text=PROGRAM)
     assert stranger.hear("Opened")["name"] == "outside"
     (file,) = own_server.home.parent.rglob("outside*")
@@ -147,58 +147,58 @@ def test_a_file_that_is_called_by_a_path_outside_stays_in_the_folder(own_server,
 
 @contextmanager
 def serving(folder):
-    """A server that in the end has told of no error in our code."""
-    home, told = folder / "home", folder / "told.txt"
+    """Start a server, and check at the end that our code logged no error."""
+    home, log = folder / "home", folder / "log.txt"
     home.mkdir()
-    with told.open("w") as errors:
+    with log.open("w") as errors:
         server = Server(home, errors=errors)
         try:
             yield server
         finally:
             status = server.stop()
     assert status == 0
-    assert "/learnblock/" not in told.read_text("utf-8")
+    assert "/learnblock/" not in log.read_text("utf-8")
 
 
 @contextmanager
 def visit(server, *, token=None, host="127.0.0.1", origin=None):
-    """A page with a websocket, which calls the server by the name `host`."""
+    """Open a websocket as a page that uses the host name `host`."""
     with connect(
         f"ws://{host}:{server.port}/ws",
         sock=socket.create_connection(("127.0.0.1", server.port)),
         subprotocols=["learnblock", token or server.token],
         origin=origin,
         max_size=None,
-        # Some of these pages do not listen, and must not be in the way of their own farewell.
+        # Some of these pages do not read, which must not delay the end of the connection.
         max_queue=None,
     ) as opened:
         yield Visitor(opened)
 
 
 def long_program(number):
-    """It takes its time to be read."""
+    """Return a program that takes a while to parse."""
     return "main:\n" + f"    function.sleep({number})\n" * 2000 + "end\n"
 
 
 def refusals(page, seed):
-    """How many of a hundred malformed messages are refused."""
+    """Send a hundred malformed messages; return how many are refused."""
     before = page.heard["Failed"]
-    for said in stream(malformed, BREATH, seed):
-        page.say_raw(said)
+    for message in stream(malformed, BREATH, seed):
+        page.say_raw(message)
     page.say("ListProjects")
     page.until("Projects")
     return page.heard["Failed"] - before
 
 
 def settle(page):
-    """Return when everything said until now has been obeyed or refused."""
-    page.say("Open", name=NOBODY)
-    while NOBODY not in page.next().get("message", ""):
+    """Wait until all messages sent so far have been handled or refused."""
+    page.say("Open", name=UNKNOWN)
+    while UNKNOWN not in english(page.hear("Failed")["message"]):
         pass
 
 
-def works_as_ever(server, project):
-    """A page comes to the same project, and all of it answers."""
+def check_that_editing_works(server, project):
+    """Open the project in a new page, and check that editing works."""
     with visit(server) as page:
         page.say("Open", name=project)
         page.hear("Document")
@@ -208,8 +208,8 @@ def works_as_ever(server, project):
         assert not document.get("problems")
 
 
-def code_of_closing(page):
-    """Hear a page out until the server closes its connection."""
+def close_code(page):
+    """Read until the server closes the connection; return the status code."""
     with suppress(ConnectionClosed):
         while True:
             page.next()
@@ -217,7 +217,7 @@ def code_of_closing(page):
 
 
 def status(server, path, **headers):
-    """The status of the answer to a plain request."""
+    """Send an HTTP request; return the status of the answer."""
     connection = http.client.HTTPConnection("127.0.0.1", server.port, timeout=PATIENCE)
     connection.request("GET", path, headers=headers)
     response = connection.getresponse()

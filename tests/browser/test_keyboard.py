@@ -1,4 +1,4 @@
-"""The page without a mouse, and the tour for whoever is new."""
+"""The page without a mouse, and the tour for new users."""
 
 import re
 
@@ -7,7 +7,13 @@ from playwright.sync_api import expect
 from browser.test_square import SQUARE
 from browser.typist import Typist
 
-STEPS = ("Build with blocks", "The same as text", "Run it", "Watch the robot", "Try another robot")
+STEPS = (
+    "Build with blocks",
+    "The same program as text",
+    "Run it",
+    "Watch the robot",
+    "Try another robot",
+)
 
 
 def test_listing_4_is_built_with_the_keyboard_alone_and_the_robot_closes_the_square(pupil):
@@ -30,18 +36,18 @@ def test_listing_4_is_built_with_the_keyboard_alone_and_the_robot_closes_the_squ
     keys.press("Control+Enter")
     expect(pupil.blocks("lb_skill_set_orientation.lbRunning")).to_be_visible()
     pupil.picture("running")
-    pupil.waits_for_the_end()
+    pupil.wait_for_the_end()
     pupil.picture("closed")
     keys.go_to("world")
     keys.walk("Tab", "^Where is the robot")
     keys.press("Enter")
-    x, y = pupil.place_told()
+    x, y = pupil.described_place()
     assert abs(x) < 10
     assert abs(y) < 10
     assert pupil.foreign == []
 
 
-def test_every_region_of_the_page_is_reached_and_left_by_f6(pupil):
+def test_f6_reaches_every_region_of_the_page(pupil):
     keys = Typist(pupil)
     seen = []
     for _ in range(5):
@@ -52,7 +58,7 @@ def test_every_region_of_the_page_is_reached_and_left_by_f6(pupil):
     assert keys.region() == seen[-2]
 
 
-def test_a_text_is_written_and_left_by_keys(pupil):
+def test_a_text_is_edited_and_left_with_the_keyboard(pupil):
     keys = Typist(pupil)
     keys.begin()
     keys.go_to("blocktext")
@@ -64,7 +70,7 @@ def test_a_text_is_written_and_left_by_keys(pupil):
     expect(pupil.editor("blocktext")).not_to_be_focused()
 
 
-def test_a_letter_pressed_in_a_list_of_a_block_does_not_leave_the_list(pupil):
+def test_a_letter_typed_in_the_dropdown_of_a_block_does_not_leave_it(pupil):
     pupil.open_example("square")
     expect(pupil.blocks("controls_whileUntil")).to_be_visible()
     keys = Typist(pupil)
@@ -76,22 +82,22 @@ def test_a_letter_pressed_in_a_list_of_a_block_does_not_leave_the_list(pupil):
     pupil.sees("blocktext", "while not times < 4")
 
 
-def test_a_breakpoint_removed_by_its_dot_gives_the_focus_to_its_block(pupil):
+def test_removing_a_breakpoint_at_its_dot_moves_the_focus_to_its_block(pupil):
     pupil.open_example("square")
     expect(pupil.blocks("controls_whileUntil")).to_be_visible()
     keys = Typist(pupil)
     keys.go_to("blocks")
-    keys.walk("ArrowDown", "^wait seconds")
+    keys.walk("ArrowDown", "^wait")
     keys.press("F9")
     dot = pupil.page.locator(".lbBreakpoint")
     expect(dot).to_have_count(1)
-    keys.walk("ArrowRight", "^Remove the breakpoint")
+    keys.walk("ArrowRight", "^Remove breakpoint")
     keys.press("Enter")
     expect(dot).to_have_count(0)
-    assert keys.hears().startswith("wait seconds")
+    assert keys.hears().startswith("wait")
 
 
-def test_the_palette_is_searched_also_from_among_its_blocks(pupil):
+def test_the_search_can_be_opened_from_the_blocks_of_the_palette(pupil):
     keys = Typist(pupil)
     keys.begin()
     keys.go_to("blocks")
@@ -99,12 +105,12 @@ def test_the_palette_is_searched_also_from_among_its_blocks(pupil):
     keys.press("t")
     keys.walk("ArrowDown", "^Driving$")
     keys.press("ArrowRight")
-    keys.find("wait", "^wait seconds")
-    assert keys.hears().startswith("wait seconds")
+    keys.find("wait", "^wait")
+    assert keys.hears().startswith("wait")
     pupil.sees("blocktext", "function.sleep(1)")
 
 
-def test_dialogs_give_the_focus_back(pupil):
+def test_closing_a_dialog_restores_the_focus(pupil):
     keys = Typist(pupil)
     for shortcut in ("Control+o", "F1"):
         keys.go_to("world")
@@ -117,7 +123,7 @@ def test_dialogs_give_the_focus_back(pupil):
         assert keys.hears() == before
 
 
-def test_tabs_and_dividers_are_moved_by_arrows(pupil):
+def test_arrow_keys_change_tabs_and_move_dividers(pupil):
     keys = Typist(pupil)
     keys.go_to("panel")
     for name in ("Variables", "Sensors", "Problems", "Result", "Console"):
@@ -131,12 +137,12 @@ def test_tabs_and_dividers_are_moved_by_arrows(pupil):
     expect(divider).to_have_attribute("aria-valuenow", str(before - 3))
 
 
-def test_the_tour_is_taken_in_five_steps_by_keys_and_ends_at_the_run_button(sit_down, server):
+def test_the_tour_takes_five_steps_with_the_keyboard_and_ends_at_the_run_button(sit_down, server):
     pupil = sit_down(server, tour=True)
     keys = Typist(pupil)
-    offer = pupil.page.get_by_role("button", name="Show me")
+    offer = pupil.page.get_by_role("button", name="Start tour")
     expect(offer).to_be_visible()
-    keys.walk("Shift+Tab", "^Show me")
+    keys.walk("Shift+Tab", "^Start tour")
     keys.press("Enter")
     for number, title in enumerate(STEPS, 1):
         expect(pupil.dialog().get_by_role("heading")).to_have_text(title)
@@ -146,7 +152,7 @@ def test_the_tour_is_taken_in_five_steps_by_keys_and_ends_at_the_run_button(sit_
     expect(pupil.dialog()).to_have_count(0)
     expect(pupil.page.get_by_role("button", name="Run", exact=True)).to_be_focused()
     pupil.page.reload()
-    pupil.works_on(re.compile("."))
+    pupil.expect_project(re.compile("."))
     expect(offer).to_have_count(0)
 
 
@@ -157,7 +163,7 @@ def build_listing_4(keys):
         keys.make_variable(name)
     set_variable(keys, "times", "0")
     set_variable(keys, "angle", "90")
-    keys.find("gyroscope", "^reset")
+    keys.find("gyroscope", "^set heading")
     keys.find("while", "^repeat, while")
     fewer_than_four(keys)
     keys.walk("ArrowLeft", "^repeat, while")
@@ -185,15 +191,15 @@ def fewer_than_four(keys):
 
 
 def turn_a_corner(keys):
-    keys.find("straight", "^move straight")
-    keys.find("wait", "^wait seconds")
+    keys.find("forward", "^drive forward")
+    keys.find("wait", "^wait")
     keys.fill("5")
-    keys.walk("ArrowLeft", "^wait seconds")
-    keys.find("stop", "^stop")
-    keys.find("orientation", "^set orientation")
-    keys.walk("ArrowRight", "number")
+    keys.walk("ArrowLeft", "^wait")
+    keys.find("stop", "^stop driving")
+    keys.find("to face", "^turn to face")
+    keys.walk("ArrowRight", "^Edit angle")
     keys.take("Variables", "^dropdown: Variable 'angle'")
-    keys.walk("ArrowLeft", "^set orientation")
+    keys.walk("ArrowLeft", "^turn to face")
     for name, change in (("times", "1"), ("angle", "90")):
         keys.take("Variables", "^change, ")
         keys.choose_in("dropdown: Variable", name)

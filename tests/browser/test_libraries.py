@@ -1,4 +1,4 @@
-"""Libraries on the page: from one pupil's program to another's, each with their own profile."""
+"""Libraries on the page: functions of one pupil used by another with another profile."""
 
 import json
 import os
@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import expect
 
 from browser.conftest import Server
-from browser.test_accessibility import AXE, THEMES, faults, put_on
+from browser.test_accessibility import AXE, THEMES, choose_theme, faults
 
 DANCE = """# Dance a waltz.
 def waltz(times):
@@ -34,14 +34,14 @@ main:
     waltz(2)
 end
 """
-#: The second profile has a library with a `waltz` already.
+#: A library of the second profile, which also has a `waltz`.
 OTHER = "def waltz():\n    function.sleep(1)\nend\n"
 USE = 'import "dance"\n\nmain:\n    function.{waltz}(2)\nend\n'
 
 
 @pytest.fixture
 def first(sit_down, own_server):
-    """A pupil who has a program with functions."""
+    """A pupil with a program that has functions."""
     pupil = sit_down(own_server)
     pupil.begin()
     pupil.show("Blocks", "Block-Text")
@@ -52,7 +52,7 @@ def first(sit_down, own_server):
 
 @pytest.fixture
 def second(sit_down, tmp_path):
-    """A pupil with a profile of their own, in which nothing is yet."""
+    """A pupil with another, empty profile."""
     server = Server(tmp_path / "second")
     pupil = sit_down(server)
     pupil.server = server
@@ -62,23 +62,19 @@ def second(sit_down, tmp_path):
     server.stop()
 
 
-def test_functions_go_to_a_fresh_profile_with_a_clash_and_do_there_what_they_did(
-    first, second, tmp_path
-):
+def test_exported_functions_work_the_same_in_a_profile_with_a_name_clash(first, second, tmp_path):
     install_other(second, tmp_path)
-    file = made(first, tmp_path, "waltz")
-    libraries(second)
+    file = create_library(first, tmp_path, "waltz")
+    open_libraries(second)
     choose(second, file)
-    expect(second.dialog()).to_contain_text(
-        "waltz is the name of a skill of the library ball already"
-    )
-    expect(new_name(second)).to_have_value("dance_waltz")
+    expect(second.dialog()).to_contain_text("The name waltz is already used: the library ball.")
+    expect(new_name_field(second)).to_have_value("dance_waltz")
     second.picture("clash")
-    new_name(second).fill("sway")
-    expect(imports(second)).to_be_disabled()
-    new_name(second).fill("slow_waltz")
-    expect(imports(second)).to_be_enabled()
-    imports(second).click()
+    new_name_field(second).fill("sway")
+    expect(import_button(second)).to_be_disabled()
+    new_name_field(second).fill("slow_waltz")
+    expect(import_button(second)).to_be_enabled()
+    import_button(second).click()
     expect(second.dialog()).to_contain_text("Imported: dance.")
     second.picture("installed")
     second.dialog().get_by_role("button", name="Use dance in this program").click()
@@ -87,12 +83,12 @@ def test_functions_go_to_a_fresh_profile_with_a_clash_and_do_there_what_they_did
     second.write("blocktext", USE.format(waltz="slow_waltz"))
     expect(second.blocks("lb_skill_slow_waltz")).to_be_visible()
     trace = second.trace_of_a_run()
-    assert trace == traced_by_the_command_line(second, tmp_path)
-    # Their robots have done the same, whatever the skills are called.
-    assert seconds(second) == run_of(first)
+    assert trace == trace_of_the_command_line(second, tmp_path)
+    # Both robots drove the same way: the names of the skills do not matter.
+    assert seconds(second) == run_and_measure(first)
 
 
-def test_a_block_of_the_palette_brings_its_import(second, tmp_path):
+def test_a_library_block_from_the_palette_adds_its_import(second, tmp_path):
     install_other(second, tmp_path)
     waltz = second.take("Ball", "lb_skill_waltz")
     second.put_into(waltz, second.blocks("lb_main").get_attribute("data-id"))
@@ -101,44 +97,46 @@ def test_a_block_of_the_palette_brings_its_import(second, tmp_path):
     second.picture("palette")
 
 
-def test_what_cannot_be_exported_says_why(first):
-    libraries(first)
-    first.dialog().get_by_role("button", name="Make a library…").click()
+def test_a_function_that_cannot_be_exported_says_why(first):
+    open_libraries(first)
+    first.dialog().get_by_role("button", name="Create library…").click()
     late = first.dialog().get_by_role("checkbox", name="late()")
     expect(late).to_be_disabled()
-    expect(late).to_have_accessible_description(re.compile("the functions use `speed`, which line"))
+    expect(late).to_have_accessible_description(re.compile("The functions use 'speed', which line"))
     waltz = first.dialog().get_by_role("checkbox", name="waltz(times)")
-    expect(waltz).to_have_accessible_description("takes along sway")
+    expect(waltz).to_have_accessible_description("includes sway")
     first.picture("make")
 
 
-def test_a_version_that_is_no_newer_is_replaced_only_when_ticked(first, tmp_path):
-    file = made(first, tmp_path, "waltz")
+def test_a_version_that_is_not_newer_is_installed_only_when_ticked(first, tmp_path):
+    file = create_library(first, tmp_path, "waltz")
     choose(first, file)
-    imports(first).click()
+    import_button(first).click()
     expect(first.dialog()).to_contain_text("Imported: dance.")
     choose(first, file)
-    expect(first.dialog()).to_contain_text("Version 1.0.0 is installed, which is as new or newer.")
-    expect(imports(first)).to_be_disabled()
+    expect(first.dialog()).to_contain_text("Version 1.0.0 is installed, the same or a newer one.")
+    expect(import_button(first)).to_be_disabled()
     first.dialog().get_by_role("checkbox", name="Replace dance").check()
-    imports(first).click()
+    import_button(first).click()
     expect(first.dialog()).to_contain_text("Imported: dance.")
 
 
-def test_a_file_that_is_no_library_is_told_and_can_be_left_out(first, tmp_path):
+def test_a_file_that_is_not_a_library_is_reported_and_can_be_skipped(first, tmp_path):
     (tmp_path / "none.lblib").write_text("nothing")
-    file = made(first, tmp_path, "waltz")
+    file = create_library(first, tmp_path, "waltz")
     choose(first, file, tmp_path / "none.lblib")
-    expect(first.dialog().get_by_role("alert")).to_contain_text("this is no library in one file")
-    expect(imports(first)).to_be_disabled()
+    expect(first.dialog().get_by_role("alert")).to_contain_text(
+        "This file is damaged or not a library"
+    )
+    expect(import_button(first)).to_be_disabled()
     first.picture("broken")
-    first.dialog().get_by_role("button", name="Leave out none.lblib").click()
-    imports(first).click()
+    first.dialog().get_by_role("button", name="Skip none.lblib").click()
+    import_button(first).click()
     expect(first.dialog()).to_contain_text("Imported: dance.")
 
 
-def test_libraries_are_dropped_on_the_page(first, tmp_path):
-    file = made(first, tmp_path, "waltz")
+def test_libraries_can_be_dropped_on_the_page(first, tmp_path):
+    file = create_library(first, tmp_path, "waltz")
     first.page.keyboard.press("Escape")
     data = first.page.evaluate_handle(
         """(bytes) => {
@@ -152,23 +150,23 @@ def test_libraries_are_dropped_on_the_page(first, tmp_path):
     expect(first.dialog()).to_contain_text('import "dance" · 1.0.0 · waltz, sway')
 
 
-def test_a_library_is_removed_after_a_second_thought(first, tmp_path):
-    choose(first, made(first, tmp_path, "waltz"))
-    imports(first).click()
+def test_a_library_is_removed_after_confirmation(first, tmp_path):
+    choose(first, create_library(first, tmp_path, "waltz"))
+    import_button(first).click()
     dialog = first.dialog()
     dialog.get_by_role("button", name="Remove dance").click()
     expect(dialog.get_by_role("button", name="Keep")).to_be_focused()
     first.page.keyboard.press("Enter")
     dialog.get_by_role("button", name="Remove dance").click()
     dialog.get_by_role("button", name="Remove", exact=True).click()
-    expect(dialog).to_contain_text("dance is removed.")
-    expect(dialog).to_contain_text("No library is installed yet.")
+    expect(dialog).to_contain_text("dance removed.")
+    expect(dialog).to_contain_text("No libraries installed yet.")
 
 
 def test_by_keyboard_alone(first, tmp_path):
-    libraries(first)
+    open_libraries(first)
     keyboard = first.page.keyboard
-    press_on(first, "Make a library…")
+    press_with_keyboard(first, "Create library…")
     first.page.get_by_role("textbox", name="Name", exact=True).focus()
     keyboard.type("dance")
     for _ in range(3):
@@ -176,9 +174,9 @@ def test_by_keyboard_alone(first, tmp_path):
     expect(first.dialog().get_by_role("checkbox", name="waltz(times)")).to_be_focused()
     keyboard.press("Space")
     with first.page.expect_download() as started:
-        press_on(first, "Make and download")
+        press_with_keyboard(first, "Create and download")
     assert started.value.suggested_filename == "dance.lblib"
-    expect(first.dialog().get_by_role("status")).to_contain_text("dance.lblib is made.")
+    expect(first.dialog().get_by_role("status")).to_contain_text("dance.lblib created.")
 
 
 def test_in_spanish_and_in_the_dark(sit_down, own_server, tmp_path):
@@ -187,11 +185,12 @@ def test_in_spanish_and_in_the_dark(sit_down, own_server, tmp_path):
     )
     (tmp_path / "none.lblib").write_text("nothing")
     pupil.project("Bibliotecas…")
-    expect(pupil.dialog()).to_contain_text("Aún no hay ninguna biblioteca instalada.")
+    expect(pupil.dialog()).to_contain_text("Aún no hay bibliotecas instaladas.")
     with pupil.page.expect_file_chooser() as chooser:
         pupil.dialog().get_by_role("button", name="Importar archivos…").click()
     chooser.value.set_files(tmp_path / "none.lblib")
-    expect(pupil.dialog().get_by_role("alert")).to_contain_text("esto no es una biblioteca")
+    alert = pupil.dialog().get_by_role("alert")
+    expect(alert).to_contain_text("Este archivo está dañado o no es una biblioteca")
     pupil.picture("spanish")
 
 
@@ -200,37 +199,37 @@ def test_the_dialog_has_no_serious_fault(first, tmp_path, theme):
     if not AXE.exists():
         pytest.skip("no axe-core: npm ci in frontend")
     axe = AXE.read_text()
-    put_on(first, theme)
-    file = made(first, tmp_path, "waltz")
+    choose_theme(first, theme)
+    file = create_library(first, tmp_path, "waltz")
     choose(first, file)
-    imports(first).click()
+    import_button(first).click()
     expect(first.dialog()).to_contain_text("Imported: dance.")
     assert faults(first, axe, "dialog") == []
     choose(first, file)
     expect(first.dialog().get_by_role("checkbox", name="Replace dance")).to_be_visible()
     assert faults(first, axe, "dialog") == []
     first.dialog().get_by_role("button", name="Cancel").click()
-    first.dialog().get_by_role("button", name="Make a library…").click()
+    first.dialog().get_by_role("button", name="Create library…").click()
     expect(first.dialog().get_by_role("checkbox", name="late()")).to_be_disabled()
     first.picture(f"{theme}-make")
     assert faults(first, axe, "dialog") == []
 
 
-def libraries(pupil):
+def open_libraries(pupil):
     pupil.project("Libraries…")
     expect(pupil.dialog().get_by_role("heading", name="Libraries")).to_be_visible()
 
 
-def made(pupil, folder, function):
-    """Make the library `dance` in the dialog; answer its file."""
-    libraries(pupil)
+def create_library(pupil, folder, function):
+    """Create the library `dance` in the dialog; return its file."""
+    open_libraries(pupil)
     dialog = pupil.dialog()
-    dialog.get_by_role("button", name="Make a library…").click()
+    dialog.get_by_role("button", name="Create library…").click()
     dialog.get_by_role("textbox", name="Name", exact=True).fill("dance")
-    dialog.get_by_role("textbox", name="Tab of the palette").fill("Ball room")
+    dialog.get_by_role("textbox", name="Tab name").fill("Ball room")
     dialog.get_by_role("checkbox", name=f"{function}(").check()
     with pupil.page.expect_download() as started:
-        dialog.get_by_role("button", name="Make and download").click()
+        dialog.get_by_role("button", name="Create and download").click()
     file = folder / started.value.suggested_filename
     started.value.save_as(file)
     dialog.get_by_role("button", name="Cancel").click()
@@ -241,25 +240,25 @@ def choose(pupil, *files):
     with pupil.page.expect_file_chooser() as chooser:
         pupil.dialog().get_by_role("button", name="Import files…").click()
     chooser.value.set_files(files)
-    expect(imports(pupil)).to_be_visible()
+    expect(import_button(pupil)).to_be_visible()
 
 
-def imports(pupil):
+def import_button(pupil):
     return pupil.dialog().get_by_role("button", name="Import", exact=True)
 
 
-def new_name(pupil):
+def new_name_field(pupil):
     return pupil.dialog().get_by_role("textbox", name="New name for waltz")
 
 
-def press_on(pupil, button):
-    """As by Tab and Enter."""
+def press_with_keyboard(pupil, button):
+    """Press a button with the keyboard."""
     pupil.dialog().get_by_role("button", name=button).focus()
     pupil.page.keyboard.press("Enter")
 
 
 def install_other(pupil, folder):
-    """A library `ball` is there already, by the command line."""
+    """Install a library `ball` with the command line."""
     (folder / "other.bt").write_text(OTHER)
     learnblock(pupil, "library", "export", "other.bt", "--functions", "waltz", "--name", "ball")
     learnblock(pupil, "library", "import", "ball.lblib")
@@ -268,7 +267,7 @@ def install_other(pupil, folder):
 
 
 def learnblock(pupil, *args):
-    """The command line with a pupil's profile, in the folder above it."""
+    """Run the command line with a pupil's profile, in its parent folder."""
     home = pupil.server.home
     done = subprocess.run(
         [sys.executable, "-m", "learnblock", *args],
@@ -278,21 +277,21 @@ def learnblock(pupil, *args):
     return done.stdout
 
 
-def traced_by_the_command_line(pupil, folder):
+def trace_of_the_command_line(pupil, folder):
     (folder / "use.bt").write_text(pupil.text("blocktext"))
     return json.loads(learnblock(pupil, "run", "use.bt", "--json", "--world", "empty"))[
         "trace_sha256"
     ]
 
 
-def run_of(pupil):
+def run_and_measure(pupil):
     pupil.page.keyboard.press("Escape")
     pupil.trace_of_a_run()
     return seconds(pupil)
 
 
 def seconds(pupil):
-    """What the result says of time and way."""
+    """Return the time and the distance shown in the result."""
     found = re.findall(r"[\d.,]+ (?:s|mm|m)\b", pupil.tab("Result").inner_text())
     assert len(found) > 1
     return found

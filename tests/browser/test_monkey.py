@@ -1,22 +1,22 @@
-"""A short life of the monkey; `tests/browser/monkey.py` lets it live for as long as one likes."""
+"""A short monkey test; `tests/browser/monkey.py` runs longer ones."""
 
 import re
 
 from playwright.sync_api import expect
 
-from browser.monkey import live
+from browser.monkey import run_monkey
 
 
-def test_the_page_bears_a_monkey(browser, tmp_path):
-    diary = live(browser, tmp_path, seed=1, seconds=20)
+def test_the_page_survives_random_input(browser, tmp_path):
+    diary = run_monkey(browser, tmp_path, seed=1, seconds=20)
     assert diary.failure is None, diary
     assert diary.answers
 
 
-# What monkeys have found.
+# Bugs found by monkey tests.
 
 
-def test_a_robot_that_is_changed_while_its_sensors_are_hidden_has_its_own_when_shown(pupil):
+def test_sensors_follow_a_change_of_robot_while_they_are_hidden(pupil):
     pupil.begin()
     sensors = pupil.tab("Sensors")
     for box in sensors.get_by_role("checkbox").all():
@@ -29,13 +29,13 @@ def test_a_robot_that_is_changed_while_its_sensors_are_hidden_has_its_own_when_s
     pupil.press("Run")
     pupil.state("Ended")
     pupil.choose("Robot", "Cozmo")
-    pupil.robot_is("Cozmo at")
+    pupil.expect_robot("Cozmo at")
     pupil.tab("Sensors")
     expect(plot).to_have_attribute("aria-label", "Plot of the last minute: Ground central")
     pupil.picture("sensors")
 
 
-def test_a_key_that_moves_blocks_does_nothing_to_one_that_the_mouse_holds(pupil):
+def test_the_move_key_does_nothing_to_a_block_held_by_the_mouse(pupil):
     pupil.begin()
     pupil.write("blocktext", "main:\n    function.turn_right()\n    function.sleep(1)\nend\n")
     held = pupil.blocks("lb_skill_turn_right")
@@ -47,7 +47,7 @@ def test_a_key_that_moves_blocks_does_nothing_to_one_that_the_mouse_holds(pupil)
     pupil.take("Driving", "lb_skill_turn_left")
 
 
-def test_the_views_are_chosen_also_where_they_have_as_little_room_as_can_be(pupil):
+def test_the_views_can_be_chosen_at_the_smallest_width(pupil):
     pupil.page.get_by_role("separator", name="Divider between program and world").press("Home")
     pupil.show("Python")
     pupil.picture("narrow")

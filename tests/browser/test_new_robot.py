@@ -1,4 +1,4 @@
-"""A robot is made from its description on the page."""
+"""Creating a robot from its description on the page."""
 
 import re
 
@@ -12,7 +12,7 @@ WRONG = read("robot/description.toml").replace("radius = 33", "radius = -1")
 
 @pytest.fixture
 def pupil(sit_down, own_server):
-    """Before a server whose home nobody else uses."""
+    """A pupil with a server of their own."""
     return sit_down(own_server)
 
 
@@ -23,41 +23,44 @@ def dialog(pupil):
     return pupil.page.get_by_role("dialog", name="New robot")
 
 
-def test_a_robot_is_made_from_its_description_and_its_twin_is_chosen(dialog, pupil):
-    expect(described(dialog)).to_have_value(re.compile("maximum_speed"))
+def test_a_robot_is_created_from_its_description_and_its_twin_is_chosen(dialog, pupil):
+    expect(description(dialog)).to_have_value(re.compile("maximum_speed"))
     dialog.get_by_role("textbox", name="Name").fill("pathfinder")
     pupil.picture("description")
-    dialog.get_by_role("button", name="Make the robot").click()
+    dialog.get_by_role("button", name="Create robot").click()
     expect(dialog).to_contain_text("sim_pathfinder.py")
     pupil.picture("made")
-    dialog.get_by_role("button", name="Use its twin").click()
+    dialog.get_by_role("button", name="Use the twin").click()
     expect(pupil.page.get_by_role("combobox", name="Robot")).to_have_value("sim-pathfinder")
-    pupil.choose("Speed", "As fast as it goes")
+    pupil.choose("Speed", "Fastest")
     pupil.press("Run")
     pupil.state("Ended")
 
 
-def test_what_is_wrong_with_a_description_is_told_at_its_line(dialog, pupil):
-    expect(described(dialog)).not_to_be_empty()
-    described(dialog).fill(WRONG)
+def test_a_mistake_in_a_description_is_reported_at_its_line(dialog, pupil):
+    expect(description(dialog)).not_to_be_empty()
+    description(dialog).fill(WRONG)
     dialog.get_by_role("textbox", name="Name").fill("rover")
-    dialog.get_by_role("button", name="Make the robot").click()
+    dialog.get_by_role("button", name="Create robot").click()
     expect(dialog.get_by_role("alert")).to_contain_text("wheels.radius")
     dialog.get_by_role("button", name=re.compile("^Line ")).click()
-    assert selected(described(dialog)) == "radius = -1"
+    assert selected(description(dialog)) == "radius = -1"
     pupil.page.keyboard.press("Escape")
-    # Nothing that was written is lost.
+    # The dialog keeps the text after Escape.
     pupil.press("Help and settings")
     pupil.page.get_by_role("menuitem", name="New robot…").click()
-    expect(described(dialog)).to_have_value(WRONG)
+    expect(description(dialog)).to_have_value(WRONG)
 
 
-def test_a_name_that_is_taken_or_leads_elsewhere_is_refused(dialog):
-    expect(described(dialog)).not_to_be_empty()
-    for name, told in {"cozmo": "there is a robot", "../away": "cannot be called"}.items():
+def test_a_name_that_is_taken_or_is_a_path_is_refused(dialog):
+    expect(description(dialog)).not_to_be_empty()
+    for name, problem in {
+        "cozmo": "There is already a robot",
+        "../away": "cannot be named",
+    }.items():
         dialog.get_by_role("textbox", name="Name").fill(name)
-        dialog.get_by_role("button", name="Make the robot").click()
-        expect(dialog.get_by_role("alert")).to_contain_text(told)
+        dialog.get_by_role("button", name="Create robot").click()
+        expect(dialog.get_by_role("alert")).to_contain_text(problem)
 
 
 def test_in_spanish_by_keyboard(pupil):
@@ -72,10 +75,10 @@ def test_in_spanish_by_keyboard(pupil):
     dialog.get_by_role("textbox", name="Nombre").focus()
     pupil.page.keyboard.type("cozmo")
     pupil.page.keyboard.press("Enter")
-    expect(dialog.get_by_role("alert")).to_contain_text("ya hay un robot `cozmo`")
+    expect(dialog.get_by_role("alert")).to_contain_text("Ya hay un robot 'cozmo'")
 
 
-def described(dialog):
+def description(dialog):
     return dialog.get_by_role("textbox", name="Description")
 
 

@@ -1,4 +1,4 @@
-"""Projects: they save themselves, survive crashes, and go in and out as files."""
+"""Projects: saved automatically, safe from crashes, uploaded and downloaded."""
 
 import json
 import re
@@ -17,39 +17,39 @@ end
 WAVE = "main:\n    function.expressJoy()\nend\n"
 
 
-# What survives.
+# Saving.
 
 
-def test_a_change_is_saved_and_a_killed_server_loses_nothing(own_server, sit_down):
+def test_no_change_is_lost_when_the_server_is_killed(own_server, sit_down):
     pupil = sit_down(own_server)
     pupil.begin()
     wave(pupil)
-    pupil.is_saved()
+    pupil.wait_until_saved()
     own_server.kill()
-    expect(pupil.page.get_by_role("alert").filter(has_text="does not answer")).to_be_visible()
+    expect(pupil.page.get_by_role("alert").filter(has_text="Connection lost")).to_be_visible()
     pupil.picture("lost")
     pupil.put_cursor("blocktext", "end")
     pupil.page.keyboard.type("    function.sleep(7)\n")
     own_server.start()
-    pupil.told("LearnBlock answers again")
+    pupil.expect_note("Back online")
     pupil.picture("back")
-    pupil.is_saved()
+    pupil.wait_until_saved()
     assert pupil.text("blocktext") == WAVE.replace("end", "    function.sleep(7)\nend")
     assert "sleep(7)" in saved(own_server, "program")
     assert pupil.foreign == []
 
 
-def test_a_machine_that_crashes_loses_nothing_that_was_saved(own_server, sit_down):
+def test_saved_changes_survive_a_crash_of_the_computer(own_server, sit_down):
     pupil = sit_down(own_server)
     pupil.begin()
     pupil.choose("World", "Line")
     wave(pupil)
-    pupil.is_saved()
+    pupil.wait_until_saved()
     own_server.kill()
     pupil.page.close()
     own_server.start()
     pupil.page = pupil.open()
-    pupil.works_on("program")
+    pupil.expect_project("program")
     pupil.sees("blocktext", "function.expressJoy()")
     expect(pupil.page.get_by_role("combobox", name="World")).to_have_value("line")
 
@@ -76,40 +76,40 @@ def test_a_project_is_copied_opened_again_and_deleted(own_server, sit_down):
     pupil = sit_down(own_server)
     pupil.begin()
     wave(pupil)
-    pupil.is_saved()
+    pupil.wait_until_saved()
     pupil.project("Save as…")
     pupil.answer("My first wave")
-    pupil.works_on("My first wave")
+    pupil.expect_project("My first wave")
     pupil.sees("blocktext", "expressJoy")
     pupil.project("Open…")
     assert pupil.dialog().locator("strong").all_text_contents()[0] == "My first wave"
     pupil.picture("open")
     pupil.dialog().get_by_role("button", name=re.compile("^program")).click()
-    pupil.works_on("program")
+    pupil.expect_project("program")
     pupil.project("Delete…")
     pupil.picture("delete")
     pupil.dialog().get_by_role("button", name="Delete", exact=True).click()
-    pupil.works_on("My first wave")
+    pupil.expect_project("My first wave")
     pupil.page.keyboard.press("Control+o")
     expect(pupil.dialog().get_by_role("button", name=re.compile("^program"))).to_have_count(0)
     assert list(own_server.home.rglob(".trash/*/program.learnblock"))
 
 
-def test_the_way_back_of_the_browser_leads_to_the_project_before(pupil):
+def test_the_back_button_returns_to_the_previous_project(pupil):
     pupil.begin()
     wave(pupil)
-    pupil.is_saved()
+    pupil.wait_until_saved()
     name = pupil.name_of_project()
     pupil.open_example("Polygons")
     pupil.page.go_back()
-    pupil.works_on(name)
+    pupil.expect_project(name)
     pupil.sees("blocktext", "expressJoy")
 
 
-def test_an_earlier_version_of_a_run_is_taken_back(pupil):
+def test_the_version_of_an_earlier_run_is_restored(pupil):
     pupil.begin()
     pupil.write("blocktext", WAVE)
-    pupil.choose("Speed", "As fast as it goes")
+    pupil.choose("Speed", "Fastest")
     pupil.press("Run")
     pupil.state("Ended")
     turn_forever(pupil)
@@ -122,7 +122,7 @@ def test_an_earlier_version_of_a_run_is_taken_back(pupil):
     expect(pupil.blocks("lb_skill_turn_right")).to_have_count(0)
 
 
-def test_an_example_opens_as_a_project_of_ones_own(pupil):
+def test_an_example_opens_as_a_new_project(pupil):
     pupil.project("Examples…")
     expect(pupil.dialog().get_by_role("listitem")).not_to_have_count(0)
     pupil.picture("gallery")
@@ -133,7 +133,7 @@ def test_an_example_opens_as_a_project_of_ones_own(pupil):
     pupil.picture("opened")
 
 
-def test_two_tabs_on_one_project_follow_one_another(pupil):
+def test_two_tabs_of_one_project_follow_each_other(pupil):
     pupil.begin()
     first, second = pupil.page, pupil.open(pupil.page.url)
     pupil.page = second
@@ -146,7 +146,7 @@ def test_two_tabs_on_one_project_follow_one_another(pupil):
     expect(pupil.page.get_by_role("tabpanel", name="Console")).to_contain_text("Finished")
 
 
-def test_two_tabs_on_two_projects_run_two_programs_at_once(pupil):
+def test_two_tabs_with_two_projects_run_two_programs_at_once(pupil):
     first = pupil.page
     pupil.begin()
     turn_forever(pupil)
@@ -170,13 +170,13 @@ def test_two_tabs_on_two_projects_run_two_programs_at_once(pupil):
 # Files.
 
 
-def test_a_project_goes_out_as_a_file_and_comes_in_again(pupil, tmp_path):
+def test_a_project_is_downloaded_and_uploaded_again(pupil, tmp_path):
     pupil.begin()
     pupil.choose("Robot", "Cozmo")
     wave(pupil)
-    pupil.is_saved()
+    pupil.wait_until_saved()
     files = [
-        download(pupil, f"Download the {words}", tmp_path)
+        download(pupil, f"Download {words}", tmp_path)
         for words in ("project (.learnblock)", "Block-Text (.bt)", "Python (.py)")
     ]
     assert [file.suffix for file in files] == [".learnblock", ".bt", ".py"]
@@ -193,24 +193,24 @@ def test_a_file_dropped_on_the_page_becomes_a_project(pupil):
     expect(pupil.page.get_by_text("Drop the file to open it")).to_be_visible()
     pupil.picture("over")
     drag_file(pupil, "drop", "wave.bt", WAVE)
-    pupil.works_on("wave")
+    pupil.expect_project("wave")
     pupil.sees("blocktext", "function.expressJoy()")
 
 
 @pytest.mark.parametrize(
     ("name", "text", "sentence"),
     [
-        ("holiday.jpg", "no program", "holiday.jpg is none of the files that LearnBlock opens"),
-        ("broken.learnblock", "{ no JSON", "this is no JSON"),
+        ("holiday.jpg", "no program", "LearnBlock can't open this type of file: holiday.jpg"),
+        ("broken.learnblock", "{ no JSON", "This file is damaged or not a LearnBlock project"),
         ("long.bt", "#" * 1_000_001, "long.bt is too large"),
     ],
 )
-def test_a_wrong_file_is_refused_with_a_sentence(pupil, tmp_path, name, text, sentence):
+def test_a_wrong_file_is_refused_with_an_explanation(pupil, tmp_path, name, text, sentence):
     before = pupil.page.url
     file = tmp_path / name
     file.write_text(text)
     pupil.upload(file)
-    pupil.told(sentence)
+    pupil.expect_note(sentence)
     pupil.picture("refused")
     assert pupil.page.url == before
 

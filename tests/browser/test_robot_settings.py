@@ -1,5 +1,6 @@
-"""Settings of real robots and of perception, on the page."""
+"""Settings of robots and of camera recognition on the page."""
 
+import re
 import tomllib
 
 import pytest
@@ -13,16 +14,16 @@ def pupil(sit_down, own_server):
     return pupil
 
 
-def test_a_robot_is_set_and_what_cannot_be_is_told_beside_its_field(pupil, own_server):
-    choose(pupil, "Settings of robots…")
+def test_robot_settings_are_saved_and_a_wrong_value_is_reported_at_its_field(pupil, own_server):
+    choose(pupil, "Robot settings…")
     pupil.dialog().get_by_role("combobox", name="Robot").select_option("ev3")
     field(pupil, "Address").fill("192.168.1.7")
-    field(pupil, "Full speed").fill("5")
+    field(pupil, "Maximum speed").fill("5")
     save(pupil)
-    expect(pupil.dialog()).to_contain_text("`full_speed` is 5")
+    expect(pupil.dialog()).to_contain_text(re.compile("full_speed.* is 5, but must be"))
     pupil.picture("wrong")
     assert saved(own_server) == {}
-    field(pupil, "Full speed").fill("900")
+    field(pupil, "Maximum speed").fill("900")
     pupil.dialog().get_by_role("combobox", name="Gyroscope").select_option("2")
     save(pupil)
     expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
@@ -35,8 +36,8 @@ def test_a_robot_is_set_and_what_cannot_be_is_told_beside_its_field(pupil, own_s
     assert "address" not in saved(own_server)["robots"]["ev3"]
 
 
-def test_emotions_on_cameras_are_switched_on_only_by_who_has_agreed(pupil, own_server):
-    choose(pupil, "Perception…")
+def test_emotions_on_cameras_are_switched_on_only_after_agreement(pupil, own_server):
+    choose(pupil, "Camera recognition…")
     expect(pupil.dialog()).to_contain_text("Article 5(1)(f)")
     field(pupil, "Recognise emotions on real cameras").check()
     button = pupil.dialog().get_by_role("button", name="Save")
@@ -48,14 +49,14 @@ def test_emotions_on_cameras_are_switched_on_only_by_who_has_agreed(pupil, own_s
     assert saved(own_server)["perception"] == {"emotions_on_cameras": True}
 
 
-def test_a_video_is_one_of_those_in_its_folder(pupil, own_server):
+def test_a_video_must_be_in_its_folder(pupil, own_server):
     videos = own_server.home / "videos"
     videos.mkdir()
     (videos / "walk.avi").write_bytes(b"RIFF")
-    choose(pupil, "Perception…")
+    choose(pupil, "Camera recognition…")
     field(pupil, "Video").fill("../settings.toml")
     save(pupil)
-    expect(pupil.dialog().get_by_role("alert")).to_contain_text("there is no video")
+    expect(pupil.dialog().get_by_role("alert")).to_contain_text("There is no video")
     field(pupil, "Video").fill("walk.avi")
     field(pupil, "Webcam").fill("1")
     save(pupil)
@@ -75,7 +76,7 @@ def test_in_spanish_by_keyboard(sit_down, own_server):
     pupil.page.keyboard.press("Control+a")
     pupil.page.keyboard.type("500")
     pupil.page.keyboard.press("Enter")
-    expect(pupil.dialog()).to_contain_text("se esperaba un número entero de 0 a 100")
+    expect(pupil.dialog()).to_contain_text("un número entero de 0 a 100")
     pupil.picture("spanish")
     pupil.page.keyboard.press("Escape")
     expect(pupil.dialog()).to_have_count(0)

@@ -1,16 +1,17 @@
-"""Whoever runs a program can hold it, look into it, change its speed, answer it and end it."""
+"""Running a program: pausing, inspecting, changing its speed, answering and stopping it."""
 
 import json
 import re
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
 
-SQUARE = Path(__file__).parents[2] / "examples" / "square.bt"
-#: Line 9 is held before; `twice` can be stepped over.
+from places import ROOT
+
+SQUARE = ROOT / "examples" / "square.bt"
+#: The breakpoint is at line 9; `twice` can be stepped over.
 TWICE = """\
 def twice(n):
     double = n * 2
@@ -40,14 +41,14 @@ end
 
 @pytest.fixture
 def pupil(sit_down, server):
-    """With an empty program in all three views, on a screen with room for them."""
+    """A pupil with an empty program in all three views on a wide screen."""
     pupil = sit_down(server, viewport={"width": 1800, "height": 900})
     pupil.begin()
     pupil.show("Blocks", "Block-Text", "Python")
     return pupil
 
 
-def test_a_pause_holds_the_world_in_the_midst_of_sleep_and_it_goes_on(pupil):
+def test_a_pause_during_a_sleep_stops_the_world_until_resume(pupil):
     pupil.write("blocktext", DRIVING)
     pupil.sees("python", "robot.sleep(500)")
     pupil.press("Run")
@@ -56,11 +57,11 @@ def test_a_pause_holds_the_world_in_the_midst_of_sleep_and_it_goes_on(pupil):
     pupil.state("Paused")
     held = pupil.seconds_at_rest()
     pupil.picture("paused")
-    # The robot would be far by the time the page has asked and heard all of this.
+    # A robot that is not paused would drive far during these requests.
     for tab in ("Variables", "Sensors", "Console"):
         pupil.tab(tab)
     assert pupil.seconds() == held
-    pupil.press("Go on")
+    pupil.press("Resume")
     pupil.state("Running")
     pupil.wait_until_later_than(held)
     pupil.choose("Speed", "20×")
@@ -71,14 +72,14 @@ def test_a_pause_holds_the_world_in_the_midst_of_sleep_and_it_goes_on(pupil):
     assert pupil.foreign == []
 
 
-def test_a_breakpoint_beside_a_line_is_seen_on_its_block_and_holds_the_program_there(pupil):
+def test_a_breakpoint_set_at_a_line_is_shown_at_its_block_and_pauses_the_program(pupil):
     pupil.write("blocktext", TWICE)
     pupil.sees("python", "four = twice(2)")
     pupil.click_beside("blocktext", 9)
     expect(pupil.page.locator("[data-region=blocks] .lbBreakpoint")).to_have_count(1)
-    pupil.choose("Speed", "As fast as it goes")
+    pupil.choose("Speed", "Fastest")
     pupil.press("Run")
-    pupil.state("Held")
+    pupil.state("Paused at breakpoint")
     expect(pupil.editor("blocktext").locator(".cm-held")).to_have_text("    four = twice(2)")
     expect(pupil.editor("python").locator(".cm-held")).to_have_text("four = twice(2)")
     pupil.press("Step")
@@ -88,18 +89,18 @@ def test_a_breakpoint_beside_a_line_is_seen_on_its_block_and_holds_the_program_t
     pupil.press("Step")
     expect(variables.locator("tr[data-name=double]")).to_contain_text("4")
     pupil.picture("within")
-    pupil.press("Run from the beginning")
+    pupil.press("Restart")
     expect(pupil.editor("blocktext").locator(".cm-held")).to_have_text("    four = twice(2)")
     pupil.press("Step over functions")
     expect(pupil.editor("blocktext").locator(".cm-held")).to_have_text("    function.stop_bot()")
     expect(variables.locator("tr[data-name=four]")).to_contain_text("4")
     pupil.picture("over")
-    pupil.press("Go on")
+    pupil.press("Resume")
     pupil.state("Ended")
     assert pupil.foreign == []
 
 
-def test_what_the_program_asks_is_answered_in_the_console_and_what_it_prints_is_there(pupil):
+def test_a_question_of_the_program_is_answered_in_the_console_which_shows_its_output(pupil):
     pupil.write("blocktext", ASKING)
     pupil.sees("python", "input(")
     pupil.tab("Sensors")
@@ -117,11 +118,11 @@ def test_what_the_program_asks_is_answered_in_the_console_and_what_it_prints_is_
     ("statement", "said"),
     [
         ('print("again and again" * 2000)', "printed too much"),
-        ("again += 1", "did nothing with the robot"),
+        ("again += 1", "did not use the robot"),
     ],
     ids=["prints", "counts"],
 )
-def test_a_program_without_end_is_ended_with_its_sentence_and_the_page_goes_on(
+def test_an_endless_program_is_stopped_with_a_reason_and_the_page_stays_usable(
     pupil, statement, said
 ):
     pupil.write(
@@ -138,10 +139,10 @@ def test_a_program_without_end_is_ended_with_its_sentence_and_the_page_goes_on(
     assert pupil.foreign == []
 
 
-def test_the_trace_is_that_of_the_command_line_whichever_view_was_edited_last(pupil):
-    expected = traced_by_the_command_line()
+def test_the_trace_equals_that_of_the_command_line_after_edits_in_any_view(pupil):
+    expected = trace_of_the_command_line()
     pupil.choose("Robot", "Cozmo")
-    pupil.choose("Speed", "As fast as it goes")
+    pupil.choose("Speed", "Fastest")
     pupil.write("blocktext", SQUARE.read_text())
     pupil.sees("python", "times = 0")
     assert pupil.trace_of_a_run() == expected
@@ -163,8 +164,8 @@ def test_the_trace_is_that_of_the_command_line_whichever_view_was_edited_last(pu
     assert pupil.foreign == []
 
 
-def traced_by_the_command_line():
-    """The hash that ``learnblock run`` tells for the square."""
+def trace_of_the_command_line():
+    """Return the hash of the trace that ``learnblock run`` prints for the square."""
     options = ["--robot", "sim-cozmo", "--world", "empty", "--json"]
     done = subprocess.run(
         [sys.executable, "-m", "learnblock", "run", str(SQUARE), *options],

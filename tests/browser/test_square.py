@@ -1,4 +1,4 @@
-"""Listing 4 of the paper, built by dragging blocks, seen in both texts, and driven."""
+"""Listing 4 of the paper: built by dragging blocks, shown in both texts, and run."""
 
 from playwright.sync_api import expect
 
@@ -40,7 +40,7 @@ def test_listing_4_is_built_by_dragging_blocks_and_the_robot_closes_the_square(p
     for kind in ("lb_skill_sleep", "lb_skill_set_orientation", "lb_skill_sleep"):
         expect(pupil.blocks(f"{kind}.lbRunning")).to_be_visible()
     pupil.picture("running")
-    pupil.waits_for_the_end()
+    pupil.wait_for_the_end()
     pupil.picture("closed")
     x, y = pupil.place_of_robot()
     assert abs(x) < 10
@@ -81,7 +81,7 @@ def turn_a_corner(pupil, loop):
     pupil.put_below(stop, wait)
     turn = pupil.take("Driving", "lb_skill_set_orientation")
     pupil.put_below(turn, stop)
-    pupil.put_on(pupil.take("Variables", "variables_get", "angle"), pupil.hole(turn))
+    pupil.choose_theme(pupil.take("Variables", "variables_get", "angle"), pupil.hole(turn))
     for name, change in (("angle", "90"), ("times", "1")):
         count = pupil.take("Variables", "math_change")
         pupil.put_below(count, turn)

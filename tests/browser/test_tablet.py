@@ -1,4 +1,4 @@
-"""The page under a finger, on tablets and on a phone."""
+"""The page on touch screens: tablets and a phone."""
 
 import re
 
@@ -14,7 +14,7 @@ ANDROID = (
     "Mozilla/5.0 (Linux; Android 14; SM-X200) AppleWebKit/537.36 (KHTML, like Gecko) "
     "Chrome/140.0.0.0 Safari/537.36"
 )
-#: What is seen of a part of the page once it is there.
+#: An element of each part of the page that shows it is loaded.
 SHOWN = {
     "Blocks": ".blocklyToolbox",
     "Block-Text": "[data-region=blocktext] .cm-content",
@@ -22,9 +22,9 @@ SHOWN = {
     "World": ".world-view canvas",
     "Output": "[role=tabpanel]:visible",
 }
-#: Where a block is held: right of and below its corner, where it has no field.
+#: The point where a block is held, right of and below its corner; no field is there.
 GRIP = (5, 14)
-#: The controls that are seen, each brought into the screen where it can be: name and place.
+#: The name and place of each visible control after scrolling to it.
 CONTROLS = """() => {
     const all = "button, select, input, a[href], [role=tab], .blocklyToolboxCategory";
     return [...document.querySelectorAll(all)]
@@ -56,14 +56,14 @@ def test_a_block_is_dragged_by_a_finger_and_the_program_run_by_a_tap(sit_down, s
 
 
 @pytest.mark.parametrize("screen", [TABLET, UPRIGHT, PHONE], ids=["tablet", "upright", "phone"])
-def test_every_control_is_on_the_screen_and_fit_for_a_finger(sit_down, server, screen):
+def test_every_control_is_on_the_screen_and_large_enough_for_a_finger(sit_down, server, screen):
     pupil = sit_down(server, viewport=screen, has_touch=True)
     expect(pupil.blocks("lb_main")).to_be_visible()
     for area in pupil.page.locator(".area-buttons button").all():
         area.tap()
         expect(pupil.page.locator(SHOWN[area.inner_text()]).first).to_be_visible()
         pupil.picture(area.inner_text())
-        all_is_in_reach(pupil, screen)
+        check_all_controls(pupil, screen)
 
 
 def test_on_a_phone_the_choices_of_robot_and_world_are_a_tap_away(sit_down, server):
@@ -73,10 +73,10 @@ def test_on_a_phone_the_choices_of_robot_and_world_are_a_tap_away(sit_down, serv
     tap(pupil, "header button", "Speed, robot and world")
     expect(robot).to_be_visible()
     pupil.picture("choices")
-    all_is_in_reach(pupil, PHONE)
+    check_all_controls(pupil, PHONE)
 
 
-def test_dividers_are_moved_by_a_finger_beside_them(sit_down, server):
+def test_a_divider_can_be_dragged_by_a_finger_next_to_it(sit_down, server):
     pupil = sit_down(server, viewport=TABLET, has_touch=True)
     divider = pupil.page.get_by_role("separator", name="Divider between world and output")
     expect(divider).to_be_visible()
@@ -90,7 +90,7 @@ def test_dividers_are_moved_by_a_finger_beside_them(sit_down, server):
 
 
 class Finger:
-    """One that is put down, moved and lifted."""
+    """A finger that touches, moves and lifts."""
 
     def __init__(self, page):
         self._session = page.context.new_cdp_session(page)
@@ -138,16 +138,16 @@ def inside(hat):
     return box["x"] + right * SCALE + GRIP[0], box["y"] + down * SCALE + GRIP[1]
 
 
-def all_is_in_reach(pupil, screen):
+def check_all_controls(pupil, screen):
     controls = shown_controls(pupil)
     assert [one for one in controls if not is_within(one, screen)] == []
-    assert [one for one in controls if not is_fit_for_a_finger(one)] == []
+    assert [one for one in controls if not is_large_enough(one)] == []
     assert pupil.page.evaluate("document.documentElement.scrollWidth") == screen["width"]
     assert pupil.page.evaluate("[scrollX, scrollY]") == [0, 0]
 
 
 def shown_controls(pupil):
-    # The links past the bar are there for who has keys.
+    # The skip links are only for keyboards.
     return [one for one in pupil.page.evaluate(CONTROLS) if not one["skip"]]
 
 
@@ -160,7 +160,7 @@ def is_within(control, screen):
     )
 
 
-def is_fit_for_a_finger(control):
+def is_large_enough(control):
     width = control["right"] - control["left"]
     height = control["bottom"] - control["top"]
     return width >= 39.5 and height >= 39.5

@@ -1,4 +1,4 @@
-"""The dictionary of tags on the page."""
+"""Tag names on the page."""
 
 import pytest
 from playwright.sync_api import expect
@@ -8,11 +8,11 @@ from playwright.sync_api import expect
 def pupil(sit_down, own_server):
     pupil = sit_down(own_server)
     pupil.begin()
-    pupil.project("Names of tags…")
+    pupil.project("Tag names…")
     return pupil
 
 
-def test_a_tag_is_named_seen_and_offered(pupil, own_server):
+def test_a_named_tag_is_shown_and_suggested(pupil, own_server):
     add(pupil, "ball", "7")
     expect(pupil.dialog().get_by_role("img", name="Picture of tag 7")).to_be_visible()
     pupil.picture("one")
@@ -26,9 +26,9 @@ def test_a_tag_is_named_seen_and_offered(pupil, own_server):
     expect(pupil.page.locator(".cm-tooltip-autocomplete")).to_contain_text('"ball"')
 
 
-def test_a_wrong_line_is_told_where_it_is_and_not_saved(pupil):
+def test_a_wrong_entry_is_reported_at_its_line_and_not_saved(pupil):
     add(pupil, "12", "7")
-    expect(pupil.dialog()).to_contain_text("A name has a letter in it.")
+    expect(pupil.dialog()).to_contain_text("A name needs at least one letter.")
     expect(pupil.dialog().get_by_role("button", name="Save")).to_be_disabled()
     pupil.dialog().get_by_role("textbox", name="Name").fill("ball")
     pupil.dialog().get_by_role("spinbutton").fill("587")
@@ -38,11 +38,12 @@ def test_a_wrong_line_is_told_where_it_is_and_not_saved(pupil):
     save(pupil)
 
 
-def test_names_go_out_as_files_and_come_in_again(pupil, tmp_path):
+def test_names_are_downloaded_and_uploaded_again(pupil, tmp_path):
     add(pupil, "red door", "12")
     save(pupil)
     files = [
-        download(pupil, f"Download {what}", tmp_path) for what in ("(TOML)", "(CSV)", "to print")
+        download(pupil, name, tmp_path)
+        for name in ("Download (TOML)", "Download (CSV)", "Print tags")
     ]
     assert [file.name for file in files] == ["tags.toml", "tags.csv", "tags.html"]
     assert "12 red door</figcaption>" in files[2].read_text("utf-8")
@@ -53,27 +54,27 @@ def test_names_go_out_as_files_and_come_in_again(pupil, tmp_path):
         expect(pupil.dialog().get_by_role("textbox", name="Name")).to_have_value("red door")
 
 
-def test_a_file_that_is_no_dictionary_is_told_in_the_dialog(pupil, tmp_path):
+def test_a_wrong_file_of_names_is_reported_in_the_dialog(pupil, tmp_path):
     file = tmp_path / "tags.toml"
     file.write_text("ball = 1000\n")
     upload(pupil, file)
     expect(pupil.dialog().get_by_role("alert")).to_contain_text("from 0 to 586")
 
 
-def test_what_was_not_saved_yet_is_not_lost_by_escape(pupil, own_server):
+def test_escape_saves_unsaved_names(pupil, own_server):
     add(pupil, "goal", "3")
     pupil.page.keyboard.press("Escape")
-    pupil.told("The names of tags are saved.").get_by_role("button", name="Undo").click()
-    pupil.project("Names of tags…")
+    pupil.expect_note("Tag names saved.").get_by_role("button", name="Undo").click()
+    pupil.project("Tag names…")
     expect(pupil.dialog()).to_contain_text("No tag has a name yet.")
 
 
-def test_every_page_hears_of_new_names(pupil):
+def test_new_names_appear_in_every_page(pupil):
     first, second = pupil.page, pupil.open(pupil.page.url)
     add(pupil, "ball", "7")
     save(pupil)
     pupil.page = second
-    pupil.project("Names of tags…")
+    pupil.project("Tag names…")
     expect(pupil.dialog().get_by_role("textbox", name="Name")).to_have_value("ball")
     pupil.page = first
 

@@ -1,14 +1,14 @@
-"""One program in three views: what is written in one is seen in the others."""
-
-from pathlib import Path
+"""One program in three views: an edit in one appears in the others."""
 
 import pytest
 from playwright.sync_api import expect
 
-CASES = Path(__file__).parents[1] / "cases"
-STATES = Path(__file__).parents[2] / "examples" / "line-states.bt"
+from places import ROOT, TESTS
+
+CASES = TESTS / "cases"
+STATES = ROOT / "examples" / "line-states.bt"
 ALL = ("Blocks", "Block-Text", "Python")
-#: A function, a variable of the program's, and a `when` that others ask for.
+#: A function, a global variable, and a `when` that another one starts.
 NAMES = """\
 count = 0
 
@@ -33,7 +33,7 @@ end
 
 @pytest.fixture
 def pupil(sit_down, server):
-    """With an empty program in all three views, on a screen with room for them."""
+    """A pupil with an empty program in all three views on a wide screen."""
     pupil = sit_down(server, viewport={"width": 1800, "height": 900})
     pupil.begin()
     pupil.show(*ALL)
@@ -44,7 +44,7 @@ def pupil(sit_down, server):
     ("robot", "half", "sensor"),
     [("EBO", "ebo", "is_center_black_line"), ("Thymio II", "thymio", "is_center_ground_line")],
 )
-def test_figure_9_typed_as_in_the_paper_is_seen_in_blocks_and_python_and_finds_the_line(
+def test_figure_9_typed_as_in_the_paper_appears_in_blocks_and_python_and_finds_the_line(
     pupil, robot, half, sensor
 ):
     case = CASES / f"line_follower_{half}"
@@ -79,7 +79,7 @@ def test_the_states_of_whens_are_shown_while_they_change(pupil):
     assert pupil.foreign == []
 
 
-# What is changed in one view.
+# Edits in one view.
 
 
 LONG = "main:\n" + "    function.move_straight()\n    function.sleep(5)\n" * 30 + "end\n"
@@ -95,7 +95,7 @@ def test_a_number_changed_in_python_changes_in_blocks_and_block_text_and_nothing
     scrolled = pupil.scrolled("python")
     pupil.page.keyboard.type("77")
     expect(pupil.blocks("lb_skill_sleep").nth(19)).to_contain_text("77")
-    pupil.stands("python", 45, "robot.sleep(77")
+    pupil.expect_cursor("python", 45, "robot.sleep(77")
     assert pupil.scrolled("python") == scrolled > 0
     pupil.page.keyboard.press("Alt+Enter")
     expect(pupil.blocks("lb_skill_sleep").nth(19)).to_be_in_viewport()
@@ -113,11 +113,11 @@ def test_a_statement_typed_in_python_appears_as_a_block_in_its_place(pupil):
     expect(pupil.blocks("lb_skill_stop_bot")).to_have_count(1)
     pupil.picture("inserted")
     assert [one for one in pupil.block_ids() if one in before] == before
-    pupil.stands("python", pupil.line_of("python", "robot.sleep"), "")
+    pupil.expect_cursor("python", pupil.line_of("python", "robot.sleep"), "")
     assert pupil.foreign == []
 
 
-def test_python_that_blocks_do_not_have_is_kept_and_is_a_grey_block(pupil):
+def test_python_without_matching_blocks_is_kept_as_a_grey_block(pupil):
     pupil.write("blocktext", "main:\n    function.move_straight()\nend\n")
     pupil.sees("python", "robot.move_straight()")
     pupil.put_cursor("python", "robot.move")
@@ -142,7 +142,7 @@ def test_python_that_blocks_do_not_have_is_kept_and_is_a_grey_block(pupil):
         ("python", "robot.move_st", "move_straight"),
     ],
 )
-def test_what_could_stand_at_the_cursor_is_offered_and_typed_by_enter(pupil, view, typed, offered):
+def test_a_completion_is_suggested_and_inserted_by_enter(pupil, view, typed, offered):
     pupil.write("blocktext", "main:\n    function.stop_bot()\nend\n")
     pupil.sees("python", "robot.stop_bot()")
     pupil.put_cursor(view, "function.stop" if view == "blocktext" else "robot.stop")
@@ -155,7 +155,7 @@ def test_what_could_stand_at_the_cursor_is_offered_and_typed_by_enter(pupil, vie
     pupil.sees(view, f"{typed}raight")
 
 
-def test_the_word_at_the_cursor_is_explained_and_its_definition_gone_to(pupil):
+def test_the_word_at_the_cursor_is_explained_and_f12_goes_to_its_definition(pupil):
     pupil.write("blocktext", NAMES)
     pupil.sees("python", "step_on(count)")
     pupil.put_cursor("blocktext", "sleep")
@@ -164,10 +164,10 @@ def test_the_word_at_the_cursor_is_explained_and_its_definition_gone_to(pupil):
     pupil.picture("explained")
     pupil.put_cursor("blocktext", "step_on(count)")
     pupil.page.keyboard.press("F12")
-    pupil.stands("blocktext", 3, "def ")
+    pupil.expect_cursor("blocktext", 3, "def ")
     pupil.put_cursor("python", "step_on(count)")
     pupil.page.keyboard.press("F12")
-    pupil.stands("python", pupil.line_of("python", "def step_on"), "def ")
+    pupil.expect_cursor("python", pupil.line_of("python", "def step_on"), "def ")
     pupil.editor("python").get_by_text("sleep", exact=True).hover()
     expect(pupil.page.locator(".cm-tooltip-hover .text-help-title")).to_contain_text("sleep")
     assert pupil.foreign == []
@@ -187,9 +187,7 @@ def test_the_word_at_the_cursor_is_explained_and_its_definition_gone_to(pupil):
     ],
     ids=["variable", "function", "when"],
 )
-def test_a_renamed_name_changes_in_all_views_and_one_undo_takes_it_back(
-    pupil, view, word, new, seen
-):
+def test_a_rename_changes_all_views_and_one_undo_reverts_it(pupil, view, word, new, seen):
     pupil.write("blocktext", NAMES)
     pupil.sees("python", "turning.deactivate()")
     before = {one: pupil.text(one) for one in ("blocktext", "python")}

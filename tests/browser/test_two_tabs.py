@@ -1,4 +1,4 @@
-"""Two tabs of one project, with somebody working in both at the same time."""
+"""Two tabs of one project, edited at the same time."""
 
 import pytest
 from playwright.sync_api import expect
@@ -12,7 +12,7 @@ end
 """
 VIEWS = ("blocktext", "python")
 DIGITS = "1234567890" * 2
-#: A page tells of what was done with one of its next frames.
+#: A page sends an edit with one of its next frames.
 SOME_FRAMES = """async () => {
     for (let frame = 0; frame < 3; frame++) {
         await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
@@ -22,7 +22,7 @@ SOME_FRAMES = """async () => {
 
 @pytest.fixture
 def tabs(pupil):
-    """Two tabs that show the same program in all its views."""
+    """Two tabs that show the same program in all views."""
     pupil.begin()
     first, second = pupil.page, pupil.open(pupil.page.url)
     pupil.write("blocktext", PROGRAM)
@@ -33,20 +33,20 @@ def tabs(pupil):
     return first, second
 
 
-def test_two_who_type_in_the_same_text_at_once_end_with_the_same_program(pupil, tabs):
+def test_typing_in_the_same_text_in_both_tabs_ends_with_the_same_program(pupil, tabs):
     put_cursors(pupil, tabs, ("blocktext", ")", 0), ("blocktext", ")", 2))
     type_at_once(tabs)
-    end_with_the_same_program(pupil, tabs)
+    check_same_program(pupil, tabs)
     pupil.picture("same-text")
 
 
-def test_two_who_type_in_two_texts_at_once_end_with_the_same_program(pupil, tabs):
+def test_typing_in_different_texts_in_both_tabs_ends_with_the_same_program(pupil, tabs):
     put_cursors(pupil, tabs, ("blocktext", ")", 0), ("python", ")", 3))
     type_at_once(tabs)
-    end_with_the_same_program(pupil, tabs)
+    check_same_program(pupil, tabs)
 
 
-def test_one_who_drags_a_block_while_another_types_ends_with_the_same_program(pupil, tabs):
+def test_dragging_a_block_during_typing_in_another_tab_ends_with_the_same_program(pupil, tabs):
     dragging, typing = tabs
     put_cursors(pupil, tabs, ("blocktext", ")", 0), ("blocktext", ")", 2))
     pupil.page = dragging
@@ -55,28 +55,28 @@ def test_one_who_drags_a_block_while_another_types_ends_with_the_same_program(pu
     with pupil.dragging(pupil.blocks("lb_skill_turn_right"), free):
         typing.keyboard.type(DIGITS[:5])
     typing.keyboard.type(DIGITS[5:])
-    end_with_the_same_program(pupil, tabs)
+    check_same_program(pupil, tabs)
     pupil.picture("dragged")
 
 
 def put_cursors(pupil, tabs, *places):
-    """In each tab the cursor goes before a word of a text."""
+    """Put the cursor of each tab before a word of a text."""
     for pupil.page, place in zip(tabs, places, strict=True):
         pupil.put_cursor(*place)
 
 
 def type_at_once(tabs):
-    """A digit here, a digit there: each comes while the other one is on its way."""
+    """Type digits in the tabs alternately, each while the previous one is being sent."""
     for digit in DIGITS:
         for page in tabs:
             page.keyboard.press(digit)
 
 
-def end_with_the_same_program(pupil, tabs):
-    """All that is done is saved, and both tabs show what one who comes then is shown."""
+def check_same_program(pupil, tabs):
+    """Check that every edit is saved, and both tabs show the same as a new one."""
     for pupil.page in tabs:
         pupil.page.evaluate(SOME_FRAMES)
-        pupil.is_saved()
+        pupil.wait_until_saved()
     pupil.page = pupil.open(pupil.page.url)
     pupil.sees("python", "robot.sleep(1")
     expect(pupil.blocks("lb_main")).to_have_count(1)

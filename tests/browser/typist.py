@@ -1,4 +1,4 @@
-"""A pupil without a mouse: presses keys, and goes by what a screen reader would say."""
+"""A pupil without a mouse, who uses the keyboard and a screen reader."""
 
 import re
 
@@ -6,9 +6,9 @@ from playwright.sync_api import expect
 
 from browser.pupil import WORKSPACE
 
-#: More steps than from one end of the palette, of a block or of the page to the other.
+#: More steps than any part of the page has.
 FAR = 60
-#: The name of what has the focus, or of the item of a list that is pointed at.
+#: The accessible name of the focused element, or of the active item of a list.
 SPOKEN = """() => {
     const focused = document.activeElement;
     const item = document.getElementById(focused.getAttribute("aria-activedescendant"));
@@ -24,10 +24,10 @@ PALETTE = ".blocklyFlyout:visible"
 
 
 class Typist:
-    """The keyboard before a pupil's page.
+    """The keyboard of a pupil.
 
     Args:
-        pupil: who has put the mouse away.
+        pupil: the pupil who types.
     """
 
     def __init__(self, pupil):
@@ -40,17 +40,17 @@ class Typist:
             self._page.keyboard.press(key)
 
     def write(self, text):
-        """Type what is in the place of all that was there, and end it with Enter."""
+        """Replace the text of the focused field, and press Enter."""
         self.press("Control+a")
         self._page.keyboard.type(text)
         self.press("Enter")
 
     def hears(self):
-        """The name of what has the focus."""
+        """Return the accessible name of the focused element."""
         return self._page.evaluate(SPOKEN)
 
     def region(self):
-        """The region of the page that has the focus."""
+        """Return the region of the page that has the focus."""
         return self._page.evaluate(REGION)
 
     def go_to(self, region):
@@ -62,7 +62,7 @@ class Typist:
         raise AssertionError(f"F6 does not lead to {region}")
 
     def walk(self, key, name):
-        """Press a key until something has the focus whose name matches this."""
+        """Press a key until the name of the focused element matches this."""
         heard = []
         for _ in range(FAR):
             heard.append(self.hears())
@@ -84,7 +84,7 @@ class Typist:
         expect(self._page.locator(BLOCKS)).to_have_count(1)
 
     def choose(self, what, letters):
-        """Choose from a list of the bar by the first letters of a name."""
+        """Choose from a list of the bar by typing the first letters of a name."""
         self.go_to("bar")
         self.walk("Tab", f"^{what}$")
         self._page.keyboard.type(letters)
@@ -98,14 +98,14 @@ class Typist:
     # Blocks.
 
     def take(self, category, block):
-        """Take a block from the palette to where Blockly offers a place for it."""
+        """Insert a block from the palette at the place that Blockly offers."""
         self.press("t")
         self.walk("ArrowDown", f"^{category}$")
         self.press("ArrowRight")
         self._insert(block)
 
     def find(self, words, block):
-        """Take a block that the palette's search finds."""
+        """Insert a block found by the palette's search."""
         self.press("Control+b", "Control+a")
         self._page.keyboard.type(words)
         self.press("ArrowRight")
@@ -116,7 +116,7 @@ class Typist:
         self.press("Enter", "Enter")
 
     def make_variable(self, name):
-        """Make a variable by the palette's button."""
+        """Create a variable with the palette's button."""
         self.press("t")
         self.walk("ArrowDown", "^Variables$")
         self.press("ArrowRight")
@@ -130,14 +130,14 @@ class Typist:
         expect(self._page.locator(PALETTE)).to_have_count(0)
 
     def choose_in(self, field, choice):
-        """Choose from a list of the block that has the focus, or of what is in it."""
+        """Choose from a list of the focused block or of a block inside it."""
         self.walk("ArrowRight", field)
         self.press("Enter")
         self.walk("ArrowDown", choice)
         self.press("Enter")
 
     def fill(self, number):
-        """Give the block that has the focus its first number."""
+        """Fill in the first number of the focused block."""
         self.walk("ArrowRight", "^Edit .*number")
         self.press("Enter")
         self.write(number)

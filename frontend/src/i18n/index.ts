@@ -1,47 +1,47 @@
-/** The page's words: a folder for each language with a file for each part of the page. */
+/** What a person reads on the page: its own words, and what the server says by code. */
 
-import { computed } from "@preact/signals";
+import { format, language, languages, type Shown, startLanguage } from "./words";
 
-import { preferences } from "../preferences";
+export { language, languages, startLanguage };
 
-type Words = Record<string, string>;
+type Value = string | number | Phrase | readonly (string | Phrase)[];
 
-// Whoever adds a folder adds a language. A word's key is `file.word`.
-const files = import.meta.glob<Words>("./*/*.json", { eager: true, import: "default" });
-
-function collect(): Map<string, Map<string, string>> {
-  const found = new Map<string, Map<string, string>>();
-  for (const [path, words] of Object.entries(files)) {
-    const [, code = "", file = ""] = path.split("/");
-    const language = found.get(code) ?? new Map<string, string>();
-    found.set(code, language);
-    for (const [word, text] of Object.entries(words)) {
-      language.set(`${file.replace(".json", "")}.${word}`, text);
-    }
-  }
-  return found;
-}
-
-const texts = collect();
-
-/** The codes of the languages there are. */
-export const languages: readonly string[] = [...texts.keys()];
-
-/** The code of the language in use. */
-export const language = computed(() =>
-  texts.has(preferences.value.language) ? preferences.value.language : "en",
-);
-
-/** What the server names in English, in the user's language where we have words for it. */
-export function translated(key: string, english: string): string {
-  return texts.get(language.value)?.get(key) ?? texts.get("en")?.get(key) ?? english;
+/** Something the server says: a code and named values. */
+export interface Phrase {
+  readonly code: string;
+  readonly values?: Readonly<Record<string, Value>>;
 }
 
 /**
- * A text in the user's language, or in English where it has none; `{name}` in it is replaced by the
- * value of that name. Within a component or an effect it follows the language when that changes.
+ * A phrase in the user's language. Within a component or an effect it follows the language when that
+ * changes. Text that is not a code, such as the message of a library's exception, is shown as it is.
  */
-export function t(key: string, values: Record<string, string | number> = {}): string {
-  const text = texts.get(language.value)?.get(key) ?? texts.get("en")?.get(key) ?? key;
-  return text.replace(/\{(\w+)\}/g, (_, name: string) => String(values[name] ?? ""));
+export function say(phrase: Phrase | string): string {
+  if (typeof phrase === "string") return phrase;
+  const { code, values = {} } = phrase;
+  const shown = Object.entries(values).map(([name, value]) => [name, show(value)] as const);
+  return format(code, Object.fromEntries(shown)) ?? code;
+}
+
+/** One of the page's own words in the user's language; it follows the language as `say` does. */
+export function t(code: string, values: Shown = {}): string {
+  return format(code, values) ?? code;
+}
+
+/** The page's word for what the server names in English, or that name where there is no such word. */
+export function translated(code: string, english: string): string {
+  return format(code, {}) ?? english;
+}
+
+/** The title or goal of a world in the user's language; names in worlds of others stay as they are. */
+export function worldName(english: string): string {
+  const tag = /^tag (\d+)$/.exec(english)?.[1];
+  if (tag) return t("page-catalog-goal-tag", { number: tag });
+  const word = english.toLowerCase().replace(/[^a-z0-9]+/g, "-");
+  return translated(`page-catalog-name-${word}`, english);
+}
+
+function show(value: Value): string | number {
+  if (typeof value === "string" || typeof value === "number") return value;
+  return "code" in value ? say(value) : value.map((one) => (typeof one === "string" ? one : say(one))).join(", ");
 }

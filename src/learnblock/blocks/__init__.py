@@ -1,17 +1,24 @@
-"""What can be said: skills as blocks, described by block configurations in JSON.
+"""Blocks: skills described by block configurations in JSON, and the palette made from them.
 
-`learnblock.blocks.derivation` writes the configurations of skills that have none, and
-`learnblock.blocks.reference` the page of all skills.
+Entered through this module, and through `known` for every block that a program may use, with the
+custom blocks and installed libraries of this computer.
 """
 
-from learnblock.blocks.configuration import BlockConfiguration, Parameter, ParameterType
-from learnblock.blocks.load import all_configurations, builtin, load_configurations
+from learnblock.blocks.schema.configuration import (
+    NUMBERS,
+    BlockConfiguration,
+    Configurations,
+    Parameter,
+    ParameterType,
+)
+from learnblock.blocks.schema.loading import builtin, load_configurations
 
 __all__ = [
+    "NUMBERS",
     "BlockConfiguration",
+    "Configurations",
     "Parameter",
     "ParameterType",
-    "all_configurations",
     "builtin",
     "load_configurations",
 ]

@@ -1,6 +1,6 @@
-"""Sets of blocks: which of them the palette shows, from a first lesson to everything.
+"""Block sets: the blocks that the palette shows, from a first lesson to everything.
 
-A set is a TOML file; those of the user's own lie in ``sets`` of `home`:
+A block set is a TOML file; the user's are in the folder ``sets`` of `home`:
 
     [title]
     en = "First steps"
@@ -9,7 +9,7 @@ A set is a TOML file; those of the user's own lie in ``sets`` of `home`:
     categories = ["Distances"]
     blocks = ["lb_main", "function.move_straight"]
 
-What it names need not be there: a block of somebody else's own is kept in mind.
+It may name blocks that do not exist here, such as another user's custom blocks.
 """
 
 import re
@@ -23,12 +23,13 @@ from typing import Annotated, NoReturn
 import msgspec
 from msgspec import Meta, Struct
 
-from learnblock import description_file
 from learnblock.errors import BlockSetError, Diagnostic, UnknownNameError
-from learnblock.files import is_device_name, save
-from learnblock.home import home
+from learnblock.i18n import Phrase
+from learnblock.storage import toml_source
+from learnblock.storage.files import is_device_name, save
+from learnblock.storage.home import home
 
-#: Our own, in the order of the lessons.
+#: The built-in sets, in the order of the lessons.
 BUILT_IN = ("first-steps", "loops-and-functions", "senses", "events", "everything")
 EVERYTHING = "everything"
 MOST_NAMES = 1000
@@ -46,12 +47,12 @@ Mentioned = Annotated[
 
 
 class BlockNames(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
-    """Some of the blocks.
+    """A selection of blocks.
 
     Args:
-        categories: whole ones, as configurations name them (``Distances``), or ours of the language
+        categories: whole tabs, named as in configurations (``Distances``), or those of the language
             (``lb_control``).
-        blocks: as Block-Text calls a skill (``function.turn``), else by the block's type.
+        blocks: skills as in Block-Text (``function.turn``), and other blocks by their type.
     """
 
     categories: Mentioned = ()
@@ -59,17 +60,17 @@ class BlockNames(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=
 
 
 class BlockSet(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
-    """Which blocks are shown.
+    """A block set.
 
-    What is said of a block goes before what is said of its category, and hiding before showing.
-    Where nothing is shown by name, everything is that is not hidden.
+    An entry for a block wins over one for its category, and hiding wins over showing. If nothing is
+    shown by name, everything is shown that is not hidden.
 
     Args:
-        name: of its file; the file itself does not say it.
+        name: of its file, which does not contain it.
         title: by language.
-        description: likewise.
-        show: nothing but these.
-        hide: not these.
+        description: by language.
+        show: only these.
+        hide: all except these.
     """
 
     name: Annotated[str, Meta(max_length=60)] = ""
@@ -81,12 +82,12 @@ class BlockSet(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=Tr
 
 @cache
 def built_in() -> Mapping[str, BlockSet]:
-    """Our own sets by name, in the order of the lessons."""
+    """The built-in sets by name, in the order of the lessons."""
     return MappingProxyType({name: read(_FOLDER / f"{name}.toml") for name in BUILT_IN})
 
 
 def own() -> tuple[tuple[BlockSet, ...], tuple[BlockSetError, ...]]:
-    """The user's own sets, and what is wrong with files that are none."""
+    """The user's own sets, and the errors of files that are wrong."""
     sets, errors = [], []
     for file in sorted(_own_folder().glob("*.toml"))[:MOST_OWN]:
         try:
@@ -95,7 +96,7 @@ def own() -> tuple[tuple[BlockSet, ...], tuple[BlockSetError, ...]]:
         except BlockSetError as error:
             errors.append(error)
         except OSError as error:
-            reason = f"it cannot be read: {error.strerror or error}"
+            reason = Phrase("set-unreadable", reason=error.strerror or str(error))
             errors.append(BlockSetError(file.name, [Diagnostic("no-access", reason)]))
     return tuple(sets), tuple(errors)
 
@@ -104,10 +105,10 @@ def read(file: Path) -> BlockSet:
     """The set in a file.
 
     Raises:
-        BlockSetError: it is wrong; the diagnostics say where.
-        OSError: there is no such file.
+        BlockSetError: it has mistakes.
+        OSError: the file cannot be read.
     """
-    found = description_file.read(file, BlockSet, BlockSetError, lambda _: ())
+    found = toml_source.read(file, BlockSet, BlockSetError, lambda _: ())
     return msgspec.structs.replace(found, name=file.stem)
 
 
@@ -119,11 +120,11 @@ def parse(text: str, name: str) -> BlockSet:
         name: of the set.
 
     Raises:
-        BlockSetError: it is wrong, or the name is.
+        BlockSetError: the text or the name is wrong.
     """
     filename = f"{name}.toml"
-    document = description_file.parse(text, filename, BlockSetError)
-    found = description_file.convert(
+    document = toml_source.parse(text, filename, BlockSetError)
+    found = toml_source.convert(
         document, BlockSet, BlockSetError, lambda _: (), name=filename, source=text
     )
     return msgspec.structs.replace(found, name=checked_name(name))
@@ -132,55 +133,47 @@ def parse(text: str, name: str) -> BlockSet:
 def write(block_set: BlockSet) -> str:
     """The text of a set's file."""
     unnamed = msgspec.structs.replace(block_set, name="")
-    return description_file.write(unnamed, block_set.name, BlockSetError)
+    return toml_source.write(unnamed, block_set.name, BlockSetError)
 
 
 def save_own(block_set: BlockSet, *, replace: bool) -> None:
-    """Write a set into the user's folder: as a whole or not at all.
+    """Save a set in the user's folder.
 
     Raises:
-        BlockSetError: it has no good name, or one that is taken.
+        BlockSetError: its name is not allowed, or is taken.
         OSError: the file cannot be written.
     """
     file = _own_file(block_set.name)
     if file.exists() and not replace:
-        _refuse(
-            block_set.name,
-            f"you have a set of blocks `{file.stem}` already: choose another name, or save once"
-            " more to replace it",
-        )
+        _refuse(block_set.name, Phrase("set-name-taken", name=file.stem))
     save(file, write(block_set).encode())
 
 
 def delete_own(name: str) -> None:
-    """Delete a set of the user's own.
+    """Delete one of the user's own sets.
 
     Raises:
-        UnknownNameError: there is none of that name.
-        BlockSetError: no set can have it.
+        UnknownNameError: there is no such set.
+        BlockSetError: the name is not allowed.
     """
     file = _own_file(name)
     if not file.is_file():
         known = [path.stem for path in _own_folder().glob("*.toml")]
-        raise UnknownNameError("set of blocks", name, known)
+        raise UnknownNameError("block-set", name, known)
     file.unlink()
 
 
 def checked_name(name: str) -> str:
-    """The name as its file is called.
+    """The name in the form that is used for files.
 
     Raises:
-        BlockSetError: it is one of ours, or no name of a file.
+        BlockSetError: it is the name of a built-in set, or not a file name.
     """
     name = unicodedata.normalize("NFC", name)
     if not _NAME.fullmatch(name) or is_device_name(name):
-        _refuse(
-            name,
-            f"a set of blocks cannot be called {name!r:.80}: use up to 60 letters, digits, `-`, `_`"
-            " and blanks",
-        )
+        _refuse(name, Phrase("set-bad-name", name=name[:80]))
     if name in BUILT_IN:
-        _refuse(name, f"`{name}` is a set of LearnBlock's own: choose another name for yours")
+        _refuse(name, Phrase("set-built-in-name", name=name))
     return name
 
 
@@ -192,5 +185,5 @@ def _own_file(name: str) -> Path:
     return _own_folder() / f"{checked_name(name)}.toml"
 
 
-def _refuse(name: str, message: str) -> NoReturn:
+def _refuse(name: str, message: Phrase) -> NoReturn:
     raise BlockSetError(name, [Diagnostic("wrong-name", message)])

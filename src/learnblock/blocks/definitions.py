@@ -1,14 +1,16 @@
-"""The definitions of the blocks that Blockly does not have, as its JSON has them.
+"""The definitions of our blocks in Blockly's JSON.
 
-A block whose shape varies names the extension or the mutator that the page gives it:
+A block whose shape varies names its extension or mutator in the page:
 ``lb_when_mutator``, ``lb_arguments_mutator``, ``lb_compare_mutator``, ``lb_when_names``,
-``lb_code_field``. An extension that adds a field finds its place in the dummy input ``PLACE``.
+``lb_code_field``. An extension adds its field to the dummy input ``PLACE``.
 """
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
-from learnblock.blocks.configuration import NUMBERS, BlockConfiguration, Parameter
+from learnblock.blocks.labels import sentence, translated
+from learnblock.blocks.schema.configuration import NUMBERS, BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL, is_skill_block
 
 Definition = dict[str, Any]
@@ -28,15 +30,9 @@ _CHECKS = {
 def definitions(
     configurations: Iterable[BlockConfiguration], language: str
 ) -> list[dict[str, Any]]:
-    """Every block of ours, the skills with their words in a language such as ``es``."""
+    """Every block of ours; skills have their words in a language such as ``es``."""
     skills = [skill_definition(one, language) for one in configurations if is_skill_block(one)]
     return [*_hats(), *_statements(), *_values(), *skills]
-
-
-def translated(texts: Mapping[str, str], language: str, otherwise: str) -> str:
-    """A text of a configuration in a language, or else in English, or else `otherwise`."""
-    code = language.upper()
-    return texts.get(code) or texts.get(code.partition("-")[0]) or texts.get("EN") or otherwise
 
 
 def _block(kind: str, style: str, args: Iterable[Definition] = (), **rest: Any) -> Definition:
@@ -70,7 +66,7 @@ def _hats() -> list[Definition]:
     return [
         _block("lb_main", "lb_event", **_DO),
         _block("lb_start", "lb_event", **_DO),
-        # Its mutator adds CONDITION above DO.
+        # The mutator adds CONDITION above DO.
         {**when, **_DO},
     ]
 
@@ -141,20 +137,34 @@ def _values() -> list[Definition]:
 
 def skill_definition(configuration: BlockConfiguration, language: str) -> Definition:
     """The block of a skill, with its words in a language such as ``es``."""
-    parts = [_plain(translated(configuration.languages, language, configuration.name))]
-    for index, parameter in enumerate(configuration.parameters, 1):
-        name = translated(parameter.translations, language, parameter.name)
-        parts.append(f"{_plain(name)} %{index}")
     shape = {"output": None} if configuration.returns_value else _STATEMENT
     return {
         "type": SKILL + configuration.name,
         "style": f"lb_{configuration.type}",
-        "message0": " ".join(parts),
+        "message0": _message(configuration, language),
         "args0": [_parameter(one, language) for one in configuration.parameters],
         "inputsInline": True,
         "tooltip": _plain(translated(configuration.tooltip, language, "")),
         **shape,
     }
+
+
+def _message(configuration: BlockConfiguration, language: str) -> str:
+    """The label in Blockly's notation: a percent sign is doubled, and %1 is an input."""
+    inputs = {one.name: f"%{index}" for index, one in enumerate(configuration.parameters, 1)}
+    escaped = replace(
+        configuration,
+        languages=_all_plain(configuration.languages),
+        parameters=tuple(
+            replace(one, translations=_all_plain(one.translations))
+            for one in configuration.parameters
+        ),
+    )
+    return sentence(escaped, language, lambda one: inputs[one.name])
+
+
+def _all_plain(texts: Mapping[str, str]) -> dict[str, str]:
+    return {code: _plain(text) for code, text in texts.items()}
 
 
 def _parameter(parameter: Parameter, language: str) -> Definition:
@@ -164,7 +174,7 @@ def _parameter(parameter: Parameter, language: str) -> Definition:
 
 
 def _field(parameter: Parameter, language: str) -> Definition:
-    """What the field in its place offers, under a key that our page knows and Blockly does not."""
+    """The choices of the field, under a key that our page knows and Blockly does not."""
     if parameter.choices:
         names = parameter.choice_names
         return {
@@ -179,5 +189,5 @@ def _field(parameter: Parameter, language: str) -> Definition:
 
 
 def _plain(text: str) -> str:
-    """A text in which Blockly finds no places to fill."""
+    """A text in which Blockly finds no inputs to insert."""
     return text.replace("%", "%%")

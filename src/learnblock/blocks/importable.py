@@ -1,15 +1,15 @@
-"""What the ``import`` of a program can name."""
+"""The modules that a program can import."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
 class Importable:
-    """What the ``import`` of a program can name.
+    """The modules that the ``import`` of a program can name.
 
     Args:
-        libraries: these bring skills and nothing else.
-        files: Python files beside the program, which bring whatever they define.
+        libraries: modules with skills and nothing else.
+        files: Python files beside the program, with anything that they define.
     """
 
     libraries: frozenset[str] = frozenset()
@@ -20,5 +20,5 @@ class Importable:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All of them, in order."""
+        """The names of all modules, sorted."""
         return tuple(sorted(self.libraries | self.files))

@@ -1,25 +1,31 @@
-"""All blocks that there are: ours, the user's, those of plugins and of installed libraries."""
+"""Every block: built in, custom, from plugins and from installed libraries."""
 
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from learnblock import skill_files
-from learnblock.blocks.configuration import BlockConfiguration, Configurations
-from learnblock.blocks.derivation import derive_plugin, derived, fitted
-from learnblock.blocks.libraries import installed_blocks
-from learnblock.blocks.load import builtin, completed, load_configurations
+from learnblock.blocks.installed_libraries import installed_blocks
 from learnblock.blocks.reserved import RESERVED
-from learnblock.blocks.signature import Signature, signatures
+from learnblock.blocks.schema.configuration import BlockConfiguration, Configurations
+from learnblock.blocks.schema.loading import builtin, completed, load_configurations
+from learnblock.blocks.source.derivation import derive_plugin, derived, fitted
+from learnblock.blocks.source.signature import Signature, signatures
 from learnblock.errors import FileError, LearnBlockError
-from learnblock.home import home
+from learnblock.i18n import Phrase
+from learnblock.storage import skill_files
+from learnblock.storage.home import home
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
 
 
-def known() -> Configurations:
-    """Every block. A file that is wrong is left out and told, and all others are there."""
+def all_configurations() -> Configurations:
+    """Every block by name: ours, the user's, those of plugins and of installed libraries.
+
+    A skill without a configuration gets one from its signature and docstring. A file in the
+    ``blocks`` folder of `home` describes such a skill better, or adds translations to any block.
+    A file with a mistake is left out and reported in `Configurations.problems`.
+    """
     search = _Search({**builtin()})
     for path in skill_files.own_files():
         search.users(path)
@@ -34,11 +40,11 @@ def known() -> Configurations:
 
 @dataclass
 class _Search:
-    """What has been found so far; what comes first counts."""
+    """The blocks found so far; if several have the same name, the first one is used."""
 
     found: dict[str, BlockConfiguration]
     signatures: dict[str, Signature] = field(default_factory=dict)
-    broken: dict[str, str] = field(default_factory=dict)
+    broken: dict[str, Phrase] = field(default_factory=dict)
     problems: list[LearnBlockError] = field(default_factory=list)
 
     def users(self, path: Path) -> None:
@@ -48,10 +54,12 @@ class _Search:
         except FileError as error:
             self.problems.append(error)
             first = error.diagnostics[0]
-            reason = f"{path.name}, line {first.line}: {first.message}"
+            reason = Phrase(
+                "block-broken-file", file=path.name, line=str(first.line), reason=first.message
+            )
             self.broken.update(dict.fromkeys(skill_files.names(path), reason))
         except OSError as error:
-            self.problems.append(LearnBlockError(f"{path}: {error.strerror}"))
+            self.problems.append(_unreadable(path, error))
 
     def plugin(self, point: "EntryPoint") -> None:
         try:
@@ -60,7 +68,9 @@ class _Search:
         except LearnBlockError as error:
             self.problems.append(error)
         except OSError as error:
-            self.problems.append(LearnBlockError(f"the plugin `{point.name}`: {error.strerror}"))
+            reason = str(error.strerror)
+            problem = LearnBlockError("block-plugin-unreadable", plugin=point.name, reason=reason)
+            self.problems.append(problem)
 
     def skill(self, signature: Signature, block: BlockConfiguration) -> None:
         if block.name not in RESERVED and block.name not in self.found:
@@ -74,15 +84,19 @@ class _Search:
             self.problems.append(error)
             return
         except OSError as error:
-            self.problems.append(LearnBlockError(f"{path}: {error.strerror}"))
+            self.problems.append(_unreadable(path, error))
             return
         for block in blocks:
             self.found[block.name] = self.described(block)
 
     def described(self, block: BlockConfiguration) -> BlockConfiguration:
-        """A block as a configuration describes it, and as it was known before."""
+        """A configured block, completed from what was known of it before."""
         before = self.found.get(block.name)
         signature = self.signatures.get(block.name)
         if before is None:
             return block
         return fitted(block, signature, before) if signature else completed(block, before)
+
+
+def _unreadable(path: Path, error: OSError) -> LearnBlockError:
+    return LearnBlockError("block-file-unreadable", file=str(path), reason=str(error.strerror))

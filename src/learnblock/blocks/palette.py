@@ -1,4 +1,4 @@
-"""The palette: all that the page needs to know of the blocks, in one language."""
+"""The palette: everything that the page needs to know about the blocks, in one language."""
 
 import json
 from collections.abc import Mapping
@@ -7,8 +7,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from learnblock.blocks.configuration import BlockConfiguration
-from learnblock.blocks.definitions import definitions, skill_definition, translated
+from learnblock.blocks.definitions import definitions, skill_definition
+from learnblock.blocks.labels import translated
+from learnblock.blocks.schema.configuration import BlockConfiguration
 from learnblock.blocks.toolbox import category_word, skill_block, toolbox
 
 _TRANSLATIONS = Path(__file__).parent / "translations"
@@ -17,12 +18,12 @@ _TRANSLATIONS = Path(__file__).parent / "translations"
 def palette(configurations: Mapping[str, BlockConfiguration], language: str) -> dict[str, Any]:
     """Definitions, toolbox and words of the blocks.
 
-    The types of the inputs are there to help who drags a block: programs mix them, so the page's
-    connection checker must let any value stand in any input when a workspace is loaded.
+    The types of inputs only guide the user who drags a block. Programs mix types, so the page's
+    connection checker must accept any value in any input when a workspace is loaded.
 
     Args:
         configurations: of the skills, by name.
-        language: such as ``es``; what is not translated stays English.
+        language: such as ``es``; words without a translation are English.
     """
     words = translation(language)
     return {
@@ -34,7 +35,7 @@ def palette(configurations: Mapping[str, BlockConfiguration], language: str) -> 
 
 
 def _titles(configurations: Mapping[str, BlockConfiguration], language: str) -> dict[str, str]:
-    """The words of the tabs that bring their own."""
+    """The tab names of libraries, which bring their own."""
     return {
         category_word(one.category): translated(one.titles, language, one.category)
         for one in configurations.values()
@@ -45,18 +46,18 @@ def _titles(configurations: Mapping[str, BlockConfiguration], language: str) -> 
 def preview(
     configuration: BlockConfiguration, language: str
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """One skill's block: its definition, and how it lies in the palette."""
+    """A skill's block: its definition, and its entry in the palette."""
     return skill_definition(configuration, language), skill_block(configuration)
 
 
 def languages() -> tuple[str, ...]:
-    """The languages that there is a translation for, such as ``en`` and ``es``."""
+    """The languages with a translation, such as ``en`` and ``es``."""
     return tuple(sorted(path.stem for path in _TRANSLATIONS.glob("*.json")))
 
 
 @cache
 def translation(language: str) -> Mapping[str, str]:
-    """The words of the blocks that are no skills, by the name of their message."""
+    """The words of the built-in blocks of the language, by the name of their message."""
     known = languages()
     chosen = next((one for one in (language, language.partition("-")[0]) if one in known), "en")
     return MappingProxyType({**_words("en"), **_words(chosen)})

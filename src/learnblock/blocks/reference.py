@@ -1,28 +1,30 @@
 """The reference page of all skills, ``docs/skills.md``, written from their source.
 
-``python -m learnblock.blocks.reference docs/skills.md`` writes it anew.
+``python -m learnblock.blocks.reference docs/skills.md`` updates it.
 """
 
 import ast
 import re
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from itertools import groupby
 from pathlib import Path
 
-from learnblock import skill_files
-from learnblock.blocks.configuration import BlockConfiguration, Parameter
-from learnblock.blocks.load import builtin
+from learnblock.blocks.labels import label
+from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.schema.loading import builtin
+from learnblock.storage import skill_files
 
 _HEAD = """\
 # Skills
 
-What a robot can be told and asked, whatever robot it is: in Block-Text `function.NAME(...)`, in
-Python `robot.NAME(...)`. Speeds are in mm/s and degrees/s, distances in mm, angles in degrees
-(clockwise, that is to the right, positive) and times in seconds.
+Skills are the commands and questions for a robot. They are the same for every robot: in
+Block-Text `function.NAME(...)`, in Python `robot.NAME(...)`. Speeds are in mm/s and degrees/s,
+distances in mm, angles in degrees (clockwise, that is to the right, is positive) and times in
+seconds.
 
-A skill whose device the robot does not have does nothing; a question then answers False, and a
-measure None.
+If the robot lacks the device of a skill, the skill does nothing: a question returns False, and a
+measurement returns None.
 
 This page is generated: `python -m learnblock.blocks.reference docs/skills.md`.
 """
@@ -56,7 +58,7 @@ def _entry(block: BlockConfiguration, documentation: str) -> str:
     return (
         f"### `{block.name}({parameters})`\n\n"
         f"{_markdown(documentation)}\n\n"
-        f"{kind}; needs {needs}. {_labels(block.languages)}\n"
+        f"{kind}; needs {needs}. {_labels(block)}\n"
     )
 
 
@@ -64,21 +66,21 @@ def _parameter(parameter: Parameter) -> str:
     return parameter.name if parameter.required else f"{parameter.name}={parameter.default!r}"
 
 
-def _labels(languages: Mapping[str, str]) -> str:
-    labels = [f"{language} *{label}*" for language, label in languages.items()]
+def _labels(block: BlockConfiguration) -> str:
+    labels = [f"{language} *{label(block, language)}*" for language in block.languages]
     return f"On the block: {', '.join(labels)}."
 
 
 def _markdown(docstring: str) -> str:
     """A docstring in Google style as Markdown: its sections' entries become a list."""
     lines: list[str] = []
-    label = ""
+    prefix = ""
     for line in docstring.splitlines():
         section, entry = _SECTION.fullmatch(line), _ENTRY.fullmatch(line)
         if section:
-            label = "raises " if section[1] == "Raises" else ""
+            prefix = "raises " if section[1] == "Raises" else ""
         elif entry:
-            lines.append(f"- {label}`{entry[1]}`: {entry[2]}")
+            lines.append(f"- {prefix}`{entry[1]}`: {entry[2]}")
         else:
             lines.append(line.removeprefix("      "))
     return re.sub(r"``(.+?)``", r"`\1`", "\n".join(lines)).strip()

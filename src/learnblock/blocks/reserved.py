@@ -1,7 +1,7 @@
-"""Names that no skill of somebody else's can have, since every robot has them already."""
+"""Names that custom skills cannot have, because every robot has them already."""
 
-#: The names of a robot's own methods and attributes, which no import of the client could tell us:
-#: the blocks know no robot.
+#: The methods and attributes of robots. They are listed here because blocks import no robot; a test
+#: compares them with the client.
 RESERVED = frozenset(
     [
         "add",
@@ -24,14 +24,18 @@ RESERVED = frozenset(
         "hosted",
         "known_devices",
         "learn",
+        "link_error",
         "lockstep",
         "make_simulation",
+        "model",
         "name",
         "observe",
         "observer",
         "outcome",
         "period",
         "read",
+        "readings",
+        "require_link",
         "run",
         "scan",
         "seed",
@@ -41,6 +45,7 @@ RESERVED = frozenset(
         "settings_type",
         "simulation",
         "start",
+        "status",
         "stop",
         "stopped",
         "time",

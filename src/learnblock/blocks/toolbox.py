@@ -1,4 +1,4 @@
-"""The toolbox: the blocks of each tab, and what they hold before anyone has touched them."""
+"""The toolbox: the blocks of each tab, with their default values."""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -6,19 +6,19 @@ from itertools import groupby, takewhile
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from learnblock.blocks.configuration import BlockConfiguration, Parameter
+from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
 
-#: Begins the type of the block of a skill; the skill's name follows.
+#: The start of the type of a skill's block; the skill's name follows.
 SKILL = "lb_skill_"
 
 
 class Shadow(NamedTuple):
-    """What stands in an input until a block is put over it.
+    """The default value of an input, shown until a block is dropped on it.
 
     Args:
-        type: of the block: math_number, text, logic_boolean, or one of those that the page makes
-            for parameters: lb_slider, lb_angle, lb_choice, lb_colour and lb_tag.
-        field: where its value stands.
+        type: of the block: math_number, text, logic_boolean, or one of the page's blocks for
+            parameters: lb_slider, lb_angle, lb_choice, lb_colour and lb_tag.
+        field: of its value.
         value: a number, a text, or ``TRUE`` or ``FALSE``.
     """
 
@@ -27,7 +27,7 @@ class Shadow(NamedTuple):
     value: float | str
 
     def block(self) -> dict[str, Any]:
-        """The shadow as Blockly writes it."""
+        """The shadow in Blockly's JSON."""
         return {"type": self.type, "fields": {self.field: self.value}}
 
 
@@ -40,9 +40,10 @@ def _text(value: str) -> Shadow:
 
 
 _RED = "#ff0000"
+_QUARTER_TURN = 90
 _ZERO, _ONE = _number(0), _number(1)
 
-#: The shadows of all blocks that are no skills, by type and input.
+#: The shadows of the language's blocks, by type and input.
 SHADOWS: Mapping[str, Mapping[str, Shadow]] = MappingProxyType(
     {
         "controls_repeat_ext": {"TIMES": _number(10)},
@@ -75,7 +76,7 @@ SHADOWS: Mapping[str, Mapping[str, Shadow]] = MappingProxyType(
 
 
 def parameter_shadow(parameter: Parameter) -> Shadow | None:
-    """What stands in the input of a skill's parameter: its default, in what its type accepts."""
+    """The shadow of a skill's parameter: its default, in a block for its type."""
     default = parameter.default
     match parameter.type:
         case "float" | "int" | "angle":
@@ -103,15 +104,16 @@ def _number_field(parameter: Parameter) -> str:
 def _shown_number(parameter: Parameter) -> float:
     if isinstance(parameter.default, int | float):
         return parameter.default
+    usual = _QUARTER_TURN if parameter.type == "angle" else 0
     if parameter.range:
-        return min(max(0, parameter.range.least), parameter.range.most)
-    return 0
+        return min(max(usual, parameter.range.least), parameter.range.most)
+    return usual
 
 
-# The tabs that are no skills: their words in the translations, the style of the tab, and the types
-# of the blocks, with fields where the block's own are not meant and an extra state where it needs
-# one. Of several blocks of one type each but the first has a `variant`, by which sets of blocks
-# tell it from the others; a call is told by the name of what it calls.
+# The tabs of the language: their words in the translations, the style of the tab, and the types of
+# the blocks, with fields where their defaults differ from the block's own, and an extra state where
+# it is needed. If several blocks have the same type, all but the first have a `variant`, by which
+# block sets refer to them; a call is identified by the name of the called function.
 _TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
     (
         "LB_CATEGORY_EVENTS",
@@ -210,7 +212,7 @@ _TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
         ),
     ),
 )
-# Those that Blockly or the page fills.
+# Tabs that Blockly or the page fills.
 _CUSTOM = (
     ("LB_CATEGORY_WHENS", "lb_event_category", "WHEN"),
     ("LB_CATEGORY_VARIABLES", "variable_category", "VARIABLE"),
@@ -241,17 +243,17 @@ def toolbox(
 
 
 def is_skill_block(configuration: BlockConfiguration) -> bool:
-    """Whether a configuration gives a block of its own; `elapsedTime` has one in the language."""
+    """Whether a configuration has its own block; `elapsedTime` is a block of the language."""
     return configuration.name != "elapsedTime"
 
 
 def category_word(category: str) -> str:
-    """What the translations call the name of a category of skills."""
+    """The name of a category of skills in the translations."""
     return "LB_SKILLS_" + "_".join(category.upper().split())
 
 
 def _category(name: str, style: str, words: Mapping[str, str]) -> dict[str, Any]:
-    """A tab of the language; `category` is what sets of blocks call it."""
+    """A tab of the language; block sets call it `category`."""
     category = "lb_" + name.removeprefix("LB_CATEGORY_").lower()
     return {
         "kind": "category",
@@ -262,7 +264,7 @@ def _category(name: str, style: str, words: Mapping[str, str]) -> dict[str, Any]
 
 
 def _item(entry: tuple[str, dict[str, Any]]) -> dict[str, Any]:
-    """A block of the language; `block` is what sets of blocks call it."""
+    """A block of the language; block sets call it `block`."""
     kind, state = entry
     variant = state.get("variant") or state.get("extraState", {}).get("name")
     name = f"{kind}:{variant}" if variant else kind
@@ -271,7 +273,7 @@ def _item(entry: tuple[str, dict[str, Any]]) -> dict[str, Any]:
 
 
 def _inputs(kind: str, state: Mapping[str, Any]) -> dict[str, Any]:
-    """The shadows of a block: no place has to be told where it is the last of a list."""
+    """The shadows of a block; only the last input of a list may lack one."""
     last = state.get("fields", {}).get("WHERE") == "LAST"
     shadows = {
         name: {"shadow": shadow.block()}
@@ -300,7 +302,7 @@ def _skill_tabs(
 
 
 def skill_block(configuration: BlockConfiguration) -> dict[str, Any]:
-    """A skill's block as it lies in the palette, with the shadows of its parameters."""
+    """A skill's block in the palette, with the shadows of its parameters."""
     shadows = {one.name: parameter_shadow(one) for one in configuration.parameters}
     inputs = {name: {"shadow": one.block()} for name, one in shadows.items() if one is not None}
     given = len(list(takewhile(_is_shown, configuration.parameters)))
@@ -309,12 +311,12 @@ def skill_block(configuration: BlockConfiguration) -> dict[str, Any]:
         "type": SKILL + configuration.name,
         "block": f"function.{configuration.name}",
         **({"inputs": inputs} if inputs else {}),
-        # What a new block shows is what the texts say: `sleep(5)`, and not `sleep()`.
+        # A new block shows its defaults in the code: `sleep(5)`, and not `sleep()`.
         **({"data": json.dumps({"given": given})} if given else {}),
     }
 
 
 def _is_shown(parameter: Parameter) -> bool:
-    """Whether a block shows what a call of it means when nothing is changed."""
+    """Whether an unchanged block shows what a call of it does."""
     has_default = parameter.required or parameter.default is not None
     return has_default and parameter_shadow(parameter) is not None

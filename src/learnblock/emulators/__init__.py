@@ -1,7 +1,7 @@
-"""The robot's end of a wire, driven by our simulator.
+"""Emulators: they speak a robot's protocol and move a twin in our simulator.
 
-An emulator speaks a robot's own protocol, and what it is told moves a twin in a world: to test a
-driver, or to try it without the robot (``learnblock emulate cozmo --world tags``).
+They are for testing a driver, or for trying it without the robot (``learnblock emulate cozmo
+--world tags``).
 
     >>> from learnblock.emulators import emulate
     >>> from learnblock.robots import connect
@@ -20,9 +20,10 @@ from typing import Any, Protocol
 from learnblock.closing import Closing
 from learnblock.emulators.twin import Twin
 from learnblock.errors import UnknownNameError
+from learnblock.i18n import Phrase
 
-#: The twin of each robot that can be emulated. RCIS's robot is built like EBO, and CoppeliaSim's
-#: scene of the paper like an EV3.
+#: The twin of each robot that can be emulated. RCIS's robot is an EBO, and the paper's scene in
+#: CoppeliaSim contains an EV3.
 TWINS: Mapping[str, str] = {
     "cozmo": "sim-cozmo",
     "coppeliasim": "sim-ev3",
@@ -32,34 +33,34 @@ TWINS: Mapping[str, str] = {
 }
 
 
-#: Robots with a simulator of their own, in which our worlds are built.
+#: Robots that are emulated in another simulator, to which our worlds are converted.
 SIMULATED_ELSEWHERE = frozenset({"thymio"})
 
 
 class Emulator(Protocol):
-    """The robot's end of a wire: a class ``Emulator`` in the module of the robot's name.
+    """A robot's emulator: the class ``Emulator`` in the module with the robot's name.
 
-    It is made with the twin that it drives, or with the name of a world where a simulator of others
-    moves the robot, and listens from then on.
+    Its first argument is the twin that it drives, or, if another simulator moves the robot, the
+    name of a world. It listens as soon as it is made.
     """
 
     #: The settings with which a client reaches it.
     settings: Mapping[str, Any]
 
     def close(self) -> None:
-        """Listen no more."""
+        """Stop listening."""
 
 
 class Emulation(Closing):
-    """An emulator with its twin, while they run: a context manager.
+    """A running emulator with its twin: a context manager.
 
     Args:
         begin: makes the emulator.
-        twin: the robot that is moved; None where a simulator of others moves it.
+        twin: the robot that is moved; None if another simulator moves it.
 
     Attributes:
-        settings: those with which a client reaches it.
-        note: what the emulator lacks, and what to do about it; empty where it lacks nothing.
+        settings: the settings with which a client reaches it.
+        note: a missing part and what to do about it; None if nothing is missing.
     """
 
     def __init__(self, begin: Callable[[], Emulator], twin: Twin | None = None) -> None:
@@ -74,30 +75,31 @@ class Emulation(Closing):
             raise
         self._ending.callback(emulator.close)
         self.settings = emulator.settings
-        self.note: str = getattr(emulator, "note", "")
+        self.note: Phrase | None = getattr(emulator, "note", None)
 
     def wait(self) -> None:
-        """Wait for ever, or for Ctrl-C."""
+        """Wait until Ctrl-C."""
         threading.Event().wait()
 
     def close(self) -> None:
-        """End both; the second time it does nothing."""
+        """End the emulator and the twin; calling it twice is harmless."""
         self._ending.close()
 
 
 def emulate(robot: str, world: str | None = None, *, seed: int = 0, **place: Any) -> Emulation:
-    """Begin to emulate a robot.
+    """Start to emulate a robot.
 
     Args:
         robot: its id, such as ``cozmo``.
-        world: a world's name or the path of its file; by default the twin's own.
-        seed: of all noise; a simulator of others has noise of its own.
-        place: where the emulator listens, if not at a free port of this machine.
+        world: a world's name or the path of its file; by default the twin's world.
+        seed: the seed of all noise; another simulator has its own noise.
+        place: the address and port; by default a free port of this computer.
 
     Raises:
         UnknownNameError: this robot cannot be emulated, or there is no such world.
-        MissingPackageError: a simulator of others is not installed.
-        OSError: it cannot listen there.
+        MissingPackageError: another simulator is needed and not installed.
+        EmulatorError: the emulator does not start.
+        OSError: the port is not available.
     """
     if robot not in {*TWINS, *SIMULATED_ELSEWHERE}:
         raise UnknownNameError("emulator", robot, [*TWINS, *SIMULATED_ELSEWHERE])

@@ -1,8 +1,9 @@
-"""CoppeliaSim's end of the wire: a server of its ZeroMQ remote API, backed by a twin.
+"""Emulates CoppeliaSim: a server of its ZeroMQ remote API that moves a twin.
 
-Protocol 2, of CoppeliaSim 4.6 and later: a REP socket, requests and answers in CBOR. A request is
-``{func, args, argsL, uuid, ver, lang, timeout}``, the last three with the first one only; the
-answer ``{ret}``, ``{err}``, or ``{func: "_*wait*_"}`` to a client that shall ask again.
+It uses protocol 2 of CoppeliaSim 4.6 and later: a REP socket with requests and replies in CBOR. A
+request is ``{func, args, argsL, uuid, ver, lang, timeout}``, with the last three in the first
+request only. A reply is ``{ret}``, ``{err}``, or ``{func: "_*wait*_"}`` for a client that must ask
+again.
 """
 
 import threading
@@ -11,26 +12,27 @@ from typing import Any
 
 from learnblock.emulators.coppeliasim_scene import CONSTANTS, SceneError, TwinScene
 from learnblock.emulators.twin import Twin
+from learnblock.errors import EmulatorError
 from learnblock.robots.real import require
 
-#: Milliseconds between two looks at what is not asked for.
+#: Milliseconds between two checks of the watchdog.
 _TICK = 50
-#: Seconds of a simulation step, CoppeliaSim's own default.
+#: Seconds of a simulation step, CoppeliaSim's default.
 _STEP = 0.05
 
 Request = Mapping[str, Any]
 
 
 class Emulator:
-    """Listens from when it is made.
+    """An emulated CoppeliaSim; it listens as soon as it is made.
 
     Args:
         twin: the robot that it drives.
-        port: on 127.0.0.1; a free one by default.
+        port: the port on 127.0.0.1; a free one by default.
 
     Raises:
-        MissingPackageError: the packages for this wire are not installed.
-        OSError: the port is taken.
+        MissingPackageError: the packages for the remote API are not installed.
+        EmulatorError: the port is in use.
     """
 
     def __init__(self, twin: Twin, port: int = 0) -> None:
@@ -47,7 +49,7 @@ class Emulator:
             self._socket.bind(f"tcp://127.0.0.1:{port or '*'}")
         except self._zmq.ZMQError as error:
             self._context.destroy()
-            raise OSError(error.errno, f"cannot listen on the port {port}: {error}") from None
+            raise EmulatorError("emulator-port-taken", port=str(port)) from error
         self.port = int(self._socket.last_endpoint.decode().rpartition(":")[2])
         self.settings: Mapping[str, Any] = {"address": "127.0.0.1", "port": self.port}
         self._closed = threading.Event()
@@ -55,15 +57,15 @@ class Emulator:
         self._thread.start()
 
     def close(self) -> None:
-        """Listen no more; the second time it does nothing."""
+        """Stop listening; calling it twice is harmless."""
         self._closed.set()
         self._thread.join()
 
     def answer(self, request: bytes) -> bytes:
-        """What is answered to a request, whatever it holds."""
+        """The reply to any request, including an invalid one."""
         try:
             return self._encoded(self._answered(self._cbor.loads(request)))
-        except Exception as error:  # noqa: BLE001 - a client may send what it likes, and is told
+        except Exception as error:  # noqa: BLE001 - a request may be invalid in any way
             return self._encoded({"err": f"{type(error).__name__}: {error}"})
 
     def _encoded(self, reply: Mapping[str, Any]) -> bytes:
@@ -106,7 +108,7 @@ class Emulator:
         return {**functions, **{name: {"const": value} for name, value in CONSTANTS.items()}}
 
     def _step(self, client: object) -> Mapping[str, Any]:
-        """A client that asks for a step is told to wait until the world has made it."""
+        """Let a client wait until the world has made a step."""
         until = self._waiting.setdefault(client, self._twin.time + _STEP)
         if self._twin.time < until:
             return {"func": "_*wait*_", "args": []}
@@ -115,7 +117,7 @@ class Emulator:
 
 
 def _listed(value: Any) -> list[Any]:
-    """What a Lua function returns: nothing, one value or several."""
+    """The results of a Lua function: none, one or several."""
     if value is None:
         return []
     return list(value) if isinstance(value, tuple) else [value]

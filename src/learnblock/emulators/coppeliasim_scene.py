@@ -1,6 +1,6 @@
-"""What CoppeliaSim's API tells of a scene with one robot, which is a twin in our world.
+"""The part of CoppeliaSim's API that drives one robot, a twin in our world.
 
-The scene has the robot three times over: with the functions of our scene script under
+The scene offers the robot in three ways: with the functions of our scene script under
 ``/LearnBlock``, with those of the paper's script under ``/Funciones``, and with joints and sensors
 under ``/Robot``. CoppeliaSim counts metres, and radians counterclockwise.
 """
@@ -15,7 +15,7 @@ from learnblock.emulators.twin import Twin
 from learnblock.wheels import body_speeds
 
 STOPPED, PAUSED, RUNNING = 0, 8, 17
-#: Of the API: constants have the values that CoppeliaSim gives them.
+#: The constants of the API, with CoppeliaSim's values.
 CONSTANTS: Mapping[str, int] = {
     "boolparam_realtime_simulation": 25,
     "handle_world": -1,
@@ -27,14 +27,14 @@ CONSTANTS: Mapping[str, int] = {
 
 
 class SceneError(Exception):
-    """What a function of the API raises."""
+    """An error raised by an API function."""
 
 
 class TwinScene:
-    """The scene, its simulation stopped at first.
+    """The scene; its simulation is stopped at first.
 
     Args:
-        twin: the robot.
+        twin: the simulated robot.
     """
 
     def __init__(self, twin: Twin) -> None:
@@ -70,7 +70,7 @@ class TwinScene:
 
     @property
     def parts(self) -> Mapping[str, Any]:
-        """The settings with which its robot is driven by the names of its parts."""
+        """The settings that drive its robot by the names of its parts."""
         sensors = {
             side: tuple(f"/Robot/{side}{number}" for number in numbers)
             for side, numbers in self._sides.items()
@@ -87,7 +87,7 @@ class TwinScene:
         }
 
     def watch(self) -> None:
-        """Let time pass for the script."""
+        """Run the script's watchdog."""
         self._ours.watch()
 
     # The API.
@@ -109,7 +109,7 @@ class TwinScene:
         raise SceneError(f"Object does not exist: {handle}.")
 
     def _set_bool_param(self, _parameter: int, value: object) -> None:
-        """Its only one is real time, which is all there is here."""
+        """Accept the only parameter, real time, which is always on here."""
         if not isinstance(value, bool):
             raise SceneError("one of the function's argument type is not correct")
 
@@ -131,16 +131,16 @@ class TwinScene:
             body.drive(adv, rot)
 
     def _turn(self, handle: int, velocity: float) -> None:
-        """The right joint is mounted the wrong way round, as some are: it turns backwards."""
+        """Turn a wheel; the right joint is mounted the other way round, so it turns backwards."""
         side = self._path(handle).removeprefix("/Robot/")
         wheels = self._about.wheels
         self._wheels[side] = velocity * wheels.radius * (1 if side == "left" else -1)
         self._move(*body_speeds((self._wheels["left"], self._wheels["right"]), wheels.track))
 
     def _matrix(self, handle: int, _relative_to: int = -1) -> list[float]:
-        """A joint's; its axis, the third column, looks to the left, the right joint's to the right.
+        """The matrix of a joint, with rows of x, y and z and the position in the last column.
 
-        Rows of x, y and z; the last column is the position.
+        The axis, its third column, points left, and for the right joint right.
         """
         side = 1 if self._path(handle) == "/Robot/left" else -1
         x, y, angle = self._place()
@@ -154,7 +154,7 @@ class TwinScene:
         ]
 
     def _place(self) -> tuple[float, float, float]:
-        """Where the robot is: x and y in m, and the angle in radians counterclockwise."""
+        """The robot's x and y in m and its angle in radians counterclockwise."""
         with self._twin.body() as body:
             x, y, heading = body.pose
         return x / 1000, y / 1000, -math.radians(heading)
@@ -169,7 +169,7 @@ class TwinScene:
         return 1, seen / 1000, [0.0, 0.0, seen / 1000], 99, [0.0, 0.0, -1.0]
 
     def _vision(self, handle: int) -> Any:
-        """A detection, and 15 numbers: the average intensity is the eleventh."""
+        """A detection and 15 numbers, of which the eleventh is the average intensity."""
         side = self._path(handle).removeprefix("/Robot/ground_")
         with self._twin.body() as body:
             level = (body.ground()[side] or 0.0) / 100

@@ -8,9 +8,9 @@ from typing import Any
 from learnblock.devices import NOTHING_SEEN
 from learnblock.emulators.twin import Twin
 
-#: Seconds without a word from the program after which our scene script stops the motors.
+#: The seconds of silence after which our scene script stops the motors.
 WATCHDOG = 0.35
-#: What our scene script knows to serve.
+#: The types of devices that our scene script supports.
 DEVICES = (
     "Base", "Camera", "Display", "DistanceSensors", "GroundSensors", "Gyroscope", "LightSensor",
 )  # fmt: skip
@@ -19,10 +19,10 @@ Functions = Mapping[str, Callable[..., Any]]
 
 
 class OurScript:
-    """What `scene.lua` does: our units, and a watchdog.
+    """The functions of `scene.lua`, with our units and a watchdog.
 
     Args:
-        twin: the robot.
+        twin: the simulated robot.
         camera: the handle of its camera, or -1.
     """
 
@@ -40,18 +40,18 @@ class OurScript:
         }
 
     def begin(self) -> None:
-        """Stand, and hear of nobody."""
+        """Stop the motors and forget the program."""
         self._alive, self._wanted = False, (0.0, 0.0)
         self._move(0, 0)
 
     def watch(self) -> None:
-        """Stop the motors when nothing is heard."""
+        """Stop the motors if the program is silent."""
         if self._alive and monotonic() - self._heard > WATCHDOG:
             self._alive = False
             self._move(0, 0)
 
     def _hear(self) -> None:
-        """Heard again, a program drives on as it commanded."""
+        """Note a call, which resumes the last drive command after a silence."""
         self._heard = monotonic()
         if not self._alive:
             self._alive = True
@@ -80,7 +80,7 @@ class OurScript:
             grounds = {side: seen for side, seen in body.ground().items() if seen is not None}
             light = body.light() if body.description.light else 0.0
             senses = {"pose": body.pose, "distances": distances, "ground": grounds, "light": light}
-        # A table of Lua that is empty says not whether it is one of keys.
+        # An empty Lua table could also be a list, so it is left out.
         return {name: sensed for name, sensed in senses.items() if sensed != {}}
 
     def _show(self, emotion: str) -> None:
@@ -90,10 +90,10 @@ class OurScript:
 
 
 class PaperScript:
-    """What `Funciones` does: each function takes and answers three lists and a buffer.
+    """The functions of `Funciones`, which take and return three lists and a buffer.
 
     Args:
-        twin: the robot.
+        twin: the simulated robot.
     """
 
     def __init__(self, twin: Twin) -> None:
@@ -126,7 +126,7 @@ class PaperScript:
             return body.ground()["central"] or 0.0
 
     def _nearest(self) -> float:
-        """In m; 0 where nothing is seen, as V-REP's proximity sensors answer then."""
+        """The distance in m; 0 if nothing is seen, as from V-REP's proximity sensors."""
         with self._twin.body() as body:
             seen = min(body.distances()["front"], default=NOTHING_SEEN)
         return 0.0 if seen >= NOTHING_SEEN else seen / 1000

@@ -1,4 +1,4 @@
-"""EBO as its client sees it: four components and a broker with its pictures, which move a twin."""
+"""Emulates EBO: four components and a broker with the camera's pictures, which move a twin."""
 
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
@@ -8,6 +8,7 @@ from typing import Any
 from learnblock.emulators.ebo_camera import Broker, Stream, find_broker
 from learnblock.emulators.robocomp import Ranger, Servo, Wheels, row_of
 from learnblock.emulators.twin import Twin
+from learnblock.i18n import Phrase
 from learnblock.ice import Adapter, Servant
 from learnblock.ice.robocomp import Layout, interfaces
 
@@ -15,25 +16,25 @@ _EMOTIONS = "joy", "sadness", "surprise", "fear", "anger", "disgust", "neutral"
 
 
 class Emulator:
-    """EBO; every component listens at a free port.
+    """An emulated EBO; every component listens on a free port.
 
-    Its pictures go through mosquitto, the broker of the real one; where that is not installed it
-    has no camera, its ``camera_port`` is 0, and its ``note`` says what to install.
+    As on the real robot, the pictures go through the broker mosquitto. Without it there is no
+    camera: ``camera_port`` is 0, and ``note`` explains what to install.
 
     Args:
         twin: the robot.
-        host: the address of this computer where they listen.
-        layout: in which they speak.
+        host: the local address on which the components listen.
+        layout: their message layout.
     """
 
     def __init__(
         self, twin: Twin, *, host: str = "127.0.0.1", layout: Layout = Layout.ROBOT
     ) -> None:
-        self.note = ""
+        self.note: Phrase | None = None
         self._known = interfaces(layout)
         with ExitStack() as beginning:
             self._adapter = beginning.enter_context(Adapter(host))
-            wheels, servo = Wheels(twin, knows_place=False), Servo(twin, 1, is_told=False)
+            wheels, servo = Wheels(twin, knows_place=False), Servo(twin, 1, reports_angle=False)
             settings: dict[str, Any] = {
                 "address": host,
                 "base_port": self._serve("differentialrobot", wheels),
@@ -51,9 +52,7 @@ class Emulator:
     def _stream(self, twin: Twin, host: str, ending: ExitStack) -> int:
         program = find_broker()
         if program is None:
-            self.note = (
-                "It has no camera: that needs the broker mosquitto (apt-get install mosquitto)."
-            )
+            self.note = Phrase("emulator-no-camera")
             return 0
         broker = ending.enter_context(Broker(program, host))
         ending.callback(Stream(twin, host, broker.port).close)
@@ -80,6 +79,6 @@ class _Face:
 
         return express
 
-    def talking(self, talks: bool) -> None:  # noqa: FBT001 - it talks or it does not
+    def talking(self, talks: bool) -> None:  # noqa: FBT001 - RoboComp's signature
         with self._twin.body() as body:
             body.note("Display", "talking", talks)

@@ -1,4 +1,4 @@
-"""EBO's camera: its broker, and what it publishes there."""
+"""EBO's camera: an MQTT broker, and the pictures published on it."""
 
 import shutil
 import socket
@@ -13,35 +13,35 @@ from typing import Self
 import cv2
 
 from learnblock.emulators.twin import Twin
-from learnblock.errors import LearnBlockError
+from learnblock.errors import EmulatorError
 from learnblock.robots.real import require
 
-#: As EBO's own program has them.
+#: The values of EBO's own program.
 TOPIC, FRAMES_PER_SECOND = "camara", 20
-#: Seconds within which the broker must listen.
+#: The most seconds until the broker listens.
 PATIENCE = 5.0
-#: Debian keeps servers where only root looks.
+#: Debian installs servers in folders that are only on root's path.
 _FOLDERS = ("/usr/sbin", "/usr/local/sbin")
 
 
 def find_broker() -> str | None:
-    """The program mosquitto, where it is installed."""
+    """The path of the program mosquitto; None if it is not installed."""
     found = (shutil.which("mosquitto", path=folder) for folder in (None, *_FOLDERS))
     return next((path for path in found if path), None)
 
 
 class Broker:
-    """A mosquitto that runs; a context manager.
+    """A running mosquitto; a context manager.
 
     Args:
-        program: mosquitto.
-        host: the address of this computer where it listens.
+        program: the path of mosquitto.
+        host: the local address on which it listens.
 
     Attributes:
-        port: a free one, where it listens.
+        port: its port, a free one.
 
     Raises:
-        LearnBlockError: it does not begin to listen.
+        EmulatorError: it does not start to listen.
     """
 
     def __init__(self, program: str, host: str = "127.0.0.1") -> None:
@@ -71,7 +71,7 @@ class Broker:
         self.close()
 
     def close(self) -> None:
-        """End it; the second time does nothing."""
+        """End it; calling it twice is harmless."""
         self._ending.close()
 
     def _await(self, host: str) -> None:
@@ -83,16 +83,16 @@ class Broker:
                 threading.Event().wait(0.01)
             else:
                 return
-        raise LearnBlockError(f"the broker mosquitto does not listen at {host}:{self.port}")
+        raise EmulatorError("emulator-broker-silent", place=f"{host}:{self.port}")
 
 
 class Stream:
-    """A thread that publishes what a twin sees.
+    """A thread that publishes the pictures of a twin's camera.
 
     Args:
         twin: the robot.
-        host: where the broker is.
-        port: of it.
+        host: the broker's address.
+        port: the broker's port.
     """
 
     def __init__(self, twin: Twin, host: str, port: int) -> None:
@@ -106,7 +106,7 @@ class Stream:
         self._thread.start()
 
     def close(self) -> None:
-        """Publish no more."""
+        """Stop publishing."""
         self._closed.set()
         self._thread.join()
         self._client.disconnect()

@@ -1,7 +1,7 @@
-"""One of our worlds as a scene of Aseba's playground.
+"""Write one of our worlds as a scene for Aseba's playground.
 
-Its lengths are cm from the south-western corner, its angles radians anticlockwise. Its floor always
-has a wall around it. Tags, faces and lamps are left out: a Thymio sees none of them.
+The scene uses cm from the south-western corner and radians counterclockwise, and always has a wall
+around its floor. Tags, faces and lamps are left out, because a Thymio cannot see them.
 """
 
 import math
@@ -26,13 +26,13 @@ def write_scene(world: WorldDescription, folder: Path, port: int, start: Pose) -
     """Write a world with one Thymio in it.
 
     Args:
-        world: which one.
-        folder: where its files go.
-        port: where the robot listens.
-        start: where it stands.
+        world: the world.
+        folder: the folder for its files.
+        port: the robot's port.
+        start: the robot's start.
 
     Returns:
-        The scene's file.
+        The file of the scene.
     """
     (folder / GROUND).write_bytes(_ground(world))
     scene = Xml.Element("aseba-playground")
@@ -43,21 +43,21 @@ def write_scene(world: WorldDescription, folder: Path, port: int, start: Pose) -
 
 
 def place(world: WorldDescription, pose: Pose) -> tuple[float, float, float]:
-    """A pose of ours as the playground's x and y in cm and its angle in radians."""
+    """Convert a pose of ours to the playground's x and y in cm and its angle in radians."""
     width, depth = world.floor.size
     x, y = (pose.x + width / 2) / MM_PER_CM, (pose.y + depth / 2) / MM_PER_CM
     return x, y, -math.radians(pose.heading)
 
 
 def pose(world: WorldDescription, x: float, y: float, angle: float) -> Pose:
-    """The playground's x and y in cm and angle in radians as a pose of ours."""
+    """Convert the playground's x and y in cm and angle in radians to a pose of ours."""
     width, depth = world.floor.size
     east, north = x * MM_PER_CM - width / 2, y * MM_PER_CM - depth / 2
     return Pose(east, north, -math.degrees(angle))
 
 
 def _ground(world: WorldDescription) -> bytes:
-    import cv2  # noqa: PLC0415 - to list the emulators nobody needs it
+    import cv2  # noqa: PLC0415 - not needed to list the emulators
 
     _, data = cv2.imencode(".png", cv2.cvtColor(Floor(world).image, cv2.COLOR_RGB2BGR))
     return data.tobytes()
@@ -85,7 +85,7 @@ def _world(world: WorldDescription) -> Xml.Element:
 
 
 def _walls(world: WorldDescription) -> Iterator[Box]:
-    """Every straight piece of a wall as a box; they overlap at the corners, as our own do."""
+    """Each straight piece of a wall as a box; the boxes overlap at corners, as in our world."""
     for wall in world.wall:
         for begin, end in pairwise(wall.points):
             yield _piece(wall, begin, end)
@@ -116,7 +116,7 @@ def _cylinder(world: WorldDescription, cylinder: Cylinder) -> Xml.Element:
 
 
 def _upright(thing: Box | Cylinder) -> dict[str, float | str]:
-    """Its height, its colour, and its mass in g; what stands fast has -1."""
+    """The height, the colour, and the mass in g, which is -1 for a fixed object."""
     mass = -1 if thing.mass is None else thing.mass * GRAMS_PER_KG
     return {"h": thing.height / MM_PER_CM, "color": _colour(thing), "mass": mass}
 

@@ -1,4 +1,4 @@
-"""RCIS as its client sees it: nine components, which move a twin of EBO's."""
+"""Emulates RCIS: nine components, which move EBO's twin."""
 
 from collections.abc import Mapping
 from contextlib import ExitStack
@@ -17,12 +17,12 @@ from learnblock.simulator.robot_body import EMOTION_COLOURS
 
 
 class Emulator:
-    """RCIS; every component listens at a free port.
+    """An emulated RCIS; every component listens on a free port.
 
     Args:
         twin: the robot.
-        host: the address of this computer where they listen.
-        layout: in which they speak.
+        host: the local address on which the components listen.
+        layout: their message layout.
     """
 
     def __init__(
@@ -39,7 +39,7 @@ class Emulator:
                     self._serve("laser", Ranger(partial(_one_of, twin, place)))
                     for place in range(5)
                 ],
-                "joint_port": self._serve("jointmotor", Servo(twin, -1, is_told=True)),
+                "joint_port": self._serve("jointmotor", Servo(twin, -1, reports_angle=True)),
                 "display_port": self._serve("display", _Screen(twin)),
                 "camera_port": self._serve("rgbd", _Eyes(twin, wheels)),
             }
@@ -58,7 +58,7 @@ def _one_of(twin: Twin, place: int) -> list[float]:
 
 
 class _Screen:
-    """Display: a picture it knows is an emotion, as our simulator has no screens."""
+    """Display: a known picture is shown as an emotion, since our simulator has no screens."""
 
     def __init__(self, twin: Twin) -> None:
         self._twin = twin
@@ -73,7 +73,7 @@ class _Screen:
 
 
 class _Eyes:
-    """RGBD: colours, and no distances."""
+    """RGBD: colours without depth."""
 
     def __init__(self, twin: Twin, wheels: Wheels) -> None:
         self._twin = twin
@@ -89,6 +89,6 @@ class _Eyes:
 
 @cache
 def _faces() -> Mapping[bytes, str]:
-    """Our own faces, by their pictures; "neutral" is the same picture as "none"."""
+    """The emotions by the pictures of our faces; "neutral" has the same picture as "none"."""
     names = sorted(EMOTION_COLOURS, key=lambda name: name == "neutral")
     return {draw_face(name).tobytes(): name for name in names}

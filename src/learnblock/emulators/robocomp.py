@@ -1,6 +1,6 @@
-"""RoboComp's components as they stand on the robot's side of the wire, each moving a twin.
+"""RoboComp's components, the robot's side: each moves a twin.
 
-They have no watchdog, as the real ones have none: the robot drives on when its client is gone.
+Like the real ones, they have no watchdog: the robot keeps driving when its client is gone.
 """
 
 import math
@@ -22,7 +22,7 @@ class Wheels:
 
     Args:
         twin: the robot.
-        knows_place: whether it has odometry; EBO answers zeros.
+        knows_place: whether it has odometry; EBO returns zeros.
     """
 
     def __init__(self, twin: Twin, *, knows_place: bool) -> None:
@@ -52,7 +52,7 @@ class Ranger:
     """Laser.
 
     Args:
-        read: answers its distances, mm.
+        read: returns its distances in mm.
     """
 
     def __init__(self, read: Callable[[], Sequence[float]]) -> None:
@@ -66,18 +66,18 @@ class Ranger:
 
 
 class Servo:
-    """JointMotor: the one that tilts the camera.
+    """JointMotor: the servo that tilts the camera.
 
     Args:
         twin: the robot.
-        up: 1 where a positive angle looks up, -1 where it looks down.
-        is_told: whether it answers where it is; EBO answers zeros.
+        up: 1 if a positive angle tilts up, -1 if it tilts down.
+        reports_angle: whether it reports its angle; EBO returns zeros.
     """
 
-    def __init__(self, twin: Twin, up: int, *, is_told: bool) -> None:
+    def __init__(self, twin: Twin, up: int, *, reports_angle: bool) -> None:
         self._twin = twin
         self._up = up
-        self._is_told = is_told
+        self._reports_angle = reports_angle
 
     def setPosition(self, goal: MotorGoalPosition) -> None:  # noqa: N802
         _require_servo(goal.name)
@@ -90,14 +90,14 @@ class Servo:
 
     def getMotorState(self, name: str) -> MotorState:  # noqa: N802
         _require_servo(name)
-        if not self._is_told:
+        if not self._reports_angle:
             return MotorState()
         with self._twin.body() as body:
             return MotorState(pos=self._up * math.radians(body.joint("CAMERA")))
 
 
 def row_of(twin: Twin) -> list[float]:
-    """The distances of an EBO from left to right, mm."""
+    """An EBO's distances in mm, from left to right."""
     with twin.body() as body:
         sides = body.distances()
     return [*sides["left"], sides["front"][1], *sides["right"]]

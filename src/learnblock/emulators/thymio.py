@@ -1,6 +1,6 @@
-"""A Thymio in Aseba's own simulator, the playground, with one of our worlds in it.
+"""Emulates a Thymio with Aseba's simulator, the playground, in one of our worlds.
 
-Not our simulator: the playground runs the robot's true virtual machine and has physics of its own.
+The playground runs the robot's real virtual machine, and has its own physics.
 """
 
 import os
@@ -16,37 +16,36 @@ from time import monotonic, sleep
 from typing import Any
 
 from learnblock.emulators.playground import write_scene
-from learnblock.errors import MissingPackageError
+from learnblock.errors import EmulatorError, MissingPackageError
 from learnblock.robots.simulated import find_world
 from learnblock.simulator import WorldDescription, load_robot
 from learnblock.simulator.geometry import Pose
 
 PROGRAM = "asebaplayground"
-#: Seconds within which it listens.
+#: The most seconds until it listens.
 STARTING = 20.0
-#: Seconds in which it ends when asked to.
+#: The most seconds until it ends after SIGTERM.
 ENDING = 2.0
 
 
 class Emulator:
-    """A playground that runs until it is closed; its window is shown where there is a screen.
+    """A playground that runs until it is closed; it opens a window if there is a screen.
 
-    It listens in the whole network, and serves one client at a time: a new one is taken, and the
-    one before is left.
+    It listens on all network interfaces and serves one client at a time: a new client replaces the
+    previous one.
 
     Args:
-        world: a world's name or the path of its file; by default that of the twin.
-        start: (x mm, y mm, heading in degrees) of the robot; by default the world's own.
-        port: where the robot listens; by default a free one.
+        world: a world's name or the path of its file; by default the twin's world.
+        start: (x mm, y mm, heading in degrees) of the robot; by default the world's start pose.
+        port: the robot's port; by default a free one.
 
     Attributes:
-        world: the world as described.
-        settings: those with which a client reaches the robot.
+        world: the world's description.
+        settings: the settings with which a client reaches the robot.
 
     Raises:
         MissingPackageError: the playground is not installed.
-        LearnBlockError: there is no such world.
-        OSError: it cannot listen there.
+        LearnBlockError: there is no such world, or the playground does not start.
     """
 
     def __init__(
@@ -80,7 +79,7 @@ class Emulator:
             raise
 
     def close(self) -> None:
-        """End the playground; the second time it does nothing."""
+        """End the playground; calling it twice is harmless."""
         self._process.terminate()
         try:
             self._process.wait(ENDING)
@@ -93,19 +92,16 @@ class Emulator:
         until = monotonic() + STARTING
         while not _listens(port):
             if self._process.poll() is not None:
-                raise OSError(f"the playground ended at once; is the port {port} free?")
+                raise EmulatorError("emulator-playground-ended", port=str(port))
             if monotonic() > until:
-                raise OSError(f"the playground does not listen at {port} after {STARTING:g} s")
+                raise EmulatorError("emulator-playground-silent", port=str(port), seconds=STARTING)
             sleep(0.05)
 
 
 def _program() -> str:
     program = shutil.which(PROGRAM)
     if program is None:
-        raise MissingPackageError(
-            f"a Thymio is emulated by Aseba's playground, and `{PROGRAM}` is not installed:"
-            " apt-get install aseba (or see https://www.thymio.org for other systems)"
-        )
+        raise MissingPackageError("emulator-no-playground", program=PROGRAM)
     return program
 
 
@@ -123,7 +119,7 @@ def _free_port() -> int:
 
 
 def _environment(folder: str) -> dict[str, str]:
-    """The playground keeps its files in `folder`, and shows no window where there is no screen."""
+    """The environment: files go to `folder`, and without a screen there is no window."""
     environment = {**os.environ, "XDG_DATA_HOME": folder, "XDG_CONFIG_HOME": folder}
     screenless = sys.platform == "linux" and not {"DISPLAY", "WAYLAND_DISPLAY"} & set(os.environ)
     if screenless:
@@ -132,7 +128,7 @@ def _environment(folder: str) -> dict[str, str]:
 
 
 def _listens(port: int) -> bool:
-    """Whether it does; it has also forgotten us again, since it mixes up clients in a hurry."""
+    """Whether it listens; waits until it has dropped us, since it confuses quick clients."""
     with suppress(OSError), socket.create_connection(("127.0.0.1", port), timeout=ENDING) as probe:
         probe.shutdown(socket.SHUT_WR)
         return probe.recv(1) == b""

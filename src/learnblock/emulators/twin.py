@@ -1,4 +1,4 @@
-"""A simulated robot that lives in real time, for the robot's end of a wire to drive."""
+"""A simulated robot in real time, for an emulator to drive."""
 
 import threading
 from collections.abc import Iterator
@@ -14,7 +14,7 @@ from learnblock.simulator import RobotBody
 
 
 class Twin(Closing):
-    """A robot in a world that goes on by itself: a context manager.
+    """A robot in a world that runs in real time: a context manager.
 
         with Twin("sim-cozmo", "tags") as twin:
             with twin.body() as body:
@@ -22,17 +22,17 @@ class Twin(Closing):
 
     Args:
         robot: the id of a simulated robot.
-        world: a world's name or the path of its file; by default the robot's own.
-        seed: of all noise.
-        start: (x mm, y mm, heading in degrees); by default the world's own start.
-        speed: times real time.
+        world: a world's name or the path of its file; by default the robot's world.
+        seed: the seed of all noise.
+        start: (x mm, y mm, heading in degrees); by default the world's start pose.
+        speed: a multiple of real time.
 
     Attributes:
-        speed: times real time.
+        speed: a multiple of real time.
         path: (time s, pose) of the robot every 0.1 s.
 
     Raises:
-        LearnBlockError: there is no such robot or world, or no room in it.
+        LearnBlockError: there is no such robot or world, or no room in the world.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class Twin(Closing):
     ) -> None:
         kind = robots.find(robot).load()
         if not issubclass(kind, SimulatedRobot):
-            raise LearnBlockError(f"the robot `{robot}` is no simulated one")
+            raise LearnBlockError("emulator-not-simulated", robot=robot)
         self._simulation = kind.make_simulation(world=world, seed=seed, pace=speed)
         self._body = self._simulation.world.add_robot(kind.description(), start=start)
         self._simulation.witnesses[self._body.name] = self
@@ -61,38 +61,38 @@ class Twin(Closing):
 
     @contextmanager
     def body(self) -> Iterator[RobotBody]:
-        """The robot, while its world stands still."""
+        """The robot, while its world is paused."""
         with self._simulation.lock:
             yield self._body
 
     @property
     def time(self) -> float:
-        """Seconds of its world."""
+        """The time of its world in seconds."""
         return self._simulation.time()
 
     def goals(self) -> dict[str, bool]:
-        """For each of the world's goals whether it has been reached."""
+        """For each goal of the world, whether it has been reached."""
         with self._simulation.lock:
             return {goal.name: goal.reached_at is not None for goal in self._simulation.world.goals}
 
     def close(self) -> None:
-        """Let its world stand; the second time it does nothing."""
+        """Stop its world; calling it twice is harmless."""
         self._closed.set()
         self._simulation.pacing.end()
         if self._thread.is_alive():
             self._thread.join()
 
-    # What its world tells.
+    # As a witness of its world.
 
     def pose(self, time: float, pose: Pose) -> None:
         self.path.append((time, pose))
 
     def placed(self, time: float, pose: Pose) -> None:
-        """Somebody set it down elsewhere: that is part of its path."""
+        """Record that a person moved the robot; it is part of the path."""
         self.path.append((time, pose))
 
     def goal(self, time: float, name: str, state: str) -> None:
-        """Asked for by `goals`."""
+        """Do nothing: `goals` reads the goals."""
 
     def _live(self) -> None:
         while not self._closed.is_set():

@@ -12,9 +12,9 @@
     ...         proxy.call("setSpeedBase", 100.0, 0.5)
     100.0 mm/s, 0.5 rad/s
 
-What is spoken is Ice's protocol 1.0 over TCP with the encodings 1.0 and 1.1, as in ZeroC's manual,
-chapter "The Ice Protocol", without what RoboComp has no use for: classes, proxies as values,
-optional values, facets, batches, compression and TLS.
+It implements Ice's protocol 1.0 over TCP with the encodings 1.0 and 1.1, as in ZeroC's manual,
+chapter "The Ice Protocol", without the parts that RoboComp does not use: classes, proxies as
+values, optional values, facets, batches, compression and TLS.
 """
 
 from importlib import import_module
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from learnblock.ice.proxy import Proxy
     from learnblock.ice.server import Adapter, Servant
 
-# Imported when first asked for: a client needs none of the server's asyncio.
+# Imported on first use: a client does not need the server's asyncio.
 _HOME = {
     "Adapter": "server",
     "Interface": "interface",

@@ -1,4 +1,4 @@
-"""A client's connection to a component, over which many calls go at a time."""
+"""A client's connection to a component; it carries several calls at a time."""
 
 import threading
 from dataclasses import dataclass
@@ -12,12 +12,12 @@ from learnblock.ice.stream import Stream
 
 
 class NeverReadError(IceLinkError):
-    """The connection ended before the component had read what it was asked."""
+    """The connection ended before the component read the call."""
 
 
 @dataclass
 class _Call:
-    """A call that waits for its reply."""
+    """A call that is waiting for its reply."""
 
     reply: Reader | None = None
     failure: IceLinkError | None = None
@@ -30,16 +30,16 @@ class _Call:
 class Connection:
     """One TCP connection; any number of threads may call at the same time.
 
-    Of the threads that wait for a reply one receives for all, so that a lone call costs no change
-    of threads.
+    One of the waiting threads receives the replies for all, so that a single call needs no switch
+    between threads.
 
     Args:
-        host: where the component listens.
-        port: of it.
-        deadline: in seconds of `monotonic`, by which it must have answered.
+        host: the component's address.
+        port: the component's port.
+        deadline: the time limit, by `monotonic`.
 
     Raises:
-        IceLinkError: there is no component.
+        IceLinkError: no component answers.
     """
 
     def __init__(self, host: str, port: int, deadline: float) -> None:
@@ -53,7 +53,7 @@ class Connection:
         self._await_validation(deadline)
 
     def is_usable(self, deadline: float) -> bool:
-        """Whether a call may be tried; it looks at what has come since the last one."""
+        """Whether a call may be tried, after processing everything received so far."""
         with self._turn:
             while not self._calls and self._failure is None and self._stream.has_news():
                 try:
@@ -66,13 +66,13 @@ class Connection:
         """Make a call and wait for its reply.
 
         Args:
-            opening: what stands between its number and its parameters.
-            parameters: in their encapsulation.
-            deadline: by which the reply must be here.
+            opening: the part between its number and its parameters.
+            parameters: the parameters, encapsulated.
+            deadline: the time limit for the reply.
 
         Raises:
             NeverReadError: the component ended the connection before it read the call.
-            IceLinkError: the connection broke, or the reply did not come in time.
+            IceLinkError: the connection broke, or the reply did not arrive in time.
         """
         number, call = self._enter()
         try:
@@ -80,7 +80,7 @@ class Connection:
                 self._stream.send(request(number, opening, parameters), deadline)
             self._await(call, deadline)
         except IceLinkError as error:
-            # What is still to come could not be told from the reply to the next call.
+            # A late reply could be confused with the reply to the next call.
             self._break(error)
             raise
         finally:
@@ -92,22 +92,22 @@ class Connection:
         return call.reply
 
     def close(self) -> None:
-        """Say goodbye and close it; calls that wait fail. The second time it does nothing."""
+        """Say goodbye and close it; waiting calls fail. Calling it twice is harmless."""
         with self._turn:
             was_open = self._failure is None
-            self._fail(IceLinkError("the connection was closed here"))
+            self._fail(IceLinkError("ice-closed"))
         if was_open:
             self._say_goodbye()
         self._stream.close()
 
     def _say_goodbye(self) -> None:
         if not self._sending.acquire(blocking=False):
-            # Somebody is in the middle of a message.
+            # Another thread is sending a message.
             return
         try:
             self._stream.send(message(Kind.CLOSE), monotonic())
         except IceLinkError:
-            # The component hears it from the end of the connection.
+            # The component notices the end of the connection.
             pass
         finally:
             self._sending.release()
@@ -116,7 +116,7 @@ class Connection:
         try:
             kind, _ = self._stream.receive(deadline)
             if kind is not Kind.VALIDATE:
-                raise IceLinkError(f"it begins with a message of the kind {kind.name}")
+                raise IceLinkError("ice-unexpected-message", kind=kind.name)
         except IceLinkError:
             self._stream.close()
             raise
@@ -144,7 +144,7 @@ class Connection:
         with self._turn:
             left = deadline - monotonic()
             if not self._turn.wait_for(lambda: call.is_over or not self._receives, left):
-                raise IceLinkError("it does not answer in time")
+                raise IceLinkError("ice-timeout")
             if call.is_over:
                 return False
             self._receives = True
@@ -160,15 +160,15 @@ class Connection:
             try:
                 number, reply = read_reply(body)
             except IceEncodingError as error:
-                raise IceLinkError(f"it sends nonsense: {error}") from error
-            # A reply that nobody waits for any more is let go.
+                raise IceLinkError("ice-garbled", reason=error.phrase) from error
+            # A reply to a call that has timed out is dropped.
             if call := self._calls.get(number):
                 call.reply = reply
         elif kind is Kind.CLOSE:
-            # Said by Ice only when it will read nothing more, and has answered what it read.
-            self._fail(NeverReadError("it closed the connection"))
+            # Ice sends it only after answering everything that it has read.
+            self._fail(NeverReadError("ice-hung-up"))
         elif kind is not Kind.VALIDATE:
-            raise IceLinkError(f"it sends a message of the kind {kind.name}")
+            raise IceLinkError("ice-unexpected-message", kind=kind.name)
 
     def _break(self, error: IceLinkError) -> None:
         with self._turn:

@@ -1,4 +1,4 @@
-"""Ice's encodings 1.0 and 1.1: how sizes, texts and encapsulations stand in bytes."""
+"""Ice's encodings 1.0 and 1.1: sizes, texts and encapsulations as bytes."""
 
 import struct
 from typing import Any
@@ -7,21 +7,21 @@ from learnblock.errors import IceEncodingError
 
 Version = tuple[int, int]
 
-#: The encoding we write; 1.0 is what Ice wrote before 3.5.
+#: The encoding we write; Ice before 3.5 wrote 1.0.
 NEWEST: Version = (1, 1)
 _KNOWN: tuple[Version, ...] = ((1, 0), NEWEST)
 
 _INT = struct.Struct("<i")
 _ENCAPSULATION = struct.Struct("<iBB")
-#: A size from here on takes five bytes.
+#: A size from this number on takes five bytes.
 _LONG_SIZE = 255
 
 
 class Writer:
-    """Values as bytes, one behind the other.
+    """Writes values as bytes, one after the other.
 
     Args:
-        version: of the encoding.
+        version: the version of the encoding.
     """
 
     def __init__(self, version: Version = NEWEST) -> None:
@@ -29,11 +29,11 @@ class Writer:
         self.data = bytearray()
 
     def pack(self, form: struct.Struct, *values: Any) -> None:
-        """Write numbers in the form of `struct`."""
+        """Write numbers in a format of `struct`."""
         self.data += form.pack(*values)
 
     def size(self, count: int) -> None:
-        """Write how many of something follow."""
+        """Write the number of elements that follow."""
         if count < _LONG_SIZE:
             self.data.append(count)
         else:
@@ -47,17 +47,17 @@ class Writer:
         self.data += encoded
 
     def encapsulated(self) -> bytes:
-        """All that was written, with its length and encoding before it."""
+        """Everything written so far, preceded by its length and encoding."""
         length = _ENCAPSULATION.size + len(self.data)
         return _ENCAPSULATION.pack(length, *self.version) + self.data
 
 
 class Reader:
-    """Bytes that are read as values, one behind the other.
+    """Reads bytes as values, one after the other.
 
     Args:
         data: the bytes.
-        version: of their encoding.
+        version: the version of their encoding.
     """
 
     def __init__(self, data: bytes | memoryview, version: Version = NEWEST) -> None:
@@ -67,22 +67,22 @@ class Reader:
 
     @property
     def left(self) -> int:
-        """The bytes that are not read yet."""
+        """The number of bytes not read yet."""
         return len(self._data) - self._at
 
     def take(self, count: int) -> memoryview:
         """The next bytes.
 
         Raises:
-            IceEncodingError: there are not so many.
+            IceEncodingError: fewer bytes are left.
         """
         if not 0 <= count <= self.left:
-            raise IceEncodingError(f"{count} bytes should follow, and {self.left} do")
+            raise IceEncodingError("ice-too-short", expected=count, left=self.left)
         self._at += count
         return self._data[self._at - count : self._at]
 
     def unpack(self, form: struct.Struct) -> tuple[Any, ...]:
-        """Numbers in the form of `struct`."""
+        """Numbers in a format of `struct`."""
         return form.unpack(self.take(form.size))
 
     def byte(self) -> int:
@@ -90,23 +90,23 @@ class Reader:
         return self.take(1)[0]
 
     def size(self) -> int:
-        """How many of something follow."""
+        """The number of elements that follow."""
         size = self.byte()
         if size == _LONG_SIZE:
             (size,) = self.unpack(_INT)
         if size < 0:
-            raise IceEncodingError(f"a size is {size}")
+            raise IceEncodingError("ice-bad-value", value=str(size), type="size")
         return size
 
     def count(self, least: int) -> int:
-        """How many elements follow, each of `least` bytes or more.
+        """The number of elements that follow, each of `least` bytes or more.
 
         Raises:
-            IceEncodingError: so many cannot follow: nobody is made to set memory aside for them.
+            IceEncodingError: they do not fit into the data, so no memory is allocated for them.
         """
         count = self.size()
         if count * max(least, 1) > self.left:
-            raise IceEncodingError(f"{count} elements cannot stand in {self.left} bytes")
+            raise IceEncodingError("ice-too-short", expected=count * max(least, 1), left=self.left)
         return count
 
     def text(self) -> str:
@@ -115,20 +115,22 @@ class Reader:
         try:
             return str(data, "utf-8")
         except UnicodeDecodeError as error:
-            raise IceEncodingError(f"a string is not UTF-8: {bytes(data[:40])!r}") from error
+            raise IceEncodingError(
+                "ice-bad-value", value=repr(bytes(data[:40])), type="string"
+            ) from error
 
     def encapsulated(self) -> "Reader":
-        """What stands in the encapsulation that follows."""
+        """The content of the encapsulation that follows."""
         length, major, minor = self.unpack(_ENCAPSULATION)
         if (major, minor) not in _KNOWN:
-            raise IceEncodingError(f"the encoding {major}.{minor} is not known here")
+            raise IceEncodingError("ice-unknown-encoding", version=f"{major}.{minor}")
         return Reader(self.take(length - _ENCAPSULATION.size), (major, minor))
 
     def end(self) -> None:
-        """Make sure that all was read.
+        """Check that everything was read.
 
         Raises:
-            IceEncodingError: something was not.
+            IceEncodingError: some bytes are left.
         """
         if self.left:
-            raise IceEncodingError(f"{self.left} bytes are left over")
+            raise IceEncodingError("ice-too-long", left=self.left)

@@ -1,4 +1,4 @@
-"""Where a component listens: a connection to it, and a new one after it broke."""
+"""A component's address, with a connection that is renewed when it breaks."""
 
 import threading
 from time import monotonic
@@ -10,14 +10,14 @@ from learnblock.ice.encoding import Reader
 
 
 class Endpoint(Closing):
-    """Where a component listens: a context manager that keeps one connection to it.
+    """A component's address: a context manager that keeps one connection to it.
 
-    It connects at the first call, and at the next one after the connection broke.
+    It connects at the first call, and again at the next call after the connection broke.
 
     Args:
-        host: name or number of the computer.
-        port: of it.
-        patience: seconds within which a call has to be answered.
+        host: the computer's name or IP address.
+        port: the component's port.
+        patience: the timeout of a call in seconds.
     """
 
     def __init__(self, host: str, port: int, patience: float) -> None:
@@ -36,9 +36,8 @@ class Endpoint(Closing):
 
         Args:
             opening: see `Connection.call`.
-            parameters: see there.
-            again: whether it does no harm to make it twice, when nobody knows whether the first
-                one was heard.
+            parameters: see `Connection.call`.
+            again: whether the call may be repeated if it is unknown whether it was received.
 
         Raises:
             IceLinkError: the component cannot be reached, or does not answer in time.
@@ -55,8 +54,8 @@ class Endpoint(Closing):
         return connection.call(opening, parameters, deadline)
 
     def close(self) -> None:
-        """Close the connection for good; the second time it does nothing."""
-        # Not under the lock, which is held by a thread that connects.
+        """Close the connection for good; calling it twice is harmless."""
+        # Not under the lock, which a connecting thread holds.
         self._closed.set()
         if self._connection:
             self._connection.close()
@@ -65,13 +64,13 @@ class Endpoint(Closing):
         """A usable connection, and whether it was made just now."""
         with self._lock:
             if self._closed.is_set():
-                raise IceLinkError("the connection was closed here")
+                raise IceLinkError("ice-closed")
             if self._connection and self._connection.is_usable(deadline):
                 return self._connection, False
             if self._connection:
                 self._connection.close()
             self._connection = Connection(self.host, self.port, deadline)
             if self._closed.is_set():
-                # Closed while it was made.
+                # Closed while it was connecting.
                 self._connection.close()
             return self._connection, True

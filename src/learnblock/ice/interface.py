@@ -1,4 +1,4 @@
-"""What a component offers: operations with the types of what they take and give."""
+"""The interface of a component: operations with the types of parameters and results."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -13,12 +13,12 @@ from learnblock.ice.types import Sequence as SequenceType
 
 
 class Mode(IntEnum):
-    """How an operation is announced on the wire."""
+    """The mode of an operation in Ice's protocol."""
 
     NORMAL = 0
-    #: Of old, what changes nothing; the operations of every object still say it.
+    #: The old mode of operations that change nothing; those of every object still use it.
     NONMUTATING = 1
-    #: Twice does no more than once, so that a lost call may be made again.
+    #: Repeating a call is harmless, so that a lost call may be repeated.
     IDEMPOTENT = 2
 
 
@@ -27,11 +27,11 @@ class Operation:
     """One operation.
 
     Args:
-        name: as Slice calls it.
-        takes: the types of what it takes.
-        gives: those of what it gives: out parameters in their order, then what it returns.
-        mode: both ends have to say the same, or the call is refused.
-        refuses: the user exceptions it may raise.
+        name: its name in Slice.
+        takes: the types of its parameters.
+        gives: the types of its results: out parameters in their order, then the return value.
+        mode: must be the same at both ends, or the call is refused.
+        refuses: the user exceptions that it may raise.
     """
 
     name: str
@@ -47,7 +47,7 @@ class Interface:
 
     Args:
         type_id: its name, such as ``::RoboCompLaser::Laser``.
-        operations: what it offers.
+        operations: its operations.
     """
 
     type_id: str
@@ -55,14 +55,14 @@ class Interface:
 
     @cached_property
     def type_ids(self) -> tuple[str, ...]:
-        """The names of all that it is."""
+        """The names of all interfaces that it includes."""
         return tuple(sorted(("::Ice::Object", self.type_id)))
 
     def operation(self, name: str) -> Operation:
-        """The operation of that name, also one that every object has.
+        """The operation with this name, including those of every object.
 
         Raises:
-            KeyError: there is none.
+            KeyError: there is no such operation.
         """
         return self._by_name[name]
 
@@ -84,20 +84,20 @@ def write_all(writer: Writer, types: Sequence[Type], values: Sequence[Any]) -> N
     """Write parameters.
 
     Raises:
-        IceEncodingError: they are not of these types, or not so many.
+        IceEncodingError: their number or types are wrong.
     """
     if len(types) != len(values):
-        raise IceEncodingError(f"{len(types)} values are expected, not {len(values)}")
+        raise IceEncodingError("ice-value-count", expected=len(types), given=len(values))
     for type_, value in zip(types, values, strict=True):
         with writing(type_, value):
             type_.write(writer, value)
 
 
 def read_all(reader: Reader, types: Sequence[Type]) -> tuple[Any, ...]:
-    """Read parameters, and nothing else.
+    """Read parameters, and check that nothing else follows.
 
     Raises:
-        IceEncodingError: they are not there.
+        IceEncodingError: the data does not contain them.
     """
     values = tuple(type_.read(reader) for type_ in types)
     reader.end()

@@ -1,4 +1,4 @@
-"""The messages of Ice's protocol 1.0: what is sent between a client and a component."""
+"""The messages of Ice's protocol 1.0 between a client and a component."""
 
 import struct
 from dataclasses import dataclass
@@ -9,16 +9,16 @@ from learnblock.ice.encoding import NEWEST, Reader, Writer
 from learnblock.ice.interface import Mode
 from learnblock.ice.types import Refusal
 
-#: Magic, protocol 1.0 in encoding 1.0, kind, compression, bytes in all.
+#: Magic, protocol 1.0 in encoding 1.0, kind, compression, total number of bytes.
 HEADER = struct.Struct("<4s4BBBi")
-#: Nothing that RoboComp sends comes near it; Ice itself takes 1 MB unless told otherwise.
+#: Far more than RoboComp sends; Ice itself accepts 1 MB by default.
 LARGEST = 16 * 1024 * 1024
 
 _MAGIC = b"IceP"
 _INT = struct.Struct("<i")
 _BYTE = struct.Struct("<B")
 _COMPRESSED = 2
-#: Of a slice of an exception: its length stands before its members; it is the last one.
+#: Flags of a slice of an exception: its length precedes its members; it is the last slice.
 _MEASURED, _LAST = 0x10, 0x20
 
 
@@ -45,7 +45,7 @@ class Status(IntEnum):
     UNKNOWN = 7
 
 
-#: Ice's names of the exceptions of which the reply says no more than that.
+#: Ice's names of the exceptions that a reply reports only by its status.
 _EXCEPTIONS = {
     Status.NO_OBJECT: "ObjectNotExistException",
     Status.NO_FACET: "FacetNotExistException",
@@ -65,15 +65,15 @@ def read_header(data: bytes | memoryview) -> tuple[Kind, int]:
     """The kind of a message, and the length of what follows its header.
 
     Raises:
-        IceEncodingError: it is no header that we could go on from.
+        IceEncodingError: the header is invalid or not supported.
     """
     magic, major, _, _, _, kind, compression, size = HEADER.unpack(data)
     if magic != _MAGIC or major != 1 or kind > Kind.CLOSE:
-        raise IceEncodingError(f"{bytes(data)!r} begins no message of Ice")
+        raise IceEncodingError("ice-not-ice", start=repr(bytes(data)))
     if compression == _COMPRESSED:
-        raise IceEncodingError("a message is compressed, which nobody asked for")
+        raise IceEncodingError("ice-compressed")
     if not HEADER.size <= size <= LARGEST:
-        raise IceEncodingError(f"a message has {size} bytes; {LARGEST} are allowed")
+        raise IceEncodingError("ice-message-size", size=size, limit=LARGEST)
     return Kind(kind), size - HEADER.size
 
 
@@ -82,15 +82,15 @@ def read_header(data: bytes | memoryview) -> tuple[Kind, int]:
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """What a client asks for.
+    """A client's request.
 
     Args:
-        number: the reply's; 0 when none is wanted.
-        identity: of the object.
-        facet: of it, which none of ours has.
-        operation: its name.
-        mode: as the client knows it.
-        parameters: what it takes, in the client's encoding.
+        number: the number of the reply; 0 if none is expected.
+        identity: the object's name.
+        facet: the object's facet; ours have none.
+        operation: the operation's name.
+        mode: the operation's mode in the client's interface.
+        parameters: the parameters in the client's encoding.
     """
 
     number: int
@@ -102,7 +102,7 @@ class Request:
 
 
 def request_opening(identity: str, operation: str, mode: Mode) -> bytes:
-    """What stands between a request's number and its parameters, the same for every call."""
+    """The part between a request's number and its parameters, the same for every call."""
     writer = Writer()
     writer.text(identity)
     # No category and no facet.
@@ -121,10 +121,10 @@ def request(number: int, opening: bytes, parameters: bytes) -> bytes:
 
 
 def read_request(body: bytes | memoryview) -> Request:
-    """The request of a message.
+    """The request in a message.
 
     Raises:
-        IceEncodingError: there is none.
+        IceEncodingError: the message contains no request.
     """
     reader = Reader(body)
     (number,) = reader.unpack(_INT)
@@ -144,23 +144,23 @@ def read_request(body: bytes | memoryview) -> Request:
 
 
 def read_reply(body: bytes | memoryview) -> tuple[int, Reader]:
-    """The number of the request that a message answers, and the reply."""
+    """The number of the answered request, and the reply."""
     reader = Reader(body)
     (number,) = reader.unpack(_INT)
     return number, reader
 
 
 def open_reply(reader: Reader) -> Reader:
-    """What an operation gives, if the reply brings it.
+    """The results in a reply.
 
     Raises:
-        IceRefusedError: it says why not.
-        IceEncodingError: it is no reply.
+        IceRefusedError: the component refused the call.
+        IceEncodingError: it is not a reply.
     """
     try:
         status = Status(reader.byte())
     except ValueError as error:
-        raise IceEncodingError(f"a reply is of no known kind: {error}") from None
+        raise IceEncodingError("ice-bad-value", value=str(error), type="reply") from None
     if status is Status.OK:
         return reader.encapsulated()
     if status is Status.USER_EXCEPTION:
@@ -169,12 +169,12 @@ def open_reply(reader: Reader) -> Reader:
 
 
 def reply(asked: Request, gives: Writer) -> bytes:
-    """The message that brings what an operation gives."""
+    """The message with the results of an operation."""
     return _reply(asked, Status.OK, gives.encapsulated())
 
 
 def refusal(asked: Request, refused: Refusal, sentence: str) -> bytes:
-    """The message that brings a user exception."""
+    """The message with a user exception."""
     version = asked.parameters.version
     members = Writer(version)
     members.text(sentence)
@@ -183,7 +183,7 @@ def refusal(asked: Request, refused: Refusal, sentence: str) -> bytes:
         writer.pack(_BYTE, _LAST)
         writer.text(refused.type_id)
     else:
-        # It uses no classes; a slice has its length, itself included, before it.
+        # It uses no classes; the length of a slice precedes it and counts itself.
         writer.pack(_BYTE, 0)
         writer.text(refused.type_id)
         writer.pack(_INT, _INT.size + len(members.data))
@@ -192,7 +192,7 @@ def refusal(asked: Request, refused: Refusal, sentence: str) -> bytes:
 
 
 def not_there(asked: Request, status: Status) -> bytes:
-    """The message that says that there is no such object or operation."""
+    """The message for a missing object or operation."""
     writer = Writer()
     writer.text(asked.identity)
     writer.text("")
@@ -204,7 +204,7 @@ def not_there(asked: Request, status: Status) -> bytes:
 
 
 def failure(asked: Request, status: Status, sentence: str) -> bytes:
-    """The message that says that an operation failed in a way that nobody foresaw."""
+    """The message for an unexpected failure of an operation."""
     writer = Writer()
     writer.text(sentence)
     return _reply(asked, status, bytes(writer.data))
@@ -217,14 +217,14 @@ def _reply(asked: Request, status: Status, body: bytes) -> bytes:
 def _read_exception(status: Status, reader: Reader) -> IceRefusedError:
     kind = _EXCEPTIONS[status]
     if status >= Status.UNKNOWN_LOCAL:
-        # Python's Ice sends a traceback, of which the last line says what went wrong.
+        # Python's Ice sends a traceback, whose last line is the error.
         lines = reader.text().strip().splitlines()
-        return IceRefusedError(lines[-1] if lines else kind, kind)
+        return IceRefusedError(lines[-1] if lines else kind, kind=kind)
     identity, _ = reader.text(), reader.text()
     for _ in range(reader.count(1)):
         reader.text()
     operation = reader.text()
-    return IceRefusedError(f"it has no {identity}.{operation}", kind)
+    return IceRefusedError("ice-no-operation", kind, interface=identity, operation=operation)
 
 
 def _read_refusal(reader: Reader) -> IceRefusedError:
@@ -232,16 +232,16 @@ def _read_refusal(reader: Reader) -> IceRefusedError:
         reader.byte()
         type_id = reader.text()
         reader.unpack(_INT)
-        return IceRefusedError(_what(reader), type_id)
+        return IceRefusedError(_what(reader), kind=type_id)
     flags = reader.byte()
     type_id = reader.text()
     if flags & _MEASURED:
         reader.unpack(_INT)
-    return IceRefusedError(_what(reader), type_id)
+    return IceRefusedError(_what(reader), kind=type_id)
 
 
 def _what(reader: Reader) -> str:
-    """An exception's sentence; those of others may have other members, or none."""
+    """An exception's text; exceptions of other programs may have other members, or none."""
     try:
         return reader.text()
     except IceEncodingError:

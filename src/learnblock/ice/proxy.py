@@ -1,4 +1,4 @@
-"""A component as its client sees it."""
+"""The client's side of a component."""
 
 import re
 from typing import Any, Self
@@ -14,15 +14,15 @@ _TEXT = re.compile(r"(?P<identity>\S+?)\s*:\s*tcp(?=\s)(?P<options>(?:\s+-\w\s+\
 
 
 class Proxy(Closing):
-    """A component's object: its operations are calls.
+    """Calls the operations of a component's object.
 
         base = Proxy.parse("differentialrobot:tcp -h 192.168.16.1 -p 10004", interface)
         base.call("setSpeedBase", 100.0, 0.5)
 
     Args:
-        interface: what it offers.
+        interface: the object's interface.
         identity: the object's name.
-        endpoint: where it is.
+        endpoint: the component's address.
     """
 
     def __init__(self, interface: Interface, identity: str, endpoint: Endpoint) -> None:
@@ -36,20 +36,18 @@ class Proxy(Closing):
         """The proxy that Ice writes as ``identity:tcp -h HOST -p PORT``.
 
         Args:
-            text: of the proxy.
-            interface: what it offers.
-            patience: seconds within which a call has to be answered.
+            text: the text of the proxy.
+            interface: the object's interface.
+            patience: the timeout of a call in seconds.
 
         Raises:
-            IceEncodingError: the text is no such proxy.
+            IceEncodingError: the text is not such a proxy.
         """
         found = _TEXT.fullmatch(text)
         options = dict(re.findall(r"-(\w)\s+(\S+)", found["options"])) if found else {}
         port = options.get("p", "")
         if found is None or not port.isdecimal() or not 0 < int(port) < 65536:
-            raise IceEncodingError(
-                f"{text!r} is no proxy; it should look like `base:tcp -h localhost -p 10004`"
-            )
+            raise IceEncodingError("ice-bad-proxy", text=text)
         endpoint = Endpoint(options.get("h", "localhost"), int(port), patience)
         return cls(interface, found["identity"], endpoint)
 
@@ -60,18 +58,16 @@ class Proxy(Closing):
         """Call an operation.
 
         Args:
-            name: the operation's.
-            values: what it takes.
+            name: the operation's name.
+            values: its parameters.
 
         Returns:
-            What it gives: None, the one thing, or a tuple of the out parameters and what it
-            returns.
+            None, the single result, or a tuple of the out parameters and the return value.
 
         Raises:
-            IceRefusedError: the component cannot do it, and says why.
-            IceLinkError: the component cannot be reached, does not answer, or answers nonsense.
-            IceEncodingError: the values are not what the operation takes, or the answer is not what
-                it gives.
+            IceRefusedError: the component refuses the call.
+            IceLinkError: the component cannot be reached, does not answer, or sends invalid data.
+            IceEncodingError: the parameters or the results have the wrong types.
         """
         operation, opening = self._prepared.get(name) or self._prepare(name)
         writer = Writer()
@@ -82,10 +78,10 @@ class Proxy(Closing):
         return given if len(given) > 1 else next(iter(given), None)
 
     def ping(self) -> None:
-        """Make sure that the object is there.
+        """Check that the object exists.
 
         Raises:
-            IceError: it is not.
+            IceError: it does not.
         """
         self.call("ice_ping")
 
@@ -98,17 +94,18 @@ class Proxy(Closing):
         return tuple(self.call("ice_ids"))
 
     def check(self) -> None:
-        """Make sure that the object offers the proxy's interface.
+        """Check that the object offers the proxy's interface.
 
         Raises:
-            IceRefusedError: it is something else.
+            IceRefusedError: it has another interface.
             IceLinkError: the component cannot be reached.
         """
-        if not self.is_a(self.interface.type_id):
-            raise IceRefusedError(f"it is no {self.interface.type_id}", "wrong interface")
+        type_id = self.interface.type_id
+        if not self.is_a(type_id):
+            raise IceRefusedError("ice-wrong-interface", "wrong interface", interface=type_id)
 
     def close(self) -> None:
-        """Close the connection; the second time it does nothing."""
+        """Close the connection; calling it twice is harmless."""
         self.endpoint.close()
 
     def _prepare(self, name: str) -> tuple[Operation, bytes]:
@@ -116,7 +113,10 @@ class Proxy(Closing):
             operation = self.interface.operation(name)
         except KeyError:
             raise IceRefusedError(
-                f"{self.interface.type_id} has no operation {name}", "OperationNotExistException"
+                "ice-no-operation",
+                "OperationNotExistException",
+                interface=self.interface.type_id,
+                operation=name,
             ) from None
         opening = request_opening(self.identity, name, operation.mode)
         self._prepared[name] = operation, opening

@@ -1,4 +1,4 @@
-"""The component's side: objects that answer."""
+"""The component's side: objects that answer calls."""
 
 import asyncio
 import threading
@@ -29,13 +29,13 @@ _OF_EVERY_OBJECT = frozenset(operation.name for operation in OBJECT)
 
 @dataclass(frozen=True, slots=True)
 class Servant:
-    """An object that answers.
+    """An object that answers calls.
 
     Args:
-        interface: what it offers.
-        implementation: has a method for each operation it can do: it is called with what the
-            operation takes, and answers what it gives. It may raise an IceRefusedError whose
-            ``kind`` is one of the operation's user exceptions.
+        interface: its interface.
+        implementation: has a method for each supported operation, which takes the parameters and
+            returns the results. It may raise an IceRefusedError whose ``kind`` is one of the
+            operation's user exceptions.
     """
 
     interface: Interface
@@ -43,12 +43,12 @@ class Servant:
 
 
 class Adapter(Closing):
-    """Listens for calls, and has servants answer them, one after the other in one thread.
+    """Listens for calls and lets servants answer them, one after the other in one thread.
 
-    It is a context manager: from its beginning to its end it listens where `serve` says.
+    It is a context manager and listens until its end.
 
     Args:
-        host: the address of this computer on which it listens.
+        host: the local address on which it listens.
     """
 
     def __init__(self, host: str = "127.0.0.1") -> None:
@@ -60,23 +60,23 @@ class Adapter(Closing):
         self._thread.start()
 
     def serve(self, servants: Mapping[str, Servant], port: int = 0) -> int:
-        """Listen at one more port.
+        """Listen on one more port.
 
         Args:
-            servants: by their identities.
-            port: a free one if it is 0.
+            servants: the servants by identity.
+            port: 0 for any free port.
 
         Returns:
             The port.
 
         Raises:
-            OSError: it cannot listen there.
+            OSError: the port is not available.
         """
         opening = self._open(servants, port)
         return asyncio.run_coroutine_threadsafe(opening, self._loop).result()
 
     def close(self) -> None:
-        """Say goodbye to all clients and listen no more; the second time it does nothing."""
+        """Disconnect all clients and stop listening; calling it twice is harmless."""
         if self._loop.is_closed():
             return
         asyncio.run_coroutine_threadsafe(self._close(), self._loop).result()
@@ -98,7 +98,7 @@ class Adapter(Closing):
             server.close()
         for writer in self._clients.values():
             writer.write(message(Kind.CLOSE))
-            # Not `close`, which waits for a client that does not read.
+            # Not `close`, which would wait for a client that does not read.
             writer.transport.abort()
         await asyncio.gather(*self._clients)
 
@@ -115,7 +115,7 @@ class Adapter(Closing):
             writer.write(message(Kind.VALIDATE))
             await _answer_all(servants, reader, writer)
         except (OSError, asyncio.IncompleteReadError):
-            # The client is gone, or it spoke nonsense: whichever, there is nobody to answer.
+            # The client is gone or sent invalid data: there is nothing to answer.
             pass
         finally:
             writer.close()
@@ -140,7 +140,7 @@ async def _answer_all(
 
 
 def _answer(servants: Mapping[str, Servant], request: Request) -> bytes:
-    """What is answered to a request, whatever it asks for and whatever comes of it."""
+    """The answer to any request, including an invalid one."""
     servant = servants.get(request.identity)
     if servant is None:
         return not_there(request, Status.NO_OBJECT)
@@ -161,7 +161,7 @@ def _outcome(request: Request, operation: Operation, method: Any) -> bytes:
         return _refused(request, operation, refused)
     except IceEncodingError as error:
         return failure(request, Status.UNKNOWN_LOCAL, f"MarshalException: {error}")
-    except Exception as error:  # noqa: BLE001 - a servant may raise whatever it likes
+    except Exception as error:  # noqa: BLE001 - a servant may raise any error
         return failure(request, Status.UNKNOWN, f"{type(error).__name__}: {error}")
 
 
@@ -181,7 +181,7 @@ def _performed(request: Request, operation: Operation, method: Any) -> bytes:
 def _check_mode(request: Request, operation: Operation) -> None:
     of_old = operation.mode is Mode.IDEMPOTENT and request.mode == Mode.NONMUTATING
     if request.mode != operation.mode and not of_old:
-        raise IceEncodingError(f"unexpected operation mode: {request.mode}")
+        raise IceEncodingError("ice-bad-value", value=str(request.mode), type="operation mode")
 
 
 def _refused(request: Request, operation: Operation, refused: IceRefusedError) -> bytes:

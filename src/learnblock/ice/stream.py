@@ -1,4 +1,4 @@
-"""Messages over a socket, within time."""
+"""Messages over a socket, with time limits."""
 
 import socket
 from time import monotonic
@@ -13,24 +13,24 @@ class Stream:
     """The client's end of a TCP connection; one thread may send while another receives.
 
     Args:
-        host: where a component listens.
-        port: of it.
-        deadline: by which, in seconds of `monotonic`, the connection must be made.
+        host: the component's address.
+        port: the component's port.
+        deadline: the time limit for connecting, by `monotonic`.
 
     Raises:
-        IceLinkError: nobody listens there.
+        IceLinkError: no component listens there.
     """
 
     def __init__(self, host: str, port: int, deadline: float) -> None:
         try:
             self._inwards = socket.create_connection((host, port), _left(deadline))
         except UnicodeError as error:
-            # Some texts cannot even be looked up.
-            raise IceLinkError("there is no such address") from error
+            # The text cannot be a name at all.
+            raise IceLinkError("ice-unknown-address") from error
         except OSError as error:
-            raise IceLinkError(_reason(error)) from error
+            raise _link_error(error) from error
         self._inwards.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        # A time limit belongs to a socket object: with two, sending and receiving have their own.
+        # A timeout belongs to a socket object: two objects give sending and receiving their own.
         self._outwards = self._inwards.dup()
         self._outwards.settimeout(_left(deadline))
         self._received = bytearray()
@@ -39,30 +39,30 @@ class Stream:
         """Send a message.
 
         Raises:
-            IceLinkError: it cannot be sent, or not in time.
+            IceLinkError: sending fails or takes too long.
         """
         self._outwards.settimeout(_left(deadline))
         try:
             self._outwards.sendall(data)
         except OSError as error:
-            raise IceLinkError(_reason(error)) from error
+            raise _link_error(error) from error
 
     def receive(self, deadline: float) -> tuple[Kind, bytes]:
-        """The next message: its kind, and what follows its header.
+        """Receive the next message: its kind, and the part after its header.
 
         Raises:
-            IceLinkError: none comes, or not in time, or it is nonsense.
+            IceLinkError: no valid message arrives in time.
         """
         try:
             kind, size = read_header(self._take(HEADER.size, deadline))
             return kind, self._take(size, deadline)
         except IceEncodingError as error:
-            raise IceLinkError(f"it sends nonsense: {error}") from error
+            raise IceLinkError("ice-garbled", reason=error.phrase) from error
         except OSError as error:
-            raise IceLinkError(_reason(error)) from error
+            raise _link_error(error) from error
 
     def has_news(self) -> bool:
-        """Whether something has come already: a message, or the end of the connection."""
+        """Whether data or the end of the connection has arrived."""
         if self._received:
             return True
         self._inwards.settimeout(0)
@@ -75,12 +75,12 @@ class Stream:
         return True
 
     def close(self) -> None:
-        """Close it; the second time does nothing."""
-        # A thread that waits on it is woken by this, and not by closing.
+        """Close it; calling it twice is harmless."""
+        # Only `shutdown` wakes up a thread that is waiting on the socket.
         try:
             self._inwards.shutdown(socket.SHUT_RDWR)
         except OSError:
-            # The other end was faster.
+            # The other end has already closed it.
             pass
         finally:
             self._inwards.close()
@@ -91,7 +91,7 @@ class Stream:
             self._inwards.settimeout(_left(deadline))
             data = self._inwards.recv(max(_CHUNK, size - len(self._received)))
             if not data:
-                raise ConnectionResetError("it closed the connection")
+                raise ConnectionResetError
             self._received += data
         taken = bytes(memoryview(self._received)[:size])
         del self._received[:size]
@@ -99,15 +99,17 @@ class Stream:
 
 
 def _left(deadline: float) -> float:
-    """The seconds until then: at least so many that what has come already is found."""
+    """The seconds left, at least enough to find data that has already arrived."""
     return max(deadline - monotonic(), 0.001)
 
 
-def _reason(error: OSError) -> str:
+def _link_error(error: OSError) -> IceLinkError:
     if isinstance(error, TimeoutError):
-        return "it does not answer in time"
+        return IceLinkError("ice-timeout")
     if isinstance(error, ConnectionRefusedError):
-        return "nobody listens there"
+        return IceLinkError("ice-no-listener")
     if isinstance(error, socket.gaierror):
-        return "there is no such address"
-    return (error.strerror or str(error)).lower()
+        return IceLinkError("ice-unknown-address")
+    if isinstance(error, ConnectionResetError):
+        return IceLinkError("ice-hung-up")
+    return IceLinkError("ice-broken", reason=error.strerror or str(error))

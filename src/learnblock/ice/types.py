@@ -1,4 +1,4 @@
-"""Slice's types: each writes values of it and reads them.
+"""Slice's types: each writes and reads its values.
 
 A structure is described by a frozen dataclass whose annotations are the names at the end of this
 module:
@@ -30,26 +30,26 @@ from learnblock.ice.encoding import NEWEST, Reader, Version, Writer
 class Type(ABC):
     """A type of Slice."""
 
-    #: The fewest bytes a value takes.
+    #: The smallest number of bytes of a value.
     least: int
 
     @abstractmethod
     def write(self, writer: Writer, value: Any) -> None:
-        """Write a value; what is none raises whatever Python makes of it."""
+        """Write a value; a wrong value raises any error."""
 
     @abstractmethod
     def read(self, reader: Reader) -> Any:
         """Read a value.
 
         Raises:
-            IceEncodingError: there is none.
+            IceEncodingError: the data contains no such value.
         """
 
     def encoded(self, value: Any, version: Version = NEWEST) -> bytes:
         """A value as bytes.
 
         Raises:
-            IceEncodingError: it is no such value.
+            IceEncodingError: the value does not have this type.
         """
         writer = Writer(version)
         with writing(self, value):
@@ -57,10 +57,10 @@ class Type(ABC):
         return bytes(writer.data)
 
     def decoded(self, data: bytes | memoryview, version: Version = NEWEST) -> Any:
-        """The value that some bytes hold, and nothing else.
+        """The value in some bytes, which must contain nothing else.
 
         Raises:
-            IceEncodingError: they do not.
+            IceEncodingError: they are not such a value.
         """
         reader = Reader(data, version)
         value = self.read(reader)
@@ -70,19 +70,19 @@ class Type(ABC):
 
 @contextmanager
 def writing(what: object, value: object) -> Iterator[None]:
-    """Within it, a value that cannot be written is told as such."""
+    """Convert errors of writing a value to an IceEncodingError."""
     try:
         yield
     except (AttributeError, OverflowError, TypeError, ValueError, struct.error) as error:
-        raise IceEncodingError(f"{value!r:.80} is no {what}: {error}") from error
+        raise IceEncodingError("ice-bad-value", value=f"{value!r:.80}", type=str(what)) from error
 
 
 class Number(Type):
-    """A number, or a truth.
+    """A number or a bool.
 
     Args:
-        name: as Slice calls it.
-        code: as `struct` and `array` call it.
+        name: its name in Slice.
+        code: its code in `struct` and `array`.
     """
 
     def __init__(self, name: str, code: str) -> None:
@@ -102,12 +102,12 @@ class Number(Type):
 
 
 class Truth(Number):
-    """A bool. One that is neither 0 nor 1 shows that something else was written there."""
+    """A bool; a byte that is neither 0 nor 1 is an error."""
 
     def read(self, reader: Reader) -> bool:
         value = reader.byte()
         if value > 1:
-            raise IceEncodingError(f"a bool is {value}")
+            raise IceEncodingError("ice-bad-value", value=str(value), type="bool")
         return bool(value)
 
 
@@ -130,7 +130,7 @@ class Enumeration(Type):
     """An enum, as an IntEnum.
 
     Args:
-        kind: its enumerators have the numbers 0 to 127, as RoboComp's have: each takes one byte in
+        kind: its members have the numbers 0 to 127, as in RoboComp, so that each takes one byte in
             both encodings.
     """
 
@@ -150,11 +150,13 @@ class Enumeration(Type):
         try:
             return self.kind(value)
         except ValueError:
-            raise IceEncodingError(f"{value} is no {self.kind.__name__}") from None
+            raise IceEncodingError(
+                "ice-bad-value", value=str(value), type=self.kind.__name__
+            ) from None
 
 
 class Sequence(Type):
-    """A sequence: bytes for ``sequence<byte>``, an array for one of numbers, else a tuple."""
+    """A sequence: bytes for ``sequence<byte>``, an array for numbers, or else a tuple."""
 
     least = 1
 
@@ -216,7 +218,7 @@ class Structure(Type):
 
     Args:
         kind: the frozen dataclass of its values.
-        members: name and type of each member in the order of the wire.
+        members: name and type of each member in the order of the protocol.
     """
 
     def __init__(self, kind: type, members: tuple[tuple[str, Type], ...]) -> None:
@@ -229,11 +231,11 @@ class Structure(Type):
 
     @classmethod
     def of(cls, kind: type, order: str | None = None) -> "Structure":
-        """The struct whose values are of a dataclass.
+        """The struct for a dataclass.
 
         Args:
             kind: the dataclass, annotated with the types at the end of this module.
-            order: its members in the order of the wire, where it differs from the dataclass's.
+            order: its members in the order of the protocol, if that differs from the dataclass.
         """
         hints = get_type_hints(kind, include_extras=True)
         types = {name: hint.__metadata__[0] for name, hint in hints.items()}
@@ -252,7 +254,7 @@ class Structure(Type):
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """A user exception with the one member ``what``, a string, as all of RoboComp's are.
+    """A user exception whose only member is the string ``what``, as in RoboComp.
 
     Args:
         type_id: its name, such as ``::RoboCompDisplay::HardwareFailedException``.
@@ -262,12 +264,12 @@ class Refusal:
 
 
 def _is_packed(type_: Type) -> TypeGuard[Number]:
-    """Whether many of them stand in a row as in an array."""
+    """Whether a sequence of them has the layout of an array."""
     return isinstance(type_, Number) and not isinstance(type_, Truth)
 
 
 def _in_order(numbers: "array[Any]") -> "array[Any]":
-    """The wire has the lowest byte first."""
+    """Swap bytes if necessary: the protocol is little-endian."""
     if sys.byteorder == "big":
         numbers.byteswap()
     return numbers

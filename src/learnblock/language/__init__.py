@@ -1,14 +1,14 @@
 """Three notations round one syntax tree: pure functions from text to tree to text."""
 
-from learnblock.language.check import check
-from learnblock.language.format import format  # noqa: A004 - the verb of every formatter
-from learnblock.language.nodes import Program, Span
-from learnblock.language.parser import parse, recover
-from learnblock.language.python import PythonText, to_python
-from learnblock.language.python_reader import from_python
-from learnblock.language.source_map import SourceMap
-from learnblock.language.workspace import Workspace
-from learnblock.language.workspace_conversion import (
+from learnblock.language.blocktext.format import format  # noqa: A004 - the verb of every formatter
+from learnblock.language.blocktext.parser import parse, recover
+from learnblock.language.check.check import check
+from learnblock.language.python.generation import PythonText, to_python
+from learnblock.language.python.reader import from_python
+from learnblock.language.python.source_map import SourceMap
+from learnblock.language.tree.nodes import Program, Span
+from learnblock.language.workspace.blocks import Workspace
+from learnblock.language.workspace.conversion import (
     WorkspaceProgram,
     WorkspaceText,
     from_workspace,

@@ -1,20 +1,19 @@
-"""Where ``from learnblock.libraries.dance import *`` finds what it imports.
+"""The libraries that a program can import: ``from learnblock.libraries.dance import *``.
 
-First in the folder of the program that runs, which may hold ``dance.py`` or a library's folder
-``dance``; then among the libraries that are installed in `home`. This package holds nothing else:
-what a library is, and how one is made and installed, is told by `learnblock.library`.
+Python looks first in the program's folder, for a file ``dance.py`` or a folder ``dance``, then
+among the libraries installed in `home`. `learnblock.extensions.libraries` makes and installs them.
 """
 
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from learnblock.home import home
+from learnblock.storage.home import home
 
 
 def _folders() -> Iterator[Path]:
     program = Path(getattr(sys.modules["__main__"], "__file__", None) or "")
-    # One that the page runs is no file, and has no folder.
+    # A program that the page runs has no file, and therefore no folder.
     if program.is_absolute():
         yield program.parent
     yield home() / "libraries"

@@ -1,4 +1,1 @@
-"""`learnblock new`: files for what people add to LearnBlock, complete as far as they can be.
-
-A robot from its description, a skill, a world. The texts stand in `learnblock.templates`.
-"""
+"""`learnblock new`: the files of a new robot, skill or world, from templates."""

@@ -10,7 +10,7 @@ from learnblock.simulator.robot_description import Joint
 _WIDTH = 100
 """Columns of a line."""
 
-#: The functions that the client builds a device of each type from, as the templates have them.
+#: The functions from which the client builds a device of each type, as in the templates.
 FUNCTIONS: Mapping[str, tuple[str, ...]] = {
     "Accelerometer": ("read",),
     "Animator": ("play",),
@@ -30,7 +30,7 @@ FUNCTIONS: Mapping[str, tuple[str, ...]] = {
     "RGBLed": ("set_color",),
     "Speaker": ("say", "play", "tone"),
 }
-#: The devices of which a robot has as many as it has keys for: they stand in a table.
+#: The devices that a robot can have several of; their keys are in a table.
 _TABLES = {
     "Camera": "CAMERAS",
     "JointMotor": "JOINT_RANGES",
@@ -58,13 +58,13 @@ def client_source(plan: RobotPlan, title: str) -> str:
 
 
 def device_types(plan: RobotPlan) -> list[str]:
-    """The types of its devices; what drives comes first."""
+    """The types of its devices; the wheels come first."""
     kinds = {device.partition(":")[0] for device in plan.devices()}
     return sorted(kinds, key=lambda kind: (kind != "Base", kind))
 
 
 def function_names(plan: RobotPlan) -> list[str]:
-    """The functions that its devices are built from, as ``Type:KEY.function``."""
+    """The functions of its devices, as ``Type:KEY.function``."""
     return [
         f"{device}.{function}"
         for device in sorted(plan.devices())
@@ -73,7 +73,7 @@ def function_names(plan: RobotPlan) -> list[str]:
 
 
 def literal(text: str) -> str:
-    """A text as Python writes it."""
+    """A text as a Python literal."""
     return json.dumps(text, ensure_ascii=False)
 
 
@@ -82,7 +82,7 @@ def _entry(text: str) -> str:
 
 
 def _part(plan: RobotPlan, kind: str) -> tuple[str, str]:
-    """How a device is added, and the functions it is built from."""
+    """The lines that add a device, and its functions."""
     sides = ", ".join(sensor.side for sensor in plan.ground)
     text = fill(f"robot/devices/{kind}", count=len(plan.distance), sides=sides)
     added, _, functions = text.partition("---\n")
@@ -90,7 +90,7 @@ def _part(plan: RobotPlan, kind: str) -> tuple[str, str]:
 
 
 def _imports(kinds: list[str], plan: RobotPlan) -> Iterator[str]:
-    """In the order that import sorters want."""
+    """The imports, in the order of import sorters."""
     if "DistanceSensors" in kinds:
         yield "from collections.abc import Sequence"
     if _TABLES.keys() & kinds:
@@ -108,7 +108,7 @@ def _imports(kinds: list[str], plan: RobotPlan) -> Iterator[str]:
 
 
 def _import(module: str, names: list[str]) -> str:
-    # Import sorters put CONSTANTS first, and count as such what has no small letter.
+    # Import sorters put CONSTANTS first: names without lower-case letters.
     listed = sorted(names, key=lambda name: (not name.isupper(), name))
     line = f"from {module} import {', '.join(listed)}"
     if len(line) <= _WIDTH:
@@ -135,14 +135,14 @@ def _setting_types(plan: RobotPlan) -> set[str]:
 
 
 def _reached(plan: RobotPlan) -> str:
-    """By which of its settings."""
+    """The settings of the connection, for the docstring."""
     names = [line.partition(":")[0] for line in _settings(plan)]
     ways = [f"`{name}`" for name in names[: names.index("wheel_radius")]]
     return f" by the settings {', '.join(ways[:-1])} and {ways[-1]}" if ways else ""
 
 
 def _tables(plan: RobotPlan) -> Iterator[str]:
-    """What the client has to know of each device of which there may be several."""
+    """The tables of devices that a robot can have several of."""
     if plan.distance:
         sides = [_tuple(map(literal, sensor.sides)) for sensor in plan.distance]
         meaning = "The sides that each sensor looks to, from left to right."
@@ -167,7 +167,7 @@ def _joint_ranges(joints: Sequence[Joint]) -> str:
 
 
 def _table(meaning: str, name: str, rows: Sequence[str]) -> str:
-    """A constant, a row a line; formatters write a single one in one line."""
+    """A constant with one row in each line, or a single row in one line, like formatters."""
     if len(rows) == 1:
         return f"#: {meaning}\n{name} = {_tuple(rows)}"
     return "\n".join((f"#: {meaning}", f"{name} = (", *(f"    {row}," for row in rows), ")"))

@@ -1,27 +1,25 @@
-"""New files: all of them are written, or none, and none that is there already."""
+"""New files: either all of them are written or none, and no existing file is replaced."""
 
 from collections.abc import Mapping
 from pathlib import Path
 
 from learnblock.errors import FileTakenError
-from learnblock.files import save
+from learnblock.storage.files import save
 
 
 def write_new(files: Mapping[Path, str], *, force: bool = False) -> None:
     """Write files.
 
     Args:
-        files: their texts by their paths.
-        force: replace those that are there.
+        files: the text of each file, by path.
+        force: replace existing files.
 
     Raises:
-        FileTakenError: one is there already; then nothing is written.
+        FileTakenError: one of them exists; then nothing is written.
         OSError: one cannot be written.
     """
-    taken = [str(path) for path in files if path.exists()]
+    taken = tuple(str(path) for path in files if path.exists())
     if taken and not force:
-        raise FileTakenError(
-            f"there is already {', '.join(taken)}; choose another name, or replace it with --force"
-        )
+        raise FileTakenError("new-files-exist", files=taken)
     for path, text in files.items():
         save(path, text.encode())

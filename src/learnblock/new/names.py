@@ -1,14 +1,14 @@
-"""The names of new things: they become file names, modules and words of programs."""
+"""The names of new robots and skills: they become file names, modules and words of programs."""
 
 import keyword
 import re
 from pathlib import Path
 
-from learnblock.blocks import all_configurations
+from learnblock.blocks.known import all_configurations
 from learnblock.blocks.reserved import RESERVED
 from learnblock.errors import NewNameError
-from learnblock.files import is_device_name
 from learnblock.robots import entries
+from learnblock.storage.files import is_device_name
 
 LONGEST = 40
 """Characters of a name."""
@@ -18,54 +18,48 @@ _FUNCTION = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 
 
 def check_robot_name(name: str) -> None:
-    """Refuse what cannot be the name of a robot of one's own.
+    """Refuse a name that a new robot cannot have.
 
     Raises:
-        NewNameError: it is no such name, or that of a robot that comes with LearnBlock or a plugin.
+        NewNameError: the name is not allowed, or a robot of LearnBlock or a plugin has it.
     """
     module = name.replace("-", "_")
     if not _ROBOT.fullmatch(name) or not _is_free(module):
         example = _slug(name, "-") or "my-robot"
-        raise NewNameError(
-            f"a robot cannot be called {name!r:.60}: use up to {LONGEST} small letters, digits and"
-            f" `-`, such as `{example}`"
-        )
+        raise NewNameError("new-bad-robot-name", name=name[:60], most=LONGEST, example=example)
     if name.startswith("sim-"):
-        raise NewNameError(f"{name!r} is the name of a twin: leave out `sim-`, it is made as well")
+        raise NewNameError("new-twin-name", name=name)
     for taken in (name, f"sim-{name}"):
         entry = entries().get(taken)
         if entry and entry.path is None:
-            raise NewNameError(f"there is a robot `{taken}` already: choose another name")
+            raise NewNameError("new-robot-exists", name=taken)
 
 
 def check_skill_name(name: str, file: Path) -> None:
-    """Refuse what cannot be the name of a skill of one's own.
+    """Refuse a name that a new skill cannot have.
 
     Args:
         name: of the function.
-        file: that it will stand in; one that is there may hold the skill of that name.
+        file: of the skill; if it exists, it may already contain a skill of that name.
 
     Raises:
-        NewNameError: it is no such name, or is taken.
+        NewNameError: the name is not allowed, or is taken.
     """
     if not _FUNCTION.fullmatch(name) or not _is_free(name):
         example = _slug(name, "_") or "my_skill"
-        raise NewNameError(
-            f"a skill cannot be called {name!r:.60}: use up to {LONGEST} small letters, digits and"
-            f" `_`, such as `{example}`"
-        )
+        raise NewNameError("new-bad-skill-name", name=name[:60], most=LONGEST, example=example)
     if name in RESERVED or (name in all_configurations() and not file.exists()):
-        raise NewNameError(f"every robot has a `{name}` already: choose another name")
+        raise NewNameError("new-skill-exists", name=name)
 
 
 def _is_free(module: str) -> bool:
-    """Whether neither Python nor a file system uses the name itself."""
+    """Whether the name is short enough, and not used by Python or a file system."""
     reserved = keyword.iskeyword(module) or is_device_name(module)
     return len(module) <= LONGEST and not reserved
 
 
 def _slug(name: str, joint: str) -> str:
-    """The nearest thing to `name` that may be one, or ""."""
+    """A valid name that is similar to `name`, or ""."""
     words = re.findall(r"[a-z0-9]+", name.lower())
     slug = joint.join(words)[:LONGEST].strip(joint)
     return "" if not slug or slug[0].isdigit() or not _is_free(slug) else slug

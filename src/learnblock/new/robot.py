@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from learnblock import description_file, running
+from learnblock import running
 from learnblock.blocks import builtin
 from learnblock.errors import RobotDescriptionError
 from learnblock.language import check
@@ -13,8 +13,9 @@ from learnblock.new.robot_plan import RobotPlan
 from learnblock.new.template import fill
 from learnblock.simulator import RobotDescription, World, load_world
 from learnblock.simulator.robot_description import RobotFile
+from learnblock.storage import toml_source
 
-#: Examples with a world that suits each, those that ask most of a robot first.
+#: Examples with a fitting world each; those that need the most devices come first.
 _EXAMPLES = (
     ("labyrinth.bt", "labyrinth"),
     ("avoid.bt", "obstacles"),
@@ -30,19 +31,19 @@ _EXAMPLES = (
 )
 _EXAMPLES_WITH_ROOM = tuple(one for one in _EXAMPLES if one[1] == "empty")
 _EXAMPLES_TRIED = 4
-#: What `check_robot` wants of 50 mm/s and 45 degrees/s in a second, with some room for noise.
+#: The results that `check_robot` accepts for a second of 50 mm/s and 45 degrees/s, less some noise.
 _FORWARD = (30.0, 85.0)
 _RIGHT = (25.0, 75.0)
 _WIDEST = 110.0
-"""From the middle of a robot to its farthest corner, mm: a wider one is stuck in the labyrinth."""
+"""From the middle of a robot to its farthest corner, mm; a wider one cannot pass the labyrinth."""
 
 
 def files_at_home(plan: RobotPlan, home: Path) -> dict[Path, str]:
-    """Its files in a user's own folder, where LearnBlock finds them.
+    """The robot's files in the user's folder, where LearnBlock finds them.
 
     Args:
-        plan: with a name that was checked.
-        home: the folder, `learnblock.home.home`.
+        plan: with a checked name.
+        home: the folder, `learnblock.storage.home.home`.
     """
     module = _module(plan)
     imports = "import os\n", "from pathlib import Path\n"
@@ -54,11 +55,11 @@ def files_at_home(plan: RobotPlan, home: Path) -> dict[Path, str]:
 
 
 def files_of_package(plan: RobotPlan, folder: Path) -> dict[Path, str]:
-    """Its files in a package of its own, which is installed with pip.
+    """The robot's files in a separate package, to be installed with pip.
 
     Args:
-        plan: with a name that was checked.
-        folder: the package's, which need not be there.
+        plan: with a checked name.
+        folder: of the package, which may not exist yet.
     """
     module = _module(plan)
     package = f"learnblock_{module}"
@@ -73,13 +74,13 @@ def files_of_package(plan: RobotPlan, folder: Path) -> dict[Path, str]:
 
 
 def title_of(plan: RobotPlan) -> str:
-    """What people call it."""
+    """The robot's name for people."""
     return plan.title or plan.name.replace("-", " ").title()
 
 
 def _modules(plan: RobotPlan, folder: Path) -> dict[Path, str]:
     module, title = _module(plan), title_of(plan)
-    twin = description_file.write(plan.twin, f"{module}.toml", RobotDescriptionError)
+    twin = toml_source.write(plan.twin, f"{module}.toml", RobotDescriptionError)
     return {
         folder / f"{module}.py": client_source(plan, title),
         folder / f"sim_{module}.py": fill("robot/twin.py", title=title, module=module),
@@ -96,8 +97,8 @@ def _test(plan: RobotPlan, *, imports: tuple[str, str] = ("", ""), home: str = "
 
     Args:
         plan: of the robot.
-        imports: what `home` needs: a module, and a name of another.
-        home: lines that say in which folder the robot lies.
+        imports: an import of a module and one of a name, which `home` needs.
+        home: lines that name the folder of the robot.
     """
     module, names = imports
     return fill(
@@ -131,7 +132,7 @@ def _wrong_settings(plan: RobotPlan) -> Iterator[str]:
 
 
 def _suitable(plan: RobotPlan) -> list[tuple[str, str]]:
-    """Examples that such a robot can run; those for every robot are as many as are asked for."""
+    """The first examples that such a robot can run."""
     fitting = _EXAMPLES if plan.body.reach <= _WIDEST else _EXAMPLES_WITH_ROOM
     return [one for one in fitting if _can_run(plan, one[0])][:_EXAMPLES_TRIED]
 
@@ -148,16 +149,19 @@ def _excused(plan: RobotPlan) -> str:
 
 
 def unkept(plan: RobotPlan) -> Mapping[str, str]:
-    """What `check_robot` asks of a robot that such a one cannot do, with the reason."""
+    """The claims of `check_robot` that such a robot cannot keep, with the reasons."""
     found = {}
     ahead, turned = _driven(plan, 50, 0)[0], _driven(plan, 0, 45)[1]
     if not _FORWARD[0] < ahead < _FORWARD[1]:
-        found["positive speed is forward"] = f"50 mm/s bring it {ahead:.0f} mm in the first second"
+        found["positive speed is forward"] = (
+            f"at 50 mm/s it drives {ahead:.0f} mm in the first second"
+        )
     if not _RIGHT[0] < turned < _RIGHT[1]:
         claim = "positive rotation is to the right"
-        found[claim] = f"45 degrees/s turn it by {turned:.0f} degrees in the first second"
+        found[claim] = f"at 45 degrees/s it turns {turned:.0f} degrees in the first second"
     if any(not joint.minimum <= 10 <= joint.maximum for joint in plan.joint):
-        found["its joints go where they are told"] = "a joint of it cannot reach 10 degrees"
+        claim = "its joints move to the commanded angle"
+        found[claim] = "one of its joints cannot reach 10 degrees"
     if plan.gyroscope and plan.gyroscope.noise > 0.5:
         found["its gyroscope reads 0 after a reset"] = "its gyroscope is noisy"
     if plan.accelerometer and plan.accelerometer.noise > 0.3:
@@ -166,7 +170,7 @@ def unkept(plan: RobotPlan) -> Mapping[str, str]:
 
 
 def _driven(plan: RobotPlan, adv: float, rot: float) -> tuple[float, float]:
-    """How far its twin comes forward and turns in the first second, mm and degrees."""
+    """The distance and the turn of its twin in the first second, in mm and degrees."""
     world = World(load_world("empty"))
     fields = {field: getattr(plan, field) for field in RobotFile.__struct_fields__}
     body = world.add_robot(RobotDescription(name=plan.name, **fields))

@@ -7,14 +7,14 @@ from learnblock.new.template import fill
 
 
 def skill_files(name: str, folder: Path) -> dict[Path, str]:
-    """A skill of that name in a file of its own, and its test.
+    """A new skill and its test.
 
     Args:
-        name: of the function; so are the files called.
-        folder: a user's own, `learnblock.home.home`, or another of that kind.
+        name: of the function and its files.
+        folder: `learnblock.storage.home.home`, or another folder of that kind.
 
     Raises:
-        NewNameError: there can be no skill of that name.
+        NewNameError: the name is not allowed, or is taken.
     """
     file = folder / "skills" / f"{name}.py"
     check_skill_name(name, file)

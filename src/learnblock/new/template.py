@@ -1,17 +1,17 @@
-"""The templates of new files, and how they are filled in."""
+"""The templates of new files."""
 
 from pathlib import Path
 from string import Template
 
-_FOLDER = Path(__file__).parents[1] / "templates"
+_FOLDER = Path(__file__).parent / "templates"
 
 
 def fill(name: str, /, **values: object) -> str:
-    """A template with its places filled in; the caller has checked that the values fit there.
+    """A filled-in template.
 
     Args:
         name: such as ``robot/client.py``.
-        values: by the names of the places.
+        values: by the names in the template; the caller has checked that they fit there.
     """
     return Template(read(name)).substitute(values)
 
@@ -22,5 +22,5 @@ def read(name: str) -> str:
 
 
 def indented(lines: str, depth: int) -> str:
-    """Lines moved to the right by so many levels of Python."""
+    """Lines indented by this many levels of Python."""
     return "\n".join(" " * 4 * depth + line if line else line for line in lines.splitlines())

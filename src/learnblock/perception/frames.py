@@ -1,38 +1,32 @@
-"""The pictures that detectors look at."""
+"""The pictures that detectors search."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from learnblock.errors import LearnBlockError
+from learnblock.errors import FrameError
 
 Frame = NDArray[np.uint8]
-#: Pixels; no camera's picture has a longer side, and a single row of millions of them OpenCV would
-#: search for hours.
+#: Pixels; no camera's picture has a longer side, and OpenCV would search one row of millions of
+#: pixels for hours.
 LONGEST_SIDE = 8192
 
 
-class FrameError(LearnBlockError, ValueError):
-    """What was given to a detector is no picture."""
-
-
 def checked(frame: object) -> Frame:
-    """`frame` itself, if it is a picture.
+    """Return `frame` itself if it is a picture.
 
     Raises:
-        FrameError: it is no uint8 array of shape (height, width, 3) with pixels in it, or a side is
+        FrameError: it is not a uint8 array of shape (height, width, 3), it is empty, or a side is
             longer than `LONGEST_SIDE`.
     """
-    expected = "expected an RGB picture: a numpy array of uint8 and shape (height, width, 3)"
     if not isinstance(frame, np.ndarray):
-        raise FrameError(f"the frame is of type {type(frame).__name__}; {expected}")
+        raise FrameError("perception-frame-not-array", type=type(frame).__name__)
     if frame.dtype != np.uint8:
-        raise FrameError(f"the frame's values are {frame.dtype}; {expected}")
+        raise FrameError("perception-frame-not-uint8", type=str(frame.dtype))
     if frame.ndim != 3 or frame.shape[2] != 3:
-        raise FrameError(f"the frame's shape is {frame.shape}; {expected}")
+        raise FrameError("perception-frame-wrong-shape", shape=str(frame.shape))
     if frame.size == 0:
-        raise FrameError(f"the frame is empty, its shape is {frame.shape}; {expected}")
+        raise FrameError("perception-frame-empty", shape=str(frame.shape))
     if max(frame.shape) > LONGEST_SIDE:
-        raise FrameError(
-            f"the frame's shape is {frame.shape}; a side has {LONGEST_SIDE} pixels at most"
-        )
+        shape = str(frame.shape)
+        raise FrameError("perception-frame-too-large", shape=shape, limit=LONGEST_SIDE)
     return frame

@@ -1,4 +1,4 @@
-"""Looking at a frame: each detector once at most, and only those that are asked for."""
+"""The detections in a frame: each detector runs once at most, and only on request."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,10 +14,10 @@ if TYPE_CHECKING:
 
 
 class Sight:
-    """One frame, at which each detector looks once at most.
+    """One frame, which each detector searches once at most.
 
-    What was found is kept, for whoever asks next and for the detectors that start from it: emotions
-    are read from the faces that were found already.
+    Detections are kept for later requests and for other detectors: emotions are read from the faces
+    that have been found.
 
     Args:
         frame: RGB, uint8, shape (height, width, 3).
@@ -40,11 +40,11 @@ class Sight:
         self._found: dict[str, Any] = {}
 
     def detect(self, name: str) -> Any:
-        """What the detector called `name` finds.
+        """Run the detector called `name`.
 
         Raises:
             UnknownNameError: there is no detector of this name.
-            FrameError: the frame is no picture.
+            FrameError: the frame is not a picture.
         """
         if name not in self._detectors:
             raise UnknownNameError("detector", name, self._detectors)
@@ -60,18 +60,19 @@ class Detector(Protocol):
     def name(self) -> str: ...
 
     def detect(self, sight: Sight) -> Detections:
-        """What there is in a frame, by itself or from what other detectors find in it."""
+        """Search a frame, alone or with the detections of other detectors."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class _BuiltIn:
-    """The function `look` of the module of this name, which is imported when first used."""
+    """The `look` function of the module with this name, which is imported when first used."""
 
     name: str
 
     def detect(self, sight: Sight) -> Detections:
-        return cast(Detections, import_module(f"learnblock.perception.{self.name}").look(sight))
+        module = import_module(f"learnblock.perception.detectors.{self.name}")
+        return cast(Detections, module.look(sight))
 
 
 DETECTORS: Mapping[str, Detector] = MappingProxyType(
@@ -80,10 +81,10 @@ DETECTORS: Mapping[str, Detector] = MappingProxyType(
 
 
 def detect(name: str, frame: "Frame") -> Any:
-    """What the detector called `name` finds in `frame`, RGB uint8 of shape (height, width, 3).
+    """Run the detector called `name` on `frame`, RGB uint8 of shape (height, width, 3).
 
     Raises:
         UnknownNameError: there is no detector of this name.
-        FrameError: `frame` is no picture.
+        FrameError: `frame` is not a picture.
     """
     return Sight(frame).detect(name)

@@ -2,7 +2,7 @@
 
 A robot has an id and a module: ``sim-ebo`` is `learnblock.robots.sim_ebo`. Robots of others come
 from entry points of the group ``learnblock.robots`` (id = module) and from the ``robots`` folder of
-`learnblock.home`, a file each, and are used like ours.
+`learnblock.storage.home`, a file each, and are used like ours.
 """
 
 import importlib
@@ -13,7 +13,7 @@ from typing import Any
 
 from learnblock.client import Client
 from learnblock.errors import LearnBlockError, UnknownNameError
-from learnblock.home import home, import_file
+from learnblock.storage.home import home, import_file
 
 _OURS = (
     "sim-ebo",
@@ -36,9 +36,9 @@ class RobotEntry:
     Args:
         name: its id, such as ``sim-ebo``.
         module: the module that holds its class ``Robot``, as a program imports it.
-        path: the module's file where it lies in the user's own folder.
-        simulated: whether it lives in the embedded simulator; None where only loading it would
-            tell.
+        path: the module's file, if it is in the user's folder.
+        simulated: whether it lives in the embedded simulator; None if that is known only after
+            loading it.
     """
 
     name: str
@@ -47,7 +47,7 @@ class RobotEntry:
     simulated: bool | None = None
 
     def load(self) -> type[Client]:
-        """Its class.
+        """Import the robot's class.
 
         Raises:
             LearnBlockError: the module cannot be imported or has no such class.
@@ -55,21 +55,21 @@ class RobotEntry:
         module = _import(self)
         robot = getattr(module, "Robot", None)
         if not (isinstance(robot, type) and issubclass(robot, Client)):
-            raise LearnBlockError(f"{self.module} has no class `Robot` that derives from `Client`")
+            raise LearnBlockError("robot-no-class", module=self.module)
         return robot
 
 
 def entries() -> dict[str, RobotEntry]:
-    """The robots there are, by name; ours come first where two share one."""
+    """All robots by name; a built-in robot wins over another one with the same name."""
     ours = {name: _our_own(name) for name in _OURS}
     return {**_users(), **_plugins(), **ours}
 
 
 def find(name: str) -> RobotEntry:
-    """The robot of that name, or of that module.
+    """The robot with this name or module.
 
     Raises:
-        UnknownNameError: there is none.
+        UnknownNameError: there is no such robot.
     """
     if name in _OURS:
         return _our_own(name)
@@ -81,7 +81,7 @@ def find(name: str) -> RobotEntry:
 
 
 def connect(name: str, **arguments: Any) -> Client:
-    """The robot of that name, connected; the arguments are those of its class.
+    """Connect to a robot; the arguments are those of its class.
 
     Raises:
         UnknownNameError: there is no such robot.
@@ -91,16 +91,16 @@ def connect(name: str, **arguments: Any) -> Client:
 
 
 def module_of(name: str) -> str:
-    """The module that a program for the robot of that name imports.
+    """The module that a program for this robot imports.
 
     Raises:
-        UnknownNameError: no robot has that name.
+        UnknownNameError: there is no such robot.
     """
     return find(name).module
 
 
 def module_name(name: str) -> str:
-    """The module of one of our own robots."""
+    """The module of a built-in robot."""
     return "learnblock.robots." + name.replace("-", "_")
 
 
@@ -132,5 +132,7 @@ def _import(entry: RobotEntry) -> ModuleType:
     except LearnBlockError:
         raise
     except Exception as error:
-        # A robot's module is someone else's code: it may raise whatever it likes.
-        raise LearnBlockError(f"the robot `{entry.name}` cannot be loaded: {error}") from error
+        # A robot's module may be a user's or a plugin's code, and raise any error.
+        raise LearnBlockError(
+            "robot-not-loaded", name=entry.name, reason=f"{type(error).__name__}: {error}"
+        ) from error

@@ -1,11 +1,10 @@
-"""Stops a robot when the program that drove it is gone without a word.
+"""Stops a robot whose program was killed.
 
-Some robots have no watchdog: they drive on until they are told otherwise, also when nobody is left
-who could tell them. The driver of such a robot keeps a guardian, a small process of its own that
-does nothing but wait for the driver's end:
+Some robots have no watchdog: they keep driving after their last command, even when the program is
+gone. The driver of such a robot starts a guardian, a small process that waits for the driver's end:
 
     self.guardian = Guardian(type(self), self.settings)      in `connect`
-    self.guardian.dismiss()                                  in `disconnect`, when the motors stand
+    self.guardian.dismiss()                                  in `disconnect`, after the motors stop
 """
 
 import signal
@@ -22,17 +21,17 @@ from learnblock.errors import LearnBlockError
 from learnblock.robots.real import RealRobot
 from learnblock.robots.settings import RobotSettings
 
-#: Seconds for which it tries to reach a robot whose link is gone as well, and between two tries.
-#: Longer it must not try: by then somebody may drive the robot with another program.
+#: Seconds for which it tries to reach a robot that does not answer, and between two attempts.
+#: It must not try longer, since another program may use the robot by then.
 TRIES_FOR, PAUSE = 5.0, 0.1
 
 
 class Guardian:
-    """A process that stops the robot's motors when this one ends, however it ends.
+    """A process that stops the robot's motors when this process ends in any way.
 
     Args:
-        robot: whose `halt` stops the motors.
-        settings: with which the robot is reached.
+        robot: the class whose `halt` stops the motors.
+        settings: how to reach the robot.
     """
 
     def __init__(self, robot: type[RealRobot[Any]], settings: RobotSettings) -> None:
@@ -42,7 +41,7 @@ class Guardian:
             stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
-            # What ends our whole group, such as a terminal that is closed, must not end it.
+            # A signal to our whole process group, as from a closed terminal, must not end it.
             start_new_session=True,
         )
         assert self._process.stdin is not None  # noqa: S101 - for the type checker
@@ -51,23 +50,23 @@ class Guardian:
         self._pipe.flush()
 
     def dismiss(self) -> None:
-        """All is well: it ends. The second time does nothing."""
+        """End the guardian because the motors have stopped; calling it twice is harmless."""
         self._process.kill()
         self._process.wait()
         self._pipe.close()
 
     def leave_in_charge(self) -> None:
-        """The motors could not be stopped from here: it tries for some seconds, and ends."""
+        """Leave stopping the motors to the guardian, which tries for some seconds and ends."""
         self._pipe.close()
         threading.Thread(target=self._process.wait, name="guardian", daemon=True).start()
 
 
 def _guard(module: str) -> None:
-    # Ctrl-C is for the program, whose end is our beginning.
+    # Ctrl-C is meant for the program; the guardian starts to work when the program ends.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     robot: Any = robots.find(module).load()
     settings = msgspec.json.decode(sys.stdin.buffer.readline(), type=robot.settings_type)
-    # Returns when the other end is closed: nobody but the driver has it, and its death closes it.
+    # Returns when the other end closes; only the driver has it, so it closes with the driver.
     sys.stdin.buffer.read()
     deadline = monotonic() + TRIES_FOR
     while monotonic() < deadline:

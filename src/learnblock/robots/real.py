@@ -1,4 +1,4 @@
-"""What the clients of real robots share."""
+"""The base class of all real robots."""
 
 import importlib
 import inspect
@@ -8,14 +8,15 @@ from types import ModuleType
 from typing import Any, ClassVar, Generic
 
 from learnblock.client import Client, Observer
-from learnblock.clock import Clock
+from learnblock.client.clock import Clock
 from learnblock.errors import LearnBlockError, MissingPackageError, NotWrittenError
+from learnblock.i18n import Phrase
 from learnblock.robots import settings as user_settings
 from learnblock.robots.settings import SettingsT
 
 
 class RealRobot(Client, Generic[SettingsT]):
-    """A robot that is reached over a wire.
+    """A robot that is connected by a cable, by radio or over a network.
 
         class Robot(RealRobot[MySettings]):
             settings_type = MySettings
@@ -31,14 +32,14 @@ class RealRobot(Client, Generic[SettingsT]):
         skills: as for `Client`.
         clock: as for `Client`.
         observer: as for `Client`.
-        chosen: settings by their names, which go before those in the user's file.
+        chosen: settings by name, which override those in the user's file.
 
     Raises:
         SettingsError: a setting is wrong.
         RobotConnectionError: the robot cannot be reached.
     """
 
-    #: What can be set about such a robot.
+    #: The settings of such a robot.
     settings_type: ClassVar[type[Any]]
 
     def __init__(
@@ -54,77 +55,75 @@ class RealRobot(Client, Generic[SettingsT]):
 
     @classmethod
     def name(cls) -> str:
-        """Its id, such as ``cozmo``."""
+        """The robot's id, such as ``cozmo``."""
         return cls.__module__.rpartition(".")[2].replace("_", "-")
 
     @classmethod
-    def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:  # noqa: ARG003 - for who can look
-        """Look for such robots; answer the settings with which each one is reached.
+    def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:  # noqa: ARG003 - for subclasses
+        """Look for such robots, and yield the settings that reach each of them.
 
         Args:
-            seconds: no longer than that.
+            seconds: the time limit.
         """
         yield from ()
 
     @classmethod
     def halt(cls, settings: SettingsT) -> None:
-        """Stop the motors of a robot whose program is gone: for a `guardian` alone.
+        """Stop the motors of a robot whose program is gone; only a `guardian` calls this.
 
         Args:
-            settings: how it is reached.
+            settings: how to reach the robot.
 
         Raises:
-            RobotConnectionError: it cannot be reached.
+            RobotConnectionError: the robot cannot be reached.
         """
-        raise NotImplementedError(f"the robot `{cls.name()}` has a watchdog of its own")
+        raise NotImplementedError(f"{cls.name()} has a watchdog, so it needs no guardian")
 
     @classmethod
-    def set_up(cls, settings: SettingsT, tell: Callable[[str], object]) -> None:  # noqa: ARG003
-        """Put on the robot what we need there.
+    def set_up(cls, settings: SettingsT, report: Callable[[Phrase], object]) -> None:  # noqa: ARG003
+        """Install what LearnBlock needs on the robot.
 
         Args:
-            settings: how it is reached.
-            tell: is told what is being done, a sentence at a time.
+            settings: how to reach the robot.
+            report: is called with each step.
 
         Raises:
-            LearnBlockError: there is nothing to put there, or it cannot be.
+            LearnBlockError: the robot needs no setup, or it failed.
         """
-        raise LearnBlockError(f"the robot `{cls.name()}` needs nothing to be set up")
+        raise LearnBlockError("robot-needs-no-setup", name=cls.name())
 
 
 def require(package: str, robot: str) -> ModuleType:
-    """Import a library that one robot alone needs.
+    """Import a library that only one robot needs.
 
     Raises:
-        MissingPackageError: it is not installed; the sentence says how to install it.
+        MissingPackageError: it is not installed.
     """
     try:
         return importlib.import_module(package)
     except ModuleNotFoundError as error:
         if error.name != package.partition(".")[0]:
             raise
-        raise MissingPackageError(
-            f"the robot `{robot}` needs the package {package}:"
-            f" pip install 'learnblock-studio[{robot}]'"
-        ) from None
+        raise MissingPackageError("robot-missing-package", robot=robot, package=package) from None
 
 
 def not_written(function: Callable[..., Any], *given: object) -> NotWrittenError:
-    """What a function that its author has still to fill in raises, as `learnblock new` writes it.
+    """The error of a function that its author still has to write, as `learnblock new` makes it.
 
         def heading(self) -> float:
-            'Answer how far the robot has turned, degrees, clockwise.'
+            'Return how far the robot has turned, degrees, clockwise.'
             raise not_written(self.heading)
 
     Args:
-        function: its docstring says what it must do.
-        given: what it was called with.
+        function: the function; its docstring describes the task.
+        given: the arguments of the call.
     """
     code = inspect.unwrap(function).__code__
     task = re.split(r"\n\s*(?:Args|Raises|Returns):\n", inspect.getdoc(function) or "")[0]
-    must = " ".join(task.split())
-    call = f"{function.__name__}({', '.join(map(repr, given))})"
     return NotWrittenError(
-        f"{code.co_filename}:{code.co_firstlineno}: `{call}` is not written yet; what it must do:"
-        f" {must}"
+        "robot-not-written",
+        file=code.co_filename,
+        line=str(code.co_firstlineno),
+        call=f"{function.__name__}({', '.join(map(repr, given))})",
+        task=" ".join(task.split()),
     )

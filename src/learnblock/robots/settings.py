@@ -1,7 +1,8 @@
-"""What a real robot has to be told about itself: addresses, ports, sizes.
+"""The settings of real robots: addresses, ports, sizes.
 
-Each robot says what that is with a Struct of its own. What the user has chosen stands in a table of
-`learnblock.settings` for each robot, such as ``[robots.cozmo]``.
+Each robot defines its settings in a Struct; a description is a code of ``robot.ftl`` or, in a robot
+of a user or a plugin, plain text. The user's choices are stored in a table of
+`learnblock.storage.settings` for each robot, such as ``[robots.cozmo]``.
 """
 
 from collections.abc import Iterator, Mapping
@@ -9,7 +10,7 @@ from typing import Annotated, Any, TypeVar
 
 from msgspec import Meta
 
-from learnblock.settings import Described, Patience, Settings, Table, file
+from learnblock.storage.settings import Described, Patience, Settings, Table, file
 
 __all__ = [
     "Address",
@@ -29,21 +30,18 @@ __all__ = [
     "table",
 ]
 
-Address = Annotated[
-    str, Meta(min_length=1, max_length=253, description="a name or number in the network")
-]
-Port = Annotated[int, Meta(ge=1, le=65535, description="a port of the network")]
+Address = Annotated[str, Meta(min_length=1, max_length=253, description="robot-setting-address")]
+Port = Annotated[int, Meta(ge=1, le=65535, description="robot-setting-port")]
 SerialPort = Annotated[
-    str,
-    Meta(min_length=1, max_length=200, description="a serial port, such as /dev/ttyUSB0 or COM3"),
+    str, Meta(min_length=1, max_length=200, description="robot-setting-serial-port")
 ]
-Baud = Annotated[int, Meta(ge=300, le=4_000_000, description="bits a second")]
-Length = Annotated[float, Meta(ge=1, le=1000, description="mm")]
-Speed = Annotated[float, Meta(ge=1, le=5000, description="mm/s")]
+Baud = Annotated[int, Meta(ge=300, le=4_000_000, description="robot-setting-baud")]
+Length = Annotated[float, Meta(ge=1, le=1000, description="robot-setting-length")]
+Speed = Annotated[float, Meta(ge=1, le=5000, description="robot-setting-speed")]
 
 
 class RobotSettings(Settings, frozen=True):
-    """The base of every robot's settings; each field has a default."""
+    """The base class of every robot's settings; each field has a default."""
 
 
 SettingsT = TypeVar("SettingsT", bound=RobotSettings)
@@ -54,8 +52,8 @@ def load(robot: str, kind: type[SettingsT], chosen: Mapping[str, Any] | None = N
 
     Args:
         robot: its id, such as ``cozmo``.
-        kind: what can be set.
-        chosen: settings by name, which go before those of the file.
+        kind: the robot's settings class.
+        chosen: settings by name, which override those of the file.
 
     Raises:
         SettingsError: a value or a name is wrong, in the file or among those chosen.
@@ -64,24 +62,24 @@ def load(robot: str, kind: type[SettingsT], chosen: Mapping[str, Any] | None = N
 
 
 def change(robot: str, kind: type[SettingsT], name: str, text: str | None) -> SettingsT:
-    """Set one setting, given as text, in the user's file; None puts its default back.
+    """Change one setting, given as text, in the user's file; None restores its default.
 
     Raises:
         UnknownNameError: the robot has no such setting.
-        SettingsError: the value is wrong, or what stands in the file already is.
+        SettingsError: the value is wrong, or the file already contains a mistake.
     """
     return table(robot, kind).change(name, text)
 
 
 def describe(robot: str, kind: type[RobotSettings]) -> Iterator[Described]:
-    """Every setting of a robot as it is now.
+    """Describe every setting of a robot with its current value.
 
     Raises:
-        SettingsError: what stands in the user's file is wrong.
+        SettingsError: the user's file contains a mistake.
     """
     return table(robot, kind).describe()
 
 
 def table(robot: str, kind: type[SettingsT]) -> Table[SettingsT]:
-    """Where a robot's settings stand."""
+    """The table with a robot's settings."""
     return Table(("robots", robot), f"the robot {robot}", kind)

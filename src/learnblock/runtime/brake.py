@@ -1,4 +1,4 @@
-"""Keeps a real robot still while its program is held: no world stands still for it."""
+"""Keeps a real robot still while its program is held, as its world cannot be paused."""
 
 import threading
 from collections.abc import Callable, Iterable
@@ -10,12 +10,12 @@ Move = Callable[[float, float], object]
 
 
 class Brake:
-    """Stands between a program and the wheels; from any thread.
+    """Stops the wheels while a program is paused; thread-safe.
 
-    While it is on, the wheels stand; what the program commands meanwhile is done afterwards.
+    While it is on, the wheels stand still; commands take effect when it is released.
 
     Args:
-        bases: it is put into them.
+        bases: the wheels that it stops.
     """
 
     def __init__(self, bases: Iterable[Base]) -> None:
@@ -31,7 +31,7 @@ class Brake:
         """Stop the wheels.
 
         Raises:
-            RobotConnectionError: the robot cannot be told.
+            RobotConnectionError: the robot cannot be reached.
         """
         with self._lock:
             self._on = True
@@ -42,7 +42,7 @@ class Brake:
         """Let the wheels turn as the program commanded last.
 
         Raises:
-            RobotConnectionError: the robot cannot be told.
+            RobotConnectionError: the robot cannot be reached.
         """
         with self._lock:
             if self._on:
@@ -59,7 +59,7 @@ class Brake:
 
 
 class _Wheels:
-    """What moves a base, and what its program wants of it."""
+    """The function that moves a base, and the program's last command to it."""
 
     def __init__(self, move: Move) -> None:
         self.move = move

@@ -1,4 +1,4 @@
-"""The child: the process (or thread) that holds the user's program and nothing else."""
+"""The child: the process or thread that runs the user's program and nothing else."""
 
 import builtins
 import os
@@ -6,15 +6,16 @@ import random
 import signal
 import socket
 import sys
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from functools import partial
 from types import CodeType, FrameType, SimpleNamespace, TracebackType
 from typing import Any, NoReturn
 
 from learnblock.client import Client
-from learnblock.errors import LearnBlockError, ProgramStopped, did_you_mean
+from learnblock.errors import InputEndedError, LearnBlockError, ProgramStopped
 from learnblock.runtime import remote
+from learnblock.runtime.error_phrases import phrase_of
 from learnblock.runtime.gate import Gate, unless_shown
 from learnblock.runtime.limits import Limits, contain
 from learnblock.runtime.lines import (
@@ -36,12 +37,11 @@ from learnblock.runtime.messages import (
 from learnblock.runtime.output import LineWriter
 from learnblock.runtime.own_files import own_frame, own_place
 from learnblock.runtime.usertime import use_robot_time
-from learnblock.runtime.values import described, encodable, shortened
+from learnblock.runtime.values import described, encodable
+from learnblock.runtime.wire import Wire
 
 #: Our own robots' modules.
 _ROBOTS = "learnblock.robots."
-#: An error's text is cut there.
-LONGEST_ERROR = 2000
 
 
 def main() -> None:
@@ -53,7 +53,7 @@ def main() -> None:
 
 
 def run(link: Link[FromHost], fence: Callable[[Limits], None] | None = None) -> None:
-    """Receive the setup, run the program, and say how it ended.
+    """Receive the setup, run the program, and report how it ended.
 
     Args:
         link: our end of the link.
@@ -62,12 +62,12 @@ def run(link: Link[FromHost], fence: Callable[[Limits], None] | None = None) -> 
     try:
         link.send(_ended(link, fence))
     except EOFError:
-        # The host has changed its mind, or is gone, and with it everybody who would want to know.
+        # The host has stopped the run or is gone: there is no recipient any more.
         return
 
 
 def _ended(link: Link[FromHost], fence: Callable[[Limits], None] | None) -> Ended:
-    """Run the program; how it ended.
+    """Run the program; return how it ended.
 
     Raises:
         EOFError: the host was gone before it began.
@@ -80,7 +80,7 @@ def _ended(link: Link[FromHost], fence: Callable[[Limits], None] | None) -> Ende
             fence(setup.limits)
         return _Program(link, setup, owns_process=fence is not None).run()
     except ProgramStopped:
-        # A signal that came before the program began, or just as it ended by itself.
+        # A signal arrived before the program began, or just as it ended.
         return Ended(stopped=True)
 
 
@@ -88,7 +88,7 @@ class _Program:
     """One program while it runs."""
 
     def __init__(self, link: Link[FromHost], setup: Setup, *, owns_process: bool) -> None:
-        self._wire = remote.Wire(link, self._variables)
+        self._wire = Wire(link, self._variables)
         self._setup = setup
         self._owns_process = owns_process
         self._robot: remote.RemoteRobot | None = None
@@ -105,7 +105,7 @@ class _Program:
             return Ended(stopped=True, lines=self._lines(stopped))
         except SystemExit as leaving:
             return self._left(leaving)
-        except BaseException as error:  # noqa: BLE001 - whatever it is, the user is told
+        except BaseException as error:  # noqa: BLE001 - every error is reported
             return Ended(self._fault(error))
         return Ended()
 
@@ -127,7 +127,7 @@ class _Program:
 
     def _interrupt(self, number: int, frame: FrameType | None) -> None:  # noqa: ARG002
         stopped = ProgramStopped("stopped")
-        if self._wire.turn.postpones(stopped):
+        if self._wire.turn.postpone(stopped):
             return
         at = program_frame(self._setup.filename, frame)
         self._wire.interrupted(at.f_lineno if at else 0, *own_frame(frame))
@@ -138,7 +138,7 @@ class _Program:
         if self._robot:
             self._robot.stop()
 
-    # What a program finds round it.
+    # The environment of the program.
 
     def _builtins(self) -> dict[str, Any]:
         replaced: dict[str, Any] = {"__import__": self._import, "input": self._input}
@@ -154,12 +154,12 @@ class _Program:
         builtins.input = self._input
         if self._setup.folder:
             sys.path.insert(0, self._setup.folder)
-        # The module `__main__` is the program, as it would be without us.
+        # The module `__main__` is the program, as it would be without LearnBlock.
         vars(sys.modules["__main__"]).update(namespace)
         try:
             yield
         finally:
-            # It is over: what is left to do is to say how.
+            # The program is over; only the report of its ending is left.
             signal.signal(signal.SIGTERM, signal.SIG_IGN)
 
     def _import(
@@ -176,7 +176,7 @@ class _Program:
 
     def _connect(self, module: str, **arguments: Any) -> Client:
         if self._robot and not self._robot.stopped:
-            raise LearnBlockError("a program has one robot: this is the second `Robot()` in it")
+            raise LearnBlockError("run-second-robot")
         robot = remote.connect(self._wire, self._setup.skills, module, arguments)
         if self._wire.lockstep:
             random.seed(robot.seed)
@@ -186,13 +186,13 @@ class _Program:
         return robot
 
     def _watch_gate(self, control: Control) -> None:
-        """Ask at every line from the first on whether the program is held."""
+        """Check at every line, from the first one, whether the program is held."""
         self._wire.control = control
         self._gate = Gate(self._wire, self._setup.filename)
         self._end_lines = start_line_events(self._code, unless_shown(self._wire.turn, self._gate))
 
     def _begin_lines(self, budget: LineBudget) -> None:
-        # Not earlier: without a robot there is no time to say that a line ran at.
+        # Not earlier: without a robot there is no time at which a line could run.
         if self._gate:
             self._gate.on_line = budget
             return
@@ -205,10 +205,10 @@ class _Program:
         self._output.finish()
         answer = self._wire.ask(Input(str(prompt)))
         if answer is None:
-            raise EOFError("there is no more input")
+            raise InputEndedError("run-input-ended")
         return str(answer)
 
-    # What the host is told.
+    # Messages to the host.
 
     def _printed(self, text: str) -> None:
         self._wire.note_soon(Printed(encodable(text)))
@@ -217,14 +217,13 @@ class _Program:
         whens = self._robot.when_states() if self._robot else {}
         frame = program_frame(self._setup.filename, sys._getframe())  # noqa: SLF001 - as above
         if frame is None:
-            # A thread that runs none of the program's own code.
+            # A thread that runs none of the program's code.
             return Variables({}, {}, whens)
         local = {} if frame.f_locals is frame.f_globals else _described(frame.f_locals)
         return Variables(local, _described(frame.f_globals), whens)
 
     def _fault(self, error: BaseException) -> Fault:
-        text = shortened(encodable(_message(error)), LONGEST_ERROR)
-        return Fault(type(error).__name__, text, self._lines(error), *own_place(error))
+        return Fault(phrase_of(error), self._lines(error), *own_place(error))
 
     def _lines(self, error: BaseException) -> tuple[int, ...]:
         if isinstance(error, SyntaxError) and error.filename == self._setup.filename:
@@ -254,34 +253,6 @@ def _stop_program(number: int, frame: FrameType | None) -> NoReturn:  # noqa: AR
 
 def _print_to(output: LineWriter, *values: object, **options: Any) -> None:
     print(*values, **{"file": output, **options})  # noqa: T201 - this is what a program prints with
-
-
-def _message(error: BaseException) -> str:
-    """An error's text, with a hint where a name is known that is nearly the one asked for."""
-    if isinstance(error, SyntaxError):
-        # Its text would repeat the file and the line.
-        return str(error.msg)
-    try:
-        text = str(error)
-    except Exception as another:  # noqa: BLE001 - a pupil's __str__ may raise anything
-        return f"<{type(another).__name__} in its own description>"
-    hint = _hint(error)
-    return f"{text}; {hint}" if hint else text
-
-
-def _hint(error: BaseException) -> str:
-    if not isinstance(error, NameError | AttributeError) or not isinstance(error.name, str):
-        return ""
-    known = dir(error.obj) if isinstance(error, AttributeError) else _visible(error.__traceback__)
-    return did_you_mean(error.name, [name for name in known if not name.startswith("_")])
-
-
-def _visible(step: TracebackType | None) -> Collection[str]:
-    """The names that can be used where an error was raised."""
-    while step and step.tb_next:
-        step = step.tb_next
-    frame = step.tb_frame if step else None
-    return {*vars(builtins), *frame.f_globals, *frame.f_locals} if frame else ()
 
 
 def _described(variables: Any) -> dict[str, str]:

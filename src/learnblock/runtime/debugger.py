@@ -9,7 +9,7 @@ from learnblock.runtime.status import State, Status
 
 
 class Holdable(Protocol):
-    """What is held with a program: the pacing of its world, or the brake of a real robot."""
+    """Held together with a program: the pacing of its world, or the brake of a real robot."""
 
     def pause(self) -> None: ...
 
@@ -19,9 +19,9 @@ class Holdable(Protocol):
 class Debugger:
     """Holds a program at breakpoints and when paused; its methods may be called from any thread.
 
-    `resume`, `step` and `step_over` speak to a program that is held or paused, and change nothing
-    otherwise. The program itself looks for its breakpoints (see `learnblock.runtime.gate`); this is
-    where it learns of them, and waits.
+    `resume`, `step` and `step_over` work on a program that is held or paused, and change nothing
+    otherwise. The program itself looks for its breakpoints (see `learnblock.runtime.gate`); here
+    they are set, and here the host waits.
 
     Args:
         breakpoints: lines of the program's Python.
@@ -29,7 +29,7 @@ class Debugger:
     """
 
     def __init__(self, breakpoints: Collection[int] = (), *, paused: bool = False) -> None:
-        #: What the program is to know; a new value with every change.
+        #: The settings that the program must know; replaced with every change.
         self.control = Control(frozenset(breakpoints), Mode.STEP if paused else Mode.RUN)
         self._commands = threading.Condition()
         self._held = self._paused = self._ended = False
@@ -38,10 +38,10 @@ class Debugger:
         self._governed: Holdable | None = None
 
     def report_to(self, status: Status) -> None:
-        """Tell `status` when the world is paused and when it goes on."""
+        """Report to `status` when the world is paused and resumed."""
         with self._commands:
             self._status = status
-            self._tell_pause()
+            self._report_pause()
 
     def govern(self, governed: Holdable) -> None:
         """Hold this as well, now that the program has made its robot."""
@@ -53,7 +53,7 @@ class Debugger:
     def holds(self, line: int, depth: int) -> bool:
         """Whether the program, which has reached `line`, is held there; then `wait`."""
         with self._commands:
-            # What the program knew when it stopped may be out of date.
+            # The breakpoints may have changed since the program stopped.
             self._held = not self._ended and self.control.holds(line, depth)
             self._depth = depth
             if self._held and self._governed:
@@ -67,7 +67,7 @@ class Debugger:
             self._held = False
 
     def set_breakpoints(self, lines: Collection[int]) -> None:
-        """Hold the program before these lines from now on, and before no others."""
+        """Replace the breakpoints: the program is held before these lines only."""
         with self._commands:
             self.control = Control(frozenset(lines), self.control.mode, self.control.depth)
 
@@ -78,20 +78,20 @@ class Debugger:
             self.control = Control(self.control.breakpoints, Mode.STEP)
             if self._governed:
                 self._governed.pause()
-            self._tell_pause()
+            self._report_pause()
 
     def resume(self) -> None:
         """Run on, to the next breakpoint."""
-        self._go_on(Mode.RUN)
+        self._continue(Mode.RUN)
 
     def step(self) -> None:
         """Run to the next line, into functions."""
-        self._go_on(Mode.STEP)
+        self._continue(Mode.STEP)
 
     def step_over(self) -> None:
         """Run to the next line of the same function, or of one that called it."""
         # A program that is not held yet has no line to step over.
-        self._go_on(Mode.STEP_OVER if self._held else Mode.STEP)
+        self._continue(Mode.STEP_OVER if self._held else Mode.STEP)
 
     def end(self) -> None:
         """Never hold the program again: it is being stopped."""
@@ -99,7 +99,7 @@ class Debugger:
             self._ended = True
             self._commands.notify_all()
 
-    def _go_on(self, mode: Mode) -> None:
+    def _continue(self, mode: Mode) -> None:
         with self._commands:
             if not self._held and self.control.mode is Mode.RUN:
                 return
@@ -107,10 +107,10 @@ class Debugger:
             self._held = self._paused = False
             if self._governed:
                 self._governed.resume()
-            self._tell_pause()
+            self._report_pause()
             self._commands.notify_all()
 
-    def _tell_pause(self) -> None:
+    def _report_pause(self) -> None:
         if self._status:
             change = self._status.enter if self._paused else self._status.leave
             change(State.PAUSED)

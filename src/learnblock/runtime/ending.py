@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
+from learnblock.i18n import Phrase
+
 
 class How(StrEnum):
     """How a run ended."""
@@ -21,15 +23,15 @@ class Ending:
     """How a run ended.
 
     Args:
-        how: in one word or two.
-        sentence: the same in a sentence.
+        how: the kind of ending.
+        phrase: the message for a person.
         line: of the program's Python, from 1; 0 where it is not known.
-        file: of the user's own folder in which that was; "" where it was not in one.
+        file: the file in the user's folder where it happened; "" where it was in none.
         file_line: of that file, from 1.
     """
 
     how: How
-    sentence: str
+    phrase: Phrase
     line: int = 0
     file: str = ""
     file_line: int = 0
@@ -41,5 +43,5 @@ class Ending:
 
     @classmethod
     def time_is_up(cls, seconds: float) -> "Ending":
-        """The end of a run that was to last so long, in seconds of the robot's time."""
-        return cls(How.TIME_LIMIT, f"the time limit of {seconds:g} s is up")
+        """The end of a run after its time limit, in seconds of the robot's time."""
+        return cls(How.TIME_LIMIT, Phrase("run-time-limit", seconds=seconds))

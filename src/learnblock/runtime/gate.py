@@ -1,4 +1,4 @@
-"""The program's side of the debugger: asked at each line whether the program goes on."""
+"""The program's side of the debugger: it decides at each line whether the program is held."""
 
 from collections.abc import Callable
 from threading import get_ident
@@ -6,21 +6,22 @@ from time import monotonic
 
 from learnblock.runtime.lines import OnLine, depth
 from learnblock.runtime.messages import Mode
-from learnblock.runtime.remote import Turn, Wire
+from learnblock.runtime.turn import Turn
+from learnblock.runtime.wire import Wire
 
-#: Seconds of the wall clock between two looks at whether the host has said something: a program
-#: that computes hears of a pause within that time.
+#: Seconds of the wall clock between two polls for messages of the host: the time within which a
+#: program that computes is paused.
 LISTENING_PERIOD = 0.01
 
 
 class Gate:
-    """Lets a program's lines pass, or holds them.
+    """Lets a program pass a line, or holds it there.
 
     Breakpoints and steps are decided here: asking the host at every line would make a program many
     times slower.
 
     Args:
-        wire: the way to the host, which says where to hold.
+        wire: the link to the host, which has the breakpoints.
         filename: of the program.
     """
 
@@ -28,7 +29,7 @@ class Gate:
         self._wire = wire
         self._filename = filename
         self._listened = monotonic()
-        #: Is called with each line before it may be held; there is nobody before there is a robot.
+        #: Called with each line before the program may be held; does nothing without a robot.
         self.on_line: OnLine = bool
 
     def __call__(self, number: int) -> None:
@@ -46,7 +47,7 @@ class Gate:
 
 
 def unless_shown(turn: Turn, on_line: OnLine) -> Callable[[int], None]:
-    """`on_line`, but not for lines that run only because somebody looks at a variable."""
+    """`on_line`, except for lines that run only to describe a variable."""
 
     def line(number: int) -> None:
         if turn.forbidden_to is None or turn.forbidden_to != get_ident():

@@ -1,4 +1,4 @@
-"""The robot host: holds the robots, runs programs as children, and outlives them.
+"""The robot host: it has the robots, and runs programs as child processes.
 
 In a simulated world programs take turns: each runs until it waits, then the world advances to the
 first that wakes. One thread does all of this, so a run depends on program, world and seed alone.
@@ -7,10 +7,12 @@ first that wakes. One thread does all of this, so a run depends on program, worl
 from collections.abc import Sequence
 from contextlib import ExitStack
 
+from learnblock.i18n import Phrase
 from learnblock.runtime.ending import Ending, How
-from learnblock.runtime.run import Run, Simulation
+from learnblock.runtime.run import Run
+from learnblock.runtime.world import Simulation
 
-#: So many steps are made between two looks at who watches: 25 looks a second in real time.
+#: Steps between checks on watchers and debuggers: 25 checks a second in real time.
 STRIDE = 4
 
 
@@ -26,10 +28,10 @@ class Host:
         self._runs = runs
         self._seconds = seconds
         for run in runs:
-            run.seconds = seconds
+            run.supervision.seconds = seconds
 
     def run(self) -> None:
-        """Return when every program has ended; each run then has its `ending`."""
+        """Run all programs; return when each has its `ending`."""
         with ExitStack() as endings:
             for run in self._runs:
                 endings.callback(run.end)
@@ -38,9 +40,9 @@ class Host:
                 run.serve()
             self._take_turns()
 
-    def stop(self, sentence: str = "the program was stopped") -> None:
-        """End all programs within a second, whatever they do; may be called from any thread."""
-        self._stop(Ending(How.STOPPED, sentence))
+    def stop(self) -> None:
+        """End all programs within a second; may be called from any thread."""
+        self._stop(Ending(How.STOPPED, Phrase("run-stopped")))
 
     def _take_turns(self) -> None:
         while parked := [run for run in self._runs if run.wake is not None]:
@@ -54,10 +56,10 @@ class Host:
             self._wake([run for run in parked if run.wake == wake or run.stopping])
 
     def _wake(self, due: Sequence[Run]) -> None:
-        """Wake programs together, on as many processors as there are, and serve them by turns.
+        """Wake programs together, on all processors, and serve them in turn.
 
-        What one of them commands takes effect with the next step, so that they think at the same
-        time makes no difference to any of them, nor to the trace.
+        Commands take effect with the next step, so it makes no difference to the programs or to the
+        trace that they run at the same time.
         """
         for run in due:
             if not run.stopping:
@@ -69,7 +71,7 @@ class Host:
                 run.serve()
 
     def _advance(self, simulation: Simulation, step: int) -> None:
-        """In short strides, so that someone who watches a long wait sees it pass."""
+        """Advance in short strides, so that a watcher sees the time pass during a long wait."""
         while simulation.steps < step and not any(run.stopping for run in self._runs if run.wake):
             simulation.advance(min(step, simulation.steps + STRIDE))
             for run in self._runs:

@@ -1,18 +1,20 @@
-"""What a pupil's program may use, and the fences round it."""
+"""The limits of a pupil's program, and how they are enforced."""
 
 import sys
 from typing import Any
 
 import msgspec
 
+from learnblock.errors import ForbiddenError
+
 MEGABYTE = 1024 * 1024
 
 
 class Limits(msgspec.Struct, frozen=True, array_like=True):
-    """What one program may use.
+    """The resources that one program may use.
 
     Args:
-        memory: bytes of address space; none on systems that cannot limit it.
+        memory: bytes of address space; not enforced on systems that cannot limit it.
         cpu: seconds of processor time.
         output: characters printed.
         file_size: bytes in any one file it writes.
@@ -49,7 +51,7 @@ _FORBIDDEN = frozenset(
 
 
 def contain(limits: Limits) -> None:
-    """Put this process under the limits; there is no way back."""
+    """Put this process under the limits, for good."""
     _limit_resources(limits)
     _end_with_parent()
     sys.addaudithook(_refuse)
@@ -62,7 +64,7 @@ def _limit_resources(limits: Limits) -> None:
         return
     wanted = {
         resource.RLIMIT_AS: (limits.memory, limits.memory),
-        # At the first the process gets SIGXCPU, which tells why; at the second SIGKILL.
+        # The first limit sends SIGXCPU, which shows the reason; the second one SIGKILL.
         resource.RLIMIT_CPU: (limits.cpu, limits.cpu + 1),
         resource.RLIMIT_FSIZE: (limits.file_size, limits.file_size),
         resource.RLIMIT_NOFILE: (limits.open_files, limits.open_files),
@@ -74,7 +76,7 @@ def _limit_resources(limits: Limits) -> None:
         try:
             resource.setrlimit(kind, (min(values[0], most), min(values[1], most)))
         except (ValueError, OSError):
-            # macOS refuses to limit address space: a program there is held by the other limits.
+            # macOS refuses to limit the address space: the other limits still apply there.
             continue
 
 
@@ -91,4 +93,4 @@ def _end_with_parent() -> None:
 
 def _refuse(event: str, args: tuple[Any, ...]) -> None:  # noqa: ARG001 - the hook's signature
     if event in _FORBIDDEN:
-        raise PermissionError(f"a robot's program may not start or stop other programs ({event})")
+        raise ForbiddenError("run-no-processes", event=event)

@@ -7,7 +7,7 @@ from threading import get_ident
 from types import CodeType, FrameType
 from typing import Any
 
-from learnblock.clock import Clock
+from learnblock.client.clock import Clock
 
 OnLine = Callable[[int], object]
 #: So many lines at one time of the robot are handed on.
@@ -27,7 +27,7 @@ def line_events(code: CodeType, on_line: OnLine) -> Iterator[None]:
 def start_line_events(
     code: CodeType, on_line: OnLine, running: FrameType | None = None
 ) -> Callable[[], None]:
-    """Begin line events for `code`; answer the function that ends them.
+    """Begin line events for `code`; return the function that ends them.
 
     Args:
         code: a module's code.
@@ -49,7 +49,7 @@ def program_frame(filename: str, frame: FrameType | None) -> FrameType | None:
 
 
 class LineBudget:
-    """Hands on line events, but no more than so many at one time of the robot.
+    """Passes on line events, up to a limit at one time of the robot.
 
     A long calculation is not a story, and it must not fill the trace.
 
@@ -125,7 +125,7 @@ def _trace(filename: str, on_line: OnLine, running: FrameType | None) -> Callabl
     def enter(frame: FrameType, _event: str, _argument: object) -> Any:
         return local if frame.f_code.co_filename == filename else None
 
-    # A frame that runs already is not entered again: it is told by itself.
+    # A frame that runs already is not entered again: it needs its own trace function.
     frame = running
     while frame := program_frame(filename, frame):
         frame.f_trace = local

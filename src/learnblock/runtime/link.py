@@ -17,13 +17,13 @@ Incoming = TypeVar("Incoming")
 
 _LENGTH = 4
 _CHUNK = 65536
-#: How often to look for a message before sleeping until it comes: most answers are there within
-#: some 30 microseconds, and to be woken takes twice as long.
-LOOKS = 30
-#: Seconds after which that has been in vain: on a busy machine each look gives others their turn,
-#: which may be 20 ms long, and whoever sleeps is woken before them.
-LOOKING = 0.001
-_CAN_LOOK = hasattr(socket, "MSG_DONTWAIT") and hasattr(os, "sched_yield")
+#: How often to poll for a message before sleeping: most answers arrive within some 30
+#: microseconds, and waking up takes twice as long.
+POLLS = 30
+#: Seconds after which polling gives up: on a busy machine each poll yields to other processes, for
+#: up to 20 ms, while a sleeping process is woken before them.
+POLLING = 0.001
+_CAN_POLL = hasattr(socket, "MSG_DONTWAIT") and hasattr(os, "sched_yield")
 #: The largest message either side accepts: a frame of 1920 by 1080 pixels and its envelope.
 MAX_MESSAGE = 8 * 1024 * 1024
 #: msgpack's extension code for a frame: height, width and channels as 32 bit, then its bytes.
@@ -50,10 +50,10 @@ class Link(Generic[Incoming]):
         self._outgoing = bytearray()
 
     def put(self, message: Message) -> int:
-        """Queue a message for the next `flush`; answer how many bytes are queued.
+        """Queue a message for the next `flush`; return the number of queued bytes.
 
         Raises:
-            DeviceValueError: it holds what cannot be sent, or is too long; nothing is queued.
+            DeviceValueError: it is too long, or a value cannot be sent; nothing is queued.
         """
         outgoing = self._outgoing
         start = len(outgoing)
@@ -62,15 +62,13 @@ class Link(Generic[Incoming]):
             self._encoder.encode_into(message, outgoing, start + _LENGTH)
             length = len(outgoing) - start - _LENGTH
             if length > MAX_MESSAGE:
-                raise DeviceValueError(
-                    f"{length} bytes are too much to send; {MAX_MESSAGE} is the most"
-                )
+                raise DeviceValueError("run-value-too-large", size=length, limit=MAX_MESSAGE)
             outgoing[start : start + _LENGTH] = length.to_bytes(_LENGTH)
         except (OverflowError, RecursionError, TypeError, UnicodeEncodeError) as error:
             del outgoing[start:]
-            raise DeviceValueError(f"a value cannot be sent to the robot: {error}") from error
+            raise DeviceValueError("run-value-not-sendable", reason=str(error)) from error
         except BaseException:
-            # Half a message would make nonsense of all that follow, also where a signal raised.
+            # Half a message would spoil all that follow, also if a signal handler raised.
             del outgoing[start:]
             raise
         return len(outgoing)
@@ -100,7 +98,7 @@ class Link(Generic[Incoming]):
 
         Raises:
             EOFError: the other end is gone.
-            RobotConnectionError: what arrived is no message of this conversation.
+            RobotConnectionError: what arrived is not a message of this conversation.
         """
         while not self._messages:
             if not self._fill(timeout):
@@ -108,11 +106,11 @@ class Link(Generic[Incoming]):
         return self._messages.popleft()
 
     def receive_now(self) -> Incoming | None:
-        """The next message if it is there already, else None.
+        """The next message if it has arrived, else None.
 
         Raises:
             EOFError: the other end is gone.
-            RobotConnectionError: what arrived is no message of this conversation.
+            RobotConnectionError: what arrived is not a message of this conversation.
         """
         if not self._messages:
             self._connection.settimeout(0)
@@ -129,7 +127,7 @@ class Link(Generic[Incoming]):
 
     def _fill(self, timeout: float | None) -> bool:
         try:
-            received = self._look()
+            received = self._poll()
             if received is None:
                 self._connection.settimeout(timeout)
                 received = self._connection.recv(_CHUNK)
@@ -146,14 +144,14 @@ class Link(Generic[Incoming]):
         self._received += received
         self._split()
 
-    def _look(self) -> bytes | None:
-        """What has arrived or is about to; None when nothing has after some looks."""
-        if not _CAN_LOOK:
+    def _poll(self) -> bytes | None:
+        """Poll for bytes; None if none have arrived after some polls."""
+        if not _CAN_POLL:
             return None
         if self._connection.gettimeout() is not None:
             self._connection.settimeout(None)
-        until = monotonic() + LOOKING
-        for _ in range(LOOKS):
+        until = monotonic() + POLLING
+        for _ in range(POLLS):
             try:
                 return self._connection.recv(_CHUNK, socket.MSG_DONTWAIT)
             except BlockingIOError:
@@ -168,7 +166,7 @@ class Link(Generic[Incoming]):
             body = start + _LENGTH
             end = body + int.from_bytes(received[start:body])
             if end - body > MAX_MESSAGE:
-                raise RobotConnectionError(f"a message of {end - body} bytes is too long")
+                raise RobotConnectionError("run-message-too-long", size=end - body)
             if end > len(received):
                 break
             self._messages.append(self._decode(received[body:end]))
@@ -179,11 +177,11 @@ class Link(Generic[Incoming]):
         try:
             return self._decoder.decode(message)
         except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError, TypeError) as error:
-            raise RobotConnectionError(f"not a message of this link: {error}") from error
+            raise RobotConnectionError("run-not-a-message", reason=str(error)) from error
 
 
 def _as_plain(value: Any) -> Any:
-    """What msgpack has no form for: a frame as an extension, numpy's numbers, else its text."""
+    """Encode what msgpack cannot: a frame as an extension, numpy's numbers, else the text."""
     if not hasattr(value, "dtype"):
         return described(value)
     if value.ndim == 0:
@@ -195,7 +193,7 @@ def _as_plain(value: Any) -> Any:
 
 def _from_extension(code: int, data: memoryview) -> Any:
     shape = _shape(code, data)
-    import numpy as np  # noqa: PLC0415 - few programs look at the picture itself
+    import numpy as np  # noqa: PLC0415 - few programs use the picture itself
 
     # A copy in a bytearray: the program may draw on its picture.
     return np.frombuffer(bytearray(data[_SHAPE.size :]), dtype=np.uint8).reshape(shape)
@@ -203,11 +201,9 @@ def _from_extension(code: int, data: memoryview) -> Any:
 
 def _shape(code: int, data: memoryview) -> tuple[int, int, int]:
     if code != _FRAME or len(data) < _SHAPE.size:
-        raise RobotConnectionError(f"not a message of this link: extension {code}")
+        raise RobotConnectionError("run-not-a-message", reason=f"extension {code}")
     height, width, channels = _SHAPE.unpack_from(data)
     if height * width * channels != len(data) - _SHAPE.size:
-        raise RobotConnectionError(
-            f"not a message of this link: {len(data) - _SHAPE.size} bytes are no frame of"
-            f" {height} by {width} by {channels}"
-        )
+        reason = f"{len(data) - _SHAPE.size} bytes for a frame of {height} x {width} x {channels}"
+        raise RobotConnectionError("run-not-a-message", reason=reason)
     return height, width, channels

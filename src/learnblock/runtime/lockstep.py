@@ -3,8 +3,8 @@
 import math
 from collections.abc import Callable
 
-#: So many accesses to devices cost a program one step, since on no robot is reading free: without
-#: a price, a loop that polls and never sleeps would hold the world's time for ever.
+#: This many accesses to devices cost a program one step, as reading takes time on every robot.
+#: Otherwise a loop that polls and never sleeps would stop the world's time for ever.
 ACCESSES_PER_STEP = 10
 
 
@@ -12,7 +12,7 @@ class LockStepClock:
     """The time of a world that advances only when every program in it waits.
 
     Args:
-        wait: `wait(steps)` parks the program for that many steps, at least one, and answers the
+        wait: `wait(steps)` parks the program for that many steps, at least one, and returns the
             world's step counter when it wakes.
         steps: the counter now.
         dt: seconds a step.
@@ -31,7 +31,7 @@ class LockStepClock:
 
     def sleep(self, seconds: float) -> None:
         if seconds > 0:
-            # A wait that is no whole number of steps ends with the step that contains its end.
+            # A wait ends with the step that contains its end.
             self._advance(max(1, math.ceil(seconds / self._dt - 1e-6)))
 
     def charge(self) -> None:

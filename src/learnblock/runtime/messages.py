@@ -1,8 +1,8 @@
 """The whole conversation between the robot host and the child that runs a program.
 
-The child speaks first and the host answers only where an answer is noted, so the two can never wait
-for each other. Everything is sent in order, which is what lets the host put a program's prints,
-lines and calls at their right place in the trace.
+The child speaks first and the host answers only where the message says so, so the two can never
+wait for each other. Messages stay in order, so the host can put a program's prints, lines and calls
+at the right place in the trace.
 """
 
 from enum import IntEnum
@@ -10,6 +10,7 @@ from typing import Any
 
 import msgspec
 
+from learnblock.i18n import Phrase
 from learnblock.runtime.limits import Limits
 
 
@@ -17,11 +18,11 @@ class Message(msgspec.Struct, frozen=True, array_like=True, tag=True):
     """A message of the link."""
 
 
-# The host speaks.
+# Messages of the host.
 
 
 class Mode(IntEnum):
-    """Where a program is held besides its breakpoints."""
+    """The places besides breakpoints where a program pauses."""
 
     RUN = 0
     STEP = 1
@@ -29,12 +30,12 @@ class Mode(IntEnum):
 
 
 class Control(Message, frozen=True):
-    """Where to hold the program; it may be told at any time.
+    """Where to hold the program; it can arrive at any time.
 
     Args:
         breakpoints: lines of its Python.
-        mode: nowhere else, at the next line, or at the next one in no deeper a call.
-        depth: of the calls, for the last.
+        mode: nowhere else, at the next line, or at the next line in this or a calling function.
+        depth: of calls, for the last.
     """
 
     breakpoints: frozenset[int] = frozenset()
@@ -42,7 +43,7 @@ class Control(Message, frozen=True):
     depth: int = 0
 
     def holds(self, line: int, depth: int) -> bool:
-        """Whether a program at this line, in so many calls, is held."""
+        """Whether a program is held at this line and depth of calls."""
         return (
             line in self.breakpoints
             or self.mode is Mode.STEP
@@ -55,8 +56,8 @@ class Setup(Message, frozen=True):
 
     Args:
         source: the program's Python.
-        filename: the name it goes by in errors.
-        folder: where its own modules are imported from; "" for nowhere.
+        filename: its name in errors.
+        folder: where its modules are imported from; "" for nowhere.
         skills: the names of the skills it may use.
         robots: the modules besides ours that are robots when it imports ``Robot`` from them.
         debug: where to hold it at first; None when it is not debugged.
@@ -81,10 +82,10 @@ class DeviceOffer(msgspec.Struct, frozen=True, array_like=True):
 
 
 class Connected(Message, frozen=True):
-    """The robot is there.
+    """The robot is connected.
 
     Args:
-        devices: in the order by which `Ask` and `Tell` number them.
+        devices: in the order in which `Ask` and `Command` count them.
         steps: the world's step counter, or None for a robot whose time flows by itself.
         dt: seconds a step.
         seed: seeds the program's own random numbers; None leaves them alone.
@@ -103,16 +104,14 @@ class Answer(Message, frozen=True):
 
 
 class Failed(Message, frozen=True):
-    """What was asked for failed; `error` names the class in `learnblock.errors` to raise."""
+    """The request failed; `error` names the class in `learnblock.errors` to raise."""
 
     error: str
-    text: str
+    phrase: Phrase
 
 
 class Stop(Message, frozen=True):
-    """The program is over, whatever it was about to do."""
-
-    reason: str
+    """The program has to end; the answer to any request."""
 
 
 class Continue(Message, frozen=True):
@@ -120,10 +119,10 @@ class Continue(Message, frozen=True):
 
 
 class ShowVariables(Message, frozen=True):
-    """Send `Variables`, and go on as before; it may be asked at any time."""
+    """Request `Variables`; it can arrive at any time."""
 
 
-# The child speaks.
+# Messages of the child.
 
 
 class Connect(Message, frozen=True):
@@ -141,8 +140,8 @@ class Ask(Message, frozen=True):
     args: tuple[Any, ...]
 
 
-class Tell(Message, frozen=True):
-    """Call a device's function; nobody waits."""
+class Command(Message, frozen=True):
+    """Call a device's function without waiting for an answer."""
 
     device: int
     function: str
@@ -152,8 +151,8 @@ class Tell(Message, frozen=True):
 class Sleep(Message, frozen=True):
     """Park until that many steps have passed.
 
-    Answered with the step the program woke at and the readings of the devices in `reads`: those it
-    has read since it last slept, which it will most likely read again.
+    The answer is the step at which the program woke and the readings of the devices in `reads`,
+    which the program has read since it last slept and will most likely read again.
     """
 
     steps: int
@@ -179,31 +178,31 @@ class Called(Message, frozen=True):
 
 
 class Missing(Message, frozen=True):
-    """A skill had no effect for want of a device."""
+    """A skill had no effect because the robot lacks a device."""
 
     skill: str
     device: str
 
 
 class Printed(Message, frozen=True):
-    """A line the program printed, with its line end unless it has none yet."""
+    """A line the program printed, with its line end if it has one yet."""
 
     text: str
 
 
 class Input(Message, frozen=True):
-    """The program waits for a line of input; answered by it."""
+    """The program waits for a line of input, which is the answer."""
 
     prompt: str
 
 
 class Variables(Message, frozen=True):
-    """The program's variables as text: those of the function, then those of the program.
+    """The program's variables as text.
 
     Args:
-        local: those of the function that runs.
-        shared: the program's own.
-        whens: of each `when` whether it is active, and since how many seconds.
+        local: of the function that runs.
+        shared: of the program.
+        whens: for each `when`, whether it is active and for how many seconds.
     """
 
     local: dict[str, str]
@@ -212,7 +211,7 @@ class Variables(Message, frozen=True):
 
 
 class Line(Message, frozen=True):
-    """The program is held before a line; it is answered by `Continue`.
+    """The program is held before a line; the answer is `Continue`.
 
     Args:
         number: the line.
@@ -229,22 +228,20 @@ class Fault(msgspec.Struct, frozen=True, array_like=True):
     """An error the program ended with.
 
     Args:
-        type: the exception's class.
-        text: its message.
+        phrase: the message for a person.
         lines: the program's own lines on the way to the error, outermost first.
-        file: of the user's own folder in which it went wrong; "" where it was elsewhere.
+        file: the file in the user's folder where it happened; "" where it was in none.
         file_line: of that file, from 1.
     """
 
-    type: str
-    text: str
+    phrase: Phrase
     lines: tuple[int, ...]
     file: str = ""
     file_line: int = 0
 
 
 class Interrupted(Message, frozen=True):
-    """The program was told to stop while it was at this line; it may not obey.
+    """A stop signal reached the program at this line; the program may go on all the same.
 
     Args:
         line: of the program.
@@ -269,7 +266,7 @@ FromHost = Setup | Connected | Answer | Failed | Stop | Control | Continue | Sho
 FromChild = (
     Connect
     | Ask
-    | Tell
+    | Command
     | Sleep
     | Disconnect
     | Lines

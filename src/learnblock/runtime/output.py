@@ -1,18 +1,18 @@
-"""A program's printed text, handed on line by line."""
+"""A program's printed text, passed on line by line."""
 
 import io
 from collections.abc import Callable
 
-#: A line longer than this is handed on in parts.
+#: A longer line is passed on in parts.
 LONGEST_LINE = 8192
 
 
 class LineWriter(io.TextIOBase):
-    """A text stream that hands on whole lines, each with its line end.
+    """A text stream that passes on whole lines, each with its line end.
 
     Args:
-        on_line: is called with every line; `flush` alone hands on an unfinished one.
-        on_flush: is called when the program wants what it has printed to be seen now.
+        on_line: is called with every line; only `flush` passes on an unfinished one.
+        on_flush: is called when the program flushes its output.
     """
 
     def __init__(
@@ -33,27 +33,27 @@ class LineWriter(io.TextIOBase):
         self._unseen = True
         *lines, rest = (self._unfinished + text).split("\n")
         for line in lines:
-            self._hand_on(line + "\n")
+            self._pass_on(line + "\n")
         while len(rest) > LONGEST_LINE:
-            self._hand_on(rest[:LONGEST_LINE])
+            self._pass_on(rest[:LONGEST_LINE])
             rest = rest[LONGEST_LINE:]
         self._unfinished = rest
         return len(text)
 
     def flush(self) -> None:
-        """Hand on everything at once, as a program does by ``print(..., flush=True)``."""
-        # Python itself flushes a stream that it throws away, when nobody listens any more.
+        """Pass on everything at once, as ``print(..., flush=True)`` does."""
+        # Python also flushes a stream that it discards, when there is no receiver any more.
         if self._unseen:
             self.finish()
             self._on_flush()
 
     def finish(self) -> None:
-        """Hand on what has no line end yet."""
+        """Pass on an unfinished line."""
         self._unseen = False
         if self._unfinished:
             self._on_line(self._unfinished)
             self._unfinished = ""
 
-    def _hand_on(self, line: str) -> None:
+    def _pass_on(self, line: str) -> None:
         for start in range(0, len(line), LONGEST_LINE):
             self._on_line(line[start : start + LONGEST_LINE])

@@ -1,18 +1,18 @@
-"""Where something went wrong in the files of the user's own folder, such as its skills."""
+"""The place of an error in the files of the user's folder, such as skills."""
 
 from collections.abc import Iterator
 from pathlib import Path
 from types import FrameType, TracebackType
 
-from learnblock.home import home
+from learnblock.storage.home import home
 
-#: A file and a line of it; nothing and 0 where it was in none.
+#: A file and a line of it; "" and 0 for none.
 Place = tuple[str, int]
 NOWHERE: Place = ("", 0)
 
 
 def own_place(error: BaseException) -> Place:
-    """The innermost place of an error, or of what caused it."""
+    """The innermost place of an error or of its causes."""
     folder = home().absolute()
     for one in _with_causes(error):
         if isinstance(one, SyntaxError) and _is_within(folder, one.filename or ""):
@@ -32,7 +32,7 @@ def own_frame(frame: FrameType | None) -> Place:
 
 
 def _with_causes(error: BaseException) -> Iterator[BaseException]:
-    """An error, what caused it, what caused that and so on, each once."""
+    """An error and the chain of its causes, each once."""
     seen: set[int] = set()
     one: BaseException | None = error
     while one is not None and id(one) not in seen:

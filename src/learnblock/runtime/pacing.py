@@ -4,19 +4,19 @@ import threading
 import time
 from collections.abc import Callable
 
-#: So far behind, in seconds of the wall clock, a world gives up catching up.
+#: Seconds of the wall clock that a world may be behind before it gives up catching up.
 SLIP = 0.1
-#: Waits shorter than this cost more than they order.
+#: Shorter waits cost more than they are worth.
 SHORTEST_WAIT = 0.001
 
 
 class Pacing:
     """Free, real time at a factor, paused, or step by step; it can be changed while the world runs.
 
-    A world that cannot keep up slips: it runs on, slower than asked, and never skips a step.
+    A world that cannot keep up slips: it runs slower than requested, and never skips a step.
 
     Args:
-        factor: times real time; None is free, as fast as it goes.
+        factor: times real time; None is free, as fast as possible.
         clock: seconds of the wall clock.
     """
 
@@ -34,7 +34,7 @@ class Pacing:
 
     def wait(self, world_time: float) -> None:
         """Return when the world may make the step that begins at `world_time` seconds."""
-        # The bare questions first: a free world asks before every one of its steps.
+        # Without the lock first: a free world calls this before every step.
         if self._paused or self.factor is not None:
             with self._changed:
                 self._wait(world_time)
@@ -47,7 +47,7 @@ class Pacing:
         self._change(paused=False)
 
     def step(self, steps: int = 1) -> None:
-        """Let a paused world make that many steps."""
+        """Let a paused world advance by that many steps."""
         with self._changed:
             self._allowed_steps += steps
             self._changed.notify_all()
@@ -82,7 +82,7 @@ class Pacing:
             ahead = None if self._paused else self._ahead(world_time)
             if ahead is not None and ahead <= SHORTEST_WAIT:
                 return
-            # Until the time has come, or somebody changes what was waited for.
+            # Until the time has come, or the pacing changes.
             self._changed.wait(ahead)
 
     def _ahead(self, world_time: float) -> float:

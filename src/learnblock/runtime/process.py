@@ -1,4 +1,4 @@
-"""Where a program runs: a process of its own, or a thread of the host."""
+"""The place where a program runs: a separate process, or a thread of the host."""
 
 import contextlib
 import ctypes
@@ -20,10 +20,10 @@ from learnblock.runtime.messages import FromChild, FromHost
 
 @contextmanager
 def one_processor() -> Iterator[None]:
-    """Within it this thread, and the processes it starts, stay on the processor it is on.
+    """Keep this thread, and the processes it starts, on one processor.
 
     Host and programs take turns, so a second processor gains nothing, and waking a process on
-    another one costs ten times as much. Only Linux lets us choose.
+    another one costs ten times as much. Only Linux allows the choice.
     """
     if sys.platform != "linux":
         yield
@@ -38,22 +38,22 @@ def one_processor() -> Iterator[None]:
 
 
 class Worker(Protocol):
-    """What runs a program at the other end of `link`."""
+    """The worker that runs a program at the other end of `link`."""
 
     link: Link[FromChild]
 
     def interrupt(self) -> None:
-        """Raise ProgramStopped in the program, wherever it is."""
+        """Raise ProgramStopped in the program."""
 
     def kill(self) -> None:
-        """Make sure that nothing of it is left."""
+        """End it and everything it has started."""
 
     def wait(self, timeout: float) -> int | None:
         """Its exit status (negative: the signal that killed it), or None if it still runs."""
 
 
 class ProcessWorker:
-    """A process, in a session of its own so that nothing it starts outlives it."""
+    """A process in a separate session, so that nothing it starts outlives it."""
 
     def __init__(self) -> None:
         ours, theirs = socket.socketpair()
@@ -67,7 +67,7 @@ class ProcessWorker:
 
     def kill(self) -> None:
         if hasattr(os, "killpg"):
-            # Whatever it managed to start is in its process group.
+            # Everything it has started is in its process group.
             with contextlib.suppress(ProcessLookupError, PermissionError):
                 os.killpg(self._process.pid, signal.SIGKILL)
         self._process.kill()
@@ -98,7 +98,7 @@ class ProcessWorker:
             command,
             env=environment,
             stdin=subprocess.DEVNULL,
-            # What it prints goes over the link; our own output is ours.
+            # A program's prints go over the link; this output is only our own.
             stdout=subprocess.DEVNULL,
             pass_fds=(handle,),
             start_new_session=True,
@@ -106,7 +106,7 @@ class ProcessWorker:
 
 
 class ThreadWorker:
-    """A thread of the host: for programs one trusts, as it can neither be limited nor killed."""
+    """A thread of the host, for trusted programs: it can neither be limited nor killed."""
 
     def __init__(self) -> None:
         ours, theirs = socket.socketpair()

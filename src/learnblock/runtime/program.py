@@ -1,4 +1,4 @@
-"""A program to run: its Python, and the way back to what its author wrote."""
+"""A program to run: its Python, and the mapping to the text its author wrote."""
 
 import ast
 import hashlib
@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 from functools import cached_property
 
-from learnblock.language.source_map import SourceMap
+from learnblock.language.python.source_map import SourceMap
 
 _ROBOT_IMPORT = re.compile(r"^from [\w.]+ import Robot\b", re.MULTILINE)
 
@@ -16,11 +16,11 @@ class Program:
     """A program to run.
 
     Args:
-        name: the name its author knows it by, such as ``square.bt``.
+        name: its file's name, such as ``square.bt``.
         python: what is run.
-        written: the text its author wrote, in whichever notation.
+        written: the text its author wrote, in either notation.
         source_map: from lines of `python` to lines of `written`; None where both are the same.
-        folder: where its own modules are imported from; "" for nowhere.
+        folder: where its modules are imported from; "" for nowhere.
     """
 
     name: str
@@ -31,13 +31,13 @@ class Program:
 
     @cached_property
     def identity(self) -> str:
-        """A hash of the program itself: whatever its name, its notation and its robot."""
+        """A hash of the program itself, which its name, notation and robot do not change."""
         neutral = _ROBOT_IMPORT.sub("from robot import Robot", self.python)
         return hashlib.sha256(neutral.encode("utf-8", "surrogatepass")).hexdigest()
 
     @cached_property
     def names(self) -> tuple[str, ...]:
-        """Every attribute it mentions, among them the skills it uses; none if it cannot be read."""
+        """Every attribute it uses, including skills; none if it cannot be parsed."""
         try:
             tree = ast.parse(self.python)
         except (SyntaxError, ValueError, RecursionError, MemoryError):

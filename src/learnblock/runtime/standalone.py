@@ -1,4 +1,4 @@
-"""A program run by itself, as ``python square.py``: the same trace without a host."""
+"""A program run without a host, as ``python square.py``: it leaves the same trace."""
 
 import sys
 from collections.abc import Callable
@@ -16,10 +16,10 @@ from learnblock.runtime.trace import Recorder, Trace, record
 
 
 def trace_main_program(client: Client, path: Path) -> Callable[[], None]:
-    """Write the trace of the program that has just made its robot; answer what ends it.
+    """Write the trace of the running program; return the function that ends it.
 
     Raises:
-        LearnBlockError: no program's file is being run.
+        LearnBlockError: no program's file is running.
     """
     frame = _main_frame()
     source = Path(frame.f_code.co_filename).read_text(encoding="utf-8")
@@ -37,7 +37,7 @@ def trace_main_program(client: Client, path: Path) -> Callable[[], None]:
     def end() -> None:
         stop_lines()
         stop_prints()
-        # The interpreter keeps the error a program died of; in a `with` it is still on its way.
+        # The interpreter keeps the error that ended a program; inside a `with` it is still raised.
         failed = hasattr(sys, "last_value") or sys.exc_info()[0] is not None
         recorder.end(How.ERROR if failed else How.FINISHED)
         file.close()
@@ -51,7 +51,7 @@ def _main_frame() -> FrameType:
         if frame.f_code.co_name == "<module>" and frame.f_globals.get("__name__") == "__main__":
             return frame
         frame = frame.f_back
-    raise LearnBlockError("LEARNBLOCK_TRACE traces a program's file, and none is being run")
+    raise LearnBlockError("run-no-program-file")
 
 
 def _record_prints(recorder: Recorder) -> Callable[[], None]:

@@ -15,7 +15,7 @@ from learnblock.runtime.values import plain
 
 #: Of the trace's own format.
 VERSION = 1
-#: Functions of devices that only answer; all others tell the device to do something.
+#: Functions of devices that only read; all others are commands.
 QUESTIONS = frozenset({"read", "detect"})
 
 _encode = msgspec.json.Encoder(enc_hook=plain).encode
@@ -59,7 +59,7 @@ class Mark:
 
 @dataclass
 class Recorder:
-    """Writes down what one robot's program does, and keeps what the report needs.
+    """Records what one robot's program does, and keeps what the report needs.
 
     It is the `Observer` of the client, and `watch`es its devices.
 
@@ -78,19 +78,19 @@ class Recorder:
     marks: list[Mark] = field(default_factory=list)
     #: Skills without effect: (skill, device) -> how often.
     missed: dict[tuple[str, str], int] = field(default_factory=dict)
-    _told: dict[tuple[str, str, str], list[object]] = field(default_factory=dict)
+    _commands: dict[tuple[str, str, str], list[object]] = field(default_factory=dict)
 
     def begin(self, run: Mapping[str, object]) -> None:
-        """The first line: what is run where."""
+        """Write the first line: what runs where."""
         self.trace.write({"run": run})
 
     def watch(self, client: Client) -> None:
-        """Write down what the client's devices are told from now on."""
+        """Record the commands to the client's devices from now on."""
         for key, device in client.devices():
             kind = type(device).__name__
             for name, function in device.functions.items():
                 if name not in QUESTIONS:
-                    device.functions[name] = partial(self._tell, kind, key, name, function)
+                    device.functions[name] = partial(self._command, kind, key, name, function)
 
     def called(self, skill: str, args: Sequence[object], kwargs: Mapping[str, object]) -> None:
         named = {"kwargs": {name: plain(value) for name, value in kwargs.items()}} if kwargs else {}
@@ -133,13 +133,12 @@ class Recorder:
         """The emotions shown, in order."""
         return [mark.text for mark in self.marks if mark.kind == "emotion"]
 
-    def _tell(self, kind: str, key: str, name: str, function: Function, *args: object) -> Any:
-        # Only what changes is news: a loop that commands the same speed a hundred times a second
-        # tells the reader of a trace nothing.
-        told = [*map(plain, args)]
-        if name not in _LASTING or self._told.get((kind, key, name)) != told:
-            self._told[kind, key, name] = told
-            self._write("device", kind, key=key, do=name, args=told)
+    def _command(self, kind: str, key: str, name: str, function: Function, *args: object) -> Any:
+        # A loop may command the same speed a hundred times a second: only changes are recorded.
+        command = [*map(plain, args)]
+        if name not in _LASTING or self._commands.get((kind, key, name)) != command:
+            self._commands[kind, key, name] = command
+            self._write("device", kind, key=key, do=name, args=command)
             if name == "show_emotion":
                 self._mark(self.time(), "emotion", str(args[0]))
         return function(*args)

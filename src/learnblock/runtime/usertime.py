@@ -6,13 +6,13 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from learnblock.clock import Clock
+from learnblock.client.clock import Clock
 
 _NANOSECONDS = 1_000_000_000
 
 
 def use_robot_time(clock: Clock) -> Callable[[], None]:
-    """Have the `time` module follow `clock` in the calling thread; answer the way back.
+    """Make `time` follow `clock` in the calling thread; return the function that undoes it.
 
     Other threads, and modules that hold the functions themselves, keep the wall clock. The way back
     may be taken from any thread, and twice.

@@ -1,23 +1,23 @@
-"""What messages, traces and the debugger show of a program's values: plain, short, repeatable."""
+"""A program's values for messages, traces and the debugger: plain, short, repeatable."""
 
 import re
 from typing import Any
 
 #: A value's text is cut there.
 LONGEST_VALUE = 200
-#: Lists are shown so many levels deep, and so many of their items.
+#: The levels of nested lists, and the items of each, that are shown.
 DEEPEST_LIST, LONGEST_LIST = 3, 100
 
 _PLAIN = frozenset({type(None), bool, float})
 _LARGEST = 2**63
-# Where an object happens to lie in memory differs between two runs of one program.
+# The address of an object differs between two runs of a program.
 _ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
 
 
 def plain(value: Any, levels: int = DEEPEST_LIST) -> Any:
     """`value` as None, bool, int, float, str or a list of these: itself, or else a description.
 
-    What is plain already stays as it is, so doing it twice changes nothing.
+    A plain value stays as it is, so doing this twice changes nothing.
     """
     kind = type(value)
     if kind in _PLAIN or (kind is int and -_LARGEST <= value < _LARGEST):
@@ -32,7 +32,7 @@ def plain(value: Any, levels: int = DEEPEST_LIST) -> Any:
 
 
 def described(value: object) -> str:
-    """The text that `repr` makes of a value, cut, and without its place in memory."""
+    """The text that `repr` makes of a value, shortened and without its address."""
     try:
         text = repr(value)
     except Exception as error:  # noqa: BLE001 - a pupil's __repr__ may raise anything
@@ -45,7 +45,7 @@ def shortened(text: str, longest: int = LONGEST_VALUE) -> str:
 
 
 def encodable(text: str) -> str:
-    r"""`text` with a half of a surrogate pair, which UTF-8 has no form for, as ``\udc80``."""
+    r"""`text` with lone surrogates, which UTF-8 cannot encode, written as ``\udc80``."""
     return text if text.isascii() else text.encode("utf-8", "backslashreplace").decode()
 
 

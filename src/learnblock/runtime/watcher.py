@@ -1,11 +1,11 @@
-"""Those who are told what happens in a run."""
+"""Notifications of what happens in a run."""
 
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.status import State
 
 
 class Watcher:
-    """Is told what happens while it happens; the base class ignores it all."""
+    """Is notified of events as they happen; the base class ignores them all."""
 
     def printed(self, text: str) -> None:
         """The program printed a line."""
@@ -13,24 +13,24 @@ class Watcher:
     def line(self, number: int) -> None:
         """A line of the program's Python is about to run."""
 
-    def input(self, prompt: str) -> str | None:  # noqa: ARG002 - for those who have someone to ask
-        """The program asks for a line; None when there is no one to answer."""
+    def input(self, prompt: str) -> str | None:  # noqa: ARG002 - subclasses need it
+        """Return the line of input that the program waits for; None if there is no input."""
         return None
 
     def cancel_input(self) -> None:
         """The run is being stopped: `input` returns at once, now and later; from any thread."""
 
     def state(self, state: State) -> None:
-        """What the run is doing has changed; from any thread, and never to wait for another."""
+        """The state of the run has changed; called from any thread, and must not block."""
 
     def held(self, line: int, variables: Variables) -> None:
         """The program is held before a line of its Python, its world with it."""
 
     def resumed(self) -> None:
-        """The program goes on after it was held."""
+        """The program continues after it was held."""
 
     def variables(self, variables: Variables) -> None:
-        """The program's variables now; told only while the run's `tells_variables` is set."""
+        """The program's current variables; reported only while that is enabled."""
 
     def tick(self) -> None:
-        """Some time has passed: a good moment to draw."""
+        """Some time has passed: a good moment to redraw."""

@@ -1,4 +1,4 @@
-"""The server: the page's files, what it draws with, and its websocket."""
+"""The application: the page's files, its pictures, and its websocket."""
 
 import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
@@ -16,10 +16,10 @@ from starlette.responses import RedirectResponse, Response
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket
 
-from learnblock.server import static_files
-from learnblock.server.palette import palette
-from learnblock.server.pictures import face, floor, tag
-from learnblock.server.protection import (
+from learnblock.server.http import static_files
+from learnblock.server.http.palette import palette
+from learnblock.server.http.pictures import face, floor, tag
+from learnblock.server.http.protection import (
     COOKIE,
     SUBPROTOCOL,
     Guard,
@@ -30,7 +30,7 @@ from learnblock.server.protection import (
 if TYPE_CHECKING:
     from learnblock.server.pages.lobby import Lobby
 
-#: The page knows this close code: trying again with the same token is vain.
+#: A close code that the page knows: the token is wrong, so don't reconnect.
 FORBIDDEN = 4403
 #: Seconds for which a project stays open without a page.
 GRACE = 60.0
@@ -49,15 +49,15 @@ def create_app(
     static: Path = static_files.BUILT,
     grace: float = GRACE,
 ) -> Starlette:
-    """The server as an ASGI application.
+    """Create the server as an ASGI application.
 
     Args:
-        folder: where the projects are; need not exist yet.
-        token: whoever knows it may use the server.
-        hosts: names by which it may be called besides those of the machine itself; ``*`` is any
-            address in numbers.
-        origins: hosts of pages that may speak to it besides its own.
-        base_url: the path under which everything is.
+        folder: of the projects, which may not exist yet.
+        token: the secret that gives access to the server.
+        hosts: allowed names of the server besides those of the computer itself; ``*`` is any
+            numeric address.
+        origins: hosts of other pages that may use the server.
+        base_url: the path of the page.
         static: the built page.
         grace: seconds for which a project stays open without a page.
     """
@@ -89,7 +89,7 @@ def _routes(protection: Protection, static: Path, lobby: "_LateLobby") -> list[B
 
 
 def _private(protection: Protection, endpoint: Endpoint) -> Endpoint:
-    """An endpoint for those who have the token."""
+    """Require the token for an endpoint."""
 
     async def answer(request: Request) -> Response:
         return await endpoint(request) if protection.trusts(request) else static_files.no_token()
@@ -99,7 +99,7 @@ def _private(protection: Protection, endpoint: Endpoint) -> Endpoint:
 
 async def _index(static: Path, protection: Protection, request: Request) -> Response:
     response = static_files.index(static)
-    # One name for each port: cookies do not tell the servers of a machine apart.
+    # A name for each port, since cookies don't distinguish the servers of a computer.
     name = f"{COOKIE}_{request.url.port or 'page'}"
     path = request.url.path
     response.set_cookie(name, protection.token, path=path, httponly=True, samesite="strict")
@@ -112,10 +112,10 @@ async def _to_folder(request: Request) -> Response:
 
 async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSocket) -> None:
     trusted = protection.knows(offered_token(socket.scope["subprotocols"]))
-    # Accepted in any case: a browser tells its page no reason why a handshake failed.
+    # Always accept, since a browser doesn't tell its page why a handshake failed.
     await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
     if trusted:
-        # When the server ends, it does not wait for all that a page has said to be done.
+        # When the server ends, it doesn't wait for the remaining messages of a page.
         with suppress(asyncio.CancelledError):
             await (await lobby.get()).serve(socket)
     else:
@@ -123,7 +123,7 @@ async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSoc
 
 
 class _LateLobby:
-    """The lobby; all that it needs is imported after the server has begun to answer."""
+    """The lobby; its imports start after the server has begun to answer."""
 
     def __init__(self, folder: Path, grace: float) -> None:
         self._folder = folder
@@ -132,13 +132,13 @@ class _LateLobby:
 
     @asynccontextmanager
     async def lifespan(self, _: Starlette) -> AsyncIterator[None]:
-        """Make it at the beginning, and close it at the end."""
+        """Create the lobby at the start, and close it at the end."""
         self._making = asyncio.create_task(to_thread.run_sync(self._made))
         yield
         await (await self._making).close()
 
     async def get(self) -> "Lobby":
-        """The lobby, as soon as it is there."""
+        """Return the lobby once it is ready."""
         assert self._making is not None  # noqa: S101 - the server begins before it serves
         return await asyncio.shield(self._making)
 

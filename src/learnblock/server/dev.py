@@ -1,7 +1,7 @@
-"""`learnblock dev`: the page with hot reload, for those who build it.
+"""The command `learnblock dev`: the page with hot reload, for contributors.
 
-Vite serves the page from its sources and hands everything else to a server of ours, which starts
-anew whenever a Python file changes.
+Vite serves the page from its sources and passes all other requests to our server, which restarts
+whenever a Python file changes.
 """
 
 import os
@@ -16,6 +16,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 
 PACKAGE = Path(__file__).parents[1]
 
@@ -24,15 +25,13 @@ def develop(port: int) -> None:
     """Serve the page on `port` until Ctrl-C.
 
     Raises:
-        LearnBlockError: this is no checkout, or something that contributors need is missing.
+        LearnBlockError: there are no sources, or a tool of contributors is missing.
     """
     frontend = _frontend()
     try:
-        import watchfiles  # noqa: PLC0415 - contributors alone have it
+        import watchfiles  # noqa: PLC0415 - only contributors have it
     except ImportError as error:
-        raise LearnBlockError(
-            "`learnblock dev` needs watchfiles: pip install -e '.[dev]'"
-        ) from error
+        raise LearnBlockError("server-dev-no-watchfiles") from error
     server, token = _free_port(), secrets.token_urlsafe()
     os.environ |= {
         "LEARNBLOCK_TOKEN": token,
@@ -40,7 +39,8 @@ def develop(port: int) -> None:
     }
     command = [sys.executable, "-m", "learnblock", "--no-browser", "--port", str(server)]
     with _vite(frontend, port):
-        print(f"\n  The page with hot reload: http://localhost:{port}/?token={token}\n")  # noqa: T201
+        address = f"http://localhost:{port}/?token={token}"
+        print(f"\n  {Phrase('server-dev-started', address=address)}\n")  # noqa: T201
         watchfiles.run_process(
             PACKAGE,
             target=shlex.join(command),
@@ -52,10 +52,7 @@ def develop(port: int) -> None:
 def _frontend() -> Path:
     frontend = PACKAGE.parents[1] / "frontend"
     if not (frontend / "package.json").is_file():
-        raise LearnBlockError(
-            "`learnblock dev` works in a checkout of LearnBlock, where `frontend/` is; to use the"
-            " page, start `learnblock`"
-        )
+        raise LearnBlockError("server-dev-no-checkout")
     return frontend
 
 
@@ -68,7 +65,7 @@ def _free_port() -> int:
 def _vite(frontend: Path, port: int) -> Iterator[None]:
     npm = shutil.which("npm")
     if npm is None:
-        raise LearnBlockError("`learnblock dev` needs Node.js 20.19 or newer")
+        raise LearnBlockError("server-dev-no-node", version="20.19")
     if not (frontend / "node_modules").is_dir():
         subprocess.run([npm, "ci", "--omit=peer"], cwd=frontend, check=True)  # noqa: S603 - npm
     command = [npm, "run", "dev", "--", "--port", str(port), "--strictPort"]

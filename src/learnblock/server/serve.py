@@ -1,4 +1,4 @@
-"""`learnblock` without a command: the server, with the page in a browser or in a window."""
+"""The command `learnblock`: the server, with the page in a browser or in a window."""
 
 import contextlib
 import gc
@@ -20,31 +20,34 @@ import click
 import uvicorn
 
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 from learnblock.server.app import create_app
 
 DEFAULT_HOST = "127.0.0.1"
 DEFAULT_PORT = 8421
-#: Addresses that stand for every one of the machine's own.
-_EVERYWHERE = {"0.0.0.0", "::"}  # noqa: S104 - only where the user asks for it
-#: Seconds that open pages have to go when the server ends.
+#: Addresses that mean all network interfaces.
+_EVERYWHERE = {"0.0.0.0", "::"}  # noqa: S104 - only if the user chooses it
+#: Seconds for open pages to disconnect when the server ends.
 _FAREWELL = 1
-#: Bytes; twice what a message may have, so that the page hears what is wrong and is not cut off.
+#: Bytes; twice the limit of a message, so that the page receives an error and stays connected.
 _LONGEST_FRAME = 8 * 1024 * 1024
+_TOKEN_VARIABLE = "LEARNBLOCK_TOKEN"  # noqa: S105 - its name, not a token
 _TOKEN = re.compile(r"[\w.~-]+", re.ASCII)
 
 
 @dataclass(frozen=True)
 class Service:
-    """What to serve, and where.
+    """The projects to serve, and the address.
 
     Args:
-        folder: where the projects are.
+        folder: of the projects.
         host: the address to listen at.
-        port: None for the usual one, or a free one where that is taken.
-        unix_socket: listen there instead.
-        base_url: the path under which everything is.
-        allowed_hosts: names by which a proxy calls it.
+        port: None for the usual one, or a free one if that is taken.
+        unix_socket: a socket to listen at instead.
+        base_url: the path of the page.
+        allowed_hosts: names that a proxy uses for the server.
         project: the project to open.
+        announce: shows the user where the page is.
     """
 
     folder: Path
@@ -54,49 +57,47 @@ class Service:
     base_url: str = "/"
     allowed_hosts: tuple[str, ...] = ()
     project: str | None = None
+    announce: Callable[[Phrase], object] = click.echo
 
     @property
     def hosts(self) -> tuple[str, ...]:
-        """The names by which it may be called."""
+        """The allowed names of the server."""
         own = "*" if self.host in _EVERYWHERE else self.host
         return (own, socket.gethostname(), *self.allowed_hosts)
 
 
 def serve(service: Service, *, show: Callable[[str], object] | None = None) -> None:
-    """Serve until Ctrl-C or SIGTERM; then every program ends, and every project is saved.
+    """Serve until Ctrl-C or SIGTERM; then end every program, and save every project.
 
     Args:
-        service: what, and where.
-        show: is called with the address once it answers, in a thread of its own.
+        service: the projects and the address.
+        show: is called with the page's address in a thread, once the server answers.
 
     Raises:
-        LearnBlockError: it cannot listen there, or the token of the environment is none.
+        LearnBlockError: the address is not free, or the token in the environment is wrong.
     """
     with _server(service, show) as (server, listening), contextlib.suppress(KeyboardInterrupt):
-        # Both are the usual end. Uvicorn ends the server, and then raises the signal again.
+        # Both are the usual way to end. Uvicorn ends the server, then raises the signal again.
         signal.signal(signal.SIGTERM, signal.default_int_handler)
         server.run([listening])
 
 
 def show_in_browser(address: str) -> None:
-    """Open the page in the user's browser; where there is none the printed address serves."""
+    """Open the page in the user's browser; without one, the user has the printed address."""
     with contextlib.suppress(webbrowser.Error):
         webbrowser.open(address)
 
 
 def serve_in_window(service: Service) -> None:
-    """Serve while a window of its own shows the page.
+    """Serve while a separate window shows the page.
 
     Raises:
-        LearnBlockError: pywebview is not installed, or as `serve` does.
+        LearnBlockError: pywebview is not installed, or see `serve`.
     """
     try:
         webview = import_module("webview")
     except ImportError as error:
-        raise LearnBlockError(
-            "a window needs pywebview: pip install 'learnblock-studio[window]', or leave out"
-            " --window and use the browser"
-        ) from error
+        raise LearnBlockError("server-no-window") from error
     started = threading.Event()
     address = []
 
@@ -105,7 +106,7 @@ def serve_in_window(service: Service) -> None:
         started.set()
 
     with _server(service, show) as (server, listening):
-        # Windows belong to the main thread on every system.
+        # A window needs the main thread on every system.
         serving = threading.Thread(target=server.run, args=([listening],), name="server")
         serving.start()
         started.wait()
@@ -116,7 +117,7 @@ def serve_in_window(service: Service) -> None:
 
 
 class _Server(uvicorn.Server):
-    """A server that says when it answers."""
+    """A server that reports when it answers."""
 
     def __init__(self, config: uvicorn.Config, answers: Callable[[], None]) -> None:
         super().__init__(config)
@@ -143,7 +144,7 @@ def _server(
 
         def answers() -> None:
             address = _address(service, listening, token)
-            click.echo(f"LearnBlock is at {address}\nStop it with Ctrl-C.")
+            service.announce(Phrase("server-started", address=address))
             if show:
                 threading.Thread(target=show, args=(address,), daemon=True).start()
 
@@ -152,8 +153,8 @@ def _server(
 
 
 def _collect_rarely() -> None:
-    # An edit of a long program makes some hundred thousand objects, of which nearly all stay until
-    # the next one: at Python's own pace the search for garbage takes as long as the edit.
+    # An edit of a long program creates some hundred thousand objects, and nearly all of them stay
+    # until the next one. With Python's defaults garbage collection takes as long as the edit.
     gc.freeze()
     gc.set_threshold(50_000, 20, 50)
 
@@ -165,7 +166,7 @@ def _config(app: object) -> uvicorn.Config:
         http="h11",
         ws="websockets-sansio",
         ws_max_size=_LONGEST_FRAME,
-        # The page is on the same machine, mostly: packing would cost more than it saves.
+        # The page is mostly on the same computer, where compression costs more than it saves.
         ws_per_message_deflate=False,
         lifespan="on",
         log_config=None,
@@ -176,9 +177,9 @@ def _config(app: object) -> uvicorn.Config:
 
 
 def _token() -> str:
-    token = os.environ.get("LEARNBLOCK_TOKEN") or secrets.token_urlsafe(24)
+    token = os.environ.get(_TOKEN_VARIABLE) or secrets.token_urlsafe(24)
     if not _TOKEN.fullmatch(token):
-        raise LearnBlockError("LEARNBLOCK_TOKEN must be letters, digits, `-`, `_`, `.` and `~`")
+        raise LearnBlockError("server-token-wrong", variable=_TOKEN_VARIABLE)
     return token
 
 
@@ -190,7 +191,7 @@ def _address(service: Service, listening: socket.socket, token: str) -> str:
 
 def _place(service: Service, listening: socket.socket) -> str:
     if service.unix_socket:
-        # Only a proxy comes in there, and it has a name.
+        # Only a proxy connects there, and it has a name.
         return next(iter(service.allowed_hosts), "localhost")
     host, port = listening.getsockname()[:2]
     if host in _EVERYWHERE:
@@ -216,7 +217,7 @@ def _tcp_socket(host: str, port: int | None) -> socket.socket:
         try:
             return _bound(host, DEFAULT_PORT)
         except LearnBlockError:
-            # Another LearnBlock, most likely: any other port will do as well.
+            # The port is taken, probably by another LearnBlock: any other will do.
             port = 0
     return _bound(host, port)
 
@@ -226,8 +227,9 @@ def _bound(host: str, port: int) -> socket.socket:
     try:
         return socket.create_server((host, port), family=family, backlog=128)
     except OSError as error:
+        reason = error.strerror or str(error)
         raise LearnBlockError(
-            f"cannot listen at {host}, port {port}: {error.strerror}; choose another --port"
+            "server-cannot-listen", host=host, port=str(port), reason=reason
         ) from error
 
 
@@ -238,8 +240,11 @@ def _unix_socket(path: Path) -> Iterator[socket.socket]:
         try:
             listening.bind(str(path))
         except OSError as error:
-            raise LearnBlockError(f"cannot listen at {path}: {error.strerror or error}") from error
-        # The proxy may be another user of the same group; nobody else comes in.
+            reason = error.strerror or str(error)
+            raise LearnBlockError(
+                "server-cannot-listen-socket", path=str(path), reason=reason
+            ) from error
+        # The proxy may be another user of the same group; no one else may connect.
         path.chmod(0o660)
         listening.listen(128)
         try:
@@ -249,7 +254,7 @@ def _unix_socket(path: Path) -> Iterator[socket.socket]:
 
 
 def _remove_abandoned(path: Path) -> None:
-    """A server that was killed leaves its socket behind."""
+    """Remove the socket of a server that was killed."""
     if not path.is_socket():
         return
     with socket.socket(socket.AF_UNIX) as trying:
@@ -258,4 +263,4 @@ def _remove_abandoned(path: Path) -> None:
         except ConnectionRefusedError:
             path.unlink()
             return
-    raise LearnBlockError(f"another LearnBlock listens at {path}")
+    raise LearnBlockError("server-already-listening", path=str(path))

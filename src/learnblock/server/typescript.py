@@ -1,6 +1,6 @@
 """The page's types, written from `learnblock.server.messages`.
 
-python -m learnblock.server.typescript > frontend/src/messages.ts
+python -m learnblock.server.typescript > frontend/src/protocol/messages.ts
 """
 
 import sys
@@ -14,6 +14,8 @@ from learnblock.server import messages
 
 _HEADER = """\
 /** The conversation with the server; written by `python -m learnblock.server.typescript`. */
+
+import type { Phrase } from "../i18n";
 """
 _SCALARS: dict[type[inspect.Type], str] = {
     inspect.StrType: "string",
@@ -108,7 +110,7 @@ def _written(kind: inspect.Type) -> str:
 
 def _compound(kind: inspect.Type) -> str:
     match kind:
-        case inspect.StructType(cls=cls):
+        case inspect.StructType(cls=cls) | inspect.DataclassType(cls=cls):
             return str(cls.__name__)
         case inspect.LiteralType(values=values):
             return " | ".join(f'"{value}"' for value in values)

@@ -1,4 +1,4 @@
-"""The embedded simulator: worlds, robots in them, what they feel and see.
+"""The embedded simulator: worlds, and robots with their sensors and cameras.
 
 Nothing here knows a clock, a network or a robot class: a world advances by `World.step` alone.
 """
@@ -12,14 +12,8 @@ if TYPE_CHECKING:
     from learnblock.simulator.robot_body import LogEntry, RobotBody
     from learnblock.simulator.robot_description import RobotDescription, load_robot, robot_names
     from learnblock.simulator.world import World, WorldEvent
-    from learnblock.simulator.world_description import (
-        WorldDescription,
-        WorldFile,
-        load_world,
-        read_world,
-        world_names,
-        write_world,
-    )
+    from learnblock.simulator.world_description import WorldDescription, WorldFile
+    from learnblock.simulator.world_files import load_world, read_world, world_names, write_world
 
 __all__ = [
     "CameraModel",
@@ -49,19 +43,13 @@ _MODULES = {
     "robot_body": ("LogEntry", "RobotBody"),
     "robot_description": ("RobotDescription", "load_robot", "robot_names"),
     "world": ("World", "WorldEvent"),
-    "world_description": (
-        "WorldDescription",
-        "WorldFile",
-        "load_world",
-        "read_world",
-        "world_names",
-        "write_world",
-    ),
+    "world_description": ("WorldDescription", "WorldFile"),
+    "world_files": ("load_world", "read_world", "world_names", "write_world"),
 }
 
 
 def __getattr__(name: str) -> Any:
-    """Import a name when it is first used: who reads a robot's description waits for no OpenCV."""
+    """Import a name when it is first used: a robot's description does not need OpenCV."""
     for module, names in _MODULES.items():
         if name in names:
             return getattr(import_module(f"{__name__}.{module}"), name)

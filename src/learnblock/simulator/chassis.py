@@ -1,13 +1,13 @@
-"""A robot's body on its wheels: how it moves, and what it pushes or is stopped by."""
+"""A robot's body on its wheels: its motion, and its contact with other objects."""
 
 import math
 
 import pymunk
 
 from learnblock.simulator import robot_description
-from learnblock.simulator.geometry import Pose, wrapped
+from learnblock.simulator.geometry import Point, Pose, forward, wrapped
 from learnblock.simulator.physics import DT, GRAVITY, ROBOT, Physics
-from learnblock.wheels import Wheels, accelerated, limited, wheel_speeds
+from learnblock.wheels import Wheels, accelerated, body_speeds, limited, wheel_speeds
 
 TYRE_FRICTION = 0.9
 """Of rubber on a dry floor: it bounds how hard a robot can push."""
@@ -23,7 +23,7 @@ class Chassis:
         physics: where it moves.
         description: of the robot.
         name: for events.
-        group: no other robot's; rays of the robot's own sensors pass its hull by it.
+        group: unique to the robot; lets the rays of its sensors pass through its hull.
         errors: by how much the left and the right wheel are larger than they should be, as parts.
     """
 
@@ -50,7 +50,7 @@ class Chassis:
         self._space = physics.space
         self._target: Wheels = (0.0, 0.0)
         self._speeds: Wheels = (0.0, 0.0)
-        #: How far each wheel has rolled by its own account, mm, as an encoder on it counts.
+        #: The distance each wheel has rolled, mm, as an encoder counts it.
         self.rolled: Wheels = (0.0, 0.0)
         self._adv = 0.0
         self._omega = 0.0
@@ -61,7 +61,7 @@ class Chassis:
 
     @property
     def pose(self) -> Pose:
-        """Where it is; the heading is from -180 to 180."""
+        """The pose of the robot; the heading is from -180 to 180."""
         # Many sensors ask within one step.
         if self._pose is None:
             self._pose = Pose(self._x, self._y, wrapped(self.turned))
@@ -81,6 +81,12 @@ class Chassis:
         along, across = math.cos(angle), math.sin(angle)
         return (x * along + y * across) * scale, (y * along - x * across) * scale
 
+    def to_world(self, x: float, y: float) -> Point:
+        """The world's coordinates of a place on the robot (mm forward and left of its middle)."""
+        pose = self.pose
+        along, across = forward(pose.heading)
+        return pose.x + x * along - y * across, pose.y + x * across + y * along
+
     def place(self, pose: Pose) -> None:
         """Lift it to `pose` and set it down at rest; the distance driven stays as it is."""
         self._body.position = self._x, self._y = pose.x, pose.y
@@ -93,6 +99,11 @@ class Chassis:
         self._pose = None
         self._moved = self._moved_before = (0.0, 0.0)
         self._space.reindex_shapes_for_body(self._body)
+
+    @property
+    def speed(self) -> tuple[float, float]:
+        """(mm/s forward, degrees/s clockwise) at which its wheels turn now."""
+        return body_speeds(self._speeds, self._wheels.track)
 
     def drive(self, adv: float, rot: float) -> None:
         """Aim at these speeds, mm/s and degrees/s clockwise, or as near as the wheels can."""
@@ -114,7 +125,7 @@ class Chassis:
             self._control.velocity = adv * math.cos(angle), adv * math.sin(angle)
 
     def after_step(self) -> None:
-        """Note what has become of it."""
+        """Update pose, distance and acceleration after a step."""
         x, y = self._body.position
         moved = x - self._x, y - self._y
         self._moved_before, self._moved = self._moved, moved

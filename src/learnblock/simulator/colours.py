@@ -15,7 +15,7 @@ Level = Annotated[int, Meta(ge=0, le=255)]
 Colour = ColourName | tuple[Level, Level, Level]
 """A name, or [red, green, blue]."""
 
-# The black, red and blue lie well inside the thresholds by which cameras find lines.
+# Black, red and blue are well within the thresholds of the line detector.
 _NAMED: MappingProxyType[str, RGB] = MappingProxyType(
     {
         "white": (240, 240, 240),
@@ -38,6 +38,6 @@ def rgb(colour: Colour) -> RGB:
 
 
 def reflectance(colour: tuple[float, float, float]) -> float:
-    """How bright a ground sensor finds it, 0 (black) to 100 (white): its luma by ITU-R BT.601."""
+    """The reading of a ground sensor, 0 (black) to 100 (white): the luma of ITU-R BT.601."""
     red, green, blue = colour
     return (0.299 * red + 0.587 * green + 0.114 * blue) / 2.55

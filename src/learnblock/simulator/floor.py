@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from learnblock.errors import Diagnostic, WorldError
+from learnblock.i18n import Phrase
 from learnblock.simulator import world_description
 from learnblock.simulator.colours import RGB, reflectance, rgb
 from learnblock.simulator.geometry import Polyline
@@ -46,7 +47,7 @@ class PaintedLine:
         return cls(middle, line.width, rgb(line.colour), low, high)
 
     def coverage(self, x: float, y: float, spot: float) -> float:
-        """How much of a spot (diameter in mm) at (x, y) is on the line, 0 to 1."""
+        """The part of a spot (diameter in mm) at (x, y) that is on the line, 0 to 1."""
         if not (self.low[0] < x < self.high[0] and self.low[1] < y < self.high[1]):
             return 0.0
         distance, _ = self.middle.nearest(x, y)
@@ -67,7 +68,7 @@ class Floor:
         return abs(x) <= self.size[0] / 2 and abs(y) <= self.size[1] / 2
 
     def reflectance(self, x: float, y: float, spot: float = 1.0) -> float:
-        """How bright a spot (diameter in mm) at (x, y) is, 0 to 100; beyond the edge it is 0."""
+        """The brightness of a spot (diameter in mm) at (x, y), 0 to 100; 0 outside the floor."""
         if not self.reaches(x, y):
             return 0.0
         if self._picture is not None:
@@ -79,8 +80,8 @@ class Floor:
 
     @cached_property
     def image(self) -> NDArray[np.uint8]:
-        """RGB of shape (height, width, 3), row 0 in the north; drawn when first asked for."""
-        # Here and not above: a world without a camera does without OpenCV.
+        """RGB of shape (height, width, 3), row 0 in the north; drawn when first used."""
+        # Here and not above: a world without a camera does not need OpenCV.
         from learnblock.simulator import textures  # noqa: PLC0415 - see the line above
 
         picture = None if self._picture is None else _read(self._picture)
@@ -115,6 +116,6 @@ def _read(file: Path) -> NDArray[np.uint8]:
     # By way of the bytes: cv2.imread cannot open every path on Windows.
     picture = cv2.imdecode(np.frombuffer(file.read_bytes(), np.uint8), cv2.IMREAD_COLOR)
     if picture is None:
-        message = f'`floor.picture` is "{file.name}": the file is damaged'
+        message = Phrase("world-picture-damaged", picture=file.name)
         raise WorldError(file.name, [Diagnostic("wrong-picture", message)])
     return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB), np.uint8)

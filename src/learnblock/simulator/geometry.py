@@ -20,7 +20,7 @@ Points = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """A place in mm and the heading of what stands there, in degrees."""
+    """A place in mm and a heading in degrees."""
 
     x: float
     y: float
@@ -81,7 +81,7 @@ class Polyline:
         return float(np.hypot(*np.diff(self.points, axis=0).T).sum())
 
     def nearest(self, x: float, y: float) -> tuple[float, float]:
-        """How far (x, y) is from it, and how far along it the nearest point is, both in mm."""
+        """The distance of (x, y) from the line, and of the nearest point along it, both in mm."""
         starts = self.points[:-1]
         sides = np.diff(self.points, axis=0)
         lengths = np.hypot(sides[:, 0], sides[:, 1])

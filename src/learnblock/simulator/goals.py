@@ -1,4 +1,4 @@
-"""What robots are to achieve in a world, and how far they have come."""
+"""The goals of a world, and the progress of robots towards them."""
 
 import math
 from collections.abc import Mapping
@@ -12,16 +12,16 @@ from learnblock.simulator.geometry import Polyline, Pose, forward, wrapped
 from learnblock.simulator.world_description import Follow, Reach, Tag, Visit, WorldDescription
 
 LINE_PIECE = 10.0
-"""mm; a line is followed piece by piece."""
+"""mm; the length of the pieces of a line that are checked."""
 LONGEST_GAP = 100.0
-"""mm along a line that a robot may pass between two looks, 50 ms apart."""
+"""mm along a line that a robot may drive between two checks, 50 ms apart."""
 
 GoalKind = Literal["reach", "follow", "visit"]
 
 
 @dataclass(frozen=True, slots=True)
 class GoalState:
-    """How a goal stands.
+    """The state of a goal.
 
     Args:
         name: unique in the world.
@@ -46,7 +46,7 @@ class GoalState:
 
 
 class Goal:
-    """One goal, looked at from time to time.
+    """One goal, checked at regular times.
 
     Args:
         kind: as in `GoalState`.
@@ -58,7 +58,7 @@ class Goal:
         self.state = GoalState(described.name, kind)
 
     def look(self, time: float, poses: Mapping[str, Pose]) -> None:
-        """Update the state by where the robots are now."""
+        """Update the state from the current poses of the robots."""
         for robot, pose in poses.items():
             if self.state.is_open and self._described.robot in (None, robot):
                 self._note(time, robot, self.progress(robot, pose))
@@ -69,7 +69,7 @@ class Goal:
             )
 
     def progress(self, robot: str, pose: Pose) -> float:
-        """How far this robot has come, 0 to 1."""
+        """The progress of this robot, 0 to 1."""
         raise NotImplementedError
 
     def _note(self, time: float, robot: str, progress: float) -> None:
@@ -87,14 +87,14 @@ class ReachGoal(Goal):
         super().__init__("reach", described)
         self._region = described
 
-    def progress(self, robot: str, pose: Pose) -> float:  # noqa: ARG002 - every robot is alike
+    def progress(self, robot: str, pose: Pose) -> float:  # noqa: ARG002 - the same for every robot
         region = self._region
         distance = math.hypot(pose.x - region.x, pose.y - region.y)
         return 1.0 if distance <= region.radius else 0.0
 
 
 class FollowGoal(Goal):
-    """Pass over enough of a line, piece by piece, in either direction."""
+    """Drive along enough of a line, piece by piece, in either direction."""
 
     def __init__(self, described: Follow, line: Polyline) -> None:
         super().__init__("follow", described)
@@ -132,7 +132,7 @@ class VisitGoal(Goal):
         super().__init__("visit", described)
         self._visit, self._tag = described, tag
 
-    def progress(self, robot: str, pose: Pose) -> float:  # noqa: ARG002 - every robot is alike
+    def progress(self, robot: str, pose: Pose) -> float:  # noqa: ARG002 - the same for every robot
         x, y = self._tag.x - pose.x, self._tag.y - pose.y
         bearing = math.degrees(math.atan2(-y, x))
         front = forward(self._tag.heading)
@@ -143,7 +143,7 @@ class VisitGoal(Goal):
 
 
 def goals(world: WorldDescription) -> tuple[Goal, ...]:
-    """Those that the world's file sets."""
+    """Create the goals of a world's file."""
     lines = {line.name: line for line in world.line}
     tags = {tag.id: tag for tag in world.tag}
     return (

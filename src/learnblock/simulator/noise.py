@@ -1,8 +1,8 @@
-"""Noise that depends on what is measured when, and on nothing else.
+"""Noise that depends only on the measurement and its time.
 
-Each value is a hash of who measures what at which step. So reading a sensor twice in a step gives
-the same value, and another robot, another sensor or another order of reading changes none. It uses
-no library's random generator: their streams differ between versions.
+Each value is a hash of robot, sensor and step. So reading a sensor twice in a step gives the same
+value, and neither other robots or sensors nor the order of reading change it. No library's random
+generator is used, because their streams differ between versions.
 """
 
 import hashlib

@@ -1,4 +1,4 @@
-"""Bodies, contacts and rays in the plane: what of a world can be bumped into.
+"""Bodies, contacts and rays in the plane: the solid objects of a world.
 
 Lengths are mm, masses kg, times s, and so forces kg mm/s². In pymunk angles are radians and grow
 anticlockwise; headings are degrees and grow clockwise.
@@ -24,7 +24,7 @@ CONTACT_FRICTION = 0.3
 BOARD_THICKNESS = 4.0
 """mm; of the boards that tags and faces are glued to."""
 BORDER_THICKNESS = 40.0
-"""mm; it lies outside the floor."""
+"""mm; outside the floor."""
 ROBOT = 1
 """pymunk's collision type of robots; everything else has 0."""
 
@@ -38,7 +38,7 @@ class Pushed:
 
     @property
     def pose(self) -> Pose:
-        """Where it is now."""
+        """Its current pose."""
         x, y = self.body.position
         return Pose(x, y, -math.degrees(self.body.angle))
 
@@ -47,7 +47,7 @@ class Physics:
     """The plane with everything in it.
 
     Args:
-        world: what stands in it at first.
+        world: the objects in it at the start.
     """
 
     def __init__(self, world: WorldDescription) -> None:
@@ -136,7 +136,7 @@ class Physics:
         self.add(_shape(body, thing), thing.name)
         if thing.mass is not None:
             force = FLOOR_FRICTION * thing.mass * GRAVITY
-            # 2/3 of the radius is the arm of the friction beneath an evenly loaded disc.
+            # 2/3 of the radius is the lever arm of the friction under an evenly loaded disc.
             self.brake(body, self.space.static_body, force, force * _mean_radius(thing) * 2 / 3)
 
 

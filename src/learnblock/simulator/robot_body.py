@@ -2,7 +2,7 @@
 
 import math
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeVar
 
 import numpy as np
@@ -12,11 +12,13 @@ from learnblock.errors import UnknownNameError
 from learnblock.simulator import robot_description
 from learnblock.simulator.chassis import Chassis
 from learnblock.simulator.colours import RGB
-from learnblock.simulator.floor import Floor
-from learnblock.simulator.geometry import Point, Pose, forward
+from learnblock.simulator.geometry import Pose
+from learnblock.simulator.joints import Joints
 from learnblock.simulator.noise import Noise
-from learnblock.simulator.physics import DT, Physics
-from learnblock.simulator.robot_description import NOTHING_SEEN, RobotDescription
+from learnblock.simulator.physics import DT
+from learnblock.simulator.range_sensors import RangeSensors
+from learnblock.simulator.range_sensors import Surroundings as RangeSurroundings
+from learnblock.simulator.robot_description import RobotDescription
 
 if TYPE_CHECKING:
     from learnblock.simulator.camera import Surface, View
@@ -24,11 +26,9 @@ if TYPE_CHECKING:
 PartT = TypeVar("PartT")
 
 STANDARD_GRAVITY = 9.80665
-"""m/s²; what an accelerometer at rest reads upwards (ISO 80000-3)."""
-BEAM_RAYS = 5
-"""Rays into which a sensor's beam is divided."""
+"""m/s²; the upward reading of an accelerometer at rest (ISO 80000-3)."""
 BUMPER_PARTS = 5
-"""Places along a bumper's bar that feel."""
+"""Points along a bumper's bar that detect a touch."""
 LOG_LENGTH = 10_000
 
 EMOTION_COLOURS: Mapping[str, RGB] = {
@@ -41,11 +41,11 @@ EMOTION_COLOURS: Mapping[str, RGB] = {
     "neutral": (0, 0, 0),
     "none": (0, 0, 0),
 }
-"""How a robot without a screen shows them; also the list of the emotions there are."""
+"""The LED colours of emotions on a robot without a screen; also the list of all emotions."""
 
 
 class LogEntry(NamedTuple):
-    """A command to a device that leaves no other trace in the world.
+    """A command to a device that has no other effect in the world.
 
     Args:
         time: of the world, s.
@@ -60,13 +60,10 @@ class LogEntry(NamedTuple):
     values: tuple[object, ...]
 
 
-class Surroundings(Protocol):
-    """What a robot needs of its world."""
+class Surroundings(RangeSurroundings, Protocol):
+    """The parts of the world that a robot needs."""
 
-    physics: Physics
-    floor: Floor
     seed: int
-    steps: int
 
     @property
     def time(self) -> float: ...
@@ -76,14 +73,6 @@ class Surroundings(Protocol):
     def surfaces(self, without: str | None = None) -> "list[Surface]": ...
 
 
-class _JointState(NamedTuple):
-    """A joint on its way: where it was when it was last commanded, and where it goes."""
-
-    start: float
-    target: float
-    since: int
-
-
 class RobotBody:
     """A robot in a world; made by `World.add_robot`.
 
@@ -91,7 +80,7 @@ class RobotBody:
     Sensors are computed when they are read, and give the same value all through a step.
 
     Args:
-        description: what robot it is.
+        description: the kind of robot.
         name: unique in the world.
         world: where it is.
         group: its number in the physics.
@@ -116,11 +105,8 @@ class RobotBody:
         #: Commands that were ever noted, also those the log has forgotten.
         self.noted = 0
         self._gyroscope_zero = (self.chassis.turned, world.steps)
-        self._joints = {
-            joint.key: _JointState(rest, rest, world.steps)
-            for joint in description.joint
-            for rest in [min(max(0.0, joint.minimum), joint.maximum)]
-        }
+        self._range_sensors = RangeSensors(description, self.chassis, world, self._noise)
+        self._joints = Joints(description.joint, world)
         self._frames: dict[str, tuple[int, NDArray[np.uint8]]] = {}
 
     def __repr__(self) -> str:
@@ -136,63 +122,56 @@ class RobotBody:
 
     @property
     def distance_driven(self) -> float:
-        """The length of its way since it was made, in mm; being placed by hand does not count."""
+        """The distance driven since it was created, in mm; `place` does not count."""
         return self.chassis.distance_driven
 
     @property
     def wheels_rolled(self) -> tuple[float, float]:
-        """How far the left and the right wheel have turned, mm on the rim, as encoders count it.
+        """The distance the left and the right wheel have rolled, in mm, as encoders count it.
 
-        Their owner knows no wheel's true size, nor how it slips: what comes of it is `pose`.
+        Encoders know neither the true size of a wheel nor its slip: the true motion is `pose`.
         """
         return self.chassis.rolled
 
     @property
     def log(self) -> list[LogEntry]:
-        """The last commands to devices that leave no other trace, oldest first."""
+        """The last commands to devices that have no other effect, oldest first."""
         return list(self._log)
 
     def drive(self, adv: float, rot: float) -> None:
-        """Aim at a speed forward (mm/s) and a rotation (degrees/s, clockwise positive).
+        """Drive at a speed forward (mm/s) and a rotation (degrees/s, clockwise positive).
 
-        Both are reduced alike where a wheel would have to run faster than it can.
+        Both are reduced by the same factor if a wheel would exceed its maximum speed.
 
         Raises:
-            ValueError: one of them is no finite number.
+            ValueError: one of them is not a finite number.
         """
         _require_finite("speed", adv, rot)
         self.chassis.drive(adv, rot)
 
     def place(self, x: float, y: float, heading: float) -> None:
-        """Lift the robot and set it down at rest elsewhere (mm, mm, degrees).
+        """Move the robot to a place (mm, mm, degrees), where it stands still.
 
         Raises:
-            ValueError: one of them is no finite number.
+            ValueError: one of them is not a finite number.
         """
         _require_finite("place", x, y, heading)
         self.chassis.place(Pose(x, y, heading))
 
     def distances(self) -> dict[str, list[float]]:
-        """What the distance sensors read, in mm, from left to right on each side.
+        """The readings of the distance sensors, in mm, from left to right on each side.
 
         Returns:
             ``front``, ``left``, ``right`` and ``back``; 2000 means nothing is seen.
         """
-        readings = [self._distance(i, s) for i, s in enumerate(self.description.distance)]
-        pairs = list(zip(self.description.distance, readings, strict=True))
-        return {
-            side: [reading for sensor, reading in pairs if side in sensor.sides]
-            for side in ("front", "left", "right", "back")
-        }
+        return self._range_sensors.distances()
 
     def ground(self) -> dict[str, float | None]:
-        """What the ground sensors read: 0 (dark, or a cliff) to 100 under ``left``, ``central``
-        and ``right``; None where there is no sensor.
+        """The readings of the ground sensors ``left``, ``central`` and ``right``.
+
+        From 0 (dark, or a cliff) to 100; None where there is no sensor.
         """
-        readings: dict[str, float | None] = {"left": None, "central": None, "right": None}
-        for sensor in self.description.ground:
-            readings[sensor.side] = self._ground(sensor)
-        return readings
+        return self._range_sensors.ground()
 
     def gyroscope(self) -> float:
         """Degrees turned since the last reset, clockwise, with all full turns in it.
@@ -208,7 +187,7 @@ class RobotBody:
         return self.chassis.turned - turned + drift + noise
 
     def reset_gyroscope(self) -> None:
-        """Let the present heading be 0.
+        """Set the current heading to 0.
 
         Raises:
             UnknownNameError: the robot has no gyroscope.
@@ -231,25 +210,25 @@ class RobotBody:
         return along + x, across + y, STANDARD_GRAVITY + z
 
     def bumper(self) -> bool:
-        """Whether something presses the bumper.
+        """Whether the bumper is pressed.
 
         Raises:
             UnknownNameError: the robot has no bumper.
         """
         bar = self._require(self.description.bumper, "Bumper")
         parts = [bar.width * (i / (BUMPER_PARTS - 1) - 0.5) for i in range(BUMPER_PARTS)]
-        places = [self._at(bar.x, part) for part in parts]
+        places = [self.chassis.to_world(bar.x, part) for part in parts]
         touches = self._world.physics.touches
         return any(touches(place, bar.travel, self._group) for place in places)
 
     def light(self) -> float:
-        """The light that falls on it, 0 to 1023.
+        """The reading of the light sensor, 0 to 1023.
 
         Raises:
             UnknownNameError: the robot has no light sensor.
         """
         sensor = self._require(self.description.light, "LightSensor")
-        level = self._world.light_at(*self._at(sensor.x, sensor.y))
+        level = self._world.light_at(*self.chassis.to_world(sensor.x, sensor.y))
         noise = sensor.noise * self._noise.normal("light", self._world.steps)
         return min(1023.0, max(0.0, level + noise))
 
@@ -258,12 +237,10 @@ class RobotBody:
 
         Raises:
             UnknownNameError: the robot has no such joint.
-            ValueError: the angle is no finite number.
+            ValueError: the angle is not a finite number.
         """
         _require_finite("angle", degrees)
-        joint = self._joint(key)
-        target = min(max(degrees, joint.minimum), joint.maximum)
-        self._joints[key] = _JointState(self.joint(key), target, self._world.steps)
+        self._joints.turn(key, degrees)
 
     def joint(self, key: str) -> float:
         """The angle of a joint now, in degrees.
@@ -271,10 +248,7 @@ class RobotBody:
         Raises:
             UnknownNameError: the robot has no such joint.
         """
-        speed = self._joint(key).speed
-        start, target, since = self._joints[key]
-        reach = speed * DT * (self._world.steps - since)
-        return start + min(max(target - start, -reach), reach)
+        return self._joints.angle(key)
 
     def focal(self, key: str = "ROBOT") -> float:
         """The focal length of a camera's lens in pixels.
@@ -287,7 +261,7 @@ class RobotBody:
     def frame(self, key: str = "ROBOT") -> NDArray[np.uint8]:
         """A camera's newest frame: RGB, uint8, shape (height, width, 3), not to be written to.
 
-        It is taken when it is asked for, and stays the newest until the camera's rate allows
+        It is taken when it is requested, and stays the newest until the camera's rate allows
         another.
 
         Raises:
@@ -302,14 +276,14 @@ class RobotBody:
         return picture
 
     def view(self, key: str = "ROBOT") -> "View":
-        """What a camera sees now, to be drawn later: for those who look over the robot's shoulder.
+        """The current view of a camera, to be drawn later, for observers of the robot.
 
-        No frame is taken: the robot's own newest one stays what it is.
+        No frame is taken: the robot's newest frame stays the same.
 
         Raises:
             UnknownNameError: the robot has no such camera.
         """
-        # Here and not above: a world without a camera does without OpenCV.
+        # Here and not above: a world without a camera does not need OpenCV.
         from learnblock.simulator.camera import (  # noqa: PLC0415 - see the line above
             CameraModel,
             CameraPose,
@@ -319,7 +293,9 @@ class RobotBody:
         camera = self._camera(key)
         tilt = self.joint(camera.joint) if camera.joint is not None else 0.0
         heading = self.chassis.pose.heading
-        pose = CameraPose(*self._at(camera.x, 0.0), camera.z, heading, camera.pitch + tilt)
+        pose = CameraPose(
+            *self.chassis.to_world(camera.x, 0.0), camera.z, heading, camera.pitch + tilt
+        )
         model = CameraModel(camera.width, camera.height, camera.focal)
         surfaces = tuple(self._world.surfaces(without=self.name))
         return View(surfaces, model, pose, self._camera_noise(camera))
@@ -345,17 +321,17 @@ class RobotBody:
             UnknownNameError: the robot has no such LED.
         """
         if slot not in self.leds:
-            raise UnknownNameError("LED", slot, self.leds)
+            raise UnknownNameError("led", slot, self.leds)
         red, green, blue = (min(max(round(level), 0), 255) for level in colour)
         self.leds[slot] = (red, green, blue)
 
     def note(self, device: str, action: str, *values: object) -> None:
-        """Write a command to a device that leaves no other trace into the log.
+        """Log a command to a device that has no other effect.
 
         Args:
             device: such as ``Speaker``.
             action: such as ``say``.
-            values: what it was told.
+            values: the arguments of the command.
         """
         self._log.append(LogEntry(self._world.time, device, action, values))
         self.noted += 1
@@ -369,48 +345,6 @@ class RobotBody:
             devices = sorted({key.partition(":")[0] for key in self.description.devices()})
             raise UnknownNameError("device", device, devices)
         return part
-
-    def _at(self, x: float, y: float) -> Point:
-        """Where a place on the robot (mm forward and left) is in the world."""
-        pose = self.chassis.pose
-        along, across = forward(pose.heading)
-        return pose.x + x * along - y * across, pose.y + x * across + y * along
-
-    def _distance(self, index: int, sensor: robot_description.DistanceSensor) -> float:
-        nearest = min(self._rays(sensor))
-        if nearest >= sensor.maximum:
-            return NOTHING_SEEN
-        noise = 1 + sensor.noise * self._noise.normal(f"distance {index}", self._world.steps)
-        return round(min(max(nearest * noise, sensor.minimum), NOTHING_SEEN), 1)
-
-    def _rays(self, sensor: robot_description.DistanceSensor) -> list[float]:
-        """How far it is to what each ray of the sensor's beam meets, or to the sensor's range."""
-        start = self._at(sensor.x, sensor.y)
-        heading = self.chassis.pose.heading + sensor.direction
-        return [
-            self._ray(start, heading + offset, sensor.maximum)
-            for offset in _beam_offsets(sensor.beam)
-        ]
-
-    def _ray(self, start: Point, heading: float, reach: float) -> float:
-        x, y = forward(heading)
-        end = start[0] + reach * x, start[1] + reach * y
-        part = self._world.physics.ray(start, end, self.chassis.filter)
-        return reach if part is None else part * reach
-
-    def _ground(self, sensor: robot_description.GroundSensor) -> float:
-        x, y = self._at(sensor.x, sensor.y)
-        if sensor.kind == "cliff":
-            return 100.0 if self._world.floor.reaches(x, y) else 0.0
-        level = self._world.floor.reflectance(x, y, sensor.spot)
-        noise = sensor.noise * self._noise.normal(f"ground {sensor.side}", self._world.steps)
-        return round(min(max(level + noise, 0.0), 100.0), 2)
-
-    def _joint(self, key: str) -> robot_description.Joint:
-        joints = {joint.key: joint for joint in self.description.joint}
-        if key not in joints:
-            raise UnknownNameError("joint", key, joints)
-        return joints[key]
 
     def _camera(self, key: str) -> robot_description.Camera:
         cameras = {camera.key: camera for camera in self.description.camera}
@@ -427,13 +361,7 @@ class RobotBody:
         return np.random.Generator(np.random.PCG64(bits)), camera.noise
 
 
-def _beam_offsets(beam: float) -> Sequence[float]:
-    if not beam:
-        return (0.0,)
-    return [beam * (i / (BEAM_RAYS - 1) - 0.5) for i in range(BEAM_RAYS)]
-
-
 def _require_finite(what: str, *values: float) -> None:
     for value in values:
         if not math.isfinite(value):
-            raise ValueError(f"a {what} is {value}; expected a finite number")
+            raise ValueError(f"the {what} is {value}; expected a finite number")

@@ -1,7 +1,7 @@
-"""What a simulated robot's file may say, and the robots that come with LearnBlock.
+"""The content of a simulated robot's file, and the robots that come with LearnBlock.
 
 Places on a robot are mm from the middle between its wheels, x forward and y to the left;
-directions are degrees clockwise, 0 looks ahead.
+directions are degrees clockwise, 0 is straight ahead.
 """
 
 import math
@@ -12,14 +12,15 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
-from learnblock import description_file
-from learnblock.description_file import Finding, unknown
-from learnblock.errors import RobotDescriptionError
+from learnblock.errors import RobotDescriptionError, UnknownNameError
+from learnblock.i18n import Phrase
 from learnblock.simulator.colours import Colour
+from learnblock.storage import toml_source
+from learnblock.storage.toml_source import Finding
 
 SHIPPED_ROBOTS = Path(__file__).parent / "robots"
 NOTHING_SEEN = 2000.0
-"""What a distance sensor reads, in mm, when nothing is within its range."""
+"""The reading of a distance sensor, in mm, when nothing is within its range."""
 
 Side = Literal["front", "left", "right", "back"]
 GroundSide = Literal["left", "central", "right"]
@@ -27,12 +28,12 @@ Key = Annotated[str, Meta(min_length=1, max_length=40)]
 Offset = Annotated[float, Meta(ge=-1000, le=1000)]
 Length = Annotated[float, Meta(ge=1, le=1000)]
 
-_FORWARD = Meta(description="place forward of the middle between the wheels, mm")
-_LEFTWARD = Meta(description="place to the left of it, mm")
+_FORWARD = Meta(description="position forward of the middle between the wheels, mm")
+_LEFTWARD = Meta(description="position to the left of it, mm")
 
 
 class Body(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """The hull: a disc round the middle between the wheels, or a box."""
+    """The hull: a disc around the middle between the wheels, or a box."""
 
     shape: Annotated[Literal["disc", "box"], Meta(description="as seen from above")]
     height: Annotated[Length, Meta(description="mm")]
@@ -41,15 +42,15 @@ class Body(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     length: Annotated[Length, Meta(description="of a box, from back to front, mm")] | None = None
     width: Annotated[Length, Meta(description="of a box, mm")] | None = None
     offset: Annotated[
-        Offset, Meta(description="how far a box's middle lies before the wheels, mm")
+        Offset, Meta(description="distance of a box's middle in front of the wheels, mm")
     ] = 0.0
     colour: Annotated[Colour, Meta(description="as other robots see it")] = "grey"
 
     def __post_init__(self) -> None:
         if self.shape == "disc" and self.radius is None:
-            raise ValueError("a disc needs a `radius`")
+            raise ValueError("world-disc-without-radius")
         if self.shape == "box" and (self.length is None or self.width is None):
-            raise ValueError("a box needs `length` and `width`")
+            raise ValueError("world-box-without-size")
 
     @property
     def outline(self) -> tuple[tuple[float, float], ...]:
@@ -75,10 +76,10 @@ class Wheels(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     track: Annotated[Length, Meta(description="between the wheels, mm")]
     maximum_speed: Annotated[float, Meta(ge=1, le=5000, description="of a wheel's rim, mm/s")]
     acceleration: Annotated[
-        float, Meta(ge=1, le=50000, description="of a wheel's rim at most, mm/s²")
+        float, Meta(ge=1, le=50000, description="largest acceleration of a wheel's rim, mm/s²")
     ] = 1000.0
     error: Annotated[
-        float, Meta(ge=0, le=0.02, description="how unlike its wheels are, standard deviation")
+        float, Meta(ge=0, le=0.02, description="difference between its wheels, standard deviation")
     ] = 0.001
 
 
@@ -87,40 +88,37 @@ class DistanceSensor(Struct, kw_only=True, frozen=True, forbid_unknown_fields=Tr
 
     direction: Annotated[float, Meta(ge=-180, le=180, description="degrees, right positive")]
     sides: Annotated[
-        tuple[Side, ...], Meta(min_length=1, max_length=4, description="where its reading appears")
+        tuple[Side, ...],
+        Meta(min_length=1, max_length=4, description="the sides that list its reading"),
     ]
     x: Annotated[Offset, _FORWARD] = 0.0
     y: Annotated[Offset, _LEFTWARD] = 0.0
-    minimum: Annotated[
-        float, Meta(ge=0, le=1000, description="what is nearer reads as this, mm")
-    ] = 0.0
-    maximum: Annotated[
-        float, Meta(ge=10, le=10000, description="what is farther is not seen, mm")
-    ] = 1000.0
-    beam: Annotated[
-        float, Meta(ge=0, le=90, description="full angle within which it sees the nearest, degrees")
-    ] = 0.0
+    minimum: Annotated[float, Meta(ge=0, le=1000, description="smallest reading, mm")] = 0.0
+    maximum: Annotated[float, Meta(ge=10, le=10000, description="range, mm")] = 1000.0
+    beam: Annotated[float, Meta(ge=0, le=90, description="full opening angle, degrees")] = 0.0
     noise: Annotated[
         float, Meta(ge=0, le=0.5, description="standard deviation, of the distance")
     ] = 0.0
 
 
 class GroundSensor(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """One sensor that looks down."""
+    """One sensor facing the floor."""
 
-    side: Annotated[GroundSide, Meta(description="under which it is read")]
+    side: Annotated[GroundSide, Meta(description="the name of its reading")]
     x: Annotated[Offset, _FORWARD] = 0.0
     y: Annotated[Offset, _LEFTWARD] = 0.0
     kind: Annotated[
         Literal["reflected", "cliff"],
-        Meta(description="light reflected, 0 to 100, or 0 over an edge of the floor and else 100"),
+        Meta(description="reflected light, 0 to 100; or 0 beyond the edge of the floor, else 100"),
     ] = "reflected"
-    spot: Annotated[float, Meta(ge=0.5, le=100, description="diameter of what it sees, mm")] = 6.0
+    spot: Annotated[
+        float, Meta(ge=0.5, le=100, description="diameter of the measured spot, mm")
+    ] = 6.0
     noise: Annotated[float, Meta(ge=0, le=50, description="standard deviation, of 100")] = 0.0
 
 
 class Gyroscope(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """Measures how far the robot has turned."""
+    """Measures the angle by which the robot has turned."""
 
     key: Annotated[Key, Meta(description="of the device")] = "Z_AXIS"
     drift: Annotated[float, Meta(ge=0, le=10, description="standard deviation, degrees/s")] = 0.0
@@ -134,13 +132,13 @@ class Accelerometer(Struct, kw_only=True, frozen=True, forbid_unknown_fields=Tru
 
 
 class Bumper(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """A bar across the front that feels what it touches."""
+    """A bar across the front that detects touches."""
 
     x: Annotated[Offset, Meta(description="of the bar, forward of the wheels, mm")]
     width: Annotated[Length, Meta(description="of the bar, mm")]
-    travel: Annotated[float, Meta(ge=0.5, le=50, description="within which it is pressed, mm")] = (
-        3.0
-    )
+    travel: Annotated[
+        float, Meta(ge=0.5, le=50, description="distance at which it is pressed, mm")
+    ] = 3.0
 
 
 class LightSensor(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
@@ -159,12 +157,6 @@ class Joint(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     maximum: Annotated[float, Meta(ge=-180, le=180, description="degrees, up positive")]
     speed: Annotated[float, Meta(ge=1, le=10000, description="degrees/s")] = 120.0
 
-    def __post_init__(self) -> None:
-        if self.minimum >= self.maximum:
-            raise ValueError(
-                f"`minimum` is {self.minimum:g}, not below the `maximum` {self.maximum:g}"
-            )
-
 
 class Camera(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """A camera that looks ahead."""
@@ -180,7 +172,9 @@ class Camera(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     noise: Annotated[
         float, Meta(ge=0, le=50, description="standard deviation, grey levels of 255")
     ] = 0.0
-    rate: Annotated[float, Meta(ge=0.1, le=100, description="most frames a second")] = 30.0
+    rate: Annotated[
+        float, Meta(ge=0.1, le=100, description="largest number of frames per second")
+    ] = 30.0
 
     @property
     def period(self) -> int:
@@ -189,10 +183,11 @@ class Camera(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
 
 
 class Display(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """How the robot shows emotions."""
+    """Shows emotions."""
 
     kind: Annotated[
-        Literal["screen", "leds"], Meta(description="as a face, or as the colour of its RGB LEDs")
+        Literal["screen", "leds"],
+        Meta(description="a face on a screen, or the colour of its RGB LEDs"),
     ] = "screen"
 
 
@@ -201,7 +196,7 @@ class Led(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
 
     slot: Annotated[Key, Meta(description="key of the device")]
     kind: Annotated[
-        Literal["rgb", "single"], Meta(description="of any colour, or only on and off")
+        Literal["rgb", "single"], Meta(description="any colour, or only on and off")
     ] = "rgb"
 
 
@@ -213,7 +208,7 @@ class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
 
     body: Annotated[Body, Meta(description="the hull")]
     wheels: Annotated[Wheels, Meta(description="the drive")]
-    title: Annotated[str, Meta(max_length=200, description="what the page shows")] = ""
+    title: Annotated[str, Meta(max_length=200, description="shown on the page")] = ""
     world: Annotated[
         str, Meta(min_length=1, max_length=200, description="where it is when none is named")
     ] = "empty"
@@ -228,11 +223,11 @@ class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     display: Annotated[Display, Meta(description="shows emotions")] | None = None
     led: Annotated[tuple[Led, ...], Meta(max_length=50)] = ()
     outputs: Annotated[
-        tuple[Output, ...], Meta(max_length=5, description="devices whose commands are only noted")
+        tuple[Output, ...], Meta(max_length=5, description="devices whose commands are only logged")
     ] = ()
 
     def devices(self) -> frozenset[str]:
-        """What it is equipped with, as ``Type:KEY`` strings such as ``JointMotor:CAMERA``."""
+        """Its devices as ``Type:KEY`` strings such as ``JointMotor:CAMERA``."""
         found = {"Base:ROBOT", *(f"{output}:ROBOT" for output in self.outputs)}
         found |= {f"Camera:{camera.key}" for camera in self.camera}
         found |= {f"JointMotor:{joint.key}" for joint in self.joint}
@@ -261,39 +256,50 @@ class RobotDescription(RobotFile, kw_only=True, frozen=True, forbid_unknown_fiel
 
 
 def load_robot(name_or_path: str | Path, folders: Sequence[Path] = ()) -> RobotDescription:
-    """The description of a simulated robot.
+    """Load the description of a simulated robot.
 
     Args:
         name_or_path: the name of a robot of `folders` or of ours, or a path that ends in .toml.
-        folders: looked into before ours, in this order.
+        folders: searched before ours, in this order.
 
     Raises:
         UnknownNameError: there is no such robot.
-        RobotDescriptionError: the file is wrong.
+        RobotDescriptionError: the file has mistakes.
     """
-    file = description_file.locate("simulated robot", name_or_path, [*folders, SHIPPED_ROBOTS])
-    robot = description_file.read(file, RobotFile, RobotDescriptionError, check)
+    file = toml_source.locate("simulated-robot", name_or_path, [*folders, SHIPPED_ROBOTS])
+    robot = toml_source.read(file, RobotFile, RobotDescriptionError, check)
     values = {field: getattr(robot, field) for field in RobotFile.__struct_fields__}
     return RobotDescription(name=file.stem, **values)
 
 
 def robot_names(folders: Sequence[Path] = ()) -> tuple[str, ...]:
     """The simulated robots of `folders` and ours, in alphabetical order."""
-    return tuple(description_file.names([*folders, SHIPPED_ROBOTS]))
+    return tuple(toml_source.names([*folders, SHIPPED_ROBOTS]))
 
 
 def check(robot: RobotFile) -> Iterator[Finding]:
-    """What is wrong with a robot's file that its types let through."""
+    """Find what is wrong with a robot's file that its types let through."""
     yield from _check_keys(robot)
+    yield from _check_ranges(robot)
     joints = [joint.key for joint in robot.joint]
     for index, camera in enumerate(robot.camera):
         if camera.joint is not None and camera.joint not in joints:
-            message = unknown(f"there is no joint `{camera.joint}`", camera.joint, joints)
+            message = UnknownNameError("joint", camera.joint, joints).phrase
             yield Finding(("camera", index, "joint"), "unknown-joint", message)
-    for index, sensor in enumerate(robot.distance):
-        if sensor.minimum >= sensor.maximum:
-            message = f"`minimum` is {sensor.minimum:g}, not below the `maximum` {sensor.maximum:g}"
-            yield Finding(("distance", index), "wrong-range", message)
+
+
+def _check_ranges(robot: RobotFile) -> Iterator[Finding]:
+    """A minimum is less than its maximum."""
+    for group, code in (("distance", "wrong-range"), ("joint", "wrong-value")):
+        for index, part in enumerate(getattr(robot, group)):
+            if part.minimum >= part.maximum:
+                message = Phrase(
+                    "world-range-reversed",
+                    place=f"{group}[{index + 1}]",
+                    minimum=part.minimum,
+                    maximum=part.maximum,
+                )
+                yield Finding((group, index), code, message)
 
 
 def _check_keys(robot: RobotFile) -> Iterator[Finding]:
@@ -309,5 +315,5 @@ def _check_keys(robot: RobotFile) -> Iterator[Finding]:
         for index, key in enumerate(keys):
             seen[key] += 1
             if seen[key] == 2:
-                message = f"of `{group}`, two have the {field} `{key}`; each needs its own"
+                message = Phrase("world-key-taken", group=group, key=key)
                 yield Finding((group, index, field), "key-taken", message)

@@ -1,4 +1,4 @@
-"""What cameras see of a world: everything in it as flat surfaces with pictures."""
+"""The scenery for cameras: everything in a world as flat surfaces with pictures."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -46,7 +46,7 @@ class Solid:
         ]
 
     def at(self, pose: Pose) -> Iterator[Surface]:
-        """Its sides and its top when it stands at `pose`."""
+        """The surfaces of its sides and its top at `pose`."""
         x, y = forward(pose.heading)
         turn = np.array([(x, y), (-y, x)])
         outline = self._outline @ turn + (pose.x, pose.y)
@@ -67,7 +67,7 @@ def solid(thing: Box | Cylinder) -> Solid:
 
 
 def hull(body: robot_description.Body, name: str) -> Solid:
-    """A robot as the cameras of others see it."""
+    """A robot as the cameras of other robots see it."""
     return Solid(body.outline, body.height, rgb(body.colour), name)
 
 

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from learnblock.errors import LearnBlockError, UnknownNameError
+from learnblock.errors import TagNumberError, UnknownNameError
 from learnblock.simulator.faces import EXPRESSIONS, Person, portrait
 
 Image = NDArray[np.uint8]
@@ -18,20 +18,16 @@ Point = tuple[float, float]
 # A tag is 8 by 8 cells with its black border; one white cell around them is the quiet zone.
 TAG_CELLS = 10
 TAG_COUNT = 587
-# Lines on a floor are drawn in pieces of so many pixels.
+# The length in pixels of the pieces in which lines on a floor are drawn.
 PIECE = 64
-#: What a drawn face can show.
+#: The emotions of drawn faces.
 EMOTIONS = tuple(EXPRESSIONS)
-
-
-class TextureError(LearnBlockError, ValueError):
-    """A picture that cannot be drawn."""
 
 
 def tag(number: int, pixels: int = 80) -> Image:
     """The AprilTag of family 36h11 with this number, in its white quiet zone.
 
-    It stands as OpenCV draws it, turned by 180 degrees from libapriltag's printed tags; detectors
+    It is upright as OpenCV draws it, rotated by 180 degrees from libapriltag's tags; detectors
     recognise either. The black square takes 8/10 of the side: a tag of 80 mm is a poster of 100 mm.
 
     Args:
@@ -43,12 +39,13 @@ def tag(number: int, pixels: int = 80) -> Image:
         RGB, uint8, shape (pixels, pixels, 3).
 
     Raises:
-        TextureError: the family has no such number, or the picture is too small to show it.
+        TagNumberError: the family has no such number.
+        ValueError: the picture is too small to show a tag.
     """
     if not 0 <= number < TAG_COUNT:
-        raise TextureError(f"there is no tag {number}; family 36h11 has 0 to {TAG_COUNT - 1}")
+        raise TagNumberError("world-no-tag", number=str(number), last=str(TAG_COUNT - 1))
     if pixels < TAG_CELLS:
-        raise TextureError(
+        raise ValueError(
             f"a tag of {pixels} pixels cannot be read; it needs at least {TAG_CELLS}, one each cell"
         )
     family = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_APRILTAG_36h11)
@@ -74,9 +71,9 @@ class FloorLine:
 
     def __post_init__(self) -> None:
         if len(self.points) < 2:
-            raise TextureError(f"a floor line has {len(self.points)} points; it needs two or more")
+            raise ValueError(f"a floor line has {len(self.points)} points; it needs two or more")
         if not self.width > 0:
-            raise TextureError(f"a floor line is {self.width} mm wide; it must be above 0")
+            raise ValueError(f"a floor line is {self.width} mm wide; it must be above 0")
 
 
 def floor(
@@ -93,7 +90,7 @@ def floor(
         colour: RGB of the ground.
         lines: drawn in this order, later ones on top.
         pixels_per_mm: the resolution.
-        picture: RGB uint8 of any shape (height, width, 3), stretched over the ground beneath the
+        picture: RGB uint8 of any shape (height, width, 3), stretched over the ground below the
             lines.
 
     Returns:
@@ -101,11 +98,11 @@ def floor(
         the north edge.
 
     Raises:
-        TextureError: the floor would have no pixels.
+        ValueError: the floor would have no pixels.
     """
     width, height = (round(length * pixels_per_mm) for length in size)
     if width < 1 or height < 1:
-        raise TextureError(
+        raise ValueError(
             f"a floor of {size[0]} by {size[1]} mm at {pixels_per_mm} pixels per mm has no pixels"
         )
     image = _ground(width, height, colour, picture)
@@ -150,7 +147,7 @@ def _cover(
     end: NDArray[np.float64],
     radius: float,
 ) -> None:
-    """How much of each pixel lies within `radius` of a piece, by its centre's distance from it."""
+    """The part of each pixel within `radius` of a piece, from the distance of its centre."""
     low = np.floor(np.minimum(begin, end) - radius - 1).astype(int).clip(0)
     high = np.ceil(np.maximum(begin, end) + radius + 2).astype(int).clip(0)
     window = coverage[low[1] : high[1], low[0] : high[0]]
@@ -176,19 +173,19 @@ def face(emotion: str, pixels: int = 200, person: int = 0) -> Image:
     Args:
         emotion: fear, surprise, anger, sadness, disgust, joy or neutral.
         pixels: the side of the square picture.
-        person: whose face it is, from 0: another number is another person.
+        person: the number of the person, from 0.
 
     Returns:
         RGB, uint8, shape (pixels, pixels, 3).
 
     Raises:
         UnknownNameError: there is no such emotion.
-        TextureError: `pixels` is below 1, or `person` below 0.
+        ValueError: `pixels` is below 1, or `person` below 0.
     """
     if emotion not in EXPRESSIONS:
         raise UnknownNameError("emotion", emotion, EMOTIONS)
     if pixels < 1:
-        raise TextureError(f"a face of {pixels} pixels has none; it needs at least 1")
+        raise ValueError(f"a face of {pixels} pixels has none; it needs at least 1")
     if person < 0:
-        raise TextureError(f"there is no person {person}; they count from 0")
+        raise ValueError(f"there is no person {person}; they count from 0")
     return portrait(EXPRESSIONS[emotion], Person.number(person)).scaled(pixels)

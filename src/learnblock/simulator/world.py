@@ -1,4 +1,4 @@
-"""The world: a step counter, the bodies in it, and what they do to one another."""
+"""The world: a step counter, the bodies in it, and their collisions."""
 
 import math
 from collections import deque
@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import pymunk
 
 from learnblock.errors import Diagnostic, KeyTakenError, UnknownNameError, WorldError
+from learnblock.i18n import Phrase
 from learnblock.simulator.floor import Floor
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.goals import GoalState, goals
@@ -24,10 +25,10 @@ if TYPE_CHECKING:
 
 STEPS_PER_SECOND = 100
 GOAL_PERIOD = 5
-"""Steps between two looks at the goals."""
+"""Steps between two checks of the goals."""
 EVENTS_KEPT = 10_000
 RINGS = 30
-"""How far round a taken start pose a free one is looked for, in robots."""
+"""The largest distance from a blocked start pose at which a robot is placed, in robots."""
 MAXIMUM_LIGHT = 1023.0
 
 EventKind = Literal["goal-reached", "goal-failed", "collision"]
@@ -39,7 +40,7 @@ class WorldEvent:
 
     Args:
         time: of the world, s.
-        kind: a collision is told when it begins.
+        kind: a collision is reported when it begins.
         subject: the goal's name, or the robot that bumps.
         other: the robot that reached the goal, or what was bumped into.
     """
@@ -57,7 +58,7 @@ class World:
 
     Args:
         description: from `load_world`.
-        seed: another one gives other noise and slightly other wheels.
+        seed: changes the noise and, slightly, the size of the wheels.
     """
 
     def __init__(self, description: WorldDescription, seed: int = 0) -> None:
@@ -84,7 +85,7 @@ class World:
 
     @property
     def goals(self) -> tuple[GoalState, ...]:
-        """How the goals stand, in the order reach, follow, visit."""
+        """The states of the goals, in the order reach, follow, visit."""
         return tuple(goal.state for goal in self._goals)
 
     def add_robot(
@@ -107,9 +108,7 @@ class World:
             WorldError: there is no free floor left.
         """
         if name in self.robots:
-            raise KeyTakenError(
-                f"there is a robot `{name}` in the world already; give another name"
-            )
+            raise KeyTakenError("world-robot-taken", name=name)
         radius = description.body.reach
         pose = Pose(*start) if isinstance(start, tuple) else self._free_pose(start, radius)
         group = len(self.robots) + 1
@@ -117,7 +116,7 @@ class World:
         return self.robots[name]
 
     def step(self) -> None:
-        """Let 10 ms pass."""
+        """Advance by 10 ms."""
         chassis = [robot.chassis for robot in self.robots.values()]
         for body in chassis:
             body.before_step()
@@ -126,22 +125,22 @@ class World:
         for body in chassis:
             body.after_step()
         if self._touched:
-            self._tell_collisions()
+            self._report_collisions()
         if self._goals and self.steps % GOAL_PERIOD == 0:
-            self._look_at_goals()
+            self._check_goals()
 
     def take_events(self) -> list[WorldEvent]:
-        """What has happened since they were last taken, oldest first."""
+        """The events since the last call, oldest first."""
         events = list(self._events)
         self._events.clear()
         return events
 
     def floor_at(self, x: float, y: float) -> float:
-        """How bright the floor is at (x, y), 0 to 100; beyond its edge 0."""
+        """The brightness of the floor at (x, y), 0 to 100; 0 outside the floor."""
         return self.floor.reflectance(x, y)
 
     def light_at(self, x: float, y: float) -> float:
-        """How much light falls on (x, y), 0 to 1023."""
+        """The light at (x, y), 0 to 1023."""
         level = self.description.ambient_light
         for lamp in self.description.light:
             away = math.hypot(x - lamp.x, y - lamp.y)
@@ -149,10 +148,10 @@ class World:
         return min(level, MAXIMUM_LIGHT)
 
     def surfaces(self, without: str | None = None) -> "list[Surface]":
-        """What cameras see now.
+        """The surfaces that cameras can see now.
 
         Args:
-            without: the robot that looks, if any; it does not see itself.
+            without: the robot with the camera, if any; it does not see itself.
         """
         return [*self._scenery, *self._moving(without)]
 
@@ -162,8 +161,8 @@ class World:
             x, y = abs(pose.x) + radius, abs(pose.y) + radius
             if self.floor.reaches(x, y) and self.physics.is_free(pose.x, pose.y, radius):
                 return pose
-        message = f"no floor is left for another robot in the world `{self.description.name}`"
-        raise WorldError(self.description.name, [Diagnostic("no-room", message)])
+        world = self.description.name
+        raise WorldError(world, [Diagnostic("no-room", Phrase("world-no-room", world=world))])
 
     def _start(self, name: str | None) -> Pose:
         starts = {start.name: start for start in self.description.start}
@@ -172,7 +171,7 @@ class World:
             chosen = chosen or list(starts.values())[:1]
             return Pose(chosen[0].x, chosen[0].y, chosen[0].heading) if chosen else Pose(0, 0, 0)
         if name not in starts:
-            raise UnknownNameError("start pose", name, starts)
+            raise UnknownNameError("start-pose", name, starts)
         return Pose(starts[name].x, starts[name].y, starts[name].heading)
 
     def _touch(self, arbiter: pymunk.Arbiter, space: pymunk.Space, data: Any) -> None:  # noqa: ARG002 - pymunk's signature
@@ -183,12 +182,12 @@ class World:
         both = second.collision_type == ROBOT
         self._touched.add((min(names), max(names)) if both else names)
 
-    def _tell_collisions(self) -> None:
+    def _report_collisions(self) -> None:
         for robot, other in sorted(self._touched):
             self._events.append(WorldEvent(self.time, "collision", robot, other))
         self._touched.clear()
 
-    def _look_at_goals(self) -> None:
+    def _check_goals(self) -> None:
         poses = {name: robot.chassis.pose for name, robot in self.robots.items()}
         for goal in filter(lambda goal: goal.state.is_open, self._goals):
             goal.look(self.time, poses)
@@ -202,7 +201,7 @@ class World:
 
     @cached_property
     def _scenery(self) -> "list[Surface]":
-        # Here and not above: a world without a camera does without OpenCV.
+        # Here and not above: a world without a camera does not need OpenCV.
         from learnblock.simulator.scenery import scenery  # noqa: PLC0415 - see the line above
 
         return scenery(self.description, self.floor)

@@ -1,6 +1,6 @@
 """What a world's file may hold, as a JSON Schema: the page's world editor makes its forms from it.
 
-``python -m learnblock.simulator.world_schema > frontend/src/world/editor/schema.json``
+``python -m learnblock.simulator.world_schema > frontend/src/features/world-editor/schema.json``
 """
 
 import json

@@ -1,4 +1,4 @@
-"""Driving and turning, and what the robot is doing just now."""
+"""Driving and turning, and questions about the current movement."""
 
 from typing import TYPE_CHECKING
 
@@ -23,58 +23,58 @@ _SLOWING_PERIOD = 0.1
 
 
 def move_straight(robot: "Client", advSpeed: float = 40) -> None:
-    """Drive straight on until told otherwise.
+    """Drive straight until the next command.
 
     Args:
-        advSpeed: mm/s; below zero the robot drives backwards.
+        advSpeed: mm/s; a negative speed drives backwards.
     """
     _move(robot, advSpeed, 0)
 
 
 def move_left(robot: "Client", advSpeed: float = 20, rotSpeed: float = -15) -> None:
-    """Drive in a curve to the left until told otherwise.
+    """Drive in a curve to the left until the next command.
 
     Args:
-        advSpeed: mm/s; below zero the robot drives backwards.
-        rotSpeed: degrees/s; below zero it turns to the left.
+        advSpeed: mm/s; a negative speed drives backwards.
+        rotSpeed: degrees/s; negative turns to the left.
     """
     _move(robot, advSpeed, rotSpeed)
 
 
 def move_right(robot: "Client", advSpeed: float = 20, rotSpeed: float = 15) -> None:
-    """Drive in a curve to the right until told otherwise.
+    """Drive in a curve to the right until the next command.
 
     Args:
-        advSpeed: mm/s; below zero the robot drives backwards.
-        rotSpeed: degrees/s; above zero it turns to the right.
+        advSpeed: mm/s; a negative speed drives backwards.
+        rotSpeed: degrees/s; positive turns to the right.
     """
     _move(robot, advSpeed, rotSpeed)
 
 
 def turn_left(robot: "Client", rotSpeed: float = -23) -> None:
-    """Turn to the left on the spot until told otherwise.
+    """Turn to the left on the spot until the next command.
 
     Args:
-        rotSpeed: degrees/s; below zero it turns to the left.
+        rotSpeed: degrees/s; negative turns to the left.
     """
     _move(robot, 0, rotSpeed)
 
 
 def turn_right(robot: "Client", rotSpeed: float = 23) -> None:
-    """Turn to the right on the spot until told otherwise.
+    """Turn to the right on the spot until the next command.
 
     Args:
-        rotSpeed: degrees/s; above zero it turns to the right.
+        rotSpeed: degrees/s; positive turns to the right.
     """
     _move(robot, 0, rotSpeed)
 
 
 def set_move(robot: "Client", adv: float, rot: float) -> None:
-    """Drive and turn at the same time until told otherwise.
+    """Drive and turn at the same time until the next command.
 
     Args:
-        adv: mm/s; below zero the robot drives backwards.
-        rot: degrees/s; above zero it turns to the right.
+        adv: mm/s; a negative speed drives backwards.
+        rot: degrees/s; positive turns to the right.
     """
     _move(robot, adv, rot)
 
@@ -85,16 +85,16 @@ def stop_bot(robot: "Client") -> None:
 
 
 def turn(robot: "Client", angle: float) -> None:
-    """Turn on the spot by an angle, and go on when that is done.
+    """Turn on the spot by an angle, then continue with the program.
 
-    With a gyroscope it turns at 10 to 30 degrees/s and stops within 1 degree; without one it turns
-    at 20 degrees/s for the time that this takes.
+    With a gyroscope the robot turns at 10 to 30 degrees/s and stops within 1 degree of the angle;
+    without one it turns at 20 degrees/s for the time this takes.
 
     Args:
-        angle: degrees; above zero to the right, below zero to the left; 720 is twice around.
+        angle: degrees; positive to the right, negative to the left; 720 is two full turns.
 
     Raises:
-        StillTurningError: it takes far too long: the robot may be stuck.
+        StillTurningError: the turn takes far too long; the robot may be stuck.
     """
     angle = number("angle", angle)
     base = robot.device(Base)
@@ -107,25 +107,25 @@ def turn(robot: "Client", angle: float) -> None:
 
 
 def turn_90_left(robot: "Client") -> None:
-    """Turn on the spot by a quarter to the left."""
+    """Turn left by 90 degrees on the spot."""
     turn(robot, -90)
 
 
 def turn_90_right(robot: "Client") -> None:
-    """Turn on the spot by a quarter to the right."""
+    """Turn right by 90 degrees on the spot."""
     turn(robot, 90)
 
 
 def turn_back(robot: "Client") -> None:
-    """Turn on the spot until the robot looks where it came from."""
+    """Turn around by 180 degrees on the spot."""
     turn(robot, 180)
 
 
 def reset_orientation(robot: "Client", keygyro: str = "Z_AXIS") -> None:
-    """Call the direction in which the robot looks now 0 degrees.
+    """Set the current heading to 0 degrees.
 
     Args:
-        keygyro: which gyroscope; the one whose axis points up measures turns over the floor.
+        keygyro: which gyroscope; the one whose axis points up measures turns on the floor.
     """
     gyroscope = robot.device(Gyroscope, keygyro)
     if gyroscope is not None:
@@ -134,16 +134,16 @@ def reset_orientation(robot: "Client", keygyro: str = "Z_AXIS") -> None:
 
 
 def set_orientation(robot: "Client", angle: float) -> None:
-    """Turn on the spot, the shorter way, until the robot looks in a direction.
+    """Turn on the spot to face a direction, the shorter way.
 
-    It turns at 5 to 15 degrees/s, stops within 1 degree and turns again if it is off by more than
-    2 degrees once it has come to rest.
+    The robot turns at 5 to 15 degrees/s, stops within 1 degree, and corrects an error of more than
+    2 degrees once it stands still.
 
     Args:
-        angle: degrees to the right of the direction of the last `reset_orientation`.
+        angle: degrees to the right of the heading at the last `reset_orientation`.
 
     Raises:
-        StillTurningError: it takes far too long: the robot may be stuck.
+        StillTurningError: the turn takes far too long; the robot may be stuck.
     """
     angle = number("angle", angle)
     base, gyroscope = robot.device(Base), robot.device(Gyroscope, UPRIGHT)
@@ -152,11 +152,11 @@ def set_orientation(robot: "Client", angle: float) -> None:
 
 
 def slow_down(robot: "Client", decAdv: float = 4, decRot: float = 2) -> None:
-    """Drive one step slower, down to standstill; each step takes a tenth of a second.
+    """Drive one step slower, until the robot stops; each step takes 0.1 seconds.
 
     Args:
-        decAdv: mm/s that a step takes from the speed; its sign does not matter.
-        decRot: degrees/s that a step takes from the turning; its sign does not matter.
+        decAdv: mm/s by which each step reduces the speed; the sign does not matter.
+        decRot: degrees/s by which each step reduces the turning; the sign does not matter.
     """
     base = robot.device(Base)
     if base is None or base.speed == (0, 0):
@@ -169,7 +169,7 @@ def slow_down(robot: "Client", decAdv: float = 4, decRot: float = 2) -> None:
 
 
 def is_moving_straight(robot: "Client") -> bool:
-    """Is the robot driving straight on, or straight back?"""
+    """Is the robot driving straight, forward or backward?"""
     adv, rot = _speed(robot)
     return adv != 0 and rot == 0
 
@@ -211,7 +211,7 @@ def _move(robot: "Client", adv: float, rot: float) -> None:
 
 
 def _speed(robot: "Client") -> tuple[float, float]:
-    """The last commanded (mm/s, degrees/s)."""
+    """The last command (mm/s, degrees/s)."""
     base = robot.device(Base)
     return (0.0, 0.0) if base is None else base.speed
 

@@ -1,10 +1,10 @@
-"""What the camera sees: lines and tags."""
+"""Lines and tags in the camera's picture."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from learnblock.devices import Camera
-from learnblock.tag_names import tag_id
+from learnblock.perception.tag_names import tag_id
 
 if TYPE_CHECKING:
     from learnblock.client import Client
@@ -36,7 +36,7 @@ def is_right_black_line(robot: "Client") -> bool:
 
 
 def is_there_black_line(robot: "Client") -> bool:
-    """Does the camera see a black line, wherever in the picture?"""
+    """Does the camera see a black line anywhere in the picture?"""
     lines = _lines(robot)
     return lines is not None and lines.black.is_there
 
@@ -60,7 +60,7 @@ def is_right_red_line(robot: "Client") -> bool:
 
 
 def is_there_red_line(robot: "Client") -> bool:
-    """Does the camera see a red line, wherever in the picture?"""
+    """Does the camera see a red line anywhere in the picture?"""
     lines = _lines(robot)
     return lines is not None and lines.red.is_there
 
@@ -84,13 +84,13 @@ def is_right_blue_line(robot: "Client") -> bool:
 
 
 def is_there_blue_line(robot: "Client") -> bool:
-    """Does the camera see a blue line, wherever in the picture?"""
+    """Does the camera see a blue line anywhere in the picture?"""
     lines = _lines(robot)
     return lines is not None and lines.blue.is_there
 
 
 def is_line_crossing(robot: "Client") -> bool:
-    """Does the camera see a red and a black line cross ahead?"""
+    """Does the camera see a red and a black line crossing ahead?"""
     lines = _lines(robot)
     return lines is not None and lines.is_crossing
 
@@ -104,7 +104,7 @@ def is_tag(robot: "Client", idTag: int | str = 8) -> bool:
     """Does the camera see this tag?
 
     Args:
-        idTag: the tag's number, or its name in the dictionary of tags.
+        idTag: the number or name of the tag.
 
     Raises:
         UnknownNameError: no tag has this name.
@@ -113,10 +113,10 @@ def is_tag(robot: "Client", idTag: int | str = 8) -> bool:
 
 
 def is_image(robot: "Client", id: int | str = 0) -> bool:  # noqa: A002 - the paper's name
-    """Does the camera see the picture that stands for this tag?
+    """Does the camera see the picture that belongs to this tag?
 
     Args:
-        id: the tag's number, or its name in the dictionary of tags.
+        id: the number or name of the tag.
 
     Raises:
         UnknownNameError: no tag has this name.
@@ -128,7 +128,7 @@ def tag_on_the_left(robot: "Client", idTag: int | str | None = None) -> bool:
     """Does the camera see the tag on the left of the picture?
 
     Args:
-        idTag: the tag's number, or its name in the dictionary of tags; None is the first tag seen.
+        idTag: the number or name of the tag; None stands for the first tag seen.
 
     Raises:
         UnknownNameError: no tag has this name.
@@ -141,7 +141,7 @@ def tag_on_the_right(robot: "Client", idTag: int | str | None = None) -> bool:
     """Does the camera see the tag on the right of the picture?
 
     Args:
-        idTag: the tag's number, or its name in the dictionary of tags; None is the first tag seen.
+        idTag: the number or name of the tag; None stands for the first tag seen.
 
     Raises:
         UnknownNameError: no tag has this name.
@@ -154,7 +154,7 @@ def tag_on_the_center(robot: "Client", idTag: int | str | None = None) -> bool:
     """Does the camera see the tag in the middle of the picture?
 
     Args:
-        idTag: the tag's number, or its name in the dictionary of tags; None is the first tag seen.
+        idTag: the number or name of the tag; None stands for the first tag seen.
 
     Raises:
         UnknownNameError: no tag has this name.
@@ -166,11 +166,11 @@ def tag_on_the_center(robot: "Client", idTag: int | str | None = None) -> bool:
 def get_tag_distance(robot: "Client", idTag: int | str | None = None) -> float | None:
     """How far is the tag from the camera, in mm?
 
-    None without the tag in the picture, and on a robot whose lens is not known. Tags are taken to
-    have a black square of 80 mm.
+    None if the tag is not in the picture, or if the camera's focal length is unknown. The black
+    square of a tag is assumed to be 80 mm wide.
 
     Args:
-        idTag: the tag's number, or its name in the dictionary of tags; None is the first tag seen.
+        idTag: the number or name of the tag; None stands for the first tag seen.
 
     Raises:
         UnknownNameError: no tag has this name.
@@ -189,6 +189,6 @@ def _tags(robot: "Client") -> "Sequence[Tag]":
 
 
 def _find(robot: "Client", wanted: int | str | None) -> "Tag | None":
-    """The first tag seen of those `wanted`: a number, a name, or None for any."""
+    """The first wanted tag in the picture: by number, by name, or None for any tag."""
     number = None if wanted is None else tag_id(wanted)
     return next((tag for tag in _tags(robot) if number is None or tag.id == number), None)

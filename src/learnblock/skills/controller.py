@@ -13,7 +13,7 @@ _BUTTONS = ("lUp", "lLeft", "lRight", "lDown", "rUp", "rLeft", "rRight", "rDown"
 
 
 def get_8_button_controller(robot: "Client") -> Mapping[str, bool] | None:
-    """Which buttons of the controller are pressed? True or False for each by its name."""
+    """Which buttons of the controller are pressed? True or False for each button by name."""
     return robot.read(Controller)
 
 

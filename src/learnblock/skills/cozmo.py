@@ -1,4 +1,4 @@
-"""Cozmo's behaviours. A robot that cannot play them does nothing."""
+"""Cozmo's behaviours; on other robots they have no effect."""
 
 from typing import TYPE_CHECKING
 
@@ -39,7 +39,7 @@ def cozmoElephant(robot: "Client") -> None:
 
 
 def cozmoIdle(robot: "Client") -> None:
-    """Do nothing in particular, in a lively way."""
+    """Look around and move a little while waiting."""
     _play(robot, "Idle")
 
 

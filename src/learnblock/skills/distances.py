@@ -1,4 +1,4 @@
-"""How far away things are."""
+"""Distances to obstacles."""
 
 from typing import TYPE_CHECKING
 
@@ -9,37 +9,37 @@ if TYPE_CHECKING:
 
 
 def is_front_obstacle(robot: "Client", threshold: float = 200) -> bool:
-    """Is something in the way ahead?
+    """Is there an obstacle ahead?
 
     Args:
-        threshold: mm below which a thing counts.
+        threshold: the distance in mm within which an obstacle counts.
     """
     return _is_obstacle(robot, "front", threshold)
 
 
 def is_left_obstacle(robot: "Client", threshold: float = 200) -> bool:
-    """Is something near on the left?
+    """Is there an obstacle on the left?
 
     Args:
-        threshold: mm below which a thing counts.
+        threshold: the distance in mm within which an obstacle counts.
     """
     return _is_obstacle(robot, "left", threshold)
 
 
 def is_right_obstacle(robot: "Client", threshold: float = 200) -> bool:
-    """Is something near on the right?
+    """Is there an obstacle on the right?
 
     Args:
-        threshold: mm below which a thing counts.
+        threshold: the distance in mm within which an obstacle counts.
     """
     return _is_obstacle(robot, "right", threshold)
 
 
 def is_back_obstacle(robot: "Client", threshold: float = 200) -> bool:
-    """Is something near behind the robot?
+    """Is there an obstacle behind the robot?
 
     Args:
-        threshold: mm below which a thing counts.
+        threshold: the distance in mm within which an obstacle counts.
     """
     return _is_obstacle(robot, "back", threshold)
 
@@ -48,7 +48,7 @@ def is_obstacle_free(robot: "Client", threshold: float = 200) -> bool:
     """Is the way free ahead, on the left and on the right?
 
     Args:
-        threshold: mm that must be free.
+        threshold: the distance in mm that must be free.
     """
     nearest = _nearest(robot, "front", "left", "right")
     return nearest is not None and nearest >= number("threshold", threshold)
@@ -60,12 +60,12 @@ def get_min_distance(
     front: bool = True,  # noqa: FBT001, FBT002 - as above
     right: bool = False,  # noqa: FBT001, FBT002 - as above
 ) -> float | None:
-    """How far is the nearest thing, in mm? 2000 means that nothing is seen.
+    """How far is the nearest obstacle, in mm? 2000 means that none is seen.
 
     Args:
         left: look to the left.
         front: look ahead.
-        right: look to the right; when no side is asked for, all three are.
+        right: look to the right; without any side, all three are used.
     """
     asked = {"left": left, "front": front, "right": right}
     sides = [side for side, wanted in asked.items() if wanted] or list(asked)
@@ -78,6 +78,6 @@ def _is_obstacle(robot: "Client", side: str, threshold: float) -> bool:
 
 
 def _nearest(robot: "Client", *sides: str) -> float | None:
-    """Millimetres to the nearest thing on these sides; None where no sensor looks there."""
+    """Millimetres to the nearest obstacle on these sides; None without a sensor there."""
     readings = robot.read(DistanceSensors) or {}
     return min((mm for side in sides for mm in readings.get(side, ())), default=None)

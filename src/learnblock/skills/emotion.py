@@ -1,4 +1,4 @@
-"""The robot's own face: what it shows."""
+"""Emotions on the robot's own face."""
 
 from typing import TYPE_CHECKING
 
@@ -74,7 +74,7 @@ def is_Scared(robot: "Client") -> bool:
 
 
 def is_Neutral(robot: "Client") -> bool:
-    """Does the robot look neutral, since `expressNeutral`?"""
+    """Does the robot look neutral after `expressNeutral`?"""
     return _shows(robot, Emotion.NEUTRAL)
 
 

@@ -1,4 +1,4 @@
-"""The faces that the camera sees, and what they express."""
+"""Faces in the camera's picture, and their emotions."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -80,6 +80,6 @@ def _faces(robot: "Client") -> "Sequence[Face]":
 
 
 def _is_any_face(robot: "Client", emotion: Emotion) -> bool:
-    # Where emotions must not be recognised, the detector answers None.
+    # The detector returns None if recognising emotions is not allowed.
     found: Sequence[FaceEmotion] = robot.detect("emotions") or ()
     return any(one.emotion == emotion for one in found)

@@ -1,6 +1,6 @@
-"""The floor under the robot: dark lines, and where the ground ends.
+"""Dark lines on the floor, and the edge of the floor.
 
-Sensors read 0 (dark) to 100; below 50 is dark.
+Sensors read 0 (dark) to 100; a reading below 50 is dark.
 """
 
 from typing import TYPE_CHECKING
@@ -16,7 +16,7 @@ _DARK = 50
 def is_center_ground_line(robot: "Client") -> bool:
     """Is there a dark line under the middle of the robot?
 
-    On a robot without a sensor in the middle: under its left and its right sensor at once.
+    On a robot without a central sensor: under both its left and its right sensor?
     """
     dark = _dark(robot)
     if "central" in dark:
@@ -39,14 +39,14 @@ def is_right_ground_line(robot: "Client") -> bool:
 def is_there_ground(robot: "Client") -> bool:
     """Is there ground under the whole robot?
 
-    Beyond the edge of a table nothing is reflected, which looks dark: so there is ground when no
-    sensor sees anything dark. A black line counts as no ground.
+    Beyond the edge of a table nothing is reflected, which looks dark, so there is ground if no
+    sensor sees anything dark. A black line therefore counts as no ground.
     """
     dark = _dark(robot)
     return bool(dark) and not any(dark.values())
 
 
 def _dark(robot: "Client") -> dict[str, bool]:
-    """Whether each sensor that the robot has sees something dark."""
+    """For each sensor of the robot, whether it sees something dark."""
     readings = robot.read(GroundSensors) or {}
     return {side: value < _DARK for side, value in readings.items() if value is not None}

@@ -1,4 +1,4 @@
-"""Lamps."""
+"""Lamps and their colours."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""How bright it is."""
+"""The brightness of the surroundings."""
 
 from typing import TYPE_CHECKING
 
@@ -17,7 +17,7 @@ def is_illuminated(robot: "Client", threshold: float = 500) -> bool:
     """Is it bright?
 
     Args:
-        threshold: brightness, 0 to 1023, above which it counts as bright.
+        threshold: the brightness, 0 to 1023, above which it is bright.
     """
     light = get_light(robot)
     return light is not None and light > number("threshold", threshold)

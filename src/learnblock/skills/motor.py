@@ -1,4 +1,4 @@
-"""Joints: where the camera looks, and arms."""
+"""Joints: the camera's tilt, and arms."""
 
 from typing import TYPE_CHECKING
 
@@ -29,7 +29,7 @@ def setAngleCamera(robot: "Client", angle: float) -> None:
     """Tilt the camera.
 
     Args:
-        angle: degrees; 0 is straight ahead, above zero up.
+        angle: degrees; 0 is straight ahead, positive is up.
     """
     setAngleMotor(robot, _CAMERA, angle)
 

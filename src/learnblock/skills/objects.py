@@ -1,4 +1,4 @@
-"""Things of one colour that the camera sees."""
+"""Objects of one colour in the camera's picture."""
 
 from typing import TYPE_CHECKING, Literal
 
@@ -30,7 +30,7 @@ def is_left_object(
     robot: "Client",
     colour: Literal["red", "orange", "yellow", "green", "blue", "purple"] = "red",
 ) -> bool:
-    """Is the largest thing of this colour on the left of the picture?
+    """Is the largest object of this colour on the left of the picture?
 
     Args:
         colour: red, orange, yellow, green, blue or purple.
@@ -46,7 +46,7 @@ def is_center_object(
     robot: "Client",
     colour: Literal["red", "orange", "yellow", "green", "blue", "purple"] = "red",
 ) -> bool:
-    """Is the largest thing of this colour in the middle of the picture?
+    """Is the largest object of this colour in the middle of the picture?
 
     Args:
         colour: red, orange, yellow, green, blue or purple.
@@ -62,7 +62,7 @@ def is_right_object(
     robot: "Client",
     colour: Literal["red", "orange", "yellow", "green", "blue", "purple"] = "red",
 ) -> bool:
-    """Is the largest thing of this colour on the right of the picture?
+    """Is the largest object of this colour on the right of the picture?
 
     Args:
         colour: red, orange, yellow, green, blue or purple.
@@ -78,9 +78,9 @@ def get_object_size(
     robot: "Client",
     colour: Literal["red", "orange", "yellow", "green", "blue", "purple"] = "red",
 ) -> float | None:
-    """How much of the picture the largest thing of this colour covers, 0 to 100.
+    """How much of the picture does the largest object of this colour cover, in percent?
 
-    It grows as the robot comes nearer. None without a camera.
+    The value grows as the robot comes closer. None without a camera.
 
     Args:
         colour: red, orange, yellow, green, blue or purple.
@@ -102,5 +102,5 @@ def _objects(robot: "Client") -> "tuple[ColouredObject, ...] | None":
 def _largest(robot: "Client", colour: str) -> "ColouredObject | None":
     if colour not in _COLOURS:
         raise UnknownNameError("colour", str(colour), _COLOURS)
-    # They come by size.
+    # The detector sorts them by size.
     return next((one for one in _objects(robot) or () if one.colour == colour), None)

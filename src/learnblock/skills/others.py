@@ -9,10 +9,10 @@ if TYPE_CHECKING:
 
 
 def sleep(robot: "Client", seconds: float = 1) -> None:
-    """Wait; the robot goes on with what it is doing.
+    """Wait; meanwhile the robot keeps moving.
 
     Args:
-        seconds: how long.
+        seconds: how long to wait.
     """
     robot.clock.sleep(number("seconds", seconds))
 

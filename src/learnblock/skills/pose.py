@@ -1,4 +1,4 @@
-"""Where the robot is, and where a place lies from there.
+"""The robot's pose, and the direction to places.
 
 Places are in mm, x to the east and y to the north; the heading is in degrees clockwise from the
 x axis. A robot that only counts its wheels' turns starts at (0, 0) and heading 0.
@@ -24,8 +24,8 @@ def near_to_target(robot: "Client", x: float, y: float, nearDist: float = 50) ->
     """Is the robot near a place?
 
     Args:
-        x: of the place, in mm.
-        y: of the place, in mm.
+        x: x of the place in mm.
+        y: y of the place in mm.
         nearDist: mm that still count as near.
     """
     place = _from_robot(robot, x, y)
@@ -33,11 +33,11 @@ def near_to_target(robot: "Client", x: float, y: float, nearDist: float = 50) ->
 
 
 def target_at_front(robot: "Client", x: float, y: float, diffX: float = 20) -> bool:
-    """Does a place lie straight ahead of the robot?
+    """Is a place straight ahead of the robot?
 
     Args:
-        x: of the place, in mm.
-        y: of the place, in mm.
+        x: x of the place in mm.
+        y: y of the place in mm.
         diffX: mm to either side that still count as straight ahead.
     """
     place = _from_robot(robot, x, y)
@@ -45,22 +45,22 @@ def target_at_front(robot: "Client", x: float, y: float, diffX: float = 20) -> b
 
 
 def target_at_left(robot: "Client", x: float, y: float) -> bool:
-    """Does a place lie to the left of the robot?
+    """Is a place to the left of the robot?
 
     Args:
-        x: of the place, in mm.
-        y: of the place, in mm.
+        x: x of the place in mm.
+        y: y of the place in mm.
     """
     place = _from_robot(robot, x, y)
     return place is not None and place[1] < 0
 
 
 def target_at_right(robot: "Client", x: float, y: float) -> bool:
-    """Does a place lie to the right of the robot?
+    """Is a place to the right of the robot?
 
     Args:
-        x: of the place, in mm.
-        y: of the place, in mm.
+        x: x of the place in mm.
+        y: y of the place in mm.
     """
     place = _from_robot(robot, x, y)
     return place is not None and place[1] > 0

@@ -22,7 +22,7 @@ SETTLING = 0.2
 
 @dataclass(frozen=True, slots=True)
 class Manner:
-    """How a turn is made.
+    """The speeds and tolerance of a turn.
 
     Args:
         gain: degrees/s for each degree that remains.
@@ -37,17 +37,20 @@ class Manner:
     settled_within: float
 
     def speed(self, remaining: float) -> float:
-        """Degrees/s when so many degrees remain, of the same sign."""
+        """The speed in degrees/s, with the sign of the remaining degrees."""
         magnitude = min(max(self.gain * abs(remaining), self.slowest), self.fastest)
         return math.copysign(magnitude, remaining)
 
     def time_limit(self, angle: float) -> float:
-        """Seconds that a robot which moves at all needs at most for a turn by `angle`."""
+        """The most seconds that a robot that is not stuck needs for a turn by `angle`."""
         return 5 + abs(angle) / self.slowest
 
 
 def has_gyroscope(robot: "Client") -> bool:
-    """Whether there is one; nobody is told that it is missing, since a turn works without it."""
+    """Whether the robot has a gyroscope, without reporting a missing one.
+
+    A turn works without it.
+    """
     return any(isinstance(device, Gyroscope) and key == UPRIGHT for key, device in robot.devices())
 
 
@@ -57,10 +60,10 @@ def heading(robot: "Client") -> float:
 
 
 def turn_by(robot: "Client", base: Base, angle: float, manner: Manner) -> None:
-    """Turn by `angle` degrees, to the right when positive, and come to a standstill.
+    """Turn by `angle` degrees, positive to the right, and stop.
 
     Raises:
-        StillTurningError: the robot has not got there within the manner's time limit.
+        StillTurningError: the turn exceeds the manner's time limit.
     """
     target = heading(robot) + angle
     began = robot.clock.time()
@@ -72,8 +75,10 @@ def turn_by(robot: "Client", base: Base, angle: float, manner: Manner) -> None:
         if abs(remaining) <= manner.settled_within:
             return
     raise StillTurningError(
-        f"turned {round(angle - remaining)} of {round(angle)} degrees in"
-        f" {round(robot.clock.time() - began)} s: is the robot stuck, or lifted off the floor?"
+        "skill-still-turning",
+        turned=round(angle - remaining),
+        angle=round(angle),
+        seconds=round(robot.clock.time() - began),
     )
 
 
@@ -86,12 +91,12 @@ def _approach(robot: "Client", base: Base, target: float, manner: Manner, deadli
 
 
 def turn_blind(robot: "Client", base: Base, angle: float, speed: float) -> None:
-    """Turn by `angle` degrees by time alone, at `speed` degrees/s (positive)."""
+    """Turn by `angle` degrees for the time this takes at `speed` degrees/s (positive)."""
     base.move(0, math.copysign(speed, angle))
     robot.clock.sleep(abs(angle) / speed)
     base.stop()
 
 
 def shortest(angle: float) -> float:
-    """The same direction as `angle`, reached the shorter way: in degrees from -180 (exclusive)."""
+    """The shorter turn to the same direction as `angle`: degrees from -180 (exclusive) to 180."""
     return 180 - (180 - angle) % 360

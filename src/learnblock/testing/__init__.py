@@ -1,8 +1,8 @@
-"""For the tests of skills, programs and robots: robots without hardware, wires that fail, promises.
+"""Tools for testing skills, programs and robots without hardware.
 
-`FakeRobot` is a robot in virtual time, `check_robot` asks any client for what every robot promises,
-`check_function` asks one function of one device,
-and `Relay` is a wire between a client and its robot that can be made to fail.
+`FakeRobot` is a robot in virtual time, `check_robot` checks that a client keeps the rules for every
+robot, `check_function` checks one function of a device, and `Relay` is a link between a client and
+its robot that can be made to fail.
 """
 
 from learnblock.testing.clock import VirtualClock

@@ -1,8 +1,8 @@
-"""Time that passes only while someone sleeps."""
+"""A clock on which time passes only during `sleep`."""
 
 
 class VirtualClock:
-    """A robot's clock on which every `sleep` is over at once.
+    """A robot's clock whose `sleep` returns at once.
 
     >>> clock = VirtualClock()
     >>> clock.sleep(3600)
@@ -29,4 +29,4 @@ class VirtualClock:
             self._instant += 1
 
     def charge(self) -> None:
-        """Nothing to do: here an access is free."""
+        """Do nothing: access to a device takes no time here."""

@@ -1,6 +1,6 @@
-"""The functions that a robot's devices are built from, asked one at a time.
+"""Check the functions of a robot's devices one at a time, while their author writes them.
 
-For the author of a client, who writes one after another. Nothing here makes a robot drive:
+Nothing here makes a robot drive:
 
     >>> from learnblock.devices import Gyroscope
     >>> from learnblock.testing import FakeRobot, check_function, functions_of
@@ -19,7 +19,7 @@ from learnblock.errors import UnknownNameError
 from learnblock.testing.conformance import NotConformingError
 from learnblock.testing.forms import has_form, is_number, is_pose
 
-#: What each function that commands is given: whatever does the least.
+#: The arguments of each command, chosen for the smallest effect.
 _COMMANDS: Mapping[str, tuple[object, ...]] = {
     "Animator.play": ("Dances",),
     "Base.move": (0.0, 0.0),
@@ -44,7 +44,7 @@ _COMMANDS: Mapping[str, tuple[object, ...]] = {
 
 
 def functions_of(robot: Client) -> tuple[str, ...]:
-    """What `check_function` can ask, as ``Type:KEY.function``, in alphabetical order."""
+    """The functions that `check_function` can check, as ``Type:KEY.function``, sorted."""
     return tuple(
         sorted(
             f"{type(device).__name__}:{key}.{function}"
@@ -56,25 +56,25 @@ def functions_of(robot: Client) -> tuple[str, ...]:
 
 
 def check_function(robot: Client, name: str) -> None:
-    """Call a function of a device with what does the least, and look at what it answers.
+    """Call a function of a device with harmless arguments, and check what it returns.
 
     Args:
-        robot: connected.
-        name: as `functions_of` spells it, such as ``DistanceSensors:ROBOT.read``.
+        robot: a connected robot.
+        name: as in `functions_of`, such as ``DistanceSensors:ROBOT.read``.
 
     Raises:
         UnknownNameError: the robot has no such function.
-        NotConformingError: it answers what such a function never does.
+        NotConformingError: the value that it returns has the wrong form.
     """
     known = functions_of(robot)
     if name not in known:
-        raise UnknownNameError("function of a device", name, known)
+        raise UnknownNameError("device-function", name, known)
     whole, _, function = name.rpartition(".")
     device = {f"{type(one).__name__}:{key}": one for key, one in robot.devices()}[whole]
     given = () if function == "read" else _COMMANDS[f"{type(device).__name__}.{function}"]
     answer = device.functions[function](*given)
     if not _is_right(device, function, answer):
-        raise NotConformingError(f"{name} answers {answer!r:.120}")
+        raise NotConformingError(f"{name} returns {answer!r:.120}")
 
 
 def _is_right(device: Device, function: str, answer: Any) -> bool:

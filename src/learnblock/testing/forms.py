@@ -1,4 +1,4 @@
-"""The form that the readings of each type of sensor have on every robot."""
+"""The form of the readings of each type of sensor, the same on every robot."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -21,22 +21,22 @@ from learnblock.devices import (
 
 
 def has_form(sensor: Sensor[Any], reading: Any) -> bool:
-    """Whether a reading has the form and range that such a sensor's must have."""
+    """Whether a reading has the right form and range for its type of sensor."""
     form = _FORMS.get(type(sensor))
     try:
         return form is None or form(reading)
     except (AttributeError, TypeError):
-        # Asked of a number how long it is, or of a text what its keys are.
+        # For example, a number has no length, and a text has no keys.
         return False
 
 
 def is_pose(value: Any) -> bool:
-    """Whether it is (x mm, y mm, heading in degrees)."""
+    """Whether a value is (x mm, y mm, heading in degrees)."""
     return isinstance(value, Sequence) and len(value) == 3 and all(map(is_number, value))
 
 
 def is_number(value: object, least: float = -math.inf, most: float = math.inf) -> bool:
-    """Whether it is a finite number from `least` to `most`."""
+    """Whether a value is a finite number from `least` to `most`."""
     return (
         isinstance(value, int | float)
         and not isinstance(value, bool)

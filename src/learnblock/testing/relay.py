@@ -1,4 +1,4 @@
-"""A wire that can be made to fail: it stands between a client and its robot in tests."""
+"""A link between a client and its robot that can be made to fail in tests."""
 
 import asyncio
 import random
@@ -13,37 +13,37 @@ _CHUNK = 65536
 
 
 class Fault(Enum):
-    """What is wrong with a wire."""
+    """A fault of a link."""
 
     NONE = auto()
-    #: Nothing passes, and nobody is told: no answer, or a link that is open at one end only.
+    #: Nothing passes, and no connection is closed: the robot hangs, or is out of range.
     SILENT = auto()
-    #: What the robot sends arrives as nonsense.
+    #: The robot's data arrives damaged.
     GARBAGE = auto()
-    #: Everything passes `Relay.delay` seconds late.
+    #: All data arrives `Relay.delay` seconds late.
     SLOW = auto()
-    #: Connections are closed, and new ones refused.
+    #: Connections are closed, and new ones rejected.
     CUT = auto()
 
 
 class Relay(Closing):
-    """Passes on what client and robot say, over TCP or UDP, as well as its fault allows.
+    """Forward data between client and robot over TCP or UDP, subject to a fault.
 
         with Relay(("127.0.0.1", port)) as relay:
             robot = connect("rcis", base_port=relay.port)
             relay.fault = Fault.SILENT
 
     Args:
-        target: where the robot listens.
-        udp: whether it speaks UDP instead of TCP.
-        seed: of what is lost, and of nonsense.
+        target: the robot's address and port.
+        udp: use UDP instead of TCP.
+        seed: the seed for lost datagrams and damaged data.
 
     Attributes:
-        port: where it listens itself, on 127.0.0.1.
-        delay: seconds, for a slow wire.
-        loss: the share of datagrams that get lost, 0 to 1.
-        passed: bytes passed on so far, both ways.
-        lost: datagrams lost so far, both ways.
+        port: its own port on 127.0.0.1.
+        delay: the delay in seconds of a slow link.
+        loss: the share of lost datagrams, 0 to 1.
+        passed: the bytes forwarded so far in both directions.
+        lost: the datagrams lost so far in both directions.
     """
 
     def __init__(self, target: tuple[str, int], *, udp: bool = False, seed: int = 0) -> None:
@@ -53,7 +53,7 @@ class Relay(Closing):
         self.passed = 0
         self.lost = 0
         self._fault = Fault.NONE
-        self._random = random.Random(seed)  # noqa: S311 - nothing secret is drawn
+        self._random = random.Random(seed)  # noqa: S311 - needs no secure numbers
         self._loop = asyncio.new_event_loop()
         self._socket = socket.socket(
             socket.AF_INET, socket.SOCK_DGRAM if udp else socket.SOCK_STREAM
@@ -70,7 +70,7 @@ class Relay(Closing):
 
     @property
     def fault(self) -> Fault:
-        """What is wrong with the wire; it can be set at any time, from any thread."""
+        """The current fault; it can be set at any time, from any thread."""
         return self._fault
 
     @fault.setter
@@ -101,7 +101,7 @@ class Relay(Closing):
         server = await asyncio.start_server(self._join, sock=self._socket)
         await self._ended.wait()
         server.close()
-        # Nothing passes any more, and each of them ends by itself.
+        # Nothing passes any more, so that each connection ends.
         self.fault = Fault.CUT
         self._close_wires()
         await asyncio.gather(*asyncio.all_tasks() - {asyncio.current_task()})
@@ -118,7 +118,7 @@ class Relay(Closing):
         try:
             robot, to_robot = await asyncio.open_connection(*self.target)
         except OSError:
-            # Nobody is at home: the client sees its connection end.
+            # The robot does not listen, so the client's connection is closed.
             to_client.transport.abort()
             return
         if not self._admits():
@@ -144,12 +144,12 @@ class Relay(Closing):
                 if self._fault is Fault.SLOW:
                     await asyncio.sleep(self.delay)
                 if self._fault is not Fault.SILENT:
-                    # Counted first: who has received it may ask at once.
+                    # Counted first, because the receiver may read the counter at once.
                     self.passed += len(data)
                     sink.write(self._damaged(data) if back else data)
                     await sink.drain()
         except OSError:
-            # One end broke the connection: so does the relay.
+            # One end closed the connection, so the relay closes the other.
             pass
         finally:
             sink.close()
@@ -166,7 +166,7 @@ class Relay(Closing):
         front.close()
 
     def forward(self, data: bytes, sink: asyncio.DatagramTransport, address: Any) -> None:
-        """Pass a datagram on, if it is not lost; `sink` sends it."""
+        """Forward a datagram through `sink` unless it gets lost."""
         if self._fault in {Fault.SILENT, Fault.CUT} or self._random.random() < self.loss:
             self.lost += 1
             return
@@ -175,12 +175,12 @@ class Relay(Closing):
         self._loop.call_later(wait, lambda: sink.sendto(data, address))
 
     def damaged(self, data: bytes) -> bytes:
-        """As the client receives it."""
+        """The data as the client receives it."""
         return self._damaged(data)
 
 
 class _Front(asyncio.DatagramProtocol):
-    """The end of the clients; each client gets a socket of its own towards the robot."""
+    """The end of the clients; each client gets its own socket towards the robot."""
 
     def __init__(self, relay: Relay) -> None:
         self._relay = relay
@@ -208,7 +208,7 @@ class _Front(asyncio.DatagramProtocol):
 
 
 class _Back(asyncio.DatagramProtocol):
-    """The end of the robot, for one client."""
+    """The robot's end of the link of one client."""
 
     def __init__(self, relay: Relay, front: asyncio.DatagramTransport, client: object) -> None:
         self.opening: asyncio.Task[None] | None = None
@@ -231,5 +231,5 @@ class _Back(asyncio.DatagramProtocol):
         else:
             self._relay.forward(data, self._transport, None)
 
-    def datagram_received(self, data: bytes, address: object) -> None:  # noqa: ARG002 - one alone
+    def datagram_received(self, data: bytes, address: object) -> None:  # noqa: ARG002 - there is only one
         self._relay.forward(self._relay.damaged(data), self._front, self._client)

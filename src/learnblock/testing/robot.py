@@ -37,9 +37,9 @@ _BUTTONS = ("lUp", "lLeft", "lRight", "lDown", "rUp", "rLeft", "rRight", "rDown"
 
 
 class FakeRobot(Client):
-    """A robot with a device of every type, which notes its commands and reads what a test sets.
+    """A robot with every type of device, which records commands and reads values set by a test.
 
-    Its wheels obey at once, and its gyroscope and pose follow them, all in virtual time:
+    Its wheels react at once, and its gyroscope and pose follow them, all in virtual time:
 
         >>> from learnblock.devices import DistanceSensors
         >>> robot = FakeRobot()
@@ -54,14 +54,14 @@ class FakeRobot(Client):
         >>> robot.stop()
 
     Args:
-        only: the types of the devices it has; every type by default.
+        only: the types of its devices; every type by default.
         skills: as for `Client`.
         observer: as for `Client`.
 
     Attributes:
-        commands: what its devices were told, as ("Type.function", argument, ...), where the type
-            carries its key unless that is the default one: "JointMotor:CAMERA.move".
-        wheels: what its base moves; set their pose, or let them be stuck.
+        commands: the commands of its devices as ("Type.function", argument, ...); the type has
+            its key unless that is the default one: "JointMotor:CAMERA.move".
+        wheels: the wheels of its base, whose pose can be set, and which can get stuck.
     """
 
     clock: VirtualClock
@@ -84,15 +84,12 @@ class FakeRobot(Client):
         super().__init__(skills=skills, clock=clock, observer=observer)
 
     def set_reading(self, kind: type[Sensor[Any]], value: Any, key: str = DEFAULT_KEY) -> None:
-        """Let a sensor read `value` from now on; the gyroscope's reading is the wheels' heading."""
+        """Set the reading of a sensor; only the gyroscope always reads the wheels' heading."""
         self._values[kind, key] = value
         self.forget_readings()
 
     def set_detections(self, name: str, found: Any) -> None:
-        """Let the detector of that name (``tags``, ``lines``, ...) find this from now on.
-
-        None stands for a detector that is not installed.
-        """
+        """Set the results of a detector (``tags``, ``lines``, ...); None if it is not installed."""
         self._detections[name] = found
         self.forget_readings()
 
@@ -152,7 +149,7 @@ _PLAIN_SENSORS: tuple[type[Sensor[Any]], ...] = (
 
 
 def _quiet_surroundings() -> dict[tuple[type[Device], str], Any]:
-    """Nothing near, a bright floor, a dim room, nobody at the controls."""
+    """Readings without obstacles, on a bright floor in a dark room, with no button pressed."""
     readings: dict[type[Device], Any] = {
         Accelerometer: (0.0, 0.0, 9.81),
         Bumper: False,
@@ -167,7 +164,7 @@ def _quiet_surroundings() -> dict[tuple[type[Device], str], Any]:
 
 
 def _nothing_seen() -> dict[str, Any]:
-    """What each detector finds in a picture of nothing."""
+    """The results of each detector in an empty picture."""
     black, red, blue = (LineView(colour, 0, 0, 0) for colour in ("black", "red", "blue"))
     lines = Lines(black, red, blue)
     return {"lines": lines, "tags": (), "objects": (), "faces": (), "emotions": ()}

@@ -1,4 +1,4 @@
-"""A careful look at a real robot: what works, one thing after the other, as a person watches it."""
+"""Test every device of a real robot while a person watches."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -21,9 +21,10 @@ from learnblock.devices import (
     Speaker,
 )
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 
-#: What a person answers to a question: yes or no.
-Ask = Callable[[str], bool]
+#: A person's answer to a question: yes or no.
+Ask = Callable[[Phrase], bool]
 
 #: mm/s, degrees/s and s of the drive: slow and short.
 ADVANCE, ROTATION, DRIVE = 50.0, 45.0, 1.0
@@ -31,27 +32,27 @@ ADVANCE, ROTATION, DRIVE = 50.0, 45.0, 1.0
 
 @dataclass(frozen=True, slots=True)
 class Tried:
-    """What came of one thing that was tried.
+    """The result of testing one device.
 
     Args:
         what: the device, ``Type:KEY``.
-        works: None where it was left out.
-        detail: what it read, what was seen, or what went wrong.
+        works: None if it was left out.
+        detail: its reading, what was seen, or what went wrong.
     """
 
     what: str
     works: bool | None
-    detail: str
+    detail: Phrase
 
 
 def try_out(robot: Client, ask: Ask) -> Iterator[Tried]:
-    """Try every device of a robot: the sensors first, then, if it may, what moves and shows.
+    """Test every device of a robot: first the sensors, then displays and motors.
 
-    It asks before it drives, and after each thing that only a person can see.
+    It asks before it drives, and after everything that only a person can check.
 
     Args:
-        robot: connected.
-        ask: puts a question to whoever watches.
+        robot: a connected robot.
+        ask: asks the person.
     """
     devices = [(f"{type(device).__name__}:{key}", device) for key, device in robot.devices()]
     for name, device in devices:
@@ -63,24 +64,20 @@ def try_out(robot: Client, ask: Ask) -> Iterator[Tried]:
                 yield _tried(name, partial(attempt, robot, device, ask))
 
 
-class _LeftOut(Exception):  # noqa: N818 - no error
-    """The person did not want it."""
+class _LeftOut(Exception):  # noqa: N818 - a result
+    """The person declined the test."""
 
 
-class _Fails(Exception):  # noqa: N818 - a verdict
-    """It does not do what it should."""
-
-
-def _tried(name: str, attempt: Callable[[], str]) -> Tried:
+def _tried(name: str, attempt: Callable[[], Phrase]) -> Tried:
     try:
         return Tried(name, works=True, detail=attempt())
-    except _LeftOut as reason:
-        return Tried(name, works=None, detail=str(reason))
-    except (_Fails, LearnBlockError) as problem:
-        return Tried(name, works=False, detail=str(problem))
+    except _LeftOut:
+        return Tried(name, works=None, detail=Phrase("testing-not-driven"))
+    except LearnBlockError as problem:
+        return Tried(name, works=False, detail=problem.phrase)
 
 
-def _read(robot: Client, sensor: Sensor[Any]) -> str:
+def _read(robot: Client, sensor: Sensor[Any]) -> Phrase:
     reading = sensor.read()
     for _ in range(20):
         if reading is not None:
@@ -88,23 +85,24 @@ def _read(robot: Client, sensor: Sensor[Any]) -> str:
         robot.clock.sleep(0.1)
         reading = sensor.read()
     if reading is None and isinstance(sensor, Camera):
-        raise _Fails("no picture came within 2 s")
-    return described(sensor, reading)
+        raise LearnBlockError("testing-no-picture")
+    return _describe(sensor, reading)
 
 
-def described(sensor: Sensor[Any], reading: Any) -> str:
-    """A reading as a person is told it."""
+def _describe(sensor: Sensor[Any], reading: Any) -> Phrase:
+    """A reading in words."""
     if isinstance(sensor, Camera):
         height, width, _ = reading.shape
-        return f"a picture of {width} by {height}"
+        return Phrase("testing-picture", width=width, height=height)
     if isinstance(sensor, Accelerometer):
-        return "x {:.1f}, y {:.1f}, z {:.1f} m/s2".format(*reading)
-    return str(reading)
+        x, y, z = (round(float(axis), 1) for axis in reading)
+        return Phrase("testing-acceleration", x=x, y=y, z=z)
+    return Phrase("testing-reading", reading=str(reading))
 
 
-def _drive(robot: Client, base: Base, ask: Ask) -> str:
-    if not ask("It will drive: forward for a second, back, and turn. Is there room round it?"):
-        raise _LeftOut("not driven")
+def _drive(robot: Client, base: Base, ask: Ask) -> Phrase:
+    if not ask(Phrase("testing-ask-room")):
+        raise _LeftOut
     legs = ((ADVANCE, 0.0), (-ADVANCE, 0.0), (0.0, ROTATION), (0.0, -ROTATION))
     poses = [_pose(base)]
     try:
@@ -116,8 +114,8 @@ def _drive(robot: Client, base: Base, ask: Ask) -> str:
             poses.append(_pose(base))
     finally:
         base.stop()
-    if not ask("Did it drive 5 cm forward and back, then turn to the right and back?"):
-        raise _Fails("it moved otherwise: are the motors' ports and signs right in its settings?")
+    if not ask(Phrase("testing-ask-driven")):
+        raise LearnBlockError("testing-moved-otherwise")
     return _odometry(poses)
 
 
@@ -126,38 +124,39 @@ def _pose(base: Base) -> tuple[float, float, float] | None:
     return read() if read else None
 
 
-def _odometry(poses: list[tuple[float, float, float] | None]) -> str:
+def _odometry(poses: list[tuple[float, float, float] | None]) -> Phrase:
     known = [pose for pose in poses if pose is not None]
     if len(known) < len(poses):
-        return "drives; it has no odometry"
+        return Phrase("testing-drives")
     ahead = math.dist(known[0][:2], known[1][:2])
-    return f"drives; its odometry says {ahead:.0f} mm and {known[3][2] - known[2][2]:.0f} degrees"
+    turned = known[3][2] - known[2][2]
+    return Phrase("testing-drives-by-odometry", distance=round(ahead), angle=round(turned))
 
 
-def _bend(robot: Client, joint: JointMotor, ask: Ask) -> str:
+def _bend(robot: Client, joint: JointMotor, ask: Ask) -> Phrase:
     joint.move(10)
     robot.clock.sleep(1)
     read = joint.functions.get("read")
-    angle = f"it says {read():.0f} degrees" if read else "its angle cannot be read"
-    seen = ask("Is the joint a little above the middle (10 degrees)?")
+    angle = Phrase("testing-angle", angle=round(read())) if read else Phrase("testing-no-angle")
+    seen = ask(Phrase("testing-ask-joint"))
     joint.move(0)
-    return _seen(seen, angle)
+    return _require(seen, angle)
 
 
-def _show(robot: Client, display: Display, ask: Ask) -> str:
+def _show(robot: Client, display: Display, ask: Ask) -> Phrase:
     display.show_emotion(Emotion.JOY)
     robot.clock.sleep(1)
-    seen = ask("Does it show joy?")
+    seen = ask(Phrase("testing-ask-joy"))
     display.show_emotion(Emotion.NEUTRAL)
-    return _seen(seen, "shows joy")
+    return _require(seen, Phrase("testing-shows-joy"))
 
 
-def _light(robot: Client, led: Led | RGBLed, ask: Ask) -> str:
+def _light(robot: Client, led: Led | RGBLed, ask: Ask) -> Phrase:
     del robot
     _switch(led, on=True)
-    seen = ask("Is this lamp lit (red, where it has colours)?")
+    seen = ask(Phrase("testing-ask-light"))
     _switch(led, on=False)
-    return _seen(seen, "lights")
+    return _require(seen, Phrase("testing-lights"))
 
 
 def _switch(led: Led | RGBLed, *, on: bool) -> None:
@@ -167,21 +166,21 @@ def _switch(led: Led | RGBLed, *, on: bool) -> None:
         led.set(on)
 
 
-def _sound(robot: Client, speaker: Speaker, ask: Ask) -> str:
+def _sound(robot: Client, speaker: Speaker, ask: Ask) -> Phrase:
     del robot
     if not speaker.tone(440, 500):
-        return "cannot play tones"
-    return _seen(ask("Did it beep?"), "beeps")
+        return Phrase("testing-no-tones")
+    return _require(ask(Phrase("testing-ask-beep")), Phrase("testing-beeps"))
 
 
-def _seen(seen: bool, detail: str) -> str:  # noqa: FBT001 - it was seen or it was not
+def _require(seen: bool, detail: Phrase) -> Phrase:  # noqa: FBT001 - it was seen or it was not
     if not seen:
-        raise _Fails("not seen")
+        raise LearnBlockError("testing-not-seen")
     return detail
 
 
-#: In this order: what drives comes last.
-_ATTEMPTS: dict[type[Device], Callable[[Client, Any, Ask], str]] = {
+#: In this order, so that the robot drives last.
+_ATTEMPTS: dict[type[Device], Callable[[Client, Any, Ask], Phrase]] = {
     JointMotor: _bend,
     Display: _show,
     Led: _light,

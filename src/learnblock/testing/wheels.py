@@ -1,8 +1,8 @@
-"""Wheels that obey at once."""
+"""Wheels that react at once."""
 
 import math
 
-from learnblock.clock import Clock
+from learnblock.client.clock import Clock
 from learnblock.devices import Pose
 
 
@@ -10,10 +10,10 @@ class Wheels:
     """A base without mass: its pose follows the commanded speeds exactly, in the clock's time.
 
     Args:
-        clock: the robot's.
+        clock: the robot's clock.
 
     Attributes:
-        stuck: while it is True the wheels are driven and the robot stays where it is.
+        stuck: while True, the wheels turn but the robot does not move.
     """
 
     def __init__(self, clock: Clock) -> None:

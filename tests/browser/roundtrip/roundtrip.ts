@@ -1,8 +1,8 @@
 /** The page's editor of blocks alone, for a test that shows it one program after the other. */
 
-import { Editor } from "../../../frontend/src/blocks/editor";
-import { fetchPalette, installPalette, prepareBlockly } from "../../../frontend/src/blocks/palette";
-import type { Workspace } from "../../../frontend/src/messages";
+import { Editor } from "../../../frontend/src/views/blocks/editor";
+import { fetchPalette, installPalette, prepareBlockly } from "../../../frontend/src/views/blocks/palette";
+import type { Workspace } from "../../../frontend/src/protocol/messages";
 
 const ACTIONS = {
   undo: () => undefined,
@@ -13,11 +13,11 @@ const ACTIONS = {
   hasBreakpoint: () => false,
   show: () => undefined,
   shownBlocks: () => ({ name: "everything" }),
-  ownBlocks: () => new Set<string>(),
+  customBlocks: () => new Set<string>(),
   tagNames: () => [],
-  listOwnBlocks: () => undefined,
-  newOwnBlock: () => undefined,
-  editOwnBlock: () => undefined,
+  listCustomBlocks: () => undefined,
+  newCustomBlock: () => undefined,
+  editCustomBlock: () => undefined,
 };
 
 async function begin(host: HTMLElement): Promise<void> {

@@ -1,8 +1,8 @@
-"""Cozmo's end of its wire: what its real driver says moves the twin ``sim-cozmo``.
+"""An emulated Cozmo, which speaks its protocol and drives the twin ``sim-cozmo``.
 
-It follows pycozmo's description of the protocol (docs/protocol.md, docs/functions.md) and, where
-that is silent, the transport that Anki published with its later robots. Left out are cubes, paths,
-the robot's own memory and firmware updates: such commands are acknowledged and have no effect.
+It follows pycozmo's description of the protocol (docs/protocol.md, docs/functions.md) and, for the
+rest, the transport that Anki published with its later robots. Cubes, paths, the robot's memory and
+firmware updates are missing: their commands are acknowledged and have no effect.
 """
 
 from collections.abc import Mapping
@@ -15,16 +15,16 @@ __all__ = ["Emulator"]
 
 
 class Emulator:
-    """A Cozmo that listens at an address of this machine.
+    """A Cozmo on a port of this machine.
 
     Args:
-        twin: the robot that it drives.
-        address: where it listens.
-        port: of UDP; 0 takes a free one.
+        twin: the simulated robot that it drives.
+        address: the address to listen at.
+        port: the UDP port; 0 takes a free one.
 
     Attributes:
-        settings: those with which the driver reaches it.
-        machine: the robot behind the wire.
+        settings: the settings that make the driver connect to it.
+        machine: the emulated robot.
 
     Raises:
         MissingPackageError: pycozmo is not installed.
@@ -33,7 +33,7 @@ class Emulator:
 
     def __init__(self, twin: Twin, *, address: str = "127.0.0.1", port: int = 0) -> None:
         require("pycozmo", "cozmo")
-        # They need pycozmo, which only those install who want a Cozmo.
+        # These modules need pycozmo, which is not always installed.
         from learnblock.emulators.cozmo.machine import TICK, Machine  # noqa: PLC0415
         from learnblock.emulators.cozmo.server import Server  # noqa: PLC0415
 
@@ -42,5 +42,5 @@ class Emulator:
         self.settings: Mapping[str, Any] = {"address": address, "port": self._server.port}
 
     def close(self) -> None:
-        """Stop the motors and listen no more; the second time it does nothing."""
+        """Stop the motors and close the port; calling it twice is harmless."""
         self._server.close()

@@ -1,4 +1,4 @@
-"""What stands on Cozmo's screen: pixels from their run lengths, and the emotion they look like."""
+"""Decode the pixels of Cozmo's screen, and recognize the emotion that they show."""
 
 from functools import cache
 
@@ -19,20 +19,20 @@ EMOTIONS = {
 }
 HEIGHT, WIDTH = 32, 128
 LIKENESS = 40
-"""Of 4096 pixels so many may differ from a face that is still taken for it."""
+"""The number of pixels, of 4096, by which a recognized face may differ."""
 _SKIP, _REPEAT, _RUN = 0, 1, 2
 
 
 def pixels(run_lengths: bytes) -> Pixels:
     """The screen, 32 rows of 128.
 
-    It is drawn column by column. The two high bits of a byte tell what its others mean: 0 empty
-    columns, 1 repetitions of the column before, 2 and 3 a run of 1 to 16 and of 17 to 32 pixels
-    downwards, lit if one of the two low bits is set. Of a column that is left before its end the
-    rest is empty. (pycozmo.image_encoder; its decoder errs where a long run ends within a column)
+    It is drawn column by column. The two high bits of a byte are its kind: 0 for empty columns, 1
+    for repetitions of the previous column, 2 and 3 for a run of 1 to 16 and of 17 to 32 pixels
+    downwards, lit if one of the two low bits is set. The rest of an unfinished column is empty.
+    (pycozmo.image_encoder; its decoder is wrong if a long run ends within a column)
 
     Raises:
-        ValueError: they draw beyond the screen.
+        ValueError: the run lengths exceed the screen.
     """
     screen = np.zeros((HEIGHT, WIDTH), np.bool_)
     x = y = 0
@@ -46,14 +46,14 @@ def pixels(run_lengths: bytes) -> Pixels:
         else:
             length = ((byte & 0x3F) >> 2) + (1 if kind == _RUN else 17)
             if x >= WIDTH or y + length > HEIGHT:
-                raise ValueError("an image draws beyond the screen")
+                raise ValueError("an image exceeds the screen")
             screen[y : y + length, x] = bool(byte & 3)
             x, y = (x + 1, 0) if y + length == HEIGHT else (x, y + length)
     return screen
 
 
 def emotion(shown: Pixels) -> str | None:
-    """The emotion that it looks like, ``none`` for an empty screen, None for something else."""
+    """The emotion on the screen, ``none`` for an empty screen, None for another picture."""
     if not shown.any():
         return "none"
     name, known = min(_known().items(), key=lambda face: np.count_nonzero(face[1] != shown))

@@ -1,8 +1,8 @@
-"""The datagrams of Cozmo's protocol, as the robot reads and writes them.
+"""Read and write the datagrams of Cozmo's protocol on the robot's side.
 
-A frame is a header and packets. Packets that must arrive have sequence numbers, 1 to 65534, of
-which the header tells the first and the last; its ``ack`` is the number of the last packet that
-arrived in order. 0 stands for none. (pycozmo's description of the protocol, docs/protocol.md)
+A frame is a header and packets. Packets that must arrive have sequence numbers from 1 to 65534. The
+header contains the first and the last one; its ``ack`` is the number of the last packet received in
+order. 0 means none. (pycozmo's description of the protocol, docs/protocol.md)
 """
 
 import struct
@@ -19,18 +19,18 @@ MAGIC = b"COZ\x03RE\x01"
 LAST_SEQUENCE = 0xFFFE
 """The number after it is 1 again."""
 MOST_PAYLOAD = 1037
-"""Bytes of packets in a frame; the robot drops a longer one (pycozmo.protocol_declaration)."""
+"""The maximum bytes of packets in a frame (pycozmo.protocol_declaration)."""
 
 _HEADER = struct.Struct("<7sBHHH")
 _PACKET = struct.Struct("<BH")
 
 
-class FrameError(LearnBlockError, ValueError):
-    """A datagram is no frame of this protocol."""
+class DatagramError(LearnBlockError, ValueError):
+    """A datagram is not a frame of this protocol, so the robot ignores it."""
 
 
 class FrameKind(IntEnum):
-    """What a frame carries."""
+    """The kind of a frame."""
 
     RESET = 0x01
     GOODBYE = 0x03
@@ -41,7 +41,7 @@ class FrameKind(IntEnum):
 
 
 class PacketKind(IntEnum):
-    """What a packet is; from `EVENT` on they have no number and may get lost."""
+    """The kind of a packet; those from `EVENT` on have no number and may get lost."""
 
     CONNECT = 0x02
     DISCONNECT = 0x03
@@ -53,12 +53,12 @@ class PacketKind(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """What a datagram said.
+    """The contents of a datagram.
 
     Args:
-        kind: of the frame.
-        ack: the number of the last packet that the sender got in order, or 0.
-        packets: each with its number, or 0; a packet of an unknown kind is None.
+        kind: the kind of the frame.
+        ack: the number of the last packet that the sender received in order, or 0.
+        packets: each packet with its number or 0; a packet of an unknown kind is None.
     """
 
     kind: FrameKind
@@ -67,7 +67,7 @@ class Frame:
 
 
 def following(sequence: int) -> int:
-    """The number after this one."""
+    """The next sequence number."""
     return sequence % LAST_SEQUENCE + 1
 
 
@@ -75,28 +75,30 @@ def decoded(datagram: bytes) -> Frame:
     """Read a datagram.
 
     Raises:
-        FrameError: it is none of this protocol.
+        DatagramError: it is not a frame of this protocol.
     """
     if len(datagram) < _HEADER.size:
-        raise FrameError(f"{len(datagram)} bytes are too few for a frame")
+        raise DatagramError(f"a frame of {len(datagram)} bytes is too short")
     magic, number, first, _, ack = _HEADER.unpack_from(datagram)
     if magic != MAGIC:
-        raise FrameError(f"a frame does not begin with {magic!r}")
+        raise DatagramError(f"a frame can't start with {magic!r}")
     if number not in FrameKind.__members__.values():
-        raise FrameError(f"there is no frame of type {number}")
+        raise DatagramError(f"unknown frame type {number}")
     kind, payload = FrameKind(number), datagram[_HEADER.size :]
     if len(payload) > MOST_PAYLOAD:
-        raise FrameError(f"{len(payload)} bytes of packets are more than {MOST_PAYLOAD}")
+        raise DatagramError(
+            f"a frame has {len(payload)} bytes of packets, more than {MOST_PAYLOAD}"
+        )
     return Frame(kind, ack, tuple(_numbered(first, _packets(kind, payload))))
 
 
 def encoded(ack: int, first: int, contents: Sequence[Any]) -> bytes:
-    """A frame of the robot.
+    """Write a frame of the robot.
 
     Args:
-        ack: the number of the last packet that arrived in order.
-        first: the number of the first packet that has one; 0 where none has.
-        contents: packets in their order.
+        ack: the number of the last packet received in order.
+        first: the number of the first numbered packet; 0 if there is none.
+        contents: the packets in order.
     """
     count = sum(not packet.is_oob() for packet in contents)
     last = first
@@ -117,7 +119,7 @@ def _numbered(first: int, found: Iterator[tuple[int, Any]]) -> Iterator[tuple[in
 
 
 def _packets(kind: FrameKind, payload: bytes) -> Iterator[tuple[int, Any]]:
-    """Each packet with its kind."""
+    """The packets with their kinds."""
     if kind is FrameKind.PING:
         yield PacketKind.PING, _packet(PacketKind.PING, payload)
     elif kind is FrameKind.ACTION:
@@ -129,17 +131,17 @@ def _packets(kind: FrameKind, payload: bytes) -> Iterator[tuple[int, Any]]:
 def _packed(payload: bytes) -> Iterator[tuple[int, Any]]:
     while payload:
         if len(payload) < _PACKET.size:
-            raise FrameError("a packet ends in its header")
+            raise DatagramError("a packet ends in its header")
         kind, length = _PACKET.unpack_from(payload)
         content, payload = payload[_PACKET.size :][:length], payload[_PACKET.size + length :]
         if len(content) < length:
-            raise FrameError(f"a packet of {length} bytes ends after {len(content)}")
+            raise DatagramError(f"a packet of {length} bytes ends after {len(content)}")
         yield kind, _packet(kind, content)
 
 
 def _packet(kind: int, content: bytes) -> Any:
-    """The packet, by pycozmo's codec; None where that knows no such packet."""
-    of_its_own = {
+    """Decode a packet; None if pycozmo does not know its kind."""
+    codecs = {
         PacketKind.CONNECT: packets.Connect,
         PacketKind.DISCONNECT: packets.Disconnect,
         PacketKind.KEYFRAME: packets.Keyframe,
@@ -149,13 +151,13 @@ def _packet(kind: int, content: bytes) -> Any:
         codec = packets.PACKETS_BY_ID.get(content[0]) if content else None
         content = content[1:]
     else:
-        codec = of_its_own.get(kind)  # type: ignore[call-overload] # any number may come
+        codec = codecs.get(kind)  # type: ignore[call-overload] # any number is possible
     if codec is None:
         return None
     try:
         return codec.from_bytes(content)
     except (IndexError, ValueError, struct.error) as error:
-        raise FrameError(f"a packet {codec.__name__} cannot be read: {error}") from error
+        raise DatagramError(f"the packet {codec.__name__} can't be read: {error}") from error
 
 
 def _encoded_packet(packet: Any) -> bytes:

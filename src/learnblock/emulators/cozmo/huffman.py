@@ -1,7 +1,7 @@
-"""The bits of a JPEG file with one pair of Huffman tables for all its components.
+"""Recode a JPEG file with one pair of Huffman tables for all its components.
 
-Encoders use one pair for brightness and another for colours. Cozmo uses the first for all, so that
-its receiver can put one and the same header before all pictures.
+Encoders use one pair for brightness and another for colours. Cozmo uses the first pair for all, so
+that its receiver can use the same header for all pictures.
 """
 
 import struct
@@ -10,7 +10,7 @@ from functools import cache
 
 DHT, SOS, END = 0xC4, 0xDA, b"\xff\xd9"
 
-#: Codes, as text of 0 and 1, and the symbols that they stand for.
+#: Symbols by their codes, texts of 0 and 1.
 Table = Mapping[str, int]
 
 
@@ -20,12 +20,12 @@ def scan(file: bytes) -> bytes:
 
 
 def with_one_pair_of_tables(file: bytes, width: int, height: int) -> bytes:
-    """The coded pixels of a coloured file of that size, as if it had one pair of tables.
+    """The pixels of a coloured file, recoded with one pair of tables.
 
     Args:
-        file: has half as many colours as pixels in a row (4:2:2), and the standard tables.
-        width: a multiple of 16.
-        height: a multiple of 8.
+        file: a JPEG file with 4:2:2 subsampling and the standard tables.
+        width: the width in pixels, a multiple of 16.
+        height: the height in pixels, a multiple of 8.
     """
     tables = _tables(_parts(file)[0])
     coded = scan(file)
@@ -37,13 +37,13 @@ def with_one_pair_of_tables(file: bytes, width: int, height: int) -> bytes:
 
 
 def _recoded(bits: str, tables: Mapping[int, Table], units: int) -> Iterator[str]:
-    """The codes of every block, and the bits that follow each, with the tables of brightness."""
+    """The codes of all blocks in the tables for brightness, each with the bits that follow it."""
     codes = {kind: {symbol: code for code, symbol in tables[kind].items()} for kind in (0x00, 0x10)}
     at = 0
     for table in (0, 0, 1, 1) * units:
         index = 0
         while index < 64:
-            # Of the 64 numbers of a block the first has a table of its own.
+            # The first of the 64 numbers of a block has its own table.
             kind = 0x10 if index else 0x00
             symbol, at = _symbol(bits, at, tables[kind | table])
             size = symbol & 0x0F
@@ -54,17 +54,17 @@ def _recoded(bits: str, tables: Mapping[int, Table], units: int) -> Iterator[str
 
 
 def _symbol(bits: str, at: int, table: Table) -> tuple[int, int]:
-    """The next symbol, and where the bits after it begin."""
+    """The next symbol, and the position after its code."""
     end = at + 1
     while (code := bits[at:end]) not in table:
         end += 1
         if end - at > 16:
-            raise ValueError("the bits of a picture are no codes of its tables")
+            raise ValueError("the bits of the picture match no code of its tables")
     return table[code], end
 
 
 def _parts(file: bytes) -> tuple[bytes, bytes]:
-    """What stands before the coded pixels, and these."""
+    """The header and the coded pixels of a file."""
     at = 2
     while file[at + 1] != SOS:
         at += 2 + _length(file, at)
@@ -79,7 +79,7 @@ def _length(file: bytes, at: int) -> int:
 
 @cache
 def _tables(header: bytes) -> Mapping[int, Table]:
-    """Tables by their numbers: 0 and 1 of a block's first number, 16 and 17 of its others."""
+    """The tables by number: 0 and 1 for a block's first number, 16 and 17 for the others."""
     tables: dict[int, Table] = {}
     at = 2
     while at < len(header):
@@ -98,7 +98,7 @@ def _segment(content: bytes) -> Iterator[tuple[int, Table]]:
 
 
 def _codes(counts: bytes) -> Iterator[str]:
-    """All codes of a table, by how many there are of each length."""
+    """The codes of a table, from the number of codes of each length."""
     code = 0
     for length, count in enumerate(counts, start=1):
         for _ in range(count):

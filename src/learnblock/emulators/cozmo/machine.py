@@ -1,4 +1,4 @@
-"""The robot behind the wire: what each packet does to the twin, and what the twin reports."""
+"""The emulated robot: it executes packets with the twin, and reports the twin's state."""
 
 import json
 import math
@@ -15,13 +15,13 @@ from learnblock.simulator.colours import RGB
 from learnblock.wheels import body_speeds
 
 TRACK = 45.0
-"""mm between the treads (pycozmo.robot)."""
+"""The distance between the treads in mm (pycozmo.robot)."""
 TICK = 0.03
 """Seconds between two reports of its state."""
 PICTURE_PERIOD = 1 / 15
 """Seconds between two pictures."""
 CALIBRATION = 0.1
-"""Seconds in which it finds out where its head and its lift are; a real one takes longer."""
+"""Seconds for the calibration of head and lift; a real robot takes longer."""
 
 _JOINTS = (packets.MotorID.MOTOR_HEAD, packets.MotorID.MOTOR_LIFT)
 
@@ -29,16 +29,16 @@ _FIRMWARE = {"version": 2381, "build": "DEVELOPMENT"}
 
 
 class Machine:
-    """A Cozmo made of a twin.
+    """A Cozmo that drives a twin.
 
     Args:
-        twin: the robot that is moved.
+        twin: the simulated robot.
 
     Attributes:
-        received: how many packets of each name have arrived.
-        heard: the last frames of sound that arrived, each 744 samples in the robot's encoding.
-        felt: the emotions that it has shown, in their order.
-        volume: 0 to 65535.
+        received: the number of packets received, by name.
+        heard: the last frames of sound, each with 744 samples in the robot's encoding.
+        felt: the emotions shown so far, in order.
+        volume: the volume from 0 to 65535.
     """
 
     def __init__(self, twin: Twin) -> None:
@@ -48,7 +48,7 @@ class Machine:
         self.volume = 65535
         self._twin = twin
         self._speeds = (0.0, 0.0)
-        self._enabled = self._tells = self._animates = False
+        self._enabled = self._reporting = self._animates = False
         self._films = self._coloured = False
         self._stops_at_cliffs = True
         self._calibrated_at: float | None = None
@@ -67,7 +67,7 @@ class Machine:
             packets.Enable: self._enable,
             packets.SyncTime: self._synchronize,
             packets.SetOrigin: self._set_origin,
-            packets.EnableStopOnCliff: self._mind_cliffs,
+            packets.EnableStopOnCliff: self._set_cliff_stop,
             packets.EnableAnimationState: self._animate,
             packets.EnableCamera: self._film,
             packets.EnableColorImages: self._colour,
@@ -77,10 +77,10 @@ class Machine:
             packets.DisplayImage: self._show,
         }
 
-    # What the server asks of it.
+    # Called by the server.
 
     def greet(self) -> Iterable[Any]:
-        self._enabled = self._tells = self._animates = self._films = self._coloured = False
+        self._enabled = self._reporting = self._animates = self._films = self._coloured = False
         self._stops_at_cliffs = True
         yield packets.HardwareInfo(serial_number_head=0x02E00001)
         yield packets.FirmwareSignature(signature=json.dumps(_FIRMWARE))
@@ -91,7 +91,7 @@ class Machine:
         try:
             return (handler(packet) if handler else None) or ()
         except (OverflowError, ValueError):
-            # A speed that is no number: the robot does what it did before.
+            # A speed such as NaN; the robot ignores the packet.
             return ()
 
     def tick(self) -> Iterator[Any]:
@@ -99,7 +99,7 @@ class Machine:
         if self._calibrated_at is not None and now >= self._calibrated_at:
             self._calibrated_at = None
             yield from (packets.MotorCalibration(motor_id=motor) for motor in _JOINTS)
-        if self._tells:
+        if self._reporting:
             yield self._state(now)
         if self._animates:
             yield packets.AnimationState(
@@ -115,7 +115,7 @@ class Machine:
             for key in ("ARM", "CAMERA"):
                 body.set_joint(key, body.joint(key))
 
-    # What packets do.
+    # The effects of packets.
 
     def _enable(self, _packet: Any) -> Iterable[Any]:
         if self._enabled:
@@ -128,7 +128,7 @@ class Machine:
         )
 
     def _synchronize(self, _packet: Any) -> None:
-        self._tells = self._enabled
+        self._reporting = self._enabled
 
     def _animate(self, _packet: Any) -> None:
         self._animates = self._enabled
@@ -139,14 +139,14 @@ class Machine:
     def _colour(self, packet: Any) -> None:
         self._coloured = packet.enable
 
-    def _mind_cliffs(self, packet: Any) -> None:
+    def _set_cliff_stop(self, packet: Any) -> None:
         self._stops_at_cliffs = packet.enable
 
     def _set_volume(self, packet: Any) -> None:
         self.volume = packet.level
 
     def _set_origin(self, packet: Any) -> None:
-        """Where it stands is from now on this place, looking along the x axis."""
+        """Make its current pose the origin of its reports."""
         with self._twin.body() as body:
             self._reports.set_origin(body.pose, packet.pose_frame_id, packet.pose_origin_id)
 
@@ -188,7 +188,7 @@ class Machine:
     def _show(self, packet: Any) -> None:
         shown = bytes(packet.image)
         if shown == self._shown:
-            # It is sent 30 times a second.
+            # The picture is sent 30 times a second.
             return
         self._shown = shown
         try:
@@ -202,18 +202,18 @@ class Machine:
                 body.show_emotion(name)
                 self.felt.append(name)
 
-    # What it reports.
+    # Reports.
 
     def _milliseconds(self) -> int:
         return int(self._twin.time * 1000)
 
     def _state(self, now: float) -> Any:
         with self._twin.body() as body:
-            self._meet_cliff(reports.is_on_cliff(body))
+            self._check_cliff(reports.is_on_cliff(body))
             return self._reports.state(body, now, self._speeds)
 
-    def _meet_cliff(self, on_cliff: bool) -> None:  # noqa: FBT001 - it is on one or it is not
-        """The robot itself stops where the floor ends; it may be told to go on."""
+    def _check_cliff(self, on_cliff: bool) -> None:  # noqa: FBT001 - it is on one or it is not
+        """Stop at the edge of the floor; the next command may drive on."""
         if on_cliff and not self._on_cliff and self._stops_at_cliffs:
             self._set_speeds(0.0, 0.0)
         self._on_cliff = on_cliff
@@ -231,6 +231,6 @@ class Machine:
 
 
 def _rgb(colour: int) -> RGB:
-    """Five bits each of red, green and blue, as 0 to 255."""
+    """Convert five bits each of red, green and blue to values from 0 to 255."""
     red, green, blue = ((colour >> shift & 31) * 255 // 31 for shift in (10, 5, 0))
     return red, green, blue

@@ -1,4 +1,4 @@
-"""What the robot reports of itself, some thirty times a second."""
+"""The robot's reports of its state, about thirty a second."""
 
 import math
 from typing import Any
@@ -10,12 +10,12 @@ from learnblock.devices import Pose
 from learnblock.simulator import RobotBody
 
 PIVOT, ARM = 45.0, 66.0
-"""mm: the height of the lift's pivot, and the length of its arm (pycozmo.robot)."""
+"""The height of the lift's pivot and the length of its arm in mm (pycozmo.robot)."""
 FULL_TURN = 2 * math.pi
 
 
 class Reports:
-    """The robot's reports, which count from an origin that its client sets."""
+    """The robot's reports, relative to an origin that its client sets."""
 
     def __init__(self) -> None:
         self._origin: Pose = (0.0, 0.0, 0.0)
@@ -23,16 +23,16 @@ class Reports:
         self._last: tuple[float, float] | None = None
 
     def set_origin(self, pose: Pose, frame: int, origin: int) -> None:
-        """Count from this place and direction; the two numbers are what the client calls it."""
+        """Use this pose as the origin; the client identifies it by the two numbers."""
         self._origin, self._numbers = pose, (frame, origin)
 
     def state(self, body: RobotBody, time: float, speeds: tuple[float, float]) -> Any:
-        """A report.
+        """Make a report.
 
         Args:
-            body: of the twin.
-            time: of the twin's world, s.
-            speeds: of the left and right tread, mm/s.
+            body: the twin's body.
+            time: the time of the twin's world in s.
+            speeds: the speeds of the left and right tread in mm/s.
         """
         accelerations = [1000 * axis for axis in body.acceleration()]
         x, y, angle = seen_from(self._origin, body.pose)
@@ -58,7 +58,7 @@ class Reports:
         )
 
     def _turn_rate(self, time: float, angle: float) -> float:
-        """rad/s to the left since the last report."""
+        """The turn rate since the last report in rad/s to the left."""
         before, self._last = self._last, (time, angle)
         if before is None or time <= before[0]:
             return 0.0
@@ -66,12 +66,12 @@ class Reports:
 
 
 def is_on_cliff(body: RobotBody) -> bool:
-    """Whether there is no floor beneath its front."""
+    """Whether there is no floor under its front."""
     return body.ground()["central"] == 0
 
 
 def seen_from(origin: Pose, pose: Pose) -> tuple[float, float, float]:
-    """A pose in the robot's own frame: mm ahead and to the left, and rad to the left."""
+    """A pose relative to an origin: mm forward and to the left, and rad to the left."""
     x, y = pose[0] - origin[0], pose[1] - origin[1]
     angle = math.radians(origin[2])
     along, across = math.cos(angle), math.sin(angle)

@@ -1,4 +1,4 @@
-"""The robot's side of Cozmo's transport: who is connected, what arrived, what is sent again."""
+"""The robot's side of Cozmo's transport: connections, acknowledgements and repeated packets."""
 
 import select
 import socket
@@ -12,8 +12,8 @@ from pycozmo import protocol_encoder as packets
 
 from learnblock.emulators.cozmo.frames import (
     MOST_PAYLOAD,
+    DatagramError,
     Frame,
-    FrameError,
     FrameKind,
     decoded,
     encoded,
@@ -21,32 +21,32 @@ from learnblock.emulators.cozmo.frames import (
 )
 
 RESEND = 0.05
-"""Seconds after which what was not acknowledged is sent again (Anki's ReliableConnection)."""
+"""Seconds until packets without acknowledgement are repeated (Anki's ReliableConnection)."""
 SILENCE = 5.0
-"""Seconds without a frame after which the robot lets go of its client (docs/protocol.md)."""
+"""Seconds without a frame until the robot closes the connection (docs/protocol.md)."""
 
 _RESET_NUMBER = 1
-"""The frame that resets counts as the first packet."""
+"""The reset frame counts as the first packet."""
 
 
 class Robot(Protocol):
-    """What stands behind the wire."""
+    """The robot behind the transport."""
 
     def greet(self) -> Iterable[Any]:
-        """Somebody has connected: what is said to them."""
+        """The packets for a new client."""
 
     def handle(self, packet: Any) -> Iterable[Any]:
-        """A packet arrived: what is answered."""
+        """Execute a packet, and return the packets of the answer."""
 
     def tick(self) -> Iterable[Any]:
-        """Live on: what is reported."""
+        """The packets of the next report."""
 
     def rest(self) -> None:
-        """Nobody is connected any more."""
+        """Stop the motors, because no client is connected."""
 
 
 class _Session:
-    """One client, from its reset to its goodbye."""
+    """The connection of one client, from its reset to its goodbye."""
 
     def __init__(self, address: Any, now: float) -> None:
         self.address = address
@@ -57,7 +57,7 @@ class _Session:
         self._sent = now
 
     def number(self, packet: Any) -> int:
-        """Remember a packet until it is acknowledged; its number, or 0 if it needs none."""
+        """Keep a packet until it is acknowledged; return its number, or 0 if it needs none."""
         if packet.is_oob():
             return 0
         number, self._next = self._next, following(self._next)
@@ -65,13 +65,13 @@ class _Session:
         return number
 
     def acknowledge(self, number: int) -> None:
-        """The client has everything up to that number."""
+        """Forget the packets up to that number, which the client has received."""
         if any(number == owed for owed, _ in self._owed):
             while self._owed and self._owed.popleft()[0] != number:
                 continue
 
     def accepts(self, number: int) -> bool:
-        """Whether a packet is the next one; those that come too early are lost, and come again."""
+        """Whether a packet is the next one; packets out of order are dropped and sent again."""
         if number == 0:
             return True
         if number != following(self.arrived):
@@ -80,7 +80,7 @@ class _Session:
         return True
 
     def overdue(self, now: float) -> list[tuple[int, Any]]:
-        """What is to be sent again."""
+        """The packets to send again."""
         if not self._owed or now - self._sent < RESEND:
             return []
         self._sent = now
@@ -88,16 +88,15 @@ class _Session:
 
 
 class Server:
-    """Listens for a client and passes on what it says: a thread that lives until `close`.
+    """Serve one client at a time in a thread, until `close`.
 
-    One client is served at a time: who resets the link takes it over, as the protocol knows
-    nothing else.
+    A client that resets the link takes it over, as in the robot's protocol.
 
     Args:
-        robot: stands behind it.
-        address: where it listens.
-        port: of UDP; 0 takes a free one.
-        period: seconds between two reports of the robot.
+        robot: the robot behind the transport.
+        address: the address to listen at.
+        port: the UDP port; 0 takes a free one.
+        period: the seconds between two reports of the robot.
 
     Raises:
         OSError: it cannot listen there.
@@ -114,13 +113,13 @@ class Server:
         except OSError:
             self._socket.close()
             raise
-        self._socket.setblocking(False)  # noqa: FBT003 - the standard library's own
+        self._socket.setblocking(False)  # noqa: FBT003 - of the standard library
         self.port: int = self._socket.getsockname()[1]
         self._thread = threading.Thread(target=self._live, name="cozmo-emulator", daemon=True)
         self._thread.start()
 
     def close(self) -> None:
-        """End the thread; the second time it does nothing."""
+        """End the thread; calling it twice is harmless."""
         self._closed.set()
         self._thread.join()
         self._socket.close()
@@ -132,7 +131,7 @@ class Server:
             if select.select((self._socket,), (), (), wait)[0]:
                 self._receive()
             if (now := monotonic()) >= due:
-                # Not one report after the other if the machine was busy.
+                # After a delay, missed reports are skipped.
                 due = max(due + self._period, now)
                 self._tick(now)
         self._leave()
@@ -141,8 +140,8 @@ class Server:
         try:
             datagram, address = self._socket.recvfrom(65536)
             frame = decoded(datagram)
-        except (OSError, FrameError):
-            # A client that has gone, or nonsense: the robot does not answer either.
+        except (OSError, DatagramError):
+            # The client is gone, or sent invalid data; a real robot does not answer either.
             return
         if frame.kind is FrameKind.RESET:
             self._connect(address)
@@ -179,7 +178,7 @@ class Server:
             self._leave()
             return
         self._emit(session, session.overdue(now))
-        # Each of them may be lost without the others.
+        # Separate frames, so that each packet can get lost alone.
         for packet in self._robot.tick():
             self._send(session, (packet,))
 
@@ -191,7 +190,7 @@ class Server:
         self._emit(session, [(session.number(packet), packet) for packet in contents])
 
     def _emit(self, session: _Session, numbered: list[tuple[int, Any]]) -> None:
-        """Send packets in as few frames as they fit into."""
+        """Send packets in as few frames as possible."""
         batch: list[tuple[int, Any]] = []
         size = 0
         for number, packet in numbered:
@@ -210,5 +209,5 @@ class Server:
         try:
             self._socket.sendto(datagram, session.address)
         except OSError:
-            # The client's socket has gone, or its queue is full: as if it was lost on the air.
+            # The client's socket is gone, or its queue is full; the frame counts as lost.
             return

@@ -1,4 +1,4 @@
-"""EV3 as its own drivers meet it: ev3dev with our agent or rpyc, or LEGO's own firmware."""
+"""Emulates an EV3: ev3dev with our agent or rpyc, or LEGO's own firmware."""
 
 import secrets
 from collections.abc import Callable, Mapping
@@ -12,30 +12,30 @@ from learnblock.emulators.ev3.vehicle import Vehicle
 from learnblock.emulators.twin import Twin
 from learnblock.errors import UnknownNameError
 
-#: What runs on a brick.
+#: The agent's file.
 AGENT = Path(str(resources.files("learnblock.robots.ev3"))) / "agent.py"
 
 
 class Emulator:
-    """A brick with two motors and four sensors, on which one way in is open.
+    """A brick with two motors and four sensors, and one kind of connection.
 
     Args:
-        twin: what is driven.
+        twin: the robot that it drives.
         connection: ``agent``, ``rpyc`` or ``direct``.
-        address: where it listens.
-        port: there; a free one by default.
+        address: the local address on which it listens.
+        port: its port; a free one by default.
 
     Attributes:
-        settings: those with which a client reaches it.
-        brick: what is behind.
+        settings: the settings with which a client reaches it.
+        brick: the emulated brick.
     """
 
     def __init__(
         self, twin: Twin, *, connection: str = "agent", address: str = "127.0.0.1", port: int = 0
     ) -> None:
-        if connection not in _WAYS:
-            raise UnknownNameError("way to an EV3", connection, _WAYS)
-        self.brick, settings = _WAYS[connection](Vehicle(twin), address, port)
+        if connection not in _BRICKS:
+            raise UnknownNameError("connection", connection, _BRICKS)
+        self.brick, settings = _BRICKS[connection](Vehicle(twin), address, port)
         self.settings: Mapping[str, Any] = {
             "connection": connection,
             "address": address,
@@ -55,7 +55,7 @@ def _agent(
         (brick.folder / "token").write_text(token)
         place = ("--address", address, "--port", str(port))
         files = ("--token", str(brick.folder / "token"), "--sysfs", str(brick.sysfs))
-        # With nothing but the standard library, as on the brick.
+        # With only the standard library, as on the brick.
         port = brick.start("-I", "-S", str(AGENT), *place, *files)
     except BaseException:
         brick.close()
@@ -80,7 +80,7 @@ def _direct(
     return firmware, {"direct_port": firmware.port}
 
 
-_WAYS: dict[str, Callable[[Vehicle, str, int], tuple[Ev3dev | Firmware, dict[str, object]]]] = {
+_BRICKS: dict[str, Callable[[Vehicle, str, int], tuple[Ev3dev | Firmware, dict[str, object]]]] = {
     "agent": _agent,
     "rpyc": _rpyc,
     "direct": _direct,

@@ -1,7 +1,7 @@
-"""The firmware's end of direct commands: reading and executing their byte code.
+"""Reads and executes the byte code of direct commands, as the firmware does.
 
-Only what a driver of two wheels and four sensors may use, after LEGO's "EV3 Firmware Developer Kit"
-(2013) and the firmware's published source (c_output.c, c_input.c, c_sound.c).
+It covers the operations for two wheels and four sensors, following LEGO's "EV3 Firmware Developer
+Kit" (2013) and the firmware's published source (c_output.c, c_input.c, c_sound.c).
 """
 
 import math
@@ -12,17 +12,17 @@ from collections.abc import Callable
 from learnblock.emulators.ev3.vehicle import FASTEST, Vehicle
 
 PORTS = "ABCD"
-#: What is plugged in, as on a brick: touch, gyroscope, colour, ultrasonic, and two large motors.
+#: The plugged-in devices: touch, gyroscope, colour, ultrasonic, and two large motors.
 TYPES = {0: 16, 1: 32, 2: 29, 3: 30, 17: 7, 19: 7}
 NOTHING = 126
 
 
 class ByteCodeError(Exception):
-    """The firmware cannot execute this."""
+    """The firmware cannot execute this byte code."""
 
 
 class Code:
-    """Byte code that is read from its beginning to its end."""
+    """Reads byte code from start to end."""
 
     def __init__(self, code: bytes) -> None:
         self._code = code
@@ -49,7 +49,7 @@ class Code:
         return value
 
     def variable(self) -> int:
-        """A parameter that names a place in the reply."""
+        """A parameter that names a position in the reply."""
         head = self.byte()
         if head & 0xE0 == 0x60:
             return head & 0x1F
@@ -66,17 +66,17 @@ class Code:
 
 
 class Machine:
-    """What executes direct commands.
+    """Executes direct commands.
 
     Args:
-        vehicle: what is driven.
-        now: seconds.
+        vehicle: the robot that it drives.
+        now: returns the time in seconds.
     """
 
     def __init__(self, vehicle: Vehicle, now: Callable[[], float] = time.monotonic) -> None:
         self._vehicle = vehicle
         self._now = now
-        #: For each motor that runs: percent of its full speed, and until when.
+        #: For each running motor: percent of its full speed, and the time of its end.
         self._runs: dict[str, tuple[int, float]] = {}
         self._operations: dict[int, Callable[[Code, bytearray], None]] = {
             0x94: self._sound,
@@ -87,7 +87,7 @@ class Machine:
         }
 
     def turn(self) -> None:
-        """Let the motors that still run turn the wheels."""
+        """Turn the wheels with the motors that are still running."""
         now = self._now()
         self._runs = {port: run for port, run in self._runs.items() if run[1] > now}
         speeds = dict.fromkeys(PORTS, 0.0)
@@ -95,7 +95,7 @@ class Machine:
         self._vehicle.turn(speeds)
 
     def execute(self, message: bytes) -> bytes:
-        """Execute a message, and answer with its reply; both without their length."""
+        """Execute a message and return its reply, both without their length."""
         if len(message) < 5:
             return b""
         counter, kind, sizes = struct.unpack_from("<HBH", message)
@@ -140,7 +140,7 @@ class Machine:
                 raise ByteCodeError(f"the subcode {other:#x}")
 
     def _measured(self, port: int, mode: int) -> float:
-        """In the sensor's own unit; only mode 0 of each sensor measures what we simulate."""
+        """A reading in the sensor's own unit; only mode 0 of each sensor is simulated."""
         if mode:
             return math.nan
         match TYPES.get(port):
@@ -187,7 +187,7 @@ class Machine:
 
 
 def _put(reply: bytearray, start: int, form: str, value: float) -> None:
-    """Write a result; its own size has to divide its place, as the firmware wants it."""
+    """Write a result; the firmware requires a position that is a multiple of its size."""
     size = struct.calcsize(form)
     if start % size or start + size > len(reply):
         raise ByteCodeError(f"no place for a result at {start}")

@@ -1,4 +1,4 @@
-"""A brick with ev3dev: the kernel's files, and on them the processes that run on such a brick."""
+"""Emulates a brick with ev3dev: the kernel's files, and the processes that use them."""
 
 import os
 import subprocess
@@ -10,14 +10,14 @@ from typing import Any
 
 from learnblock.emulators.ev3.sysfs import Tree
 from learnblock.emulators.ev3.vehicle import Vehicle
+from learnblock.errors import EmulatorError
 
-#: Seconds between two looks at the files: the kernel's own loop takes 2 ms.
+#: Seconds between two checks of the files; the kernel's own loop takes 2 ms.
 PERIOD = 0.004
-#: Seconds in which a process must listen.
+#: The most seconds until a process listens.
 PATIENCE = 20.0
-#: rpyc's own classic server, on a brick whose python-ev3dev2 finds its files elsewhere. The kernel
-#: takes what one write brings as the value; in an ordinary file the rest of a longer one stays, so
-#: that each value ends with a line.
+#: rpyc's classic server, with python-ev3dev2 using our files. The kernel takes each write as the
+#: whole value; an ordinary file keeps the rest of a longer value, so that each value ends its line.
 RPYC = """
 import io, sys, types
 import ev3dev2
@@ -35,17 +35,17 @@ server._listen()
 print("listening at port", server.port, flush=True)
 server.start()
 """
-#: What stands for the programs with which a brick sounds and speaks: each notes what it is told.
+#: Replaces the brick's programs for sounds and speech; it records their arguments.
 SOUNDS = """#!/bin/sh
 echo "$(basename "$0")" "$@" >> "$(dirname "$0")/../sounds"
 """
 
 
 class Ev3dev:
-    """The files and what is done with them, in a folder of their own.
+    """An emulated brick: its files in a temporary folder, and a thread that executes commands.
 
     Args:
-        vehicle: what is driven.
+        vehicle: the robot that it drives.
     """
 
     def __init__(self, vehicle: Vehicle) -> None:
@@ -65,15 +65,15 @@ class Ev3dev:
 
     @property
     def environment(self) -> dict[str, str]:
-        """That of the brick's processes."""
+        """The environment of the brick's processes."""
         path = os.pathsep.join([str(self.folder / "bin"), os.environ.get("PATH", "")])
         return {**os.environ, "PATH": path, "TMPDIR": str(self.folder), "FAKE_SYS": "1"}
 
     def start(self, *command: str) -> int:
-        """Start a process of the brick's that says at which port it listens.
+        """Start a process of the brick, and return the port on which it listens.
 
         Raises:
-            OSError: it does not.
+            EmulatorError: it does not listen.
         """
         process = subprocess.Popen(  # noqa: S603 - our own Python
             [sys.executable, *command],
@@ -109,7 +109,7 @@ class Ev3dev:
             self._listen()
 
     def _listen(self) -> None:
-        """Note what was sounded or said since the last time."""
+        """Record the sounds and the speech since the last call."""
         if self._sounds.stat().st_size == self._heard:
             return
         lines = self._sounds.read_text("utf-8", "replace")[self._heard :].splitlines()
@@ -123,9 +123,9 @@ class Ev3dev:
 
 
 def _port(process: subprocess.Popen[str]) -> int:
-    """The port that a process says it listens at."""
-    assert process.stdout  # noqa: S101 - it was asked for
-    # A process that hangs is ended, and its silence with it.
+    """The port in the output of a process."""
+    assert process.stdout  # noqa: S101 - opened as a pipe
+    # A process that hangs is killed, which ends `readline`.
     limit = threading.Timer(PATIENCE, process.kill)
     limit.start()
     try:
@@ -133,7 +133,7 @@ def _port(process: subprocess.Popen[str]) -> int:
     finally:
         limit.cancel()
     if not said.startswith("listening at port "):
-        raise OSError(f"the brick's process does not listen: {process.args!r}")
+        raise EmulatorError("emulator-brick-silent")
     return int(said.rsplit(maxsplit=1)[1])
 
 

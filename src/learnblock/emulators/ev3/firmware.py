@@ -1,4 +1,4 @@
-"""A brick with LEGO's own firmware: it tells of itself in the network, and serves one client."""
+"""Emulates a brick with LEGO's own firmware: it sends beacons and serves one client."""
 
 import os
 import select
@@ -15,13 +15,13 @@ REPORT = 1024
 
 
 class Firmware:
-    """A brick that listens as WiFi's do.
+    """A brick that listens on the network.
 
     Args:
-        vehicle: what is driven.
-        address: where it listens.
-        port: there; 0 is a free one.
-        beacon: where it tells that it is there, a machine and its UDP port; None for nowhere.
+        vehicle: the robot that it drives.
+        address: the local address on which it listens.
+        port: its port; 0 for a free one.
+        beacon: the computer and UDP port to which it sends beacons; None for no beacons.
     """
 
     def __init__(
@@ -34,7 +34,7 @@ class Firmware:
         self.machine = Machine(vehicle)
         self._lock = threading.Lock()
         self._closed = threading.Event()
-        # As the firmware's: a second client waits until the first one is gone.
+        # As in the firmware, a second client waits until the first one is gone.
         self._listener = socket.create_server((address, port), backlog=1)
         self._listener.settimeout(0.1)
         self.port: int = self._listener.getsockname()[1]
@@ -43,10 +43,10 @@ class Firmware:
             for work in (self._live, self._serve)
         ]
         if beacon:
-            tell = threading.Thread(
-                target=self._tell_of_it, args=(beacon,), name="beacon", daemon=True
+            announce = threading.Thread(
+                target=self._announce, args=(beacon,), name="beacon", daemon=True
             )
-            self._threads.append(tell)
+            self._threads.append(announce)
         for thread in self._threads:
             thread.start()
 
@@ -57,10 +57,10 @@ class Firmware:
         self._listener.close()
 
     def attach(self, file: int, *, reports: bool) -> None:
-        """Serve a client at a file too, as by Bluetooth, or by USB in reports.
+        """Also serve a client at a file, as with Bluetooth, or with USB in reports.
 
         Args:
-            file: the brick's end, closed when this brick is.
+            file: the brick's end, closed with the brick.
             reports: whether it is USB.
         """
         serve = self._serve_reports if reports else self._serve_stream
@@ -73,14 +73,14 @@ class Firmware:
             with self._lock:
                 self.machine.turn()
 
-    def _tell_of_it(self, beacon: tuple[str, int]) -> None:
+    def _announce(self, beacon: tuple[str, int]) -> None:
         text = f"Serial-Number: 0016533f0c1e\r\nPort: {self.port}\r\nName: EV3\r\nProtocol: EV3\r\n"
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as teller:
-            teller.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            sender.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
             while True:
                 with suppress(OSError):
-                    # Nobody listens, or there is no network: the next time, perhaps.
-                    teller.sendto(text.encode(), beacon)
+                    # Without a network or a listener, the next attempt may succeed.
+                    sender.sendto(text.encode(), beacon)
                 if self._closed.wait(BEACON):
                     return
 
@@ -121,25 +121,25 @@ class Firmware:
         with open(file, "r+b", buffering=0):
             while heard := self._read(file):
                 held += heard
-                # The number of the report, which is 0, and the report.
+                # The report's number, which is 0, and the report.
                 while len(held) > REPORT:
                     report, held = held[1 : 1 + REPORT], held[1 + REPORT :]
                     replies, _ = self._executed(report)
                     os.write(file, replies.ljust(REPORT, b"\0"))
 
     def _read(self, file: int) -> bytes:
-        """What comes next; nothing at the end."""
+        """Read the next data; nothing at the end."""
         while not self._closed.is_set():
             ready, _, _ = select.select([file], [], [], 0.1)
             if ready:
                 with suppress(OSError):
-                    # Refused while nobody has the other end open.
+                    # Fails while the other end is not open.
                     return os.read(file, 4096)
                 self._closed.wait(0.1)
         return b""
 
     def _executed(self, data: bytes) -> tuple[bytes, bytes]:
-        """The replies to the whole messages in the data, and what is left of it."""
+        """The replies to the complete messages in the data, and the rest of the data."""
         replies = b""
         while len(data) >= 2 and len(data) >= 2 + (size := int.from_bytes(data[:2], "little")):
             message, data = data[2 : 2 + size], data[2 + size :]

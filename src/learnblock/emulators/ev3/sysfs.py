@@ -1,7 +1,7 @@
-"""The files by which the kernel of ev3dev offers motors and sensors, moved by a vehicle.
+"""The kernel files of ev3dev's motors and sensors, connected to a vehicle.
 
-As the kernel's documentation has them (docs.ev3dev.org, "tacho-motor" and "lego-sensor"): a motor
-does what was last written to ``command``, at the ``speed_sp`` that stood there at that moment.
+They follow the kernel's documentation (docs.ev3dev.org, "tacho-motor" and "lego-sensor"): a motor
+executes the last value of ``command`` at the ``speed_sp`` of that moment.
 """
 
 import math
@@ -11,15 +11,20 @@ from pathlib import Path
 
 from learnblock.emulators.ev3.vehicle import FASTEST, LEFT, RIGHT, Vehicle
 
-#: Characters of every file: longer than any value, so that each is written over the last one whole.
+#: Characters of every file, more than any value, so that each value overwrites the last one.
 WIDTH = 64
+#: Of a full set of batteries.
+MICROVOLTS = 7_800_000
+
+#: The start of every address.
+PORTS = "ev3-ports:"
 
 
 class Attribute:
-    """A file of the kernel's.
+    """A kernel file.
 
-    What lies in an ordinary file does not say when it was written: an attribute whose time is 0 was
-    not, since it was last looked at.
+    An ordinary file does not report writes, so its time is set to 0 after each check: a file with
+    another time has been written since.
     """
 
     def __init__(self, path: Path, mode: int, value: object = "") -> None:
@@ -30,17 +35,17 @@ class Attribute:
         self.value = str(value)
         self._write()
 
-    def tell(self, value: object) -> None:
-        """Let readers find a value."""
+    def show(self, value: object) -> None:
+        """Show a value to readers."""
         if str(value) != self.value:
             self.value = str(value)
             self._write()
 
     def written(self) -> str | None:
-        """What was written by others since this was last asked."""
+        """The value written by a client since the last call, or None."""
         if self.path.stat().st_mtime_ns == 0:
             return None
-        # In this order: what is written between the two is found the next time.
+        # In this order: a write between the two is found by the next call.
         os.utime(self.path, ns=(0, 0))
         self._file.seek(0)
         text = self._file.read(WIDTH).decode("ascii", "replace")
@@ -50,11 +55,11 @@ class Attribute:
         self._file.close()
 
     def lose(self) -> None:
-        """Have nothing to say any more, also to those who have it open."""
+        """Become empty, also for readers that have it open."""
         self._file.truncate(0)
 
     def _write(self) -> None:
-        # At one go: a reader finds the old value or the new one.
+        # In a single write, so that a reader finds either the old value or the new one.
         self._file.seek(0)
         self._file.write(f"{self.value}\n".ljust(WIDTH).encode())
         os.utime(self.path, ns=(0, 0))
@@ -76,17 +81,17 @@ class Device:
             attribute.close()
 
     def _add(self, name: str, value: object = "", mode: int = 0o444) -> None:
-        # The owner, this emulator, may do both; what others may is what the kernel allows.
+        # The emulator, as the owner, may read and write; others have the kernel's permissions.
         self._attributes[name] = Attribute(self.folder / name, mode | 0o600, value)
 
 
 class Motor(Device):
-    """A large motor; what it does is `speed`, degrees/s."""
+    """A large motor with its current `speed` in degrees/s."""
 
     def __init__(self, folder: Path, port: str) -> None:
         super().__init__(folder)
         self.speed = 0.0
-        self._add("address", f"ev3-ports:out{port}")
+        self._add("address", PORTS + f"out{port}")
         self._add("driver_name", "lego-ev3-l-motor")
         self._add("max_speed", FASTEST)
         self._add("count_per_rot", 360)
@@ -98,12 +103,12 @@ class Motor(Device):
         self._add("speed", 0)
         self._add("state")
 
-    def obey(self) -> None:
-        """Do what was written since the last time."""
+    def execute(self) -> None:
+        """Execute the values written since the last call."""
         for name in ("speed_sp", "stop_action"):
             written = self[name].written()
             if written is not None:
-                self[name].tell(written)
+                self[name].show(written)
         command = self["command"].written()
         if command == "run-forever":
             self.speed = _speed(self["speed_sp"].value)
@@ -111,14 +116,14 @@ class Motor(Device):
             self.speed = 0.0
 
     def report(self, turned: float) -> None:
-        """Let readers find how far it has turned, degrees."""
-        self["position"].tell(round(turned))
-        self["speed"].tell(round(self.speed))
-        self["state"].tell("running" if self.speed else "")
+        """Show the degrees that it has turned."""
+        self["position"].show(round(turned))
+        self["speed"].show(round(self.speed))
+        self["state"].show("running" if self.speed else "")
 
 
 class Sensor(Device):
-    """A sensor with a mode in which it measures something, of several it has."""
+    """A sensor with several modes; it measures only in the first one."""
 
     def __init__(
         self,
@@ -133,21 +138,21 @@ class Sensor(Device):
         super().__init__(folder)
         self.plugged = True
         self._measure, self._mode, self._decimals = measure, modes[0], decimals
-        self._add("address", f"ev3-ports:in{port}")
+        self._add("address", PORTS + f"in{port}")
         self._add("driver_name", driver)
         self._add("modes", " ".join(modes))
-        # The first is the one in which it begins.
+        # It starts in the first mode.
         self._add("mode", modes[0], mode=0o664)
         self._add("decimals", decimals)
         self._add("num_values", 1)
         self._add("value0", 0)
         self.report()
 
-    def obey(self) -> None:
-        """Measure what was asked for since the last time."""
+    def execute(self) -> None:
+        """Switch to the mode written since the last call."""
         mode = self["mode"].written()
         if mode is not None and mode in self["modes"].value.split():
-            self["mode"].tell(mode)
+            self["mode"].show(mode)
 
     def unplug(self) -> None:
         """Pull its cable: the kernel forgets it."""
@@ -156,23 +161,32 @@ class Sensor(Device):
             attribute.lose()
 
     def report(self) -> None:
-        """Let readers find what it measures; in other modes, nothing."""
+        """Show its reading; 0 in other modes."""
         measures = self["mode"].value == self._mode
-        self["decimals"].tell(self._decimals if measures else 0)
-        self["value0"].tell(round(self._measure() * 10**self._decimals) if measures else 0)
+        self["decimals"].show(self._decimals if measures else 0)
+        self["value0"].show(round(self._measure() * 10**self._decimals) if measures else 0)
+
+
+class Battery(Device):
+    """The battery of a brick, which never runs down."""
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__(folder)
+        self._add("voltage_now", MICROVOLTS)
 
 
 class Tree:
-    """All the files, under a folder that stands for /sys/class.
+    """All files, in a folder that replaces /sys/class.
 
     Args:
-        root: that folder.
-        vehicle: what is driven.
+        root: the folder.
+        vehicle: the robot that they drive.
     """
 
     def __init__(self, root: Path, vehicle: Vehicle) -> None:
         self._vehicle = vehicle
         motors, sensors = root / "tacho-motor", root / "lego-sensor"
+        self._battery = Battery(root / "power_supply" / "lego-ev3-battery")
         self.motors = {
             port: Motor(motors / f"motor{index}", port) for index, port in enumerate((LEFT, RIGHT))
         }
@@ -205,25 +219,25 @@ class Tree:
         }
 
     def turn(self) -> None:
-        """Do what was written, and let readers find what has come of it."""
+        """Execute the written commands, and show the results."""
         for motor in self.motors.values():
-            motor.obey()
+            motor.execute()
         self._vehicle.turn({port: motor.speed for port, motor in self.motors.items()})
         turned = self._vehicle.turned()
         for port, motor in self.motors.items():
             motor.report(turned[port])
         for sensor in self.sensors.values():
             if sensor.plugged:
-                sensor.obey()
+                sensor.execute()
                 sensor.report()
 
     def close(self) -> None:
-        for device in (*self.motors.values(), *self.sensors.values()):
+        for device in (self._battery, *self.motors.values(), *self.sensors.values()):
             device.close()
 
 
 def _speed(text: str) -> float:
-    """What is written to ``speed_sp``; out of range the kernel refuses it."""
+    """The value written to ``speed_sp``; 0 if it is out of range, since the kernel refuses it."""
     try:
         speed = float(text)
     except ValueError:

@@ -1,4 +1,4 @@
-"""The twin as a brick sees it: two motors, and four sensors."""
+"""Two motors and four sensors of a brick, connected to a twin."""
 
 import math
 from collections.abc import Mapping
@@ -6,17 +6,17 @@ from collections.abc import Mapping
 from learnblock.emulators.twin import Twin
 from learnblock.wheels import body_speeds
 
-#: The motors of the twin: the left wheel's, the right wheel's.
+#: The motor ports of the left and the right wheel.
 LEFT, RIGHT = "B", "D"
-#: Degrees/s of a large motor that runs as fast as it can.
+#: Degrees/s of a large motor at full speed.
 FASTEST = 1050
 
 
 class Vehicle:
-    """A twin on the motors of a brick.
+    """The motors and sensors of a brick, which move and read a twin.
 
     Args:
-        twin: what is driven.
+        twin: the robot.
     """
 
     def __init__(self, twin: Twin) -> None:
@@ -26,13 +26,13 @@ class Vehicle:
         self._radius, self._track = wheels.radius, wheels.track
 
     def turn(self, speeds: Mapping[str, float]) -> None:
-        """Turn the motors at these speeds, degrees/s by port."""
+        """Turn the motors at these speeds: degrees/s by port."""
         left, right = (math.radians(speeds[port]) * self._radius for port in (LEFT, RIGHT))
         with self._twin.body() as body:
             body.drive(*body_speeds((left, right), self._track))
 
     def turned(self) -> dict[str, float]:
-        """How far each motor has turned, degrees by port."""
+        """The degrees that each motor has turned, by port."""
         with self._twin.body() as body:
             left, right = body.wheels_rolled
         return {
@@ -41,18 +41,18 @@ class Vehicle:
         }
 
     def distance(self) -> float:
-        """Of the ultrasonic sensor, mm; 2550 when it sees nothing."""
+        """The ultrasonic sensor's distance in mm; 2550 if it sees nothing."""
         with self._twin.body() as body:
             nearest = body.distances()["front"][0]
         return nearest if nearest < 2000 else 2550.0
 
     def reflection(self) -> float:
-        """Of the colour sensor, 0 to 100."""
+        """The colour sensor's reading, 0 to 100."""
         with self._twin.body() as body:
             return body.ground()["central"] or 0.0
 
     def angle(self) -> float:
-        """Of the gyroscope, degrees clockwise since the start."""
+        """The gyroscope's angle in degrees clockwise since the start."""
         with self._twin.body() as body:
             return body.gyroscope()
 
@@ -62,6 +62,6 @@ class Vehicle:
             return body.bumper()
 
     def note(self, action: str, *values: object) -> None:
-        """The loudspeaker was told something."""
+        """Record a command for the loudspeaker."""
         with self._twin.body() as body:
             body.note("Speaker", action, *values)

@@ -1,8 +1,8 @@
-"""RoboComp's interfaces as tables: operations, types, and the orders in which members stand.
+"""RoboComp's interfaces as tables: operations, types, and orders of members.
 
-Names are RoboComp's own, in its own spelling. Three layouts are about, which differ in the order of
-members (`Layout`), and neither end can tell the other which one it has: with the wrong one a call
-is refused, or brings nonsense.
+Names and spelling are RoboComp's. There are three layouts, which differ in the order of members
+(`Layout`). Neither end reports its layout, and with the wrong one a call is refused or returns
+wrong values.
 
     >>> joints = interfaces(Layout.ROBOT)["jointmotor"]
     >>> joints.type_id
@@ -39,7 +39,7 @@ __all__ = [
 
 
 def interfaces(layout: Layout) -> Mapping[str, Interface]:
-    """Every interface, by the identity that its objects usually have."""
+    """Every interface, by the usual identity of its objects."""
     return {
         "apriltag": apriltag(),
         "commonbehavior": common_behavior(),

@@ -11,17 +11,17 @@ FAILED = Refusal("::RoboCompGenericBase::HardwareFailedException")
 
 @dataclass(frozen=True, slots=True)
 class BaseState:
-    """Where a base is and how it moves.
+    """The pose and the speed of a base.
 
-    RoboComp's plane has z forward and x to the right of who starts at alpha 0; alpha is positive
-    clockwise seen from above.
+    RoboComp's plane has z forward and x to the right at alpha 0; alpha is positive clockwise seen
+    from above.
 
     Args:
-        isMoving: whether it does.
+        isMoving: whether the base is moving.
         x: mm.
         z: mm.
         alpha: rad.
-        correctedX: mm, after somebody corrected the odometry.
+        correctedX: mm, after a correction of the odometry.
         correctedZ: mm.
         correctedAlpha: rad.
         advVx: mm/s to the right.
@@ -52,7 +52,7 @@ def base_state(layout: Layout) -> Structure:
 
 
 def generic_base(layout: Layout) -> Interface:
-    """What every base can be asked."""
+    """The questions to every base."""
     return Interface("::RoboCompGenericBase::GenericBase", _questions(layout))
 
 

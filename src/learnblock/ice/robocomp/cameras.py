@@ -1,4 +1,4 @@
-"""Cameras that see distances as well: RGBD."""
+"""Cameras with colour and depth: RGBD."""
 
 from dataclasses import dataclass
 from enum import IntEnum
@@ -25,7 +25,7 @@ from learnblock.ice.types import (
 
 
 class Registration(IntEnum):
-    """Which picture is fitted to which."""
+    """How the colour and depth pictures are aligned."""
 
     NONE = 0
     DEPTH_IN_COLOR = 1
@@ -67,7 +67,7 @@ _CAMERA = Structure.of(CameraParameters)
 
 @dataclass(frozen=True, slots=True)
 class RGBDParams:
-    """What the camera is."""
+    """The parameters of the camera."""
 
     color: Annotated[CameraParameters, _CAMERA]
     depth: Annotated[CameraParameters, _CAMERA]

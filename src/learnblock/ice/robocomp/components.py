@@ -1,4 +1,4 @@
-"""What every component of RoboComp can be asked: CommonBehavior."""
+"""The interface of every RoboComp component: CommonBehavior."""
 
 from dataclasses import dataclass
 from enum import IntEnum
@@ -8,7 +8,7 @@ from learnblock.ice.types import INT, STRING, Bool, Dictionary, Enumeration, Str
 
 
 class State(IntEnum):
-    """How far a component is."""
+    """The state of a component."""
 
     STARTING = 0
     RUNNING = 1
@@ -16,7 +16,7 @@ class State(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """One of its parameters."""
+    """A parameter of a component."""
 
     editable: Bool = False
     value: String = ""
@@ -24,7 +24,7 @@ class Parameter:
 
 
 def common_behavior() -> Interface:
-    """The component itself: its period in ms, its parameters, its end."""
+    """The component itself: its period in ms, its parameters, and how to end it."""
     parameters = Dictionary(STRING, Structure.of(Parameter))
     return Interface(
         "::RoboCompCommonBehavior::CommonBehavior",

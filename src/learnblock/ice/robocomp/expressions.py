@@ -9,7 +9,7 @@ from learnblock.ice.types import BOOL, FLOAT, STRING, Bytes, Int, Refusal, Struc
 
 @dataclass(frozen=True, slots=True)
 class Image:
-    """A picture: its rows one after the other, `depth` bytes a pixel."""
+    """A picture: rows of pixels with `depth` bytes each."""
 
     width: Int = 0
     height: Int = 0
@@ -21,7 +21,7 @@ _EMOTIONS = "Joy", "Sadness", "Surprise", "Fear", "Anger", "Disgust", "Neutral"
 
 
 def display() -> Interface:
-    """A screen; a file's path is one on the component's computer."""
+    """A screen; file paths are on the component's computer."""
     refuses = (Refusal("::RoboCompDisplay::HardwareFailedException"),)
     return Interface(
         "::RoboCompDisplay::Display",
@@ -33,7 +33,7 @@ def display() -> Interface:
 
 
 def emotional_motor(layout: Layout) -> Interface:
-    """A face that knows emotions; since 2020 it has no neutral one."""
+    """A face that shows emotions; since 2020 without a neutral one."""
     emotions = tuple(Operation(f"express{emotion}") for emotion in _EMOTIONS)
     talking = Operation("talking", takes=(BOOL,))
     operations = {

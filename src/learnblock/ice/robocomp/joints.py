@@ -19,7 +19,7 @@ from learnblock.ice.types import (
 
 @dataclass(frozen=True, slots=True)
 class MotorState:
-    """A joint now: pos in rad, vel in rad/s, p and v in steps and steps/s, temperature in °C."""
+    """The state of a joint: rad, rad/s, steps (p), steps/s (v), and °C."""
 
     pos: Float = 0.0
     vel: Float = 0.0
@@ -33,7 +33,7 @@ class MotorState:
 
 @dataclass(frozen=True, slots=True)
 class MotorParams:
-    """What a joint is: positions in rad, speed in rad/s."""
+    """The parameters of a joint: positions in rad, speed in rad/s."""
 
     name: String = ""
     busId: Byte = 0
@@ -61,7 +61,7 @@ class BusParams:
 
 @dataclass(frozen=True, slots=True)
 class MotorGoalPosition:
-    """Where a joint is to go, rad, and how fast at most, rad/s."""
+    """The goal of a joint in rad, and its maximum speed in rad/s."""
 
     name: String = ""
     position: Float = 0.0
@@ -70,7 +70,7 @@ class MotorGoalPosition:
 
 @dataclass(frozen=True, slots=True)
 class MotorGoalVelocity:
-    """How fast a joint is to move, rad/s and rad/s²."""
+    """The speed of a joint in rad/s, and its maximum acceleration in rad/s²."""
 
     name: String = ""
     velocity: Float = 0.0
@@ -78,7 +78,7 @@ class MotorGoalVelocity:
 
 
 _STATE_ORDERS = {Layout.ROBOT: "p v temperature isMoving pos vel power timeStamp"}
-# How RoboComp of 2020 orders these was not to be found out: taken as the tool's.
+# The order in RoboComp of 2020 is unknown; it is assumed to be the tool's.
 _PARAMS_ORDERS = {
     Layout.ROBOT: (
         "invertedSign busId minPos maxPos maxVelocity zeroPos stepsRange maxDegrees offset"
@@ -96,19 +96,19 @@ _FAILED, _UNKNOWN, _COLLISION = (
 
 
 def motor_states(layout: Layout) -> Dictionary:
-    """MotorStateMap: the joints' states by their names."""
+    """MotorStateMap: the joints' states by name."""
     return Dictionary(STRING, laid_out(MotorState, layout, _STATE_ORDERS))
 
 
 def joint_motor(layout: Layout) -> Interface:
-    """A body's joints."""
+    """The joints of a robot."""
     return Interface("::RoboCompJointMotor::JointMotor", (*_commands(layout), *_questions(layout)))
 
 
 def joint_motor_publish(layout: Layout) -> Interface:
-    """Who wants to be told where the joints are."""
-    told = Operation("motorStates", takes=(motor_states(layout),))
-    return Interface("::RoboCompJointMotor::JointMotorPublish", (told,))
+    """A subscriber to the states of the joints."""
+    published = Operation("motorStates", takes=(motor_states(layout),))
+    return Interface("::RoboCompJointMotor::JointMotorPublish", (published,))
 
 
 def _commands(layout: Layout) -> tuple[Operation, ...]:

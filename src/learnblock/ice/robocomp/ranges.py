@@ -1,4 +1,4 @@
-"""Sensors of distance: Laser and Ultrasound."""
+"""Distance sensors: Laser and Ultrasound."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ from learnblock.ice.types import STRING, Float, Int, Refusal, Sequence, String, 
 
 @dataclass(frozen=True, slots=True)
 class LaserReading:
-    """One distance (TData): angle in rad, or a sensor's number; dist in mm."""
+    """A distance (TData): angle in rad or a sensor's number; dist in mm."""
 
     angle: Float = 0.0
     dist: Float = 0.0
@@ -18,7 +18,7 @@ class LaserReading:
 
 @dataclass(frozen=True, slots=True)
 class LaserConfData:
-    """What a laser is: ranges in mm, degrees, ms."""
+    """The parameters of a laser: mm, degrees, ms."""
 
     staticConf: Int = 0
     maxMeasures: Int = 0
@@ -46,7 +46,7 @@ class UltrasoundBusParams:
 
 @dataclass(frozen=True, slots=True)
 class SensorData:
-    """One ultrasonic reading."""
+    """A reading of an ultrasonic sensor."""
 
     dist: Float = 0.0
     ang: Float = 0.0
@@ -61,7 +61,7 @@ _CONFIGURATION_ORDERS = {
 
 
 def laser(layout: Layout) -> Interface:
-    """A laser, or a row of rangers that pass for one."""
+    """A laser, or a row of distance sensors with the same interface."""
     readings = Sequence(Structure.of(LaserReading))
     configuration = laid_out(LaserConfData, layout, _CONFIGURATION_ORDERS)
     return Interface(

@@ -1,4 +1,4 @@
-"""Components that find things in pictures: Apriltag, EmotionRecognition, DetectionComponent."""
+"""Components that detect objects: Apriltag, EmotionRecognition, DetectionComponent."""
 
 from dataclasses import dataclass
 
@@ -11,9 +11,9 @@ class Picture:
     """A picture (TImage) as RGB bytes, row by row.
 
     Args:
-        width: the number of its rows: so it is with all who speak this interface.
+        width: the number of its rows, in all programs with this interface.
         height: the number of its columns.
-        depth: bytes a pixel.
+        depth: bytes per pixel.
         image: the bytes.
     """
 
@@ -46,7 +46,7 @@ class FoundEmotion:
 
 @dataclass(frozen=True, slots=True)
 class Prediction:
-    """A thing (SPrediction), in pixels."""
+    """An object (SPrediction), in pixels."""
 
     x: Int = 0
     y: Int = 0
@@ -66,7 +66,7 @@ def apriltag() -> Interface:
 
 
 def emotion_recognition() -> Interface:
-    """Finds faces and what they express."""
+    """Finds faces and their emotions."""
     return Interface(
         "::RoboCompEmotionRecognition::EmotionRecognition",
         (_search("processimage", Structure.of(FoundEmotion)),),
@@ -74,7 +74,7 @@ def emotion_recognition() -> Interface:
 
 
 def detection_component() -> Interface:
-    """Finds things that are at least as likely as its threshold."""
+    """Finds objects whose probability reaches a threshold."""
     return Interface(
         "::RoboCompDetectionComponent::DetectionComponent",
         (

@@ -21,7 +21,7 @@ Detections = (
     | tuple[Face, ...]
     | tuple[FaceEmotion, ...]
 )
-#: What each detector answers, by its name.
+#: The result type of each detector, by its name.
 KINDS: Mapping[str, Any] = MappingProxyType(
     {
         "lines": Lines,

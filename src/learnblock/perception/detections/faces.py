@@ -1,4 +1,4 @@
-"""What the detectors of faces and of emotions find."""
+"""The results of the detectors of faces and of emotions."""
 
 from dataclasses import dataclass
 
@@ -64,7 +64,7 @@ class Face:
 
 @dataclass(frozen=True, slots=True)
 class FaceEmotion:
-    """A face in a frame and what it expresses.
+    """A face in a frame and its emotion.
 
     Args:
         face: where it is.

@@ -1,15 +1,15 @@
-"""What the detector of lines finds."""
+"""The results of the detector of lines."""
 
 from dataclasses import dataclass
 
-# So many pixels of a colour are a line, and so many red and black ones in the centre a crossing.
+# Pixels of a colour that make a line, and red and black pixels in the centre that make a crossing.
 LINE_PIXELS = 20
 CROSSING_PIXELS = 40
 
 
 @dataclass(frozen=True, slots=True)
 class LineView:
-    """How much of one colour is seen in the left, the center and the right of a frame.
+    """The amount of one colour in the left, the centre and the right of a frame.
 
     Args:
         colour: ``black``, ``red`` or ``blue``.
@@ -49,7 +49,7 @@ class LineView:
         return self.is_there and self._side() == "right"
 
     def _side(self) -> str:
-        """Where most is; of sides with equally much the center, then the left."""
+        """The side with the most pixels; of equal sides the center, then the left."""
         counts = {"center": self.center, "left": self.left, "right": self.right}
         return max(counts, key=counts.__getitem__)
 

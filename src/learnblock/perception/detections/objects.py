@@ -1,4 +1,4 @@
-"""What the detector of coloured objects finds."""
+"""The results of the detector of coloured objects."""
 
 from dataclasses import dataclass
 
@@ -36,7 +36,7 @@ class ColouredObject:
 
     @property
     def share(self) -> float:
-        """How much of the frame it covers, 0 to 1."""
+        """The part of the frame that it covers, 0 to 1."""
         return self.area / (self.frame_width * self.frame_height)
 
     @property

@@ -1,4 +1,4 @@
-"""What the detector of tags finds."""
+"""The results of the detector of tags."""
 
 import math
 from dataclasses import dataclass
@@ -11,11 +11,11 @@ CENTRE_REACH = 40
 
 @dataclass(frozen=True, slots=True)
 class TagPose:
-    """Where a tag is seen from the lens, and how it is turned.
+    """The position of a tag seen from the lens, and its rotation.
 
     Args:
         x: mm to the right of the lens's axis.
-        y: mm beneath it.
+        y: mm below it.
         z: mm ahead.
         yaw: degrees, clockwise seen from above; 0 where the tag's face is square to the axis.
         pitch: degrees by which its upper edge leans away from the lens.
@@ -38,7 +38,7 @@ class Tag:
         id: its number, 0 to 586.
         center: (column, row) in pixels.
         corners: (column, row) of the black square's top left, top right, bottom right and bottom
-            left, named as they are when the tag stands as `learnblock.simulator.textures.tag`
+            left, named for a tag that is upright as `learnblock.simulator.textures.tag`
             draws it.
         pose: where it is seen from the lens, or None where the lens or the tag's size is not known.
         frame_width: pixels.

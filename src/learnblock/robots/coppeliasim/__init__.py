@@ -1,7 +1,7 @@
-"""CoppeliaSim, which was V-REP: a robot in one of its scenes, by its ZeroMQ remote API.
+"""CoppeliaSim, formerly V-REP: drives a robot in a scene over the ZeroMQ remote API.
 
-Version 4.6 or later is needed; the remote API of V-REP 3 was another one. The setting `scene` says
-which robot is driven: that of our own script, the paper's, or any one by the names of its parts.
+It needs version 4.6 or later; V-REP 3 had another remote API. The setting `scene` chooses the
+robot: that of our own script, that of the paper, or any robot by the names of its parts.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -10,8 +10,7 @@ from importlib.resources import files
 from typing import Any
 
 from learnblock.errors import MissingPackageError, RobotConnectionError
-from learnblock.files import save
-from learnblock.home import home
+from learnblock.i18n import Phrase
 from learnblock.robots import settings as user_settings
 from learnblock.robots.coppeliasim import named_parts, paper_scene
 from learnblock.robots.coppeliasim.heartbeat import Heartbeat
@@ -24,6 +23,8 @@ from learnblock.robots.coppeliasim.settings import Settings
 from learnblock.robots.coppeliasim.simulation import Simulation
 from learnblock.robots.guardian import Guardian
 from learnblock.robots.real import RealRobot
+from learnblock.storage.files import save
+from learnblock.storage.home import home
 
 __all__ = ["Robot", "Settings"]
 
@@ -33,28 +34,19 @@ _SCENES: Mapping[str, Callable[[Remote, Settings], Scene]] = {
     "script": ScriptScene,
 }
 
-_HOW_TO_LOAD = """\
-The script lies in {path}
-In CoppeliaSim, with a scene that has a floor:
-  1. Add > Dummy, and rename it to LearnBlock.
-  2. Select it, then Add > Script > Simulation script > Non threaded > Lua
-     (before version 4.7: Add > Associated child script > Non threaded > Lua).
-  3. Double-click the script's icon, replace all of its text by that of the file, and close it.
-  4. Press play: a robot appears where the dummy is. Save the scene.
-Then: learnblock robots test coppeliasim"""
-
 
 class Robot(RealRobot[Settings]):
     """A robot in a scene of CoppeliaSim.
 
-    What is not in `device_names` its scene tells once it is connected.
+    The devices of a scene with our script are known only once it is connected.
     """
 
     settings_type = Settings
+    model = "ev3"
 
     @classmethod
     def device_names(cls) -> frozenset[str] | None:
-        """Known beforehand for the scenes whose script does not tell, as the settings are saved."""
+        """The devices by the saved settings; None for a scene with our script."""
         settings = user_settings.load(cls.name(), Settings)
         if settings.scene == "paper":
             return paper_scene.DEVICES
@@ -87,7 +79,7 @@ class Robot(RealRobot[Settings]):
         """Stop the motors of a robot whose program is gone.
 
         Raises:
-            RobotConnectionError: it cannot be reached.
+            RobotConnectionError: CoppeliaSim cannot be reached.
         """
         with closing(Remote(settings.address, settings.port, settings.patience)) as remote:
             remote.open()
@@ -101,7 +93,7 @@ class Robot(RealRobot[Settings]):
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
-        """Ask where the settings say that it runs, by default on this machine."""
+        """Try the address in the settings, by default this computer."""
         saved = user_settings.load(cls.name(), Settings)
         try:
             with closing(Remote(saved.address, saved.port, seconds)) as remote:
@@ -111,15 +103,15 @@ class Robot(RealRobot[Settings]):
         yield {"address": saved.address, "port": saved.port}
 
     @classmethod
-    def set_up(cls, settings: Settings, tell: Callable[[str], object]) -> None:  # noqa: ARG003
-        """Copy our scene script to where the user finds it, and say how it gets into a scene."""
+    def set_up(cls, settings: Settings, report: Callable[[Phrase], object]) -> None:  # noqa: ARG003
+        """Copy our scene script to the user's folder, and explain how to add it to a scene."""
         path = home() / "coppeliasim" / "scene.lua"
         save(path, files(__package__).joinpath("scene.lua").read_bytes())
-        tell(_HOW_TO_LOAD.format(path=path))
+        report(Phrase("coppeliasim-setup-done", path=str(path)))
 
 
 def _relieve(guardian: Guardian, remote: Remote) -> None:
-    """At the end its motors stand, unless it could not be told."""
+    """End the guardian, unless the motors could not be stopped."""
     if remote.is_lost:
         guardian.leave_in_charge()
     else:

@@ -1,11 +1,11 @@
-"""Calls regularly: so a robot hears that its program lives, and we notice when it is gone."""
+"""Regular calls that feed a robot's watchdog and detect a lost connection."""
 
 import threading
 from collections.abc import Callable
 
 from learnblock.errors import RobotConnectionError
 
-#: Seconds between two beats: three of them fit into the time after which our script stops.
+#: Seconds between two beats; our script stops the motors after the time of three.
 PERIOD = 0.1
 
 
@@ -20,16 +20,17 @@ class Heartbeat:
         self._thread.start()
 
     def check(self) -> None:
-        """Say why it has failed, if it has.
+        """Check that no beat has failed.
 
         Raises:
             RobotConnectionError: what the last beat raised.
         """
         if self._error:
-            raise RobotConnectionError(str(self._error))
+            phrase = self._error.phrase
+            raise RobotConnectionError(phrase.code, **phrase.values)
 
     def stop(self) -> None:
-        """Beat no more."""
+        """End the thread."""
         self._stopped.set()
         self._thread.join()
 

@@ -1,7 +1,7 @@
 """Any differential robot of a scene, by the names of its parts.
 
-Where the wheels are is asked of their joints: so the track need not be told, nor which way the
-robot's own frame looks, nor which way a joint turns.
+The poses of the wheels' joints give the track, the robot's heading, and the direction in which each
+joint turns, so that none of these needs a setting.
 """
 
 import math
@@ -19,7 +19,7 @@ from learnblock.devices import (
     Gyroscope,
     Pose,
 )
-from learnblock.errors import RobotConnectionError
+from learnblock.errors import RobotConnectionError, SceneCallError
 from learnblock.robots.coppeliasim.readings import (
     Turning,
     brightness,
@@ -27,7 +27,7 @@ from learnblock.robots.coppeliasim.readings import (
     matrix,
     picture,
 )
-from learnblock.robots.coppeliasim.remote import RefusedError, Remote
+from learnblock.robots.coppeliasim.remote import Remote
 from learnblock.robots.coppeliasim.script import understood
 from learnblock.robots.coppeliasim.settings import Settings
 from learnblock.wheels import wheel_speeds
@@ -37,7 +37,7 @@ Matrix = tuple[float, ...]
 
 
 def devices_of(settings: Settings) -> frozenset[str]:
-    """The devices for which the settings name something in the scene."""
+    """The devices for which the settings name objects of the scene."""
     named = {
         "DistanceSensors": (settings.front, settings.left, settings.right, settings.back),
         "GroundSensors": (settings.ground_left, settings.ground_central, settings.ground_right),
@@ -49,11 +49,11 @@ def devices_of(settings: Settings) -> frozenset[str]:
 
 @dataclass(frozen=True, slots=True)
 class Axle:
-    """The two joints of the wheels, as their matrices tell.
+    """The poses of the wheels' two joints.
 
     Args:
-        left: of the left joint.
-        right: of the right one.
+        left: the matrix of the left joint.
+        right: the matrix of the right joint.
     """
 
     left: Matrix
@@ -61,33 +61,33 @@ class Axle:
 
     @property
     def to_the_left(self) -> tuple[float, float]:
-        """From the right wheel to the left one, m."""
+        """The vector from the right wheel to the left one in m."""
         return self.left[3] - self.right[3], self.left[7] - self.right[7]
 
     @property
     def track(self) -> float:
-        """The distance between the wheels, mm."""
+        """The distance between the wheels in mm."""
         return 1000 * math.hypot(*self.to_the_left)
 
     @property
     def pose(self) -> Pose:
-        """The middle between the wheels, x and y in mm, and the heading in degrees clockwise."""
+        """The point between the wheels, x and y in mm, and the heading in degrees clockwise."""
         along, across = self.to_the_left
         x, y = (self.left[3] + self.right[3]) / 2, (self.left[7] + self.right[7]) / 2
-        # Forward is a quarter of a turn to the right of left.
+        # Forward is 90 degrees to the right of left.
         return 1000 * x, 1000 * y, math.degrees(math.atan2(along, across))
 
     def direction(self, joint: Matrix) -> float:
-        """1 if a joint that turns positively rolls its wheel forward, else -1.
+        """1 if positive turns of a joint roll its wheel forward, else -1.
 
-        It does where the joint's axis, its z, looks to the left.
+        They do if the joint's z axis points to the left.
         """
         along, across = self.to_the_left
         return math.copysign(1.0, joint[2] * along + joint[6] * across)
 
 
 class NamedParts:
-    """A robot by the names in the settings; it has no watchdog.
+    """The robot whose parts are named in the settings; it has no watchdog.
 
     Raises:
         RobotConnectionError: the scene lacks one of the objects.
@@ -122,11 +122,11 @@ class NamedParts:
         self._turn(self._right, self._directions[1] * right)
 
     def beat(self) -> object:
-        """Nothing in such a scene listens for a sign of life."""
+        """Read the heading; such a scene has no watchdog to feed."""
         return self._turning.read()
 
     def _turn(self, joint: int, speed: float) -> None:
-        """Let a wheel roll at that many mm/s."""
+        """Roll a wheel at a speed in mm/s."""
         self._remote.call("setJointTargetVelocity", joint, speed / self._settings.wheel_radius)
 
     def _axle(self) -> Axle:
@@ -166,8 +166,8 @@ class NamedParts:
     def _object(self, path: str, setting: str) -> int:
         try:
             handle: int = self._remote.call("getObject", path)
-        except RefusedError as error:
+        except SceneCallError:
             raise RobotConnectionError(
-                f"the scene has no object {path}, which the setting `{setting}` names ({error})"
+                "coppeliasim-no-object", path=path, setting=setting
             ) from None
         return handle

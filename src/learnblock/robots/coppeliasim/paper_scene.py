@@ -1,8 +1,8 @@
 """The paper's scene of V-REP: an EV3 whose script `Funciones` has one function for each device.
 
-Its functions are written for the old remote API: each takes and answers lists of whole numbers, of
-numbers and of texts, and a buffer. `On` takes mm/s and rad/s with the sign of the paper's own
-client, clockwise positive; `SensorSonar` answers m, `SensorGyroA` degrees, `SensorLight` 0 to 100.
+The functions are written for the old remote API: each takes and returns lists of whole numbers, of
+numbers and of texts, and a buffer. `On` takes mm/s and rad/s, clockwise positive as in the paper's
+client; `SensorSonar` returns m, `SensorGyroA` degrees, `SensorLight` 0 to 100.
 """
 
 import math
@@ -19,7 +19,7 @@ from learnblock.devices import (
     Gyroscope,
 )
 from learnblock.robots.coppeliasim.readings import (
-    NonsenseError,
+    BadReplyError,
     Turning,
     finite,
     millimetres,
@@ -29,8 +29,7 @@ from learnblock.robots.coppeliasim.remote import Remote
 from learnblock.robots.coppeliasim.script import Script
 from learnblock.robots.coppeliasim.settings import Settings
 
-_ADVICE = "open the paper's scene, or set `scene` to `script` or `names`"
-#: What it has.
+#: The devices of the scene.
 DEVICES = frozenset(
     {"Base:ROBOT", "DistanceSensors:ROBOT", "GroundSensors:ROBOT", "Gyroscope:Z_AXIS"}
 )
@@ -38,12 +37,13 @@ _INTEGERS, _NUMBERS = 0, 1
 
 
 class PaperScene:
-    """The EV3 of the paper's scene; it has no watchdog, and does not tell where it is."""
+    """The EV3 of the paper's scene; it has neither a watchdog nor odometry."""
 
     has_watchdog = False
 
     def __init__(self, remote: Remote, settings: Settings) -> None:
-        self._script = Script(remote, settings.script or "/Funciones", _ADVICE)
+        path = settings.script or "/Funciones"
+        self._script = Script(remote, path, missing="coppeliasim-no-paper-script")
         self._turning = Turning(self._heading, lambda: self._call("ResetGyroA"))
 
     def devices(self) -> Iterator[tuple[Device, str]]:
@@ -56,7 +56,7 @@ class PaperScene:
         self._call("On", adv, math.radians(rot))
 
     def beat(self) -> object:
-        """Its script listens for no sign of life."""
+        """Read the heading; the script has no watchdog to feed."""
         return self._turning.read()
 
     def _heading(self) -> float:
@@ -74,7 +74,7 @@ class PaperScene:
 
 
 def _sonar(reply: Any) -> float:
-    """Nothing and 0 m both mean that no echo came back."""
+    """The distance in mm; both nothing and 0 m mean that there was no echo."""
     if not _list(reply, _NUMBERS):
         return NOTHING_SEEN
     return millimetres(_list(reply, _NUMBERS)[0]) or NOTHING_SEEN
@@ -84,18 +84,18 @@ def _first(kind: int) -> Callable[[Any], float]:
     def read(reply: Any) -> float:
         values = _list(reply, kind)
         if not values:
-            raise NonsenseError(f"{reply!r:.80} has no number")
+            raise BadReplyError(reply)
         return finite(values[0])
 
     return read
 
 
 def _list(reply: Any, kind: int) -> Sequence[Any]:
-    """One of the lists of an answer; an empty one may come as an empty table of keys."""
+    """One of the lists of a reply; an empty list may arrive as an empty dictionary."""
     lists = reply if isinstance(reply, tuple) else (reply,)
     found = lists[kind] if len(lists) > kind else None
     if found == {}:
         return ()
     if not isinstance(found, list):
-        raise NonsenseError(f"{reply!r:.80} is not lists of numbers")
+        raise BadReplyError(reply)
     return found

@@ -1,7 +1,7 @@
-"""From what CoppeliaSim answers to what devices read: m to mm, and turned the other way round.
+"""Converts CoppeliaSim's replies to our readings.
 
 CoppeliaSim's angles are radians, counterclockwise seen from above; ours are degrees, clockwise.
-Positions are metres there, with x and y as ours.
+Its positions are metres, with the same x and y axes as ours.
 """
 
 import threading
@@ -19,23 +19,26 @@ if TYPE_CHECKING:
 
     Frame = NDArray[np.uint8]
 
-#: Where the average intensity stands in the first packet of a vision sensor's reading: least, most
-#: and average of intensity, red, green, blue and depth (``sim.readVisionSensor``).
+#: The index of the average intensity in the first packet of a vision sensor's reading, which has
+#: minimum, maximum and average of intensity, red, green, blue and depth (``sim.readVisionSensor``).
 AVERAGE_INTENSITY = 10
 
 
-class NonsenseError(ValueError):
-    """An answer has not the form it should have."""
+class BadReplyError(ValueError):
+    """A reply of CoppeliaSim does not have the expected form; its text is the reply, shortened."""
+
+    def __init__(self, reply: object) -> None:
+        super().__init__(f"{reply!r:.80}")
 
 
 class Turning:
-    """A heading that comes wrapped, followed through full turns.
+    """Follows a wrapped heading through full turns.
 
-    Somebody must ask before the robot has turned by 180 degrees.
+    It must be read before the robot has turned by 180 degrees.
 
     Args:
-        read: answers degrees clockwise, wrapped or not.
-        reset: lets the robot's own sensor begin at 0, where it has one.
+        read: returns degrees clockwise, wrapped or not.
+        reset: resets the robot's own sensor, if it has one.
     """
 
     def __init__(self, read: Callable[[], float], reset: Callable[[], object]) -> None:
@@ -46,7 +49,7 @@ class Turning:
         self._last = read()
 
     def read(self) -> float:
-        """Degrees turned since the reset, clockwise."""
+        """Degrees turned clockwise since the reset."""
         with self._lock:
             heading = self._read()
             self._turned += wrapped(heading - self._last)
@@ -54,7 +57,7 @@ class Turning:
             return self._turned
 
     def reset(self) -> None:
-        """Begin at 0."""
+        """Set the current heading to 0."""
         with self._lock:
             self._reset()
             self._last = self._read()
@@ -67,100 +70,98 @@ def wrapped(degrees: float) -> float:
 
 
 def finite(value: object) -> float:
-    """A number.
+    """A value as a finite number.
 
     Raises:
-        NonsenseError: it is none.
+        BadReplyError: it is not a finite number.
     """
     try:
         return number("reading", value)
-    except DeviceValueError as error:
-        raise NonsenseError(str(error)) from None
+    except DeviceValueError:
+        raise BadReplyError(value) from None
 
 
 def matrix(reply: object) -> tuple[float, ...]:
-    """The twelve numbers of an object's pose: three rows of three directions and a position, m.
+    """The twelve numbers of an object's pose: three rows of three directions and a position in m.
 
     Raises:
-        NonsenseError: they are not.
+        BadReplyError: it is something else.
     """
     if not isinstance(reply, Sequence) or len(reply) != 12:
-        raise NonsenseError(f"{reply!r:.80} is no matrix of 12 numbers")
+        raise BadReplyError(reply)
     return tuple(map(finite, reply))
 
 
 def distance(reply: object) -> float:
-    """What a proximity sensor sees, in mm: found or not, m, and more that is not needed.
+    """A proximity sensor's distance in mm, from a reply that starts with a flag and metres.
 
     Raises:
-        NonsenseError: this is no reading.
+        BadReplyError: it is not a reading.
     """
     found, *rest = reply if isinstance(reply, tuple) else (reply,)
     if found != 1:
         return NOTHING_SEEN
     if not rest:
-        raise NonsenseError("a reading without distance")
+        raise BadReplyError(reply)
     return millimetres(rest[0])
 
 
 def millimetres(metres: object) -> float:
-    """A distance as our sensors tell it.
+    """A distance in mm, limited to the range of our sensors.
 
     Raises:
-        NonsenseError: it is no number.
+        BadReplyError: it is not a number.
     """
     return min(max(1000 * finite(metres), 0.0), NOTHING_SEEN)
 
 
 def brightness(reply: object) -> float | None:
-    """How bright a vision sensor's picture is, 0 to 100; None while it has none.
+    """The brightness of a vision sensor's picture, 0 to 100; None before the first picture.
 
     Raises:
-        NonsenseError: this is no reading.
+        BadReplyError: it is not a reading.
     """
     packet = reply[1] if isinstance(reply, tuple) and len(reply) > 1 else None
     if not isinstance(packet, Sequence) or isinstance(packet, str) or not packet:
         return None
     if len(packet) <= AVERAGE_INTENSITY:
-        raise NonsenseError(f"{len(packet)} numbers, at least {AVERAGE_INTENSITY + 1} are expected")
+        raise BadReplyError(reply)
     return percent(100 * finite(packet[AVERAGE_INTENSITY]))
 
 
 def percent(value: object) -> float:
-    """A number brought to 0 to 100.
+    """A number limited to 0 to 100.
 
     Raises:
-        NonsenseError: it is no number.
+        BadReplyError: it is not a number.
     """
     return min(max(finite(value), 0.0), 100.0)
 
 
 def picture(reply: object) -> "Frame":
-    """A vision sensor's image, upright: it comes with its lowest row first.
+    """A vision sensor's image, turned upright: CoppeliaSim sends the lowest row first.
 
     Raises:
-        NonsenseError: it is no image.
+        BadReplyError: it is not an image.
     """
     import numpy as np  # noqa: PLC0415 - a robot without a camera does without
 
     image = converted(reply, tuple[bytes, tuple[int, int]])
     data, (width, height) = image
     if width < 1 or height < 1 or len(data) != 3 * width * height:
-        raise NonsenseError(f"{len(data)} bytes for an image of {width} by {height}")
+        raise BadReplyError(reply)
     frame = np.frombuffer(data, np.uint8).reshape(height, width, 3)[::-1].copy()
     frame.flags.writeable = False
     return frame
 
 
 def converted(reply: object, kind: Any) -> Any:
-    """An answer as a value of that type.
+    """A reply converted to a type.
 
     Raises:
-        NonsenseError: it is none.
+        BadReplyError: it does not fit the type.
     """
     try:
         return msgspec.convert(reply, kind)
-    except msgspec.ValidationError as error:
-        raise NonsenseError(str(error)) from None
-    except (RecursionError, TypeError) as error:
-        raise NonsenseError(f"{reply!r:.80}") from error
+    except (msgspec.ValidationError, RecursionError, TypeError) as error:
+        raise BadReplyError(reply) from error

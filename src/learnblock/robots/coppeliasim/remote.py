@@ -1,4 +1,4 @@
-"""CoppeliaSim's ZeroMQ remote API, by the vendor's own client with time limits and a lock."""
+"""CoppeliaSim's ZeroMQ remote API: the vendor's client with time limits and a lock."""
 
 import math
 import sys
@@ -9,27 +9,24 @@ from time import monotonic
 from types import ModuleType
 from typing import Any
 
-from learnblock.errors import RobotConnectionError
+from learnblock.errors import RobotConnectionError, SceneCallError
+from learnblock.i18n import Phrase
 from learnblock.robots.real import require
 
-#: What a client may be told to do instead of an answer: nothing, wait, or ask again.
+#: The allowed commands in a reply: none, wait, or ask again.
 _WAITS = (None, "_*wait*_", "_*repeat*_")
-#: How often a request is sent before the link counts as lost. Repeating one does no harm: all of
-#: ours either ask or set.
+#: How often a request is sent before the connection counts as lost. All of our requests either read
+#: or set a value, so that repeating one is harmless.
 ATTEMPTS = 3
 
 
-class RefusedError(RobotConnectionError):
-    """CoppeliaSim answers that it cannot do what it was asked."""
-
-
 class Remote:
-    """CoppeliaSim as seen from here.
+    """A connection to CoppeliaSim.
 
     Args:
-        address: where it runs.
-        port: where its remote API listens.
-        patience: seconds in which it must have answered.
+        address: the computer on which it runs.
+        port: the port of its remote API.
+        patience: the timeout in seconds.
 
     Raises:
         MissingPackageError: the vendor's client is not installed.
@@ -37,72 +34,71 @@ class Remote:
 
     def __init__(self, address: str, port: int, patience: float) -> None:
         library = require("coppeliasim_zmqremoteapi_client", "coppeliasim")
-        self.place = f"CoppeliaSim at {address}:{port}"
+        self.place = f"{address}:{port}"
         self._patience = patience
         self._zmq = library.zmq
         with _main_module_unchanged():
             self._client = _client_class(library)(address, port)
         self._prepare_socket(library.zmq)
         self._lock = threading.Lock()
-        self._lost: str | None = None
+        self._lost: Phrase | None = None
         self._sim: Any = None
 
     def open(self) -> None:
-        """Learn what it offers.
+        """Connect, and load the list of its functions.
 
         Raises:
-            RobotConnectionError: it does not answer, or is too old.
+            RobotConnectionError: CoppeliaSim does not answer, or is too old.
         """
         self._sim = self._asked(lambda: self._client.require("sim"))
 
     def call(self, function: str, *arguments: Any) -> Any:
-        """Have a function of its API called, such as ``getObject``.
+        """Call a function of its API, such as ``getObject``.
 
         Returns:
-            What the function returns; several values as a tuple, None for none.
+            The function's result; several values as a tuple, None for none.
 
         Raises:
-            RefusedError: the function fails, or is not there.
-            RobotConnectionError: no answer, or none that can be understood; from then on every call
-                fails at once.
+            SceneCallError: the function fails or does not exist.
+            RobotConnectionError: there is no valid answer; all later calls fail at once.
         """
         called = getattr(self._sim, function, None)
         if called is None:
-            raise RefusedError(
-                f"{self.place} has no function sim.{function}: CoppeliaSim 4.6 or later has"
-            )
+            raise SceneCallError("coppeliasim-too-old", place=self.place, name=f"sim.{function}")
         return self._asked(lambda: called(*arguments))
 
     def constant(self, *names: str) -> Any:
-        """The value of the first of these constants that this version has.
+        """The value of the first of these constants that exists in this version.
 
         Raises:
-            RefusedError: it has none of them.
+            SceneCallError: none of them exists.
         """
         for name in names:
             value = getattr(self._sim, name, None)
             if value is not None:
                 return value
-        raise RefusedError(f"{self.place} has no sim.{names[0]}: CoppeliaSim 4.6 or later has")
+        raise SceneCallError("coppeliasim-too-old", place=self.place, name=f"sim.{names[0]}")
 
     @property
     def is_lost(self) -> bool:
-        """Whether it has ceased to answer."""
+        """Whether the connection is lost or closed."""
         return self._lost is not None
 
-    def nonsense(self, what: str, error: object) -> RobotConnectionError:
-        """The error for an answer that has not the form it should have."""
-        return RobotConnectionError(f"{self.place} answers {what} with nonsense: {error}")
+    def bad_answer(self, name: str, answer: object) -> RobotConnectionError:
+        """The error for an answer that does not have the expected form."""
+        return RobotConnectionError(
+            "coppeliasim-bad-answer", place=self.place, name=name, answer=str(answer)
+        )
 
     def close(self) -> None:
-        """Let go; the second time it does nothing."""
+        """Close the connection; calling it twice is harmless."""
         with self._lock:
-            self._lost = self._lost or f"the connection to {self.place} is closed"
+            self._lost = self._lost or Phrase("coppeliasim-closed", place=self.place)
             self._client.socket.close(linger=0)
             self._client.context.term()
 
     def _prepare_socket(self, zmq: ModuleType) -> None:
-        """Without these the client waits for ever when nobody listens, and again at its end."""
+        """Set time limits: without them the client waits forever if nothing answers."""
         options = {
             zmq.LINGER: 0,
             zmq.RCVTIMEO: round(1000 * self._patience / ATTEMPTS),
@@ -117,7 +113,7 @@ class Remote:
     def _asked(self, request: Callable[[], Any]) -> Any:
         with self._lock:
             if self._lost:
-                raise RobotConnectionError(self._lost)
+                raise RobotConnectionError(self._lost.code, **self._lost.values)
             for _ in range(ATTEMPTS):
                 self._client.deadline = monotonic() + self._patience / ATTEMPTS
                 try:
@@ -125,25 +121,22 @@ class Remote:
                 except self._zmq.Again:
                     continue
                 except Exception as error:
-                    # The vendor's client raises a bare Exception for what CoppeliaSim refuses;
-                    # any other one means that it could not read the answer.
+                    # The vendor's client raises a bare Exception for an error in CoppeliaSim; any
+                    # other exception means that it could not read the answer.
                     if type(error) is Exception:
-                        raise RefusedError(f"{self.place} refuses: {_first_line(error)}") from None
-                    raise self._lose(
-                        "answers nonsense: is it CoppeliaSim 4.6 or later that listens there?"
-                    ) from error
-            raise self._lose(
-                f"has not answered for {self._patience:g} s: is CoppeliaSim running there, with its"
-                " ZMQ remote API server?"
-            )
+                        raise SceneCallError(
+                            "coppeliasim-refused", place=self.place, reason=_first_line(error)
+                        ) from None
+                    raise self._lose("coppeliasim-not-coppeliasim") from error
+            raise self._lose("coppeliasim-no-answer")
 
-    def _lose(self, why: str) -> RobotConnectionError:
-        self._lost = f"{self.place} {why}"
-        return RobotConnectionError(self._lost)
+    def _lose(self, code: str) -> RobotConnectionError:
+        self._lost = Phrase(code, place=self.place)
+        return RobotConnectionError(self._lost.code, **self._lost.values)
 
 
 def _client_class(library: ModuleType) -> Any:
-    """The vendor's client, which would wait as often as it is told to, and call what it is told."""
+    """The vendor's client with limits: the original waits forever and runs any command it gets."""
 
     class BoundedClient(library.RemoteAPIClient):  # type: ignore[misc, name-defined]
         #: By `monotonic`.
@@ -154,7 +147,7 @@ def _client_class(library: ModuleType) -> Any:
                 raise library.zmq.Again
             reply = super()._recv()
             if isinstance(reply, dict) and reply.get("func") not in _WAITS:
-                raise ValueError(f"it calls {reply['func']!r:.80}, which is not here")
+                raise ValueError(f"unexpected command {reply['func']!r:.80}")
             return reply
 
     return BoundedClient
@@ -162,7 +155,7 @@ def _client_class(library: ModuleType) -> Any:
 
 @contextmanager
 def _main_module_unchanged() -> Iterator[None]:
-    """The vendor's client puts a function `require` among the names of the user's program."""
+    """Undo the vendor's client's change of the user's program: it adds a function `require`."""
     names = vars(sys.modules["__main__"])
     before = {"require": names["require"]} if "require" in names else {}
     try:
@@ -173,5 +166,5 @@ def _main_module_unchanged() -> Iterator[None]:
 
 
 def _first_line(error: Exception) -> str:
-    """What a script's error says, without the way the call took."""
+    """A script's error without its traceback."""
     return str(error).partition("_=NL=_")[0].strip()[:300]

@@ -1,4 +1,4 @@
-"""What the three kinds of scenes have in common: devices, and a sign of life."""
+"""The interface of the three kinds of scenes."""
 
 from collections.abc import Iterator
 from typing import Protocol
@@ -11,13 +11,13 @@ class Scene(Protocol):
 
     @property
     def has_watchdog(self) -> bool:
-        """Whether its motors stop by themselves when nothing more is heard of the program."""
+        """Whether the motors stop by themselves when the program falls silent."""
 
     def devices(self) -> Iterator[tuple[Device, str]]:
-        """Its devices with their keys."""
+        """The devices with their keys."""
 
     def move(self, adv: float, rot: float) -> None:
         """Drive at mm/s and degrees/s clockwise."""
 
     def beat(self) -> object:
-        """Tell the robot that its program lives, and follow its turning."""
+        """Feed the robot's watchdog, and follow its heading."""

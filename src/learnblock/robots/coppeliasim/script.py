@@ -1,68 +1,66 @@
-"""The functions of a script in CoppeliaSim's scene."""
+"""Calls the functions of a script in CoppeliaSim's scene."""
 
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from learnblock.errors import RobotConnectionError
-from learnblock.robots.coppeliasim.readings import NonsenseError
-from learnblock.robots.coppeliasim.remote import RefusedError, Remote
+from learnblock.errors import RobotConnectionError, SceneCallError
+from learnblock.robots.coppeliasim.readings import BadReplyError
+from learnblock.robots.coppeliasim.remote import Remote
 
 T = TypeVar("T")
 
 
 class Script:
-    """A script that an object of the scene carries.
+    """A script attached to an object of the scene.
 
     Args:
-        remote: where the scene is.
-        path: the object's.
-        advice: what to do when there is no such script.
+        remote: the connection to CoppeliaSim.
+        path: the object's path.
+        missing: the code of the error for a missing script; its words show the path.
 
     Raises:
         RobotConnectionError: there is no such script.
     """
 
-    def __init__(self, remote: Remote, path: str, advice: str) -> None:
+    def __init__(self, remote: Remote, path: str, *, missing: str) -> None:
         self._remote = remote
         self._path = path
-        # The same type of script under its name since version 4.7, and the one before.
+        # The names of the same type of script since version 4.7, and before.
         kind = remote.constant("scripttype_simulation", "scripttype_childscript")
         try:
             self._handle = remote.call("getScript", kind, path)
-        except RefusedError:
+        except SceneCallError:
             self._handle = -1
         if self._handle == -1:
-            raise RobotConnectionError(
-                f"the scene of {remote.place} has no object {path} with a script: {advice}"
-            )
+            raise RobotConnectionError(missing, path=path)
 
     def call(self, function: str, *arguments: Any) -> Any:
         """Call one of its functions.
 
         Raises:
-            RefusedError: it has no such function, or that fails.
-            RobotConnectionError: the link is gone.
+            SceneCallError: the function fails or does not exist.
+            RobotConnectionError: the connection is lost.
         """
         try:
             return self._remote.call("callScriptFunction", function, self._handle, *arguments)
-        except RefusedError as error:
-            raise RefusedError(
-                f"the script of {self._path} does not do `{function}`: was the simulation stopped?"
-                f" ({error})"
+        except SceneCallError as error:
+            reason = error.phrase.values.get("reason", error.phrase)
+            raise SceneCallError(
+                "coppeliasim-script-failed", path=self._path, function=function, reason=reason
             ) from None
 
     def ask(self, read: Callable[[Any], T], function: str, *arguments: Any) -> T:
-        """Call one of its functions and understand its answer by `read`."""
+        """Call one of its functions and convert the answer with `read`."""
         return understood(self._remote, read, function, self.call(function, *arguments))
 
 
 def understood(remote: Remote, read: Callable[[Any], T], what: str, reply: Any) -> T:
-    """An answer as `read` understands it.
+    """An answer converted by `read`.
 
     Raises:
-        RobotConnectionError: it cannot be understood.
+        RobotConnectionError: it does not have the expected form.
     """
     try:
         return read(reply)
-    except NonsenseError as error:
-        raise remote.nonsense(f"`{what}`", error) from None
+    except BadReplyError as error:
+        raise remote.bad_answer(what, error) from None

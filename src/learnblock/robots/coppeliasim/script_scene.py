@@ -1,7 +1,7 @@
-"""Our own scene: the robot that `scene.lua`, in this folder, builds and drives.
+"""Our own scene: the robot that the script `scene.lua` in this folder builds and drives.
 
-Its functions speak our units and signs, and its motors stop when nothing was heard for 0.35 s:
-with what it takes to notice and to slow down they stand within half a second.
+Its functions use our units and signs. Its motors stop after 0.35 s of silence, so that the robot
+stands within half a second.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -23,7 +23,7 @@ from learnblock.devices import (
     Pose,
 )
 from learnblock.robots.coppeliasim.readings import (
-    NonsenseError,
+    BadReplyError,
     Turning,
     converted,
     finite,
@@ -34,21 +34,20 @@ from learnblock.robots.coppeliasim.remote import Remote
 from learnblock.robots.coppeliasim.script import Script, understood
 from learnblock.robots.coppeliasim.settings import Settings
 
-_ADVICE = "`learnblock robots setup coppeliasim` says how it gets there"
 _SIDES = ("front", "left", "right", "back")
-#: The brightest that a light sensor reads.
+#: The largest reading of a light sensor.
 _BRIGHTEST = 1023.0
 
 
 class Description(msgspec.Struct, frozen=True):
-    """What the script says about its robot: its devices, and its camera's handle if it has one."""
+    """The script's description of its robot: the devices, and the camera's handle or -1."""
 
     devices: tuple[str, ...]
     camera: int = -1
 
 
 class Senses(msgspec.Struct, frozen=True):
-    """Everything that the robot senses, at one moment: mm, degrees clockwise, 0 to 100."""
+    """All readings of the robot at one moment: mm, degrees clockwise, 0 to 100."""
 
     pose: tuple[float, float, float]
     distances: Mapping[str, tuple[float, ...]] = {}
@@ -63,7 +62,8 @@ class ScriptScene:
 
     def __init__(self, remote: Remote, settings: Settings) -> None:
         self._remote = remote
-        self._script = Script(remote, settings.script or "/LearnBlock", _ADVICE)
+        path = settings.script or "/LearnBlock"
+        self._script = Script(remote, path, missing="coppeliasim-no-script")
         self._about = self._script.ask(_description, "describe")
         self._turning = Turning(lambda: self._sense().pose[2], lambda: None)
 
@@ -112,7 +112,7 @@ class ScriptScene:
 def _description(reply: Any) -> Description:
     about: Description = converted(reply, Description)
     if "Base" not in about.devices:
-        raise NonsenseError(f"{about.devices!r:.80} are devices without a Base")
+        raise BadReplyError(about.devices)
     return about
 
 

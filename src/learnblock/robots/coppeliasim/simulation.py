@@ -1,4 +1,4 @@
-"""CoppeliaSim's simulation, which must run while a robot of its scene is used."""
+"""Starts and stops CoppeliaSim's simulation."""
 
 from threading import Event
 from time import monotonic
@@ -13,11 +13,11 @@ MOVING = frozenset({16, 17, 20})
 
 
 class Simulation:
-    """The simulation of a scene; started if nobody has, and then also stopped at the end.
+    """The simulation of a scene; if LearnBlock has started it, LearnBlock also stops it.
 
     Args:
-        remote: where it runs.
-        patience: seconds in which it must have started.
+        remote: the connection to CoppeliaSim.
+        patience: seconds in which it must start.
     """
 
     def __init__(self, remote: Remote, patience: float) -> None:
@@ -26,7 +26,7 @@ class Simulation:
         self._ours = False
 
     def start(self) -> None:
-        """Have it run, as fast as the wall clock: a robot's time is the program's.
+        """Run the simulation in real time, the time of the program.
 
         Raises:
             RobotConnectionError: it does not start.
@@ -36,27 +36,23 @@ class Simulation:
         deadline, pause = monotonic() + self._patience, Event()
         while (state := self._state()) not in MOVING:
             if monotonic() > deadline:
-                raise RobotConnectionError(
-                    f"the simulation of {self._remote.place} does not start: does it show an error?"
-                )
+                raise RobotConnectionError("coppeliasim-not-started", place=self._remote.place)
             if state in {STOPPED, PAUSED}:
                 self._ours = self._ours or state == STOPPED
                 self._remote.call("startSimulation")
             pause.wait(0.02)
 
     def check(self) -> None:
-        """Say so if somebody has stopped it; paused, it only stands still.
+        """Check that the simulation has not been stopped; it may be paused.
 
         Raises:
-            RobotConnectionError: it is stopped, or cannot be asked.
+            RobotConnectionError: it is stopped, or CoppeliaSim does not answer.
         """
         if self._state() == STOPPED:
-            raise RobotConnectionError(
-                f"the simulation of {self._remote.place} was stopped: run the program again"
-            )
+            raise RobotConnectionError("coppeliasim-stopped", place=self._remote.place)
 
     def end(self) -> None:
-        """Stop it if it was started here."""
+        """Stop the simulation if LearnBlock has started it."""
         if self._ours:
             self._ours = False
             self._remote.call("stopSimulation")
@@ -64,5 +60,5 @@ class Simulation:
     def _state(self) -> int:
         state = self._remote.call("getSimulationState")
         if not isinstance(state, int):
-            raise self._remote.nonsense("sim.getSimulationState", f"{state!r:.80}")
+            raise self._remote.bad_answer("sim.getSimulationState", f"{state!r:.80}")
         return state

@@ -1,4 +1,4 @@
-"""Anki's Cozmo, over its own WiFi, by pycozmo."""
+"""Anki's Cozmo, over its own Wi-Fi with pycozmo."""
 
 import importlib.util
 from collections.abc import Iterator, Mapping
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from msgspec import Meta
 
+from learnblock.client import RobotStatus
 from learnblock.devices import (
     Accelerometer,
     Animator,
@@ -34,27 +35,29 @@ if TYPE_CHECKING:
 __all__ = ["CozmoSettings", "Robot"]
 
 
-#: A voice of espeak-ng, perhaps with a variant: ``en``, ``en-us+f3``.
+#: A voice of espeak-ng, with or without a variant: ``en``, ``en-us+f3``.
 Voice = Annotated[
     str,
-    Meta(pattern=r"^[\w-]+(\+\w+)?$", min_length=1, max_length=40, description="of espeak-ng"),
+    Meta(
+        pattern=r"^[\w-]+(\+\w+)?$", min_length=1, max_length=40, description="robot-setting-voice"
+    ),
 ]
 
 
 class CozmoSettings(RobotSettings, frozen=True):
-    """What can be set about a Cozmo."""
+    """The settings of a Cozmo."""
 
     address: Address = "172.31.1.1"
     port: Port = 5551
     patience: Patience = 3.0
-    colour: Annotated[bool, Meta(description="colours, in half the width, or else grey")] = True
-    stop_at_cliff: Annotated[bool, Meta(description="whether it stops where the floor ends")] = True
-    volume: Annotated[int, Meta(ge=0, le=100, description="how loud it is")] = 60
+    colour: Annotated[bool, Meta(description="robot-setting-colour")] = True
+    stop_at_cliff: Annotated[bool, Meta(description="robot-setting-stop-at-cliff")] = True
+    volume: Annotated[int, Meta(ge=0, le=100, description="robot-setting-volume")] = 60
     voice: Voice = "en"
 
 
 class Robot(RealRobot[CozmoSettings]):
-    """A Cozmo whose WiFi this machine has joined.
+    """A Cozmo whose Wi-Fi this computer has joined.
 
         from learnblock.robots.cozmo import Robot
 
@@ -63,13 +66,14 @@ class Robot(RealRobot[CozmoSettings]):
         robot.sleep(2)
 
     Args:
-        chosen: settings that go before those of the user's file; see `CozmoSettings`.
+        chosen: settings that override those of the user's file; see `CozmoSettings`.
 
     Raises:
-        RobotConnectionError: it does not answer.
+        RobotConnectionError: Cozmo does not answer.
     """
 
     settings_type = CozmoSettings
+    model = "cozmo"
     _session: "Session | None" = None
     _guardian: Guardian | None = None
 
@@ -84,7 +88,7 @@ class Robot(RealRobot[CozmoSettings]):
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
-        """Ask at the address of the settings; a robot that answers is taken over for a moment."""
+        """Try the address in the settings; a robot that answers is taken over for a moment."""
         if importlib.util.find_spec("pycozmo") is None:
             return
         known: CozmoSettings = user_settings.load(cls.name(), cls.settings_type)
@@ -104,7 +108,7 @@ class Robot(RealRobot[CozmoSettings]):
         session.prepare(
             colour=chosen.colour, stop_at_cliff=chosen.stop_at_cliff, volume=chosen.volume
         )
-        # Left alone, the robot itself waits for five seconds before it stops.
+        # Without a guardian the robot stops only after five seconds of silence.
         self._guardian = Guardian(type(self), chosen)
         self._add_sensors(session)
         self._add_joints(session)
@@ -113,7 +117,7 @@ class Robot(RealRobot[CozmoSettings]):
             self.add(RGBLed(set_color=partial(session.light, slot)), slot)
 
     def disconnect(self) -> None:
-        # The last one first, and both of them whatever happens.
+        # Both run even if one fails, the last one first.
         with ExitStack() as ending:
             if self._guardian is not None:
                 ending.callback(self._guardian.dismiss)
@@ -123,6 +127,9 @@ class Robot(RealRobot[CozmoSettings]):
     def check_link(self) -> None:
         if self._session is not None:
             self._session.check()
+
+    def status(self) -> RobotStatus:
+        return self._session.status() if self._session else RobotStatus()
 
     def _add_sensors(self, session: "Session") -> None:
         odometry = session.odometry
@@ -174,7 +181,7 @@ class Robot(RealRobot[CozmoSettings]):
 
 def _session(address: str, port: int, patience: float) -> "Session":
     require("pycozmo", "cozmo")
-    # It needs pycozmo, which only those install who have a Cozmo.
+    # It needs pycozmo, which is installed only by owners of a Cozmo.
     from learnblock.robots.cozmo.session import Session  # noqa: PLC0415
 
     return Session(address, port, patience)

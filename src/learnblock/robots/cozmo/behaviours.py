@@ -1,7 +1,7 @@
-"""Cozmo's twelve behaviours, as small shows of face, head, lift, treads and notes.
+"""Cozmo's twelve behaviours: sequences of faces, moves of head, lift and treads, and notes.
 
-The robot's own animations are files of its app, which are not ours to give away. These are our own,
-and much simpler.
+The original animations belong to Cozmo's app and cannot be distributed. These are our own, and much
+simpler.
 """
 
 from collections.abc import Mapping, Sequence
@@ -12,15 +12,15 @@ from learnblock.devices import Emotion
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A part of a behaviour; what is not named stays as it is.
+    """A step of a behaviour; None leaves a part of the robot unchanged.
 
     Args:
-        seconds: how long it lasts.
-        face: what the screen shows.
-        head: degrees, up positive.
-        lift: degrees of its arm.
+        seconds: the duration.
+        face: the emotion on the screen.
+        head: degrees, up is positive.
+        lift: degrees of the lift's arm.
         drive: mm/s forward, and degrees/s to the right.
-        notes: hertz, one after the other; 0 is a rest.
+        notes: frequencies in hertz, played in turn; 0 is a rest.
     """
 
     seconds: float
@@ -33,7 +33,7 @@ class Step:
 
 _STILL = (0.0, 0.0)
 
-#: Each ends where it began, on the floor and in its heading, as nearly as treads allow.
+#: Each ends at about the pose where it started.
 BEHAVIOURS: Mapping[str, Sequence[Step]] = {
     "Bored": (
         Step(0.8, face=Emotion.NEUTRAL, head=-20, drive=(0, -40)),

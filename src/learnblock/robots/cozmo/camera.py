@@ -1,4 +1,4 @@
-"""Pictures from what Cozmo's camera sends."""
+"""Decodes the pictures of Cozmo's camera."""
 
 import io
 from dataclasses import dataclass
@@ -14,11 +14,11 @@ Frame = NDArray[np.uint8]
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A picture as it came over the wire.
+    """A picture as received.
 
     Args:
-        data: all its pieces: a byte that tells whether it has colours, and the coded pixels of a
-            JPEG without its header.
+        data: all pieces together: a byte that is 1 for colours, and the coded pixels of a JPEG
+            without its header.
         encoding: one of pycozmo's `ImageEncoding`.
         resolution: one of pycozmo's `ImageResolution`.
     """
@@ -28,15 +28,15 @@ class Picture:
     resolution: Any
 
     def frame(self) -> Frame | None:
-        """The picture as uint8 RGB (240, 320, 3), not to be written to; None if it is damaged."""
+        """The picture as read-only uint8 RGB (240, 320, 3); None if it is damaged."""
         try:
             size = camera.RESOLUTIONS[self.resolution]
             file = io.BytesIO(self._with_header(*size))
             picture = Image.open(file, formats=("JPEG",)).convert("RGB")
-            # Coloured ones come in half the width.
+            # Colour pictures have half the width.
             frame = np.asarray(picture if picture.size == size else picture.resize(size))
         except (LookupError, OSError, SyntaxError, ValueError):
-            # What libjpeg, pillow and numpy raise when bits are wrong.
+            # The errors of libjpeg, pillow and numpy for wrong bits.
             return None
         frame.flags.writeable = False
         return frame

@@ -1,4 +1,4 @@
-"""What Cozmo shows on its screen: faces for emotions, and pictures."""
+"""Cozmo's screen: faces for emotions, and pictures."""
 
 from functools import cache
 from typing import Any
@@ -12,9 +12,9 @@ from pycozmo.image_encoder import ImageEncoder
 from learnblock.devices import Emotion
 
 WIDTH, HEIGHT = 128, 64
-"""Pixels of the screen, of which every other row can be lit."""
+"""Pixels of the screen; only every other row can be lit."""
 LONGEST = 1000
-"""Bytes of a picture on the wire; the robot drops a frame of more than 1037."""
+"""The most bytes of an encoded picture; the robot drops a frame of more than 1037 bytes."""
 
 _FACES = {
     Emotion.ANGER: expressions.Anger,
@@ -29,7 +29,7 @@ _FACES = {
 
 @cache
 def emotion(name: str) -> bytes:
-    """The face of an emotion, as the screen takes it; an empty screen for ``none``."""
+    """The face of an emotion, encoded for the screen; an empty screen for ``none``."""
     face = _FACES.get(Emotion(name))
     return _encoded(face().render() if face else Image.new("1", (WIDTH, HEIGHT)))
 
@@ -38,13 +38,13 @@ def picture(frame: NDArray[np.uint8]) -> bytes:
     """A picture (height, width, 3), as large as the screen allows, in black and white."""
     grey = ImageOps.pad(Image.fromarray(np.ascontiguousarray(frame)).convert("L"), (WIDTH, HEIGHT))
     blocks = (1, 2, 4, 8)
-    # The more detail, the longer it is on the wire: as much as goes into one frame.
+    # More detail takes more bytes: use the finest that fits into one frame.
     fitting = (coded for coded in (_coarse(grey, one) for one in blocks) if coded)
     return next(fitting)
 
 
 def _coarse(grey: Any, block: int) -> bytes | None:
-    """A picture in blocks of so many pixels, or None if it is too long even so."""
+    """A picture in blocks of this many pixels, or None if it is still too long."""
     small = grey.resize((WIDTH // block, HEIGHT // block)).point(lambda level: 255 * (level > 127))
     coded = _encoded(small.resize((WIDTH, HEIGHT), Image.Resampling.NEAREST).convert("1"))
     return coded if len(coded) <= LONGEST else None

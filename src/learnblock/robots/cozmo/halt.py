@@ -1,7 +1,7 @@
 """Stops a Cozmo whose program is gone.
 
-It waits for its moment in a process of its own, and is then to be quick: so it speaks the few words
-that it needs by itself, without pycozmo and numpy, which take longer to load than it has.
+The guardian's process has to be quick, so this module sends the few packets itself: loading pycozmo
+and numpy would take too long.
 """
 
 import select
@@ -14,80 +14,65 @@ from learnblock.errors import RobotConnectionError
 Address = tuple[str, int]
 
 RETRY = 0.05
-"""Seconds after which a frame is sent again."""
+"""Seconds after which a frame is resent."""
 FAREWELL = 0.3
-"""Seconds within which the command must have been acknowledged."""
+"""Seconds to wait for the command's acknowledgement."""
 
 _HEADER = struct.Struct("<7sBHHH")
 _MAGIC = b"COZ\x03RE\x01"
 _RESET, _PACKETS, _FROM_ROBOT = 0x01, 0x07, 0x09
 _CONNECT = 0x02
-# Packets: their kind, their length, their contents. The first counts as the frame that reset.
+# Packets: kind, length, content. The reset frame counts as the first packet.
 _ENABLE, _STOP_ALL_MOTORS, _DISCONNECT = b"\x04\x01\0\x25", b"\x04\x01\0\x3b", b"\x03\0\0"
 _STOP = _ENABLE + _ENABLE + _STOP_ALL_MOTORS
 _PACKETS_IN_STOP = 3
 
 
 def halt(address: str, port: int, patience: float) -> None:
-    """Take the robot over, stop its motors and let go of it.
+    """Connect to the robot, stop its motors and disconnect.
 
     Args:
-        address: a name or number in the network.
-        port: of UDP.
-        patience: seconds within which it must have answered.
+        address: its network name or number.
+        port: its UDP port.
+        patience: the timeout in seconds.
 
     Raises:
-        RobotConnectionError: it does not answer.
+        RobotConnectionError: the robot does not answer.
     """
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as wire:
         wire.connect(resolved(address, port))
         if not _insist(wire, _frame(_RESET, 1, 1, 0), patience, least=1, kind=_CONNECT):
-            raise unanswered(named(address, port), patience)
+            raise RobotConnectionError("cozmo-no-answer", place=f"{address}:{port}")
         stop = _frame(_PACKETS, 1, _PACKETS_IN_STOP, 1, _STOP)
         _insist(wire, stop, FAREWELL, least=_PACKETS_IN_STOP)
         goodbye = _PACKETS_IN_STOP + 1
         _send(wire, _frame(_PACKETS, goodbye, goodbye, 1, _DISCONNECT))
 
 
-def named(address: str, port: int) -> str:
-    """The robot, as sentences call it."""
-    return f"Cozmo at {address}:{port}"
-
-
-def unanswered(name: str, patience: float) -> RobotConnectionError:
-    """What is told about a robot that does not answer."""
-    return RobotConnectionError(
-        f"no answer from {name} within {patience:g} s: is it switched on, is this machine in its"
-        " network (Cozmo_...), and are address and port right?"
-    )
-
-
 def resolved(address: str, port: int) -> Address:
-    """The robot's number in the network.
+    """The robot's IP address and port.
 
     Raises:
-        RobotConnectionError: the network knows no such name.
+        RobotConnectionError: the name is unknown.
     """
     try:
         found = socket.getaddrinfo(address, port, socket.AF_INET, socket.SOCK_DGRAM)
     except (OSError, UnicodeError) as error:
-        raise RobotConnectionError(
-            f"Cozmo cannot be reached: the network knows no address `{address}` ({error})"
-        ) from error
+        raise RobotConnectionError("cozmo-unknown-address", address=address) from error
     return str(found[0][4][0]), port
 
 
 def _insist(
     wire: socket.socket, frame: bytes, patience: float, *, least: int, kind: int | None = None
 ) -> bool:
-    """Send a frame until it is acknowledged; say whether it was.
+    """Send a frame until it is acknowledged, and return whether it was.
 
     Args:
-        wire: to the robot.
-        frame: what is sent.
-        patience: seconds for which it is tried.
+        wire: the socket to the robot.
+        frame: the frame.
+        patience: the timeout in seconds.
         least: the number that has to be acknowledged.
-        kind: of the first packet in the robot's answer; any if it is None.
+        kind: the kind of the first packet in the robot's answer; None accepts any.
     """
     until = monotonic() + patience
     while monotonic() < until:
@@ -100,13 +85,13 @@ def _insist(
 
 
 def _acknowledged(wire: socket.socket, seconds: float, kind: int | None) -> int:
-    """What the next frame acknowledges, or 0 if none of the kind comes within these seconds."""
+    """The number that the next frame of this kind acknowledges, or 0 without one in time."""
     if not select.select((wire,), (), (), seconds)[0]:
         return 0
     try:
         datagram = wire.recv(65536)
     except OSError:
-        # Nobody listens there.
+        # No program listens there.
         return 0
     if len(datagram) < _HEADER.size:
         return 0
@@ -119,7 +104,7 @@ def _send(wire: socket.socket, frame: bytes) -> None:
     try:
         wire.send(frame)
     except OSError:
-        # Nobody listens there, or the network is gone: it is tried again.
+        # No program listens there, or the network is down: the frame is sent again later.
         return
 
 

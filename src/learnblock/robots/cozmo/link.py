@@ -1,13 +1,13 @@
-"""The wire to Cozmo: pycozmo's connection, without the faults that stall it when packets get lost.
+"""The connection to Cozmo: pycozmo's, without the faults that stall it when packets get lost.
 
 In pycozmo 0.8.0
 
-- every frame that comes restarts the timer after which packets are sent again, also the 30 reports
-  a second that a robot makes of itself, so that nothing is ever sent again;
+- every received frame restarts the resend timer, even the 30 status reports a second, so that
+  nothing is ever resent;
 - a batch that does not fit into one frame is split with a wrong last number in the first frame;
-- the last frame that came is acknowledged even if one before it is missing, and frames without a
-  number wipe out the acknowledgement owed;
-- the connection is asked for once, and a goodbye may be left unsaid.
+- the latest frame is acknowledged even if an earlier one is missing, and frames without a number
+  clear the pending acknowledgement;
+- the connection is requested only once, and a goodbye may be left out.
 """
 
 import select
@@ -25,24 +25,24 @@ from pycozmo.protocol_declaration import MAX_FRAME_PAYLOAD_SIZE, MAX_SEQ, OOB_SE
 from learnblock.robots.cozmo.halt import Address
 
 RESEND = 0.05
-"""Seconds after which what was not acknowledged is sent again (Anki's ReliableConnection)."""
+"""Seconds after which unacknowledged packets are resent (Anki's ReliableConnection)."""
 RETRY = 0.3
-"""Seconds after which the connection is asked for again."""
+"""Seconds after which the connection is requested again."""
 POLL = 0.02
-"""Seconds after which a thread looks whether it is to end."""
+"""Seconds after which a thread checks whether it should end."""
 FAREWELL = 0.3
-"""Seconds that a goodbye waits for the commands before it to arrive."""
+"""Seconds that a goodbye waits for earlier commands to arrive."""
 
 
 class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
-    """Sends packets, again and again until the robot acknowledges them."""
+    """Sends packets repeatedly until the robot acknowledges them."""
 
     def run(self) -> None:
         while not self.stop_flag:
             self._send_packets(self._resend_messages() + self._collect_messages(), self.last_ack)
 
     def ack(self, seq: int, last_ack: int) -> None:
-        """The robot has everything up to `seq`; we have everything up to `last_ack`."""
+        """Note that the robot has received up to `seq`, and we have received up to `last_ack`."""
         with self.lock:
             oldest = self.window.expected_seq
             self.window.acknowledge(seq)
@@ -52,16 +52,16 @@ class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
 
     def reset(self) -> None:
         super().reset()
-        # Nothing has arrived yet.
+        # Nothing has been received yet.
         self.last_ack = OOB_SEQ
 
     def has_delivered(self) -> bool:
-        """Whether all that was to be sent has been acknowledged."""
+        """Whether every packet has been sent and acknowledged."""
         with self.lock:
             return self.queue.empty() and not self.window.get()
 
     def say_goodbye(self) -> None:
-        """Send the robot's dismissal, once: more than that may make it restart."""
+        """Send the disconnect packet once; sending it again may restart the robot."""
         if not self.window.is_full():
             self._send_packets(self._numbered([packets.Disconnect()]), self.last_ack)
 
@@ -77,13 +77,13 @@ class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
         with self.lock:
             free = self.window.size - len(self.window.get())
         if not free:
-            # The robot has to acknowledge some first.
+            # The robot has to acknowledge some packets first.
             threading.Event().wait(self.COLLECT_INTERVAL)
             return []
         return self._numbered(list(self._waiting(free)))
 
     def _waiting(self, most: int) -> Iterator[Any]:
-        """Packets that are to be sent, after a short wait for the first."""
+        """Packets from the queue, after a short wait for the first."""
         try:
             yield self.queue.get(timeout=self.COLLECT_INTERVAL)
             for _ in range(most - 1):
@@ -110,11 +110,11 @@ class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
 
 
 class Receiver(ReceiveThread):  # type: ignore[misc] # pycozmo has no types
-    """Receives frames; it acknowledges what has arrived in order and nothing else."""
+    """Receives frames, and acknowledges only those that arrived in order."""
 
     def __init__(self, *args: Any) -> None:
         super().__init__(*args)
-        #: When the robot was heard last.
+        #: When the last frame was received.
         self.heard = monotonic()
 
     def run(self) -> None:
@@ -134,7 +134,7 @@ class Receiver(ReceiveThread):  # type: ignore[misc] # pycozmo has no types
         try:
             datagram, address = self.sock.recvfrom(65536)
         except OSError:
-            # Nobody listens there, which some systems tell by an error.
+            # No program listens there, which some systems report as an error.
             return
         frame = decoded(datagram)
         if frame is None or address != self.sender_address:
@@ -147,7 +147,7 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
     """A connection to a robot, from `start` to `hang_up`.
 
     Args:
-        address: of the robot, its number and its UDP port.
+        address: the robot's IP address and UDP port.
     """
 
     def __init__(self, address: Address) -> None:
@@ -158,16 +158,16 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
 
     @property
     def is_open(self) -> bool:
-        """Whether the robot has granted the connection."""
+        """Whether the robot has accepted the connection."""
         return bool(self.state == self.CONNECTED)
 
     @property
     def silence(self) -> float:
-        """Seconds since the robot was heard."""
+        """Seconds since the last frame from the robot."""
         return monotonic() - float(self.recv_thread.heard)
 
     def establish(self, patience: float) -> bool:
-        """Ask for the connection until the robot grants it, or `patience` seconds have passed."""
+        """Request the connection until the robot accepts it or `patience` seconds have passed."""
         began = asked = monotonic()
         while not self._welcomed.is_set():
             asked = monotonic()
@@ -175,13 +175,13 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
                 return False
             self.connect()
             self._welcomed.wait(min(RETRY, patience))
-        # The robot begins anew with each request. Nothing else may be said before it has seen the
-        # last one, which takes it no longer than the first one took to be answered.
+        # The robot restarts the connection at each request. Nothing else may be sent before it has
+        # received the last one, which takes at most as long as its first answer took.
         threading.Event().wait(asked - began)
         return True
 
     def hang_up(self) -> None:
-        """Let what was sent arrive, dismiss the robot and end all threads; in 0.5 s at most."""
+        """Deliver pending packets, disconnect and end all threads; in 0.5 s at most."""
         if self.is_open:
             self._deliver_all()
         self.send_thread.stop()
@@ -200,7 +200,7 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
 
 
 def batches(numbered: Sequence[tuple[int, Any]]) -> Iterator[list[tuple[int, Any]]]:
-    """Packets in as few frames as they fit into."""
+    """Packets grouped into as few frames as possible."""
     batch: list[tuple[int, Any]] = []
     size = 0
     for number, packet in numbered:
@@ -215,8 +215,8 @@ def batches(numbered: Sequence[tuple[int, Any]]) -> Iterator[list[tuple[int, Any
 
 
 def decoded(datagram: bytes) -> Any:
-    """The frame of a datagram, or None if it is nonsense."""
+    """The frame in a datagram, or None if it is invalid."""
     try:
         return Frame.from_bytes(datagram)
-    except Exception:  # noqa: BLE001 - pycozmo raises whatever its slices and asserts raise
+    except Exception:  # noqa: BLE001 - pycozmo raises any error of its slices and asserts
         return None

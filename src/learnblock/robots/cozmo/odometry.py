@@ -1,4 +1,4 @@
-"""Where Cozmo is and how far it has turned, from the reports it makes of itself."""
+"""Cozmo's pose and the angle it has turned, from its status reports."""
 
 import math
 
@@ -11,7 +11,7 @@ class Odometry:
     """Follows the pose that the robot reports.
 
     The robot counts mm ahead and to the left, and radians to the left from -pi to pi, from an
-    origin that moves to where it is set down after it was lifted.
+    origin. After a person lifts it, the origin moves to where it is put down.
     """
 
     def __init__(self) -> None:
@@ -22,24 +22,24 @@ class Odometry:
         self.pose: Pose = (0.0, 0.0, 0.0)
 
     def follow(self, origin: object, x: float, y: float, angle: float) -> None:
-        """Take a report.
+        """Take in a report.
 
         Args:
-            origin: what the robot calls the place that it counts from.
+            origin: the robot's name for its origin.
             x: mm ahead of the origin.
             y: mm to its left.
             angle: radians to the left.
         """
         if origin == self._origin:
             self._turned -= math.remainder(angle - self._angle, FULL_TURN)
-        # A new origin is no turn of the robot.
+        # With a new origin the angle changes without a turn.
         self._origin, self._angle = origin, angle
         self.pose = (x, y, -math.degrees(math.remainder(angle, FULL_TURN)))
 
     def reset(self) -> None:
-        """Let the present heading be 0 for `turned`."""
+        """Set the current heading to 0 for `turned`."""
         self._zero = self._turned
 
     def turned(self) -> float:
-        """Degrees to the right since `reset`, with all full turns in it."""
+        """Degrees turned to the right since `reset`, including full turns."""
         return math.degrees(self._turned - self._zero)

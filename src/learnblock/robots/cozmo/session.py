@@ -1,4 +1,4 @@
-"""A Cozmo that has been reached: what it reports, and what it can be told."""
+"""A connected Cozmo: its reports and its commands."""
 
 import logging
 import threading
@@ -10,35 +10,37 @@ import pycozmo
 from pycozmo import lights
 from pycozmo import protocol_encoder as packets
 
+from learnblock.client import RobotStatus
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.cozmo import units
 from learnblock.robots.cozmo.camera import Frame, Picture
-from learnblock.robots.cozmo.halt import named, resolved, unanswered
+from learnblock.robots.cozmo.halt import resolved
 from learnblock.robots.cozmo.link import Link
 from learnblock.robots.cozmo.odometry import Odometry
+from learnblock.robots.cozmo.reception import Reception
 
 POLL = 0.005
-"""Seconds after which it is looked whether the robot has answered."""
+"""Seconds between two checks for an answer."""
 CALIBRATION = 3.0
-"""Seconds that it may take the robot to find out where its head and its lift are."""
+"""The most seconds in which the robot calibrates its head and lift."""
 FIRST_PICTURE = 1.0
-"""Seconds for which a program waits for the camera to begin; then it starts without."""
+"""The most seconds that a program waits for the first picture before it starts."""
 LOUDEST = 65535
 
-# What pycozmo notes is for its developers; users are told by our own errors.
+# pycozmo's log is for its developers; users get our own errors.
 logging.getLogger("pycozmo").addHandler(logging.NullHandler())
 
 
 class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
-    """A connection to a robot that has said who it is and how it stands.
+    """A connection to a robot that is identified and calibrated.
 
     Args:
-        address: a name or number in the network.
-        port: of UDP.
-        patience: seconds within which the robot must have answered.
+        address: its network name or number.
+        port: its UDP port.
+        patience: the timeout in seconds.
 
     Attributes:
-        odometry: where it is.
+        odometry: the robot's pose.
 
     Raises:
         RobotConnectionError: no robot answers there.
@@ -49,12 +51,13 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
     def __init__(self, address: str, port: int, patience: float) -> None:
         place = resolved(address, port)
         super().__init__(place, auto_initialize=False)
-        # The connection that it has made itself was never started.
+        # pycozmo's own connection was never started.
         self.conn.sock.close()
         self.conn = Link(place)
         self.conn.add_child_dispatcher(self)
         self.odometry = Odometry()
-        self._name = named(address, port)
+        self._reception = Reception()
+        self._place = f"{address}:{port}"
         self._patience = patience
         self._reported = False
         self._calibrating: set[Any] = set()
@@ -69,8 +72,8 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
             raise
 
     def close(self) -> None:
-        """Stop the motors and let go of the robot, in less than 0.5 s."""
-        # First, since it may be about to move something.
+        """Stop the motors and disconnect, in less than 0.5 s."""
+        # First, since an animation may be about to move something.
         self.anim_controller.stop()
         if self.conn.is_open:
             self.stop_all_motors()
@@ -78,22 +81,27 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         self.del_all_handlers()
 
     def check(self) -> None:
-        """Say so if the robot has not been heard for too long.
+        """Check that the robot still answers.
 
         Raises:
-            RobotConnectionError: that is so.
+            RobotConnectionError: it has been silent for too long.
         """
         silence = self.conn.silence
         if silence > self._patience:
-            raise RobotConnectionError(
-                f"{self._name} has been silent for {silence:.1f} s: is it still on and in reach,"
-                " and has no other program taken it over?"
-            )
+            raise RobotConnectionError("cozmo-silent", place=self._place, seconds=round(silence, 1))
 
-    # What it reports.
+    def status(self) -> RobotStatus:
+        """The battery and the link quality by the last reports."""
+        return RobotStatus(
+            battery=round(self.battery_voltage, 2) if self._reported else None,
+            link_quality=self._reception.quality,
+            silence=self.conn.silence,
+        )
+
+    # Reports.
 
     def frame(self) -> Frame | None:
-        """The newest picture that arrived undamaged: the same object until there is another."""
+        """The newest undamaged picture; the same object until a new one arrives."""
         newest = self._picture
         seen, frame = self._seen
         if newest is not None and newest is not seen:
@@ -103,7 +111,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         return frame
 
     def on_cliff(self) -> bool:
-        """Whether there is no floor beneath its front."""
+        """Whether there is no floor under its front."""
         return bool(self.robot_status & pycozmo.robot.RobotStatusFlag.CLIFF_DETECTED)
 
     @property
@@ -116,16 +124,16 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         """The lift's height, mm."""
         return float(self.lift_position.height.mm)
 
-    # What it is told.
+    # Commands.
 
     def light(self, slot: str, red: int, green: int, blue: int) -> None:
-        """Light one of the lamps on its back; 0 to 255."""
+        """Set the colour of a lamp on its back; 0 to 255."""
         colour = lights.Color(rgb=(red, green, blue)).to_int16()
         self._lights[slot] = packets.LightState(on_color=colour, off_color=colour)
         self.set_backpack_lights(*self._lights.values())
 
     def prepare(self, *, colour: bool, stop_at_cliff: bool, volume: int) -> None:
-        """Have it send pictures, mind where the floor ends, and speak as loud as that, of 100."""
+        """Start the camera, and set the cliff stop and the volume (in percent)."""
         self.enable_camera(color=colour)
         self.conn.send(packets.EnableStopOnCliff(enable=stop_at_cliff))
         self.set_volume(LOUDEST * volume // 100)
@@ -133,12 +141,12 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         while self._picture is None and monotonic() < until:
             threading.Event().wait(POLL)
 
-    # How it is met.
+    # Connecting.
 
     def _introduce(self) -> None:
         until = monotonic() + self._patience
         if not self.conn.establish(self._patience):
-            raise unanswered(self._name, self._patience)
+            raise RobotConnectionError("cozmo-no-answer", place=self._place)
         self._enable_robot()
         self._await(lambda: self.serial_number, until)
         self.conn.send(packets.SetOrigin())
@@ -151,10 +159,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
     def _await(self, holds: Callable[[], Any], until: float) -> None:
         while not holds():
             if monotonic() > until:
-                raise RobotConnectionError(
-                    f"{self._name} answers, but did not get ready in time: is the network slow?"
-                    " If not, switch the robot off and on"
-                )
+                raise RobotConnectionError("cozmo-not-ready", place=self._place)
             threading.Event().wait(POLL)
 
     def start(self) -> None:
@@ -170,16 +175,17 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
     def _on_robot_state(self, cli: Any, pkt: Any) -> None:
         super()._on_robot_state(cli, pkt)
         origin = (pkt.pose_frame_id, pkt.pose_origin_id)
+        self._reception.note(pkt.timestamp)
         self.odometry.follow(origin, pkt.pose_x, pkt.pose_y, pkt.pose_angle_rad)
         self._reported = True
 
     def _on_image_chunk(self, cli: Any, pkt: Any) -> None:
-        # A single byte comes as a list, with which pycozmo cannot go on.
+        # A single byte arrives as a list, which pycozmo cannot handle.
         pkt.data = bytes(pkt.data)
         super()._on_image_chunk(cli, pkt)
 
     def _process_completed_image(self) -> None:
-        # Decoded when somebody asks for it.
+        # Decoded only when a program reads it.
         data = bytes(self._partial_data[: self._partial_size])
         encoding, resolution = self._partial_image_encoding, self._partial_image_resolution
         self._picture = Picture(data, encoding, resolution)

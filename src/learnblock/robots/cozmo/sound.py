@@ -1,4 +1,4 @@
-"""Sounds as Cozmo takes them: tones, notes, the user's own files, and speech by espeak-ng."""
+"""Cozmo's sounds: tones, notes, the user's files, and speech by espeak-ng."""
 
 import shutil
 import subprocess
@@ -11,26 +11,26 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from learnblock.errors import DeviceValueError, LearnBlockError, did_you_mean
-from learnblock.home import home
+from learnblock.errors import DeviceValueError, LearnBlockError, nearest
+from learnblock.storage.home import home
 
 RATE = 22050
 """Samples a second."""
 FRAME_LENGTH = 744
 """Samples in a packet; the robot plays 30 packets a second (pycozmo.audio)."""
 LONGEST_TONE = 60.0
-"""s"""
+"""Seconds."""
 FADE = 0.005
-"""Seconds in which a tone comes and goes, so that it does not click."""
+"""Seconds in which a tone fades in and out, to avoid a click."""
 
 NOTES: Final = {
     "Do": 261.63, "Re": 293.66, "Mi": 329.63, "Fa": 349.23, "Sol": 392.0, "La": 440.0, "Si": 493.88,
 }  # fmt: skip
-"""Hertz of the octave around the middle of a piano."""
+"""Frequencies in hertz of the octave in the middle of a piano."""
 NOTE_LENGTH = 0.5
-"""s"""
+"""Seconds."""
 
-# u-law with the bias of 132, as pycozmo.audio has it.
+# u-law with a bias of 132, as in pycozmo.audio.
 _BIAS = 132
 _LOUDEST = 0x7FFF
 
@@ -38,7 +38,7 @@ Samples = NDArray[np.int16]
 
 
 def tone(hertz: float, seconds: float) -> Samples:
-    """A pure tone at half the loudest."""
+    """A pure tone at half of the full volume."""
     count = round(RATE * min(max(seconds, 0.0), LONGEST_TONE))
     wave_ = np.sin(2 * np.pi * hertz * np.arange(count) / RATE)
     fading = np.minimum(np.arange(count), np.arange(count)[::-1]) / (FADE * RATE)
@@ -46,7 +46,7 @@ def tone(hertz: float, seconds: float) -> Samples:
 
 
 def named(name: str) -> Samples:
-    """A note, such as ``Do``, or else a file of the folder ``sounds`` in the user's own folder.
+    """A note, such as ``Do``, or a file in the folder ``sounds`` of the user's folder.
 
     Raises:
         DeviceValueError: there is no such sound, or the file cannot be played.
@@ -57,27 +57,29 @@ def named(name: str) -> Samples:
     files = {path.stem: path for path in sorted(folder.glob("*.wav"))}
     if name in files:
         return read(files[name])
-    hint = did_you_mean(name, [*NOTES, *files]) or f"put a file {name}.wav into {folder}"
-    raise DeviceValueError(f"Cozmo has no sound `{name}`; {hint}")
+    suggestion = nearest(name, [*NOTES, *files])
+    if suggestion is None:
+        raise DeviceValueError("cozmo-unknown-sound", name=name, folder=str(folder))
+    raise DeviceValueError("cozmo-unknown-sound-like", name=name, suggestion=suggestion)
 
 
 def read(path: Path) -> Samples:
-    """The sound of a WAV file, of any rate, with 8 or 16 bits.
+    """The sound in a WAV file of any rate with 8 or 16 bits per sample.
 
     Raises:
-        DeviceValueError: it cannot be read.
+        DeviceValueError: the file cannot be read.
     """
     try:
         return _wav(path.read_bytes())
     except (OSError, EOFError, ValueError, wave.Error) as error:
-        raise DeviceValueError(f"{path} cannot be played: {error}") from error
+        raise DeviceValueError("cozmo-bad-sound", file=str(path)) from error
 
 
 def speech(text: str, voice: str) -> Samples:
-    """A text, spoken.
+    """Spoken text.
 
     Args:
-        text: what to say.
+        text: the text to say.
         voice: one of espeak-ng's, such as ``en``.
 
     Raises:
@@ -90,10 +92,10 @@ def speech(text: str, voice: str) -> Samples:
         )
         return _wav(spoken.stdout)
     except subprocess.CalledProcessError as error:
-        said = error.stderr.decode(errors="replace").strip()
-        raise LearnBlockError(f"espeak-ng cannot speak with the voice `{voice}`: {said}") from error
+        reason = error.stderr.decode(errors="replace").strip()
+        raise LearnBlockError("cozmo-bad-voice", voice=voice, reason=reason) from error
     except (OSError, EOFError, ValueError, subprocess.TimeoutExpired, wave.Error) as error:
-        raise LearnBlockError(f"espeak-ng did not speak: {error}") from error
+        raise LearnBlockError("cozmo-no-speech", reason=str(error)) from error
 
 
 def can_speak() -> bool:
@@ -102,21 +104,21 @@ def can_speak() -> bool:
 
 
 def packed(samples: Samples) -> list[bytes]:
-    """Samples as the contents of packets, the last one filled up with silence."""
+    """Samples as the contents of packets; the last one is padded with silence."""
     missing = -len(samples) % FRAME_LENGTH
     coded = _u_law(np.concatenate((samples, np.zeros(missing, np.int16)))).tobytes()
     return [coded[start : start + FRAME_LENGTH] for start in range(0, len(coded), FRAME_LENGTH)]
 
 
 def joined(parts: Sequence[Samples]) -> Samples:
-    """One sound after the other."""
+    """Several sounds in sequence."""
     return np.concatenate([*parts, np.zeros(0, np.int16)])
 
 
 def _u_law(samples: Samples) -> NDArray[np.uint8]:
-    """Samples in the robot's encoding: a sign, the exponent, four bits, and one more than that.
+    """Samples in the robot's encoding: sign, exponent and four bits, plus one.
 
-    pycozmo's own goes beyond 255 for the loudest negative samples, and fails.
+    pycozmo's encoder exceeds 255 for the loudest negative samples, and fails.
     """
     loudness = np.minimum(np.abs(samples.astype(np.int32)) + _BIAS, _LOUDEST)
     exponent = np.floor(np.log2(loudness)).astype(np.int32)
@@ -129,17 +131,17 @@ def _u_law(samples: Samples) -> NDArray[np.uint8]:
 def _wav(content: bytes) -> Samples:
     with wave.open(BytesIO(content)) as file:
         width, channels, rate = file.getsampwidth(), file.getnchannels(), file.getframerate()
-        # espeak-ng writes to a pipe and cannot tell the length beforehand: all there is.
+        # espeak-ng writes to a pipe, so the header's length is wrong: read everything.
         raw = file.readframes(min(file.getnframes(), len(content)))
     if width not in {1, 2}:
-        raise ValueError(f"it has {8 * width} bits a sample; 8 and 16 can be played")
+        raise ValueError(f"{8 * width} bits per sample")
     samples: NDArray[Any] = np.frombuffer(raw, np.uint8 if width == 1 else "<i2")
     if width == 1:
         samples = (samples.astype(np.int32) - 128) << 8
     mono = samples[: len(samples) // channels * channels].reshape(-1, channels).mean(axis=1)
     count = round(len(mono) * RATE / rate)
     if not count:
-        raise ValueError("it is empty")
+        raise ValueError("no samples")
     resampled: Samples = np.interp(
         np.arange(count) * rate / RATE, np.arange(len(mono)), mono
     ).astype(np.int16)

@@ -1,4 +1,4 @@
-"""What Cozmo plays thirty times a second: pictures, sounds and the moves of its behaviours."""
+"""Plays pictures, sounds and behaviours on Cozmo in thirty frames a second."""
 
 from collections.abc import Sequence
 from itertools import zip_longest
@@ -15,10 +15,10 @@ FRAMES_A_SECOND = 30
 
 
 class Stage:
-    """Puts pictures, sounds and behaviours in the queue of pycozmo's controller of animations.
+    """Adds pictures, sounds and behaviours to the queue of pycozmo's animation controller.
 
     Args:
-        controller: of a session.
+        controller: the session's animation controller.
     """
 
     def __init__(self, controller: AnimationController) -> None:
@@ -29,30 +29,30 @@ class Stage:
         self._controller.display_image(packets.DisplayImage(image=image))
 
     def play(self, samples: sound.Samples) -> None:
-        """Play a sound, after those that are still to be played."""
+        """Play a sound after those already in the queue."""
         self._controller.play_audio(_audio(samples))
 
     def act(self, name: str) -> None:
-        """Play a behaviour; it goes on by itself.
+        """Play a behaviour in the background.
 
         Raises:
-            UnknownNameError: there is none of that name.
+            UnknownNameError: there is no such behaviour.
         """
         if name not in BEHAVIOURS:
-            raise UnknownNameError("behaviour of Cozmo", name, BEHAVIOURS)
+            raise UnknownNameError("behaviour", name, BEHAVIOURS)
         self._align()
         for step in BEHAVIOURS[name]:
             for frame in _frames(step):
                 self._controller.play_anim_frame(*frame)
 
     def end_moves(self) -> None:
-        """Move nothing more for a behaviour: the program drives itself."""
+        """Stop the movements of a behaviour because the program drives the robot."""
         queue = self._controller.queue
         with queue.lock:
             queue.pkt_queue.clear()
 
     def _align(self) -> None:
-        """Let pictures and moves wait for the sounds that are still to be played."""
+        """Delay pictures and moves until the queued sounds have been played."""
         queue = self._controller.queue
         with queue.lock:
             waiting = (queue.audio_queue, queue.image_queue, queue.pkt_queue)
@@ -62,7 +62,7 @@ class Stage:
 
 
 def _frames(step: Step) -> list[tuple[Any, Any, Any]]:
-    """What a step sends in each of its frames: sound, picture, moves."""
+    """The sound, picture and moves of each frame of a step."""
     count = max(1, round(step.seconds * FRAMES_A_SECOND))
     image = None if step.face is None else packets.DisplayImage(image=face.emotion(step.face))
     notes = _audio(_melody(step))[:count]

@@ -1,4 +1,4 @@
-"""Cozmo's units, and ours: mm, degrees to the right, m/s2."""
+"""Converts between Cozmo's units and ours: mm, degrees to the right, m/s2."""
 
 import math
 
@@ -16,28 +16,28 @@ LOWEST_LIFT, HIGHEST_LIFT = 32.0, 92.0
 """mm above the floor (pycozmo.robot)."""
 
 LIGHTS = ("Left", "Front", "Center", "Rear", "Right")
-"""The lamps on its back, in pycozmo's order."""
+"""The lamps on Cozmo's back, in pycozmo's order."""
 
 
 def treads(adv: float, rot: float) -> tuple[float, float]:
-    """The left and the right tread's speed in mm/s.
+    """The speeds of the left and the right tread in mm/s.
 
-    Where one would be too fast both are slowed down, so that the curve stays the same.
+    If one would be too fast, both are reduced, so that the curve stays the same.
 
     Args:
-        adv: mm/s, forward positive.
-        rot: degrees/s, to the right positive.
+        adv: mm/s, positive is forward.
+        rot: degrees/s, positive is to the right.
     """
     return limited(wheel_speeds(adv, rot, TRACK), MAXIMUM_SPEED)
 
 
 def head_angle(degrees: float) -> float:
-    """The head's angle in radians for one in degrees, up positive, as far as it can go."""
+    """The head's angle in radians for degrees (up is positive), limited to its range."""
     return math.radians(min(max(degrees, LOWEST_HEAD), HIGHEST_HEAD))
 
 
 def lift_height(degrees: float) -> float:
-    """The lift's height in mm for an angle of its arm, as far as it can go."""
+    """The lift's height in mm for an angle of its arm, limited to its range."""
     height = PIVOT + ARM * math.sin(math.radians(min(max(degrees, -90.0), 90.0)))
     return min(max(height, LOWEST_LIFT), HIGHEST_LIFT)
 

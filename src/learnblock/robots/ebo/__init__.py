@@ -1,28 +1,26 @@
-"""EBO, the paper's own robot: a Raspberry Pi on wheels with a face, made of RoboComp's components.
+"""EBO, the paper's robot: a Raspberry Pi on wheels with a face, running RoboComp's components.
 
-It is a WiFi network of its own, in which it has the address 192.168.16.1.
+It is a Wi-Fi access point with the address 192.168.16.1.
 """
 
-from collections.abc import Mapping
 from typing import Annotated
 
 from msgspec import Meta
 
 from learnblock.devices import Base, Camera, Display, DistanceSensors, JointMotor
 from learnblock.ice.robocomp import Layout
+from learnblock.robots import settings as user_settings
 from learnblock.robots.ebo.camera import StreamedCamera
 from learnblock.robots.robocomp import RoboCompRobot, RoboCompSettings, by_side, in_range
 from learnblock.robots.settings import Address, Port
 
 __all__ = ["Robot", "Settings"]
 
-CameraPort = Annotated[
-    int, Meta(ge=0, le=65535, description="a port of the network; 0 does without a camera")
-]
+CameraPort = Annotated[int, Meta(ge=0, le=65535, description="robot-setting-camera-port")]
 
 
 class Settings(RoboCompSettings, frozen=True):
-    """What can be set about an EBO; the ports are those of its components."""
+    """The settings of an EBO; the ports are those of its components."""
 
     address: Address = "192.168.16.1"
     laser_port: Port = 10104
@@ -38,10 +36,17 @@ class Robot(RoboCompRobot[Settings]):
     """
 
     settings_type = Settings
+    model = "ebo"
     usual_layout = Layout.ROBOT
 
-    def laser_places(self) -> Mapping[str, int]:
-        return {"laser": self.settings.laser_port}
+    @classmethod
+    def device_names(cls) -> frozenset[str]:
+        """The devices by the saved settings: without a camera if its port is 0."""
+        saved = user_settings.load(cls.name(), Settings)
+        return super().device_names() - (frozenset() if saved.camera_port else {"Camera:ROBOT"})
+
+    def laser_ports(self) -> tuple[int, ...]:
+        return (self.settings.laser_port,)
 
     def connect(self) -> None:
         super().connect()
@@ -70,6 +75,6 @@ class Robot(RoboCompRobot[Settings]):
 
     def _express(self, emotion: str) -> None:
         operation = "expressNeutral" if emotion == "none" else f"express{emotion.capitalize()}"
-        # RoboComp's face of 2020 has no neutral expression: it keeps the one it has.
+        # RoboComp's face of 2020 has no neutral expression, so it keeps the current one.
         if self._face.can(operation):
             self._face.ask(operation)

@@ -1,4 +1,4 @@
-"""EBO's camera: JPEG pictures that a broker of MQTT passes on, 20 a second."""
+"""EBO's camera: 20 JPEG pictures a second, sent by an MQTT broker."""
 
 import threading
 from time import monotonic
@@ -10,17 +10,17 @@ from learnblock.robots.real import require
 if TYPE_CHECKING:
     from learnblock.devices import Frame
 
-#: Under this name EBO publishes them.
+#: The topic under which EBO publishes the pictures.
 TOPIC = "camara"
 
 
 class StreamedCamera:
-    """The newest picture of a stream.
+    """Receives a stream of pictures and keeps the newest one.
 
     Args:
-        address: where the broker is.
-        port: of it.
-        patience: seconds within which it must answer, and a picture must come.
+        address: the broker's address.
+        port: the broker's port.
+        patience: the timeout in seconds for the broker's answer and for a picture.
     """
 
     def __init__(self, address: str, port: int, patience: float) -> None:
@@ -41,63 +41,65 @@ class StreamedCamera:
         """Subscribe to the stream, and wait for its first picture.
 
         Raises:
-            RobotConnectionError: there is no broker, or nobody who sends pictures.
+            RobotConnectionError: there is no broker, or it sends no pictures.
         """
+        address, port = self._place
         try:
-            self._client.connect(*self._place)
+            self._client.connect(address, port)
         except OSError as error:
-            raise self._told(f"cannot be reached: {error}") from error
+            raise RobotConnectionError(
+                "ebo-camera-unreachable", place=f"{address}:{port}"
+            ) from error
         self._client.loop_start()
         if not self._seen.wait(self._patience):
-            raise self._told(f"has sent no picture for {self._patience:g} s")
+            raise self._silent()
 
     def read(self) -> "Frame | None":
-        """The newest picture; None while none could be read.
+        """The newest picture; None before the first readable one.
 
         Raises:
-            RobotConnectionError: none has come for too long.
+            RobotConnectionError: no picture has arrived for too long.
         """
         self.check()
         latest = self._latest
         if latest is not None and latest is not self._shown:
             self._shown = latest
-            # A picture that arrives broken is left out.
+            # A damaged picture is skipped.
             frame = decoded(latest)
             self._frame = self._frame if frame is None else frame
         return self._frame
 
     def check(self) -> None:
-        """Make sure that pictures come.
+        """Check that pictures arrive.
 
         Raises:
             RobotConnectionError: they do not.
         """
         if monotonic() - self._came > self._patience:
-            raise self._told(f"has sent no picture for {self._patience:g} s")
+            raise self._silent()
 
     def close(self) -> None:
-        """Let go of the broker; the second time does nothing."""
+        """Disconnect from the broker; calling it twice is harmless."""
         self._client.disconnect()
         self._client.loop_stop()
 
     def _subscribe(self, *_: Any) -> None:
-        # Again whenever the connection is made anew, as the client does by itself.
+        # Needed again whenever the client reconnects, which it does by itself.
         self._client.subscribe(TOPIC)
 
     def _receive(self, _client: Any, _data: Any, message: Any) -> None:
         self._latest, self._came = message.payload, monotonic()
         self._seen.set()
 
-    def _told(self, trouble: str) -> RobotConnectionError:
+    def _silent(self) -> RobotConnectionError:
         address, port = self._place
         return RobotConnectionError(
-            f"the camera of the robot `ebo` at {address}:{port} {trouble}; is its camera running?"
-            " Without one, set `camera_port` to 0"
+            "ebo-camera-silent", place=f"{address}:{port}", seconds=self._patience
         )
 
 
 def decoded(picture: bytes) -> "Frame | None":
-    """A picture as a frame; None where it is none."""
+    """A picture as a frame; None if it cannot be decoded."""
     # OpenCV is loaded with the first picture.
     import cv2  # noqa: PLC0415
     import numpy as np  # noqa: PLC0415
@@ -105,6 +107,6 @@ def decoded(picture: bytes) -> "Frame | None":
     try:
         frame = cv2.imdecode(np.frombuffer(picture, np.uint8), cv2.IMREAD_COLOR)
     except cv2.error:
-        # Of no bytes at all, or of a size that no picture has.
+        # An empty picture, or one with an impossible size.
         return None
     return None if frame is None else np.asarray(cv2.cvtColor(frame, cv2.COLOR_BGR2RGB), np.uint8)

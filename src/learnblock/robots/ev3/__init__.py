@@ -1,8 +1,9 @@
-"""LEGO's EV3: with ev3dev, by our agent on the brick or by rpyc, or with LEGO's own firmware."""
+"""LEGO's EV3: with ev3dev (LearnBlock's agent or rpyc) or with LEGO's own firmware."""
 
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+from learnblock.client import RobotStatus
 from learnblock.devices import (
     NOTHING_SEEN,
     Base,
@@ -13,10 +14,11 @@ from learnblock.devices import (
     Speaker,
 )
 from learnblock.errors import RobotConnectionError
-from learnblock.robots.ev3.brick import Say, State, Tone
+from learnblock.i18n import Phrase
+from learnblock.robots.ev3.brick import Say, State, Tone, Word
 from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.settings import Settings
-from learnblock.robots.ev3.ways import find_way
+from learnblock.robots.ev3.ways import open_link
 from learnblock.robots.ev3.wheels import Odometry, turns
 from learnblock.robots.real import RealRobot
 
@@ -24,9 +26,10 @@ __all__ = ["Robot", "Settings"]
 
 
 class Robot(RealRobot[Settings]):
-    """A brick with two motors as wheels, and those of the four sensors that are plugged in."""
+    """A brick with two motors for the wheels and up to four sensors."""
 
     settings_type = Settings
+    model = "ev3"
 
     @classmethod
     def device_names(cls) -> frozenset[str]:
@@ -46,19 +49,19 @@ class Robot(RealRobot[Settings]):
         radius, track = self.settings.wheel_radius, self.settings.track
         self._odometry = Odometry(radius, track)
         self._zero = 0.0
-        link = self._link = find_way(self.settings, self._odometry.follow)
+        link = self._link = open_link(self.settings, self._odometry.follow)
         state = link.begin()
         self.add(
             Base(
-                move=lambda adv, rot: _say(link, turns(adv, rot, radius, track)),
+                move=lambda adv, rot: _send(link, turns(adv, rot, radius, track)),
                 read=self._pose,
             )
         )
         self._add_sensors(state)
         self.add(
             Speaker(
-                say=(lambda text: _say(link, Say(text))) if link.speaks else None,
-                tone=lambda hertz, milliseconds: _say(link, Tone(hertz, milliseconds)),
+                say=(lambda text: _send(link, Say(text))) if link.speaks else None,
+                tone=lambda hertz, milliseconds: _send(link, Tone(hertz, milliseconds)),
             )
         )
 
@@ -70,17 +73,21 @@ class Robot(RealRobot[Settings]):
         if self._link:
             self._link.check()
 
+    def status(self) -> RobotStatus:
+        state = self._link.known if self._link else None
+        return RobotStatus(battery=state.battery if state else None)
+
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
-        from learnblock.robots.ev3.scan import scan  # noqa: PLC0415 - for who looks
+        from learnblock.robots.ev3.scan import scan  # noqa: PLC0415 - needed only to scan
 
         yield from scan(seconds)
 
     @classmethod
-    def set_up(cls, settings: Settings, tell: Callable[[str], object]) -> None:
-        from learnblock.robots.ev3.setup import set_up  # noqa: PLC0415 - once in a brick's life
+    def set_up(cls, settings: Settings, report: Callable[[Phrase], object]) -> None:
+        from learnblock.robots.ev3.setup import set_up  # noqa: PLC0415 - needed once per brick
 
-        set_up(settings, tell)
+        set_up(settings, report)
 
     def _add_sensors(self, state: State) -> None:
         if state.ultrasonic is not None:
@@ -106,22 +113,20 @@ class Robot(RealRobot[Settings]):
         return self._reading("gyroscope") - self._zero
 
     def _reset_angle(self) -> None:
-        # Here and not in the sensor, whose own reset takes a second and lets it drift.
+        # The sensor's own reset takes a second and makes it drift.
         self._zero = self._reading("gyroscope")
 
     def _reading(self, sensor: str) -> float:
         reading: float | None = getattr(self._now(), sensor)
         if reading is None:
-            raise RobotConnectionError(
-                f"the sensor `{sensor}` of the EV3 is gone: is its cable in?"
-            )
+            raise RobotConnectionError("ev3-sensor-lost", sensor=sensor)
         return reading
 
     def _now(self) -> State:
-        assert self._link  # noqa: S101 - there are no devices without
+        assert self._link  # noqa: S101 - devices exist only with a link
         return self._link.latest()
 
 
-def _say(link: Link, word: Any) -> None:
-    """A word whose answer nobody waits for but the link."""
+def _send(link: Link, word: Word) -> None:
+    """Send a command, and ignore the brick's state in the answer."""
     link.say(word)

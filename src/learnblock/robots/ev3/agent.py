@@ -1,31 +1,32 @@
 #!/usr/bin/env python3
-"""LearnBlock's agent: it runs on an EV3 with ev3dev, for a program that runs elsewhere.
+"""LearnBlock's agent: it runs on an EV3 with ev3dev, and executes a remote program's commands.
 
-``learnblock robots setup ev3`` puts this file on the brick and starts it; after a restart of the
-brick it can be started from the brick's own file browser too.
+``learnblock robots setup ev3`` copies this file to the brick and starts it. After a restart of the
+brick it can also be started from the brick's file browser.
 
-It uses the kernel's files under /sys/class, and the standard library of Python 3.5 alone, which is
-what the ev3dev image has: python-ev3dev2 takes seconds to be imported on the brick, and which
-version of it is there differs. `Motor` and `Sensor` have the few properties of python-ev3dev2's
-that are needed here, so that `Brick` works with either: where a brick is reached by rpyc, the
-client has `serve` executed there, with python-ev3dev2.
+It is one file, because it is copied to the brick, and uses only the kernel's files under /sys/class
+and the standard library of Python 3.5, which is part of the ev3dev image: python-ev3dev2 takes
+seconds to import on the brick, and its version varies. `Motor` and `Sensor` have those properties
+of python-ev3dev2 that `Brick` needs, so that it works with either: over rpyc, the client executes
+`serve` on the brick with python-ev3dev2.
 
-The conversation is lines of JSON over TCP. The agent begins with a nonce; the client answers with
-the HMAC-SHA256 of it, made with the secret that both know, and with what is plugged in where:
+The protocol is lines of JSON over TCP. The agent starts with a nonce. The client answers with its
+HMAC-SHA256, made with the shared secret, and with the ports of motors and sensors:
 
     {"learnblock": 1, "nonce": "9f..."}
     {"proof": "3a...", "motors": ["B", "D"], "sensors": {"touch": "", "gyroscope": "2"}}
     {"state": {"left": 0, "right": 0, "touch": false, "gyroscope": -3}, "speaks": true}
 
-From then on each word of the client is answered with the brick's state, or with an error:
+Then each command of the client is answered with the brick's state, or with an error: a code and the
+values of its message.
 
     {"drive": [143, 143]}       degrees/s of the left and the right wheel
     {"tone": [440, 500]}        hertz, milliseconds
     {"say": "hello"}
-    {}                          how is it?
+    {}                          only asks for the state
 
-Motors stop when the client has said nothing for 0.3 s, until it says again what they are to do, and
-at the end of the conversation.
+The motors stop when the client has been silent for 0.3 s, until its next drive command, and at the
+end of the connection.
 """
 
 import argparse
@@ -47,16 +48,18 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 
 SYSFS = "/sys/class"
 PORT = 18813
-#: Bytes of the longest line that is read.
+#: The most bytes of a line.
 LONGEST_LINE = 4096
-#: Seconds without a word until the motors stop, until a client makes room for another one, and
-#: until a stranger has to have shown that it knows the secret.
+#: Seconds of silence until the motors stop, until a client makes room for another one, and until an
+#: unidentified client must have proved that it knows the secret.
 SILENCE, ABSENCE, INTRODUCTION = 0.3, 1.5, 3.0
-#: Connections at a time; all but one are strangers.
+#: Seconds between two readings of the battery, which changes slowly.
+BATTERY_PERIOD = 5.0
+#: The most connections at a time; all but one are unidentified.
 MOST_CLIENTS = 8
-#: What a second client is told.
-TAKEN = {"error": "is used by another program, or was until a moment ago", "taken": True}
-#: For each kind of sensor: its drivers, its mode, and what the value is multiplied with.
+#: The answer to a second client.
+TAKEN = {"error": "ev3-taken", "taken": True}
+#: For each kind of sensor: its drivers, its mode, and the factor of its value.
 KINDS = {
     "ultrasonic": (("lego-ev3-us", "lego-nxt-us"), "US-DIST-CM", 10.0),
     "colour": (("lego-ev3-color",), "COL-REFLECT", 1.0),
@@ -66,11 +69,20 @@ KINDS = {
 
 
 class BrickError(Exception):
-    """Something the client is told, as a sentence."""
+    """An error that is reported to the client: the code of a message, and its values."""
+
+    def __init__(self, code: str, values: Dict[str, str]) -> None:
+        Exception.__init__(self, code)
+        self.code = code
+        self.values = values
+
+    def answer(self) -> str:
+        """The line that reports it."""
+        return json.dumps({"error": self.code, "values": self.values})
 
 
 class Device:
-    """A folder of the kernel's, whose files are a motor's or sensor's attributes."""
+    """A folder of the kernel whose files are the attributes of a motor or sensor."""
 
     def __init__(self, folder: str) -> None:
         self._folder = folder
@@ -78,14 +90,14 @@ class Device:
 
     def _get(self, name: str) -> str:
         file = self._file(name, "rb")
-        # Only the first line: what lies behind it is left from a longer value.
+        # Only the first line: the rest is left over from a longer value.
         return str(file.read(256).decode().partition("\n")[0].strip())
 
     def _set(self, name: str, value: object) -> None:
         self._file(name, "wb").write("{}\n".format(value).encode())
 
     def _file(self, name: str, mode: str) -> Any:
-        """The file, kept open, at its beginning: there the kernel reads and writes it whole."""
+        """The open file, at its start, where the kernel reads and writes a whole value."""
         if (name, mode) not in self._files:
             self._files[name, mode] = open(  # noqa: SIM115 - kept
                 os.path.join(self._folder, name), mode, buffering=0
@@ -96,7 +108,7 @@ class Device:
 
 
 class Motor(Device):
-    """A motor, by its address, such as outB."""
+    """The motor with an address such as outB."""
 
     def __init__(self, address: str) -> None:
         for folder in folders("tacho-motor"):
@@ -113,7 +125,7 @@ class Motor(Device):
 
 
 class Sensor(Device):
-    """A sensor, by its folder."""
+    """The sensor with this folder."""
 
     address = property(lambda self: self._get("address"))
     driver_name = property(lambda self: self._get("driver_name"))
@@ -124,24 +136,49 @@ class Sensor(Device):
         return int(self._get("value0"))
 
 
+class Battery:
+    """The brick's battery, read now and then."""
+
+    def __init__(self) -> None:
+        self._read = 0.0
+        self._volts = None  # type: Optional[float]
+
+    def volts(self) -> Optional[float]:
+        """Its voltage; None where the kernel does not report it."""
+        now = time.monotonic()
+        if not self._read or now - self._read > BATTERY_PERIOD:
+            self._read, self._volts = now, self._measure()
+        return self._volts
+
+    def _measure(self) -> Optional[float]:
+        for folder in folders("power_supply"):
+            try:
+                with open(os.path.join(folder, "voltage_now")) as file:
+                    return int(file.readline()) / 1e6
+            except (OSError, ValueError):
+                # Not every power supply reports a voltage.
+                continue
+        return None
+
+
 def list_sensors() -> Iterator[Sensor]:
     """Every sensor that is plugged in."""
     return (Sensor(folder) for folder in folders("lego-sensor"))
 
 
 def folders(kind: str) -> List[str]:
-    """The devices of a class of the kernel's."""
+    """The folders of all devices of a kernel class."""
     path = os.path.join(SYSFS, kind)
     names = sorted(os.listdir(path)) if os.path.isdir(path) else []
     return [os.path.join(path, name) for name in names]
 
 
 class Brick:
-    """The motors and sensors a client asked for.
+    """The motors and sensors that a client uses.
 
     Args:
         wish: the ports of the motors, left and right, and of each kind of sensor; "" is any port.
-        motor: makes a motor of an address.
+        motor: makes the motor with an address.
         sensors: lists the sensors.
     """
 
@@ -150,6 +187,7 @@ class Brick:
     ) -> None:
         self._motors = [open_motor(motor, port) for port in wish["motors"]]
         self._fastest = [motor.max_speed for motor in self._motors]
+        self._battery = Battery()
         self._sensors = {}  # type: Dict[str, Tuple[Any, float]]
         plugged = list(sensors())
         for kind, port in sorted(wish["sensors"].items()):
@@ -159,17 +197,18 @@ class Brick:
         self._sounds = []  # type: List[Any]
 
     def state(self) -> Dict[str, Any]:
-        """Degrees the wheels have turned, and what each sensor reads; None where it is gone."""
+        """Degrees the wheels have turned, and each sensor's reading; None for a lost sensor."""
         state = dict(zip(("left", "right"), self._positions()))  # type: Dict[str, Any]
         for kind, (sensor, factor) in self._sensors.items():
             state[kind] = reading(sensor, factor)
+        state["battery"] = self._battery.volts()
         return state
 
     def drive(self, speeds: List[float]) -> None:
-        """Turn the wheels at these speeds, degrees/s, or as fast as they can."""
+        """Turn the wheels at these speeds in degrees/s, limited to their maximum."""
         for motor, fastest, speed in zip(self._motors, self._fastest, speeds):
             wanted = round(min(max(speed, -fastest), fastest))
-            with cable("motor"):
+            with cable():
                 if wanted:
                     motor.speed_sp = wanted
                     motor.command = "run-forever"
@@ -178,12 +217,12 @@ class Brick:
                     motor.command = "stop"
 
     def tone(self, sound: List[float]) -> None:
-        """Sound for a while: hertz, milliseconds."""
+        """Play a tone: hertz, milliseconds."""
         hertz, milliseconds = sound
         self._sound(["beep", "-f", str(hertz), "-l", str(int(milliseconds))])
 
     def say(self, text: str) -> None:
-        """Speak."""
+        """Speak a text."""
         speech = self._sound(["espeak", "-a", "200", "-s", "130", "--stdout", "--", text])
         if speech:
             self._sound(["aplay", "-q"], speech.stdout)
@@ -197,7 +236,7 @@ class Brick:
             sound.wait()
 
     def _positions(self) -> List[int]:
-        with cable("motor"):
+        with cable():
             return [motor.position for motor in self._motors]
 
     def _sound(self, command: List[str], source: Any = None) -> Any:
@@ -208,7 +247,7 @@ class Brick:
                 command, stdin=source or subprocess.DEVNULL, stdout=out, stderr=subprocess.DEVNULL
             )
         except OSError:
-            # A brick without that program stays silent.
+            # On a brick without that program there is no sound.
             return None
         self._sounds.append(process)
         return process
@@ -218,12 +257,12 @@ def open_motor(motor: Callable[..., Any], port: str) -> Any:
     """The motor at a port."""
     try:
         return motor(address="out" + port)
-    except Exception:  # noqa: BLE001 - ours and python-ev3dev2's say it with different errors
-        raise BrickError("has no motor at port {}".format(port)) from None
+    except Exception:  # noqa: BLE001 - our motor and python-ev3dev2's raise different errors
+        raise BrickError("ev3-no-motor", {"port": port}) from None
 
 
 def find_sensor(plugged: List[Any], kind: str, port: str) -> Optional[Tuple[Any, float]]:
-    """A sensor of that kind, in its mode, with the factor of its values."""
+    """A sensor of this kind, set to its mode, with the factor of its values."""
     drivers, mode, factor = KINDS[kind]
     for sensor in plugged:
         where = re.search("in([1-4])", sensor.address)
@@ -232,38 +271,35 @@ def find_sensor(plugged: List[Any], kind: str, port: str) -> Optional[Tuple[Any,
                 sensor.mode = mode
             return sensor, factor / 10**sensor.decimals
     if port:
-        raise BrickError("has no sensor `{}` at port {}".format(kind, port))
+        raise BrickError("ev3-no-sensor", {"sensor": kind, "port": port})
     return None
 
 
 def reading(sensor: Any, factor: float) -> Optional[float]:
-    """What a sensor reads."""
+    """A sensor's reading; None if its cable is unplugged."""
     try:
         return float(sensor.value() * factor)
-    except Exception:  # noqa: BLE001 - its cable is out; told as above with different errors
+    except Exception:  # noqa: BLE001 - different errors, as above
         return None
 
 
 class cable:  # noqa: N801 - used like a function
-    """Within it a device may turn out to be unplugged."""
-
-    def __init__(self, device: str) -> None:
-        self._device = device
+    """Reports an error of a motor as an unplugged cable."""
 
     def __enter__(self) -> None:
         pass
 
     def __exit__(self, kind: object, error: object, traceback: object) -> None:
         if isinstance(error, Exception):
-            raise BrickError("has lost a {}: is its cable in?".format(self._device)) from error
+            raise BrickError("ev3-motor-lost", {}) from error
 
 
 class Guard:
-    """Answers the words of one client, and stops the motors when it falls silent.
+    """Answers the commands of one client, and stops the motors when it falls silent.
 
     Args:
-        brick: what is driven.
-        at_end: is called when this client is done with.
+        brick: the brick.
+        at_end: is called when the client is gone.
     """
 
     def __init__(self, brick: Brick, at_end: Callable[[], object]) -> None:
@@ -281,10 +317,10 @@ class Guard:
         try:
             return json.dumps(self._answered(parsed(line)))
         except BrickError as error:
-            return json.dumps({"error": str(error)})
+            return error.answer()
 
     def close(self) -> None:
-        """Stop the motors, and watch no more."""
+        """Stop the motors and end the watchdog."""
         self._closed.set()
         with self._lock:
             self._stop()
@@ -294,7 +330,7 @@ class Guard:
     def _answered(self, word: Dict[str, Any]) -> Dict[str, Any]:
         with self._lock:
             if self._closed.is_set():
-                raise BrickError("has heard nothing for too long")
+                raise BrickError("ev3-timed-out", {})
             self.heard = time.monotonic()
             if "drive" in word:
                 speeds = numbers(word["drive"])
@@ -313,7 +349,7 @@ class Guard:
                 with self._lock:
                     self._stop()
             if silent > ABSENCE:
-                # Whoever comes back after that finds it closed.
+                # A client that returns later gets an error.
                 self.close()
 
     def _stop(self) -> None:
@@ -321,18 +357,18 @@ class Guard:
         try:
             self._brick.drive([0, 0])
         except BrickError:
-            # An unplugged motor stands anyway; nobody is there to be told.
+            # An unplugged motor does not turn anyway.
             return
 
 
 def parsed(line: str) -> Dict[str, Any]:
-    """A line of the client's."""
+    """Parse a line of the client."""
     try:
         word = json.loads(line)
     except (ValueError, RecursionError):
         word = None
     if not isinstance(word, dict):
-        raise BrickError("was told what it does not understand")
+        raise BrickError("ev3-not-understood", {})
     return word
 
 
@@ -341,14 +377,14 @@ def numbers(pair: Any) -> List[float]:
     try:
         first, second = (float(number) for number in pair)
     except (TypeError, ValueError, OverflowError):
-        raise BrickError("was told what it does not understand") from None
+        raise BrickError("ev3-not-understood", {}) from None
     if not abs(first) + abs(second) < 1e9:
-        raise BrickError("was told what it does not understand")
+        raise BrickError("ev3-not-understood", {})
     return [first, second]
 
 
 def wished(word: Dict[str, Any]) -> Dict[str, Any]:
-    """The ports a client names."""
+    """The ports that a client asks for."""
     motors, sensors = word.get("motors"), word.get("sensors")
     right = (
         isinstance(motors, list)
@@ -359,7 +395,7 @@ def wished(word: Dict[str, Any]) -> Dict[str, Any]:
         and all(port in ("", "1", "2", "3", "4") for port in sensors.values())
     )
     if not right:
-        raise BrickError("was told what it does not understand")
+        raise BrickError("ev3-not-understood", {})
     return {"motors": motors, "sensors": sensors}
 
 
@@ -369,12 +405,12 @@ def serve(
     sensors: Callable[[], Any],
     at_end: Callable[[], object] = lambda: None,
 ) -> Guard:
-    """Begin to answer a client, whose line says what is plugged in where."""
+    """Start to answer a client; its first line names the ports of motors and sensors."""
     return Guard(Brick(wished(parsed(line)), motor, sensors), at_end)
 
 
 class Conversation:
-    """A connection: a stranger at first, then the client."""
+    """A connection, first of an unidentified client, then of the client."""
 
     def __init__(self, connection: socket.socket) -> None:
         connection.settimeout(0)
@@ -387,7 +423,11 @@ class Conversation:
         self.put(json.dumps({"learnblock": 1, "nonce": self.nonce}))
 
     def put(self, line: str) -> None:
-        """Send a line; a client that does not read is let go."""
+        """Send a line.
+
+        Raises:
+            OSError: the client does not read.
+        """
         self.connection.sendall(line.encode() + b"\n")
 
     def lines(self) -> List[str]:
@@ -411,7 +451,7 @@ class Agent:
 
     Args:
         listener: a socket that listens.
-        token: the secret that a client has to know.
+        token: the secret shared with the client.
     """
 
     def __init__(self, listener: socket.socket, token: str) -> None:
@@ -442,7 +482,7 @@ class Agent:
     def _welcome(self) -> None:
         connection, _ = self._listener.accept()
         if len(self._clients) >= MOST_CLIENTS:
-            # Who has waited longest without a proof makes room.
+            # The unidentified client that has waited longest makes room.
             strangers = [client for client in self._clients.values() if not client.guard]
             self._dismiss(min(strangers, key=lambda client: client.since))
         try:
@@ -463,23 +503,23 @@ class Agent:
             self._dismiss(client)
 
     def _introduced(self, client: Conversation, line: str) -> str:
-        """The answer to a stranger, who is the client from then on if all is well."""
+        """The answer to an unidentified client, which becomes the client if it is accepted."""
         try:
             self._check(client, parsed(line))
             if self._is_taken():
                 return json.dumps(TAKEN)
             client.guard = serve(line, Motor, list_sensors)
         except BrickError as error:
-            return json.dumps({"error": str(error)})
+            return error.answer()
         return client.guard.answer("{}")
 
     def _check(self, client: Conversation, word: Dict[str, Any]) -> None:
         proof = hmac.new(self._token, client.nonce.encode(), hashlib.sha256).hexdigest()
         if not hmac.compare_digest(proof.encode(), str(word.get("proof")).encode()):
-            raise BrickError("does not know this computer's `token`: learnblock robots setup ev3")
+            raise BrickError("ev3-unknown-token", {})
 
     def _is_taken(self) -> bool:
-        """Whether there is a client; one that has long been silent is let go."""
+        """Whether there is a client; one that has been silent for too long is closed."""
         for other in list(self._clients.values()):
             if other.guard:
                 if time.monotonic() - other.guard.heard < ABSENCE:
@@ -514,12 +554,12 @@ def main() -> None:
     SYSFS = options.sysfs
     with open(options.token) as file:
         token = file.read().strip()
-    # By it, another setup finds the agent that it is to replace.
+    # The next setup needs it to end this agent.
     with open(os.path.join(os.path.dirname(options.token), ".learnblock-pid"), "w") as file:
         file.write(str(os.getpid()))
     for name in ("SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
-        # What nohup lets it ignore, it ignores.
+        # A signal that nohup ignores stays ignored.
         if number and signal.getsignal(number) != signal.SIG_IGN:
             signal.signal(number, lambda *_: sys.exit(0))
     with listen(options.address, options.port) as listener:

@@ -1,28 +1,29 @@
-"""The way to a brick with ev3dev on which our agent runs."""
+"""The connection to a brick with ev3dev and LearnBlock's agent."""
 
 from collections.abc import Callable
 
+from learnblock.errors import RobotNotFoundError
 from learnblock.robots.ev3 import lines
-from learnblock.robots.ev3.brick import NoSuchWayError, State, Word
+from learnblock.robots.ev3.brick import State, Word
 from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.network import dial, hang_up
 from learnblock.robots.ev3.settings import Settings
 
 
 class AgentLink(Link):
-    """Lines of JSON over TCP, one for each word and each answer.
+    """Lines of JSON over TCP, one for each command and each answer.
 
     Args:
-        settings: of the robot.
-        told: is given each new state.
+        settings: the robot's settings.
+        on_state: is called with each new state.
 
     Raises:
-        NoSuchWayError: no agent answers there.
-        RobotConnectionError: it does not know our secret, or has another client.
+        RobotNotFoundError: no agent answers there.
+        RobotConnectionError: the agent has another secret or another client.
     """
 
-    def __init__(self, settings: Settings, told: Callable[[State], None]) -> None:
-        super().__init__(f"{settings.address}:{settings.agent_port}", told)
+    def __init__(self, settings: Settings, on_state: Callable[[State], None]) -> None:
+        super().__init__(f"{settings.address}:{settings.agent_port}", on_state)
         self._begun = b""
         self._socket = dial(settings.address, settings.agent_port, settings.patience)
         try:
@@ -42,27 +43,24 @@ class AgentLink(Link):
         try:
             greeting = lines.greeting(self._line())
         except (OSError, ValueError) as error:
-            raise NoSuchWayError(
-                f"what answers at {self.where} is not LearnBlock's agent:"
-                " learnblock robots setup ev3"
-            ) from error
+            raise RobotNotFoundError("ev3-not-agent", place=self.place) from error
         self._put(lines.introduction(settings, greeting.nonce))
         self._answered()
 
     def _answered(self) -> State:
-        answer = lines.answer(self._line(), self.where)
+        answer = lines.answer(self._line(), self.place)
         self.speaks = answer.speaks
-        assert answer.state is not None  # noqa: S101 - `lines.answer` refuses an answer without
+        assert answer.state is not None  # noqa: S101 - `lines.answer` requires one
         return answer.state
 
     def _put(self, line: bytes) -> None:
         self._socket.sendall(line + b"\n")
 
     def _line(self) -> bytes:
-        """The next line that comes."""
+        """Receive the next line."""
         while b"\n" not in self._begun:
             if len(self._begun) > lines.LONGEST_LINE:
-                raise ValueError("a line without end")
+                raise ValueError("the line is too long")
             data = self._socket.recv(lines.LONGEST_LINE)
             if not data:
                 raise ConnectionResetError("closed by the brick")

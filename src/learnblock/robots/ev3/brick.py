@@ -1,22 +1,21 @@
-"""What is said to a brick, and what it says of itself, whichever way it is reached."""
+"""The commands for a brick and its state, the same for every connection."""
 
 from typing import NamedTuple
 
 import msgspec
 
-from learnblock.errors import RobotConnectionError
-
 
 class State(msgspec.Struct, frozen=True):
-    """How the brick is; a sensor that is not plugged in reads None.
+    """The state of a brick; an unplugged sensor reads None.
 
     Args:
         left: degrees the left wheel has turned, forward positive.
-        right: the right wheel likewise.
+        right: the same for the right wheel.
         ultrasonic: mm; 2550 when nothing is seen.
         colour: reflected light, 0 to 100.
         gyroscope: degrees, clockwise positive, since it was plugged in.
         touch: above 0 while it is pressed.
+        battery: the battery's voltage, V.
     """
 
     left: float
@@ -25,38 +24,31 @@ class State(msgspec.Struct, frozen=True):
     colour: float | None = None
     gyroscope: float | None = None
     touch: float | None = None
+    battery: float | None = None
 
 
 class Look(NamedTuple):
-    """Only its state is asked for."""
+    """Only ask for the state."""
 
 
 class Drive(NamedTuple):
-    """Turn the wheels at these speeds, degrees/s, forward positive, until told otherwise."""
+    """Turn the wheels at these speeds until the next command: degrees/s, forward positive."""
 
     left: float
     right: float
 
 
 class Tone(NamedTuple):
-    """Sound for a while."""
+    """Play a tone."""
 
     hertz: float
     milliseconds: float
 
 
 class Say(NamedTuple):
-    """Speak."""
+    """Speak a text."""
 
     text: str
 
 
 Word = Look | Drive | Tone | Say
-
-
-class NoSuchWayError(RobotConnectionError):
-    """Nobody answers on this way to the brick; another way may be open."""
-
-
-class TakenError(RobotConnectionError):
-    """The brick is used by another program."""

@@ -1,8 +1,8 @@
-"""Direct commands: the byte code in which LEGO's own firmware is told what to do.
+"""Direct commands: the byte code that LEGO's own firmware executes.
 
-After LEGO's "EV3 Communication Developer Kit" and "EV3 Firmware Developer Kit" (2013) and the
-firmware's published source. A command is the length of what follows, a counter that its reply
-repeats, a type, the number of bytes it reserves for its reply, and operations; all little-endian.
+It follows LEGO's "EV3 Communication Developer Kit" and "EV3 Firmware Developer Kit" (2013) and the
+firmware's published source. A command consists of the length of the rest, a counter that the reply
+repeats, a type, the number of bytes reserved for the reply, and operations; all little-endian.
 """
 
 import math
@@ -11,27 +11,27 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 
-#: Bytes of the largest message of the firmware's.
+#: Bytes of the firmware's largest message.
 LARGEST = 1024
 WITH_REPLY, REPLY, REPLY_ERROR = 0x00, 0x02, 0x04
-#: Nobody speaks of other bricks in a chain: ours is layer 0.
+#: Layer 0 is the brick itself; other layers are bricks chained to it.
 LAYER = b"\x00"
 
 OUTPUT_STOP, OUTPUT_TIME_SPEED, OUTPUT_GET_COUNT = b"\xa3", b"\xaf", b"\xb3"
 INPUT_TYPE_MODE, INPUT_READY_SI = b"\x99\x05", b"\x99\x1d"
 SOUND_TONE = b"\x94\x01"
 
-#: Of a command: its length, its counter, its type, the bytes of its reply; and of a reply.
+#: The head of a command (length, counter, type, bytes of the reply), and that of a reply.
 _HEAD, _REPLY = struct.Struct("<HHBH"), struct.Struct("<HB")
 
 
 @dataclass(frozen=True, slots=True)
 class Query:
-    """An operation with a result, complete but for the place of that result in the reply.
+    """An operation with a result, without the position of the result in the reply.
 
     Args:
-        code: its bytes before that place.
-        result: the form of its result, in the letters of `struct`.
+        code: its bytes before that position.
+        result: the format of its result, in the letters of `struct`.
     """
 
     code: bytes
@@ -39,11 +39,11 @@ class Query:
 
 
 class Question:
-    """Operations that together ask for one reply.
+    """Operations that share one reply.
 
     Attributes:
         code: their bytes.
-        reply: the form of the reply.
+        reply: the format of the reply.
     """
 
     def __init__(self, queries: Sequence[Query]) -> None:
@@ -52,7 +52,7 @@ class Question:
         for query in queries:
             self.code += query.code
             for letter in query.result:
-                # The firmware wants each variable at a multiple of its own size.
+                # The firmware requires each variable at a multiple of its size.
                 width = struct.calcsize(letter)
                 form += "x" * (-struct.calcsize(form) % width)
                 self.code += place(struct.calcsize(form))
@@ -61,7 +61,7 @@ class Question:
 
 
 def number(value: int) -> bytes:
-    """A constant, in as few bytes as it needs."""
+    """A constant in as few bytes as possible."""
     if -32 <= value < 32:
         return bytes([value & 0x3F])
     for head, form, bits in ((0x81, "<b", 8), (0x82, "<h", 16), (0x83, "<i", 32)):
@@ -83,35 +83,35 @@ def stop(motor: int) -> bytes:
 
 @cache
 def turn(motor: int, percent: int, milliseconds: int) -> bytes:
-    """Turn a motor at a regulated speed for so long, then brake."""
+    """Turn a motor at a regulated speed for some time, then brake."""
     times = number(0) + number(milliseconds) + number(0)
     return OUTPUT_TIME_SPEED + LAYER + number(1 << motor) + number(percent) + times + number(1)
 
 
 def turned(motor: int) -> Query:
-    """How far a motor has turned, degrees."""
+    """Query the degrees that a motor has turned."""
     return Query(OUTPUT_GET_COUNT + LAYER + number(motor), "i")
 
 
 def kind_of(port: int) -> Query:
-    """What is plugged in at a port, 0 is port 1: its type and mode."""
+    """Query the type and mode of the device at a port; 0 is port 1."""
     return Query(INPUT_TYPE_MODE + LAYER + number(port), "bb")
 
 
 def reading(port: int, mode: int) -> Query:
-    """What the sensor at a port reads in that mode, in its own unit, once it is ready."""
-    # Type 0 leaves the type as it is; one value is asked for.
+    """Query a sensor's reading in a mode, in its own unit, once it is ready."""
+    # Type 0 keeps the current type; one value is requested.
     asked = LAYER + number(port) + number(0) + number(mode) + number(1)
     return Query(INPUT_READY_SI + asked, "f")
 
 
 def tone(hertz: int, milliseconds: int, volume: int = 50) -> bytes:
-    """Sound for a while."""
+    """Play a tone."""
     return SOUND_TONE + number(volume) + number(hertz) + number(milliseconds)
 
 
 def command(counter: int, orders: bytes, question: Question) -> bytes:
-    """A whole message, its length first: what is to be done, and what is asked then."""
+    """A whole message, its length first: orders, then a question."""
     size = len(orders) + len(question.code) + _HEAD.size - 2
     return _HEAD.pack(size, counter, WITH_REPLY, question.reply.size) + orders + question.code
 
@@ -121,12 +121,12 @@ def answered(body: bytes, counter: int, question: Question) -> tuple[float, ...]
 
     Args:
         body: the message without its length.
-        counter: the command's; the reply to an earlier one is None.
-        question: the command's.
+        counter: the command's counter; for the reply to an earlier command the result is None.
+        question: the command's question.
 
     Raises:
-        ValueError: it is no reply, or not of this form.
-        RefusedError: the firmware could not execute the command.
+        ValueError: it is not a reply, or has another format.
+        CommandFailedError: the firmware could not execute the command.
     """
     if len(body) < _REPLY.size:
         raise ValueError("too short for a reply")
@@ -136,7 +136,7 @@ def answered(body: bytes, counter: int, question: Question) -> tuple[float, ...]
     if count != counter:
         return None
     if kind == REPLY_ERROR:
-        raise RefusedError
+        raise CommandFailedError
     try:
         results = question.reply.unpack_from(body, _REPLY.size)
     except struct.error:
@@ -146,5 +146,5 @@ def answered(body: bytes, counter: int, question: Question) -> tuple[float, ...]
     return results
 
 
-class RefusedError(Exception):
+class CommandFailedError(Exception):
     """The firmware could not execute a command."""

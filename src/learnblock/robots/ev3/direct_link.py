@@ -1,20 +1,21 @@
-"""The way to a brick with LEGO's own firmware: direct commands over WiFi, Bluetooth or USB."""
+"""The connection to a brick with LEGO's own firmware, over Wi-Fi, Bluetooth or USB."""
 
 import math
 from collections.abc import Callable, Sequence
 from time import monotonic
 
-from learnblock.errors import RobotConnectionError
+from learnblock.errors import RobotConnectionError, RobotNotFoundError
 from learnblock.robots.ev3 import direct
-from learnblock.robots.ev3.brick import Drive, NoSuchWayError, Say, State, Tone, Word
+from learnblock.robots.ev3.brick import Drive, Say, State, Tone, Word
 from learnblock.robots.ev3.direct import Question
 from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.wires import open_wire
 
-#: How long a motor runs without being told again: the firmware has no watchdog, but timed commands.
+#: Milliseconds that a motor runs without another command: the firmware has no watchdog, but it has
+#: timed commands.
 RUN = 300
-#: For each kind of sensor: its type, its mode, and what the value is multiplied with.
+#: For each kind of sensor: its type, its mode, and the factor of its value.
 KINDS = {
     "ultrasonic": (30, 0, 10.0),
     "colour": (29, 0, 1.0),
@@ -23,24 +24,24 @@ KINDS = {
 }
 #: The types of an EV3's two motors.
 MOTORS = (7, 8)
-#: The number of the first motor among the ports that can be asked what is plugged in.
+#: The number of the first motor port in queries for the plugged-in devices.
 FIRST_MOTOR = 16
 
 
 class DirectLink(Link):
-    """Direct commands, one for each word: it drives, sounds and reads everything at once.
+    """Direct commands; each one drives, plays sounds and reads all sensors at once.
 
     Args:
-        settings: of the robot.
-        told: is given each new state.
+        settings: the robot's settings.
+        on_state: is called with each new state.
 
     Raises:
-        NoSuchWayError: no such firmware answers.
-        RobotConnectionError: a motor or sensor is not where the settings say.
+        RobotNotFoundError: no such firmware answers.
+        RobotConnectionError: a motor or sensor is missing at its port in the settings.
     """
 
-    def __init__(self, settings: Settings, told: Callable[[State], None]) -> None:
-        super().__init__(settings.device or f"{settings.address}:{settings.direct_port}", told)
+    def __init__(self, settings: Settings, on_state: Callable[[State], None]) -> None:
+        super().__init__(settings.device or f"{settings.address}:{settings.direct_port}", on_state)
         self._patience = settings.patience
         self._counter = 0
         self._motors = [Motor("ABCD".index(port)) for port in (settings.left, settings.right)]
@@ -55,7 +56,7 @@ class DirectLink(Link):
             self._wire.close()
             if isinstance(error, RobotConnectionError):
                 raise
-            raise NoSuchWayError(f"what is at {self.where} does not answer as an EV3") from error
+            raise RobotNotFoundError("ev3-device-silent", place=self.place) from error
         except BaseException:
             self._wire.close()
             raise
@@ -79,21 +80,21 @@ class DirectLink(Link):
                     for motor, speed in zip(self._motors, word, strict=True)
                 )
             case Tone(hertz, milliseconds):
-                # What the firmware takes: audible, and at most half a minute.
+                # The firmware's limits: audible tones of at most half a minute.
                 return direct.tone(
                     round(min(max(hertz, 250), 10000)), round(min(max(milliseconds, 0), 32767))
                 )
             case Say():
-                raise RobotConnectionError(f"the EV3 at {self.where} cannot speak")
+                raise RobotConnectionError("ev3-no-speech", place=self.place)
         return b""
 
     def _find_plugged(self, settings: Settings) -> Question:
-        """What is asked from now on: how far the motors have turned, and what the sensors read."""
+        """The question for all motor positions and sensor readings."""
         ports = [*range(4), *(FIRST_MOTOR + motor.port for motor in self._motors)]
         types = self._asked(b"", Question([direct.kind_of(port) for port in ports]))[::2]
         for there, name in zip(types[4:], (settings.left, settings.right), strict=True):
             if there not in MOTORS:
-                raise RobotConnectionError(f"the EV3 at {self.where} has no motor at port {name}")
+                raise RobotConnectionError("ev3-no-motor", place=self.place, port=name)
         queries = [direct.turned(motor.port) for motor in self._motors]
         for kind, wished in settings.sensors.items():
             number, mode, factor = KINDS[kind]
@@ -108,9 +109,7 @@ class DirectLink(Link):
             if there == number and wished in {"", str(port + 1)}:
                 return port
         if wished:
-            raise RobotConnectionError(
-                f"the EV3 at {self.where} has no sensor `{kind}` at port {wished}"
-            )
+            raise RobotConnectionError("ev3-no-sensor", place=self.place, sensor=kind, port=wished)
         return None
 
     def _asked(self, orders: bytes, question: Question) -> tuple[float, ...]:
@@ -121,19 +120,17 @@ class DirectLink(Link):
             reply = self._wire.receive(deadline - monotonic())
             try:
                 results = direct.answered(reply, self._counter, question)
-            except direct.RefusedError:
-                raise RobotConnectionError(
-                    f"the firmware of the EV3 at {self.where} refuses to do what it is told"
-                ) from None
+            except direct.CommandFailedError:
+                raise RobotConnectionError("ev3-command-refused", place=self.place) from None
             if results is not None:
                 return results
 
 
 class Motor:
-    """A motor as the firmware takes it: at whole percents of its full speed.
+    """A motor whose speed is set in whole percents of its full speed.
 
-    What is rounded off is made up for with the next command, so that on the average it turns as
-    fast as it was told to: one percent is 5 mm/s.
+    The next command makes up for the rounding, so that the average speed is right: one percent is
+    5 mm/s.
 
     Args:
         port: 0 is port A.
@@ -144,7 +141,7 @@ class Motor:
         self._owed = 0.0
 
     def turn(self, speed: float) -> bytes:
-        """Have it turn for a moment at this speed, in percent with fractions."""
+        """Turn the motor for a moment at a speed in percent, with fractions."""
         if not speed:
             self._owed = 0.0
             return direct.stop(self.port)

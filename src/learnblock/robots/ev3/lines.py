@@ -1,4 +1,4 @@
-"""What our agent and its like on rpyc are told and say: lines of JSON, as agent.py describes."""
+"""The lines of JSON between a client and the agent, or `serve` over rpyc; see agent.py."""
 
 import hashlib
 import hmac
@@ -6,12 +6,24 @@ from typing import TypeVar
 
 import msgspec
 
-from learnblock.errors import RobotConnectionError
-from learnblock.robots.ev3.brick import Drive, Look, Say, State, TakenError, Tone, Word
+from learnblock.errors import RobotBusyError, RobotConnectionError
+from learnblock.robots.ev3.brick import Drive, Look, Say, State, Tone, Word
 from learnblock.robots.ev3.settings import Settings
 
-#: Bytes of the longest line that is read.
+#: The most bytes of a line.
 LONGEST_LINE = 4096
+#: The codes of the agent's errors.
+_ERRORS = frozenset(
+    {
+        "ev3-motor-lost",
+        "ev3-no-motor",
+        "ev3-no-sensor",
+        "ev3-not-understood",
+        "ev3-taken",
+        "ev3-timed-out",
+        "ev3-unknown-token",
+    }
+)
 
 
 class Greeting(msgspec.Struct, frozen=True):
@@ -22,10 +34,12 @@ class Greeting(msgspec.Struct, frozen=True):
 
 
 class Answer(msgspec.Struct, frozen=True):
-    """The answer to a word: how the brick is, or what is wrong."""
+    """The answer to a command: the brick's state, or an error."""
 
     state: State | None = None
+    #: A code, or a sentence of an agent from before LearnBlock 0.2.
     error: str | None = None
+    values: dict[str, str] = {}
     speaks: bool = False
     #: Whether another client is the reason.
     taken: bool = False
@@ -40,34 +54,49 @@ def greeting(line: bytes) -> Greeting:
     """Read the first line.
 
     Raises:
-        ValueError: no agent says that.
+        ValueError: it does not come from an agent.
     """
     return _read(line, _GREETING)
 
 
-def answer(line: bytes | str, where: str) -> Answer:
-    """Read the answer to a word.
+def answer(line: bytes | str, place: str) -> Answer:
+    """Read the answer to a command.
 
     Args:
-        line: as it came.
-        where: the brick's place, for sentences.
+        line: the line.
+        place: the brick's address, for errors.
 
     Raises:
-        ValueError: no agent says that.
-        RobotConnectionError: the brick complains.
-        TakenError: it has another client.
+        ValueError: it does not come from an agent.
+        RobotConnectionError: the brick reports an error.
+        RobotBusyError: it has another client.
     """
-    said = _read(line, _ANSWER)
-    if said.error is not None:
-        kind = TakenError if said.taken else RobotConnectionError
-        raise kind(f"the EV3 at {where} {said.error[:200]}")
-    if said.state is None:
+    read = _read(line, _ANSWER)
+    if read.error is not None:
+        raise _error(read, read.error, place)
+    if read.state is None:
         raise ValueError("an answer without a state")
-    return said
+    return read
+
+
+def _error(read: Answer, code: str, place: str) -> RobotConnectionError:
+    if read.taken:
+        return RobotBusyError("ev3-taken", place=place)
+    if code not in _ERRORS:
+        return RobotConnectionError("ev3-complaint", place=place, reason=code[:200])
+    values = {"port": "?", "sensor": "", **read.values}
+    match code:
+        case "ev3-no-motor":
+            return RobotConnectionError(code, place=place, port=values["port"][:9])
+        case "ev3-no-sensor":
+            return RobotConnectionError(
+                code, place=place, port=values["port"][:9], sensor=values["sensor"][:20]
+            )
+    return RobotConnectionError(code, place=place)
 
 
 def spoken(word: Word) -> bytes:
-    """A word as a line, without its end."""
+    """A command as a line, without its end."""
     match word:
         case Drive(left, right):
             return _ENCODER.encode({"drive": [left, right]})
@@ -80,7 +109,7 @@ def spoken(word: Word) -> bytes:
 
 
 def introduction(settings: Settings, nonce: str) -> bytes:
-    """What a client says first: that it knows the secret, and what is plugged in where."""
+    """The client's first line: a proof of the secret, and the ports of motors and sensors."""
     proof = hmac.new(settings.token.encode(), nonce.encode(), hashlib.sha256).hexdigest()
     return msgspec.json.encode(
         {

@@ -1,4 +1,4 @@
-"""A conversation with a brick, whichever way it is reached."""
+"""A connection to a brick, the base class of all kinds of connections."""
 
 import threading
 from abc import ABC, abstractmethod
@@ -7,35 +7,36 @@ from contextlib import suppress
 from time import monotonic
 
 from learnblock.errors import RobotConnectionError
+from learnblock.i18n import Phrase
 from learnblock.robots.ev3.brick import Drive, Look, State, Word
 
-#: Seconds between two words of a program that says nothing: the brick stops its motors after 0.3.
+#: Seconds between two messages of an idle program: the brick stops its motors after 0.3.
 PULSE = 0.1
-#: Seconds for which a state is good enough for another sensor: all come in one answer.
+#: Seconds for which a state is also used for other sensors, since it contains all readings.
 FRESH = 0.01
 
 
 class Link(ABC):
-    """One word and its answer at a time, from any thread; a failure is the end of it.
+    """Exchanges one command and its answer at a time, from any thread; a failure ends it.
 
-    What the wheels are to do is said again ten times a second: a brick stops them when it hears
-    nothing, and turns them again when a wire that was slow for a moment is well.
+    The last drive command is repeated ten times a second: the brick stops its motors during silence
+    and turns them again when a slow connection recovers.
 
-    A subclass says how a word travels. What it raises as OSError (a wire that failed or was too
-    slow) or ValueError (nonsense) becomes a sentence; a RobotConnectionError is one already, and
-    does not end the conversation.
+    A subclass implements `exchange`. An OSError (broken or too slow) or a ValueError (invalid data)
+    breaks the link and becomes a RobotConnectionError; a RobotConnectionError of the subclass
+    itself does not break it.
 
     Args:
-        where: the brick's place, for sentences.
-        told: is given each new state.
+        place: the brick's address, for errors.
+        on_state: is called with each new state.
     """
 
-    def __init__(self, where: str, told: Callable[[State], None]) -> None:
-        self.where = where
-        self._told = told
+    def __init__(self, place: str, on_state: Callable[[State], None]) -> None:
+        self.place = place
+        self._on_state = on_state
         self._lock = threading.Lock()
         self._closed = threading.Event()
-        self._broken = ""
+        self._broken: Phrase | None = None
         self._wish = Drive(0, 0)
         self._driven = 0.0
         self._state: State | None = None
@@ -47,37 +48,37 @@ class Link(ABC):
 
     @abstractmethod
     def exchange(self, word: Word) -> State:
-        """Say a word and hear the answer.
+        """Send a command and receive the answer.
 
         Raises:
-            OSError: the wire failed, or nothing came in time.
-            ValueError: what came was nonsense.
-            RobotConnectionError: the brick complains.
+            OSError: the connection failed, or nothing arrived in time.
+            ValueError: the answer is invalid.
+            RobotConnectionError: the brick reports an error.
         """
 
     @abstractmethod
     def hang_up(self) -> None:
-        """Let go of the wire; an exchange that waits on it ends. It may be called twice."""
+        """Close the connection, which ends a waiting exchange; calling it twice is harmless."""
 
-    def farewell(self) -> None:  # noqa: B027 - on most wires closing them says it
-        """Say the last word on a wire that is well; what it raises is nobody's trouble any more."""
+    def farewell(self) -> None:  # noqa: B027 - most connections only need to be closed
+        """Send a last message on an intact connection; its errors are ignored."""
 
     def begin(self) -> State:
-        """Ask for the first state, and keep the conversation alive from then on."""
+        """Ask for the first state, then keep the connection alive."""
         state = self.say(Look())
         self._thread.start()
         return state
 
     def say(self, word: Word) -> State:
-        """Say a word.
+        """Send a command.
 
         Raises:
-            RobotConnectionError: the brick is gone, or complains.
+            RobotConnectionError: the brick cannot be reached, or reports an error.
         """
         with self._lock:
             self.check()
             if self._closed.is_set():
-                raise RobotConnectionError(f"the EV3 at {self.where} has been let go")
+                raise RobotConnectionError("ev3-closed", place=self.place)
             try:
                 state = self.exchange(self._due(word))
             except RobotConnectionError:
@@ -87,14 +88,19 @@ class Link(ABC):
                 self.check()
                 raise
             self._state, self._heard = state, monotonic()
-            self._told(state)
+            self._on_state(state)
             return state
 
+    @property
+    def known(self) -> State | None:
+        """The brick's last state, however old."""
+        return self._state
+
     def latest(self) -> State:
-        """The brick's state, no older than a hundredth of a second.
+        """The brick's state, at most 0.01 seconds old.
 
         Raises:
-            RobotConnectionError: the brick is gone, or complains.
+            RobotConnectionError: the brick cannot be reached, or reports an error.
         """
         state = self._state
         if state is not None and monotonic() - self._heard < FRESH and not self._broken:
@@ -102,16 +108,16 @@ class Link(ABC):
         return self.say(Look())
 
     def check(self) -> None:
-        """Say so if the brick is gone.
+        """Check that the connection is intact.
 
         Raises:
-            RobotConnectionError: it is.
+            RobotConnectionError: it is broken.
         """
         if self._broken:
-            raise RobotConnectionError(self._broken)
+            raise RobotConnectionError(self._broken.code, **self._broken.values)
 
     def close(self) -> None:
-        """End the conversation; nothing of it is left."""
+        """Close the connection and end its thread."""
         if not self._closed.is_set():
             self._closed.set()
             self._take_leave()
@@ -120,7 +126,7 @@ class Link(ABC):
             self._thread.join()
 
     def _due(self, word: Word) -> Word:
-        """The word, or what the wheels are to do, if it is time to say that again."""
+        """The command, or the last drive command if it is time to repeat that."""
         if isinstance(word, Drive):
             self._wish = word
         elif isinstance(word, Look) and any(self._wish) and self._is_late():
@@ -133,7 +139,7 @@ class Link(ABC):
         return monotonic() - self._driven > 0.9 * PULSE
 
     def _take_leave(self) -> None:
-        # Not while somebody waits for an answer that may never come.
+        # Not while another thread waits for an answer that may never arrive.
         if self._lock.acquire(timeout=PULSE):
             try:
                 with suppress(OSError, ValueError, EOFError):
@@ -143,15 +149,15 @@ class Link(ABC):
                 self._lock.release()
 
     def _break(self, error: Exception) -> None:
-        self._broken = f"{self._what_happened(error)}: is it switched on, and near enough?"
+        self._broken = self._phrase(error)
         self.hang_up()
 
-    def _what_happened(self, error: Exception) -> str:
+    def _phrase(self, error: Exception) -> Phrase:
         if isinstance(error, TimeoutError):
-            return f"the EV3 at {self.where} does not answer any more"
+            return Phrase("ev3-silent", place=self.place)
         if isinstance(error, OSError):
-            return f"the link to the EV3 at {self.where} broke"
-        return f"what comes from {self.where} is not what an EV3 says"
+            return Phrase("ev3-link-broke", place=self.place)
+        return Phrase("ev3-garbled", place=self.place)
 
     def _keep_alive(self) -> None:
         while not self._closed.wait(PULSE) and not self._broken:
@@ -162,5 +168,5 @@ class Link(ABC):
         try:
             self.say(Look())
         except RobotConnectionError:
-            # Whoever asks next is told.
+            # The next use of the robot raises it again.
             return

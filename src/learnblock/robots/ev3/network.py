@@ -1,59 +1,56 @@
-"""Connections over the network that are there within the time allowed, or not at all."""
+"""Network connections with a time limit."""
 
 import socket
 import threading
 from contextlib import suppress
 from time import monotonic
 
-from learnblock.robots.ev3.brick import NoSuchWayError
+from learnblock.errors import RobotNotFoundError
 
 
 def dial(address: str, port: int, patience: float) -> socket.socket:
-    """A TCP connection; each send and receive on it may take as long as connecting may.
+    """Make a TCP connection; `patience` is also the timeout of each send and receive.
 
     Args:
-        address: a name or number.
-        port: of that machine.
-        patience: seconds.
+        address: a name or an IP address.
+        port: the port.
+        patience: the timeout in seconds.
 
     Raises:
-        NoSuchWayError: nobody listens there, or does not answer in time.
+        RobotNotFoundError: no program answers there in time.
     """
     deadline = monotonic() + patience
     number = resolve(address, patience)
     try:
         connection = socket.create_connection((number, port), max(0.1, deadline - monotonic()))
     except OSError as error:
-        raise NoSuchWayError(f"nobody answers at {address}:{port} ({error})") from error
+        raise RobotNotFoundError("ev3-no-answer", place=f"{address}:{port}") from error
     connection.settimeout(patience)
     connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     return connection
 
 
 def hang_up(connection: socket.socket) -> None:
-    """Close a connection; who waits for something on it wakes up. It may be done twice."""
+    """Close a connection and wake up threads that wait on it; calling it twice is harmless."""
     with suppress(OSError):
-        # Refused where the other side, or we ourselves, did that before.
+        # Fails if either side has already closed it.
         connection.shutdown(socket.SHUT_RDWR)
     connection.close()
 
 
 def resolve(name: str, patience: float) -> str:
-    """The number of a machine in the network.
+    """The IP address of a computer.
 
     Raises:
-        NoSuchWayError: no machine has that name, or it cannot be found out in time.
+        RobotNotFoundError: the name is unknown, or looking it up takes too long.
     """
     found: list[str] = []
     search = threading.Thread(target=_resolve, args=(name, found), name="resolve", daemon=True)
     search.start()
-    # The system's own limit is many seconds where a .local name is not there.
+    # The system's own limit is many seconds for an unknown .local name.
     search.join(patience)
     if not found:
-        raise NoSuchWayError(
-            f"the network knows no `{name}`: is the brick switched on, and this computer in its"
-            " network?"
-        )
+        raise RobotNotFoundError("ev3-not-found", address=name)
     return found[0]
 
 
@@ -61,5 +58,5 @@ def _resolve(name: str, found: list[str]) -> None:
     try:
         found.append(socket.gethostbyname(name))
     except (OSError, UnicodeError):
-        # The empty list says it.
+        # The list stays empty.
         return

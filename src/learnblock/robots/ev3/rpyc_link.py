@@ -1,8 +1,8 @@
-"""The way to a brick with ev3dev that runs rpyc 4.1 to 5.3, as the paper's did, and no agent.
+"""The connection to a brick with ev3dev and rpyc 4.1 to 5.3, as the paper used it.
 
-Our agent's part that answers words is executed there, with python-ev3dev2's motors and sensors: a
-word costs one round trip, where every attribute of a motor would cost one, and a speed as an object
-a dozen; and the motors stop there by themselves when this program is gone.
+The agent's `serve` is executed on the brick, with python-ev3dev2's motors and sensors. A command
+then costs one round trip, while each attribute of a remote motor would cost one; and the motors
+stop on the brick when this program is gone.
 """
 
 from collections.abc import Callable
@@ -10,20 +10,20 @@ from importlib import resources
 from types import ModuleType
 from typing import Any
 
-from learnblock.errors import RobotConnectionError
+from learnblock.errors import RobotConnectionError, RobotNotFoundError
 from learnblock.robots.ev3 import lines
-from learnblock.robots.ev3.brick import NoSuchWayError, State, Word
+from learnblock.robots.ev3.brick import State, Word
 from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.network import dial, hang_up
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.real import require
 
-#: Bytes of the largest message: an answer, or the traceback of an error.
+#: The most bytes of a message: an answer, or the traceback of an error.
 LARGEST = 1 << 20
-#: Seconds in which a slow processor must have imported python-ev3dev2 and found its devices.
+#: Seconds in which the slow processor imports python-ev3dev2 and finds its devices.
 BEGINNING = 20.0
-#: What begins to answer us there, unless another program is being answered. The lock is the file's:
-#: it goes with the process, and ours is let go when the program has fallen silent.
+#: The code that starts to answer on the brick, unless another program is being answered. The file
+#: lock ends with the process, and is released when the program has fallen silent.
 BEGIN = """
 import fcntl, os, tempfile
 from ev3dev2.motor import Motor as _Motor
@@ -37,7 +37,7 @@ def begin(line):
         guard = serve(line, _Motor, _list_sensors, lock.close)
     except BrickError as error:
         lock.close()
-        return json.dumps({"error": str(error)})
+        return error.answer()
     except BlockingIOError:
         lock.close()
         return json.dumps(TAKEN)
@@ -52,20 +52,20 @@ def end():
 
 
 class RpycLink(Link):
-    """The agent's words as calls over rpyc.
+    """The agent's commands as calls over rpyc.
 
     Args:
-        settings: of the robot.
-        told: is given each new state.
+        settings: the robot's settings.
+        on_state: is called with each new state.
 
     Raises:
-        NoSuchWayError: no rpyc answers there.
-        MissingPackageError: rpyc is not installed here.
+        RobotNotFoundError: no rpyc server answers there.
+        MissingPackageError: rpyc is not installed on this computer.
         RobotConnectionError: the brick has another client, or lacks a motor or python-ev3dev2.
     """
 
-    def __init__(self, settings: Settings, told: Callable[[State], None]) -> None:
-        super().__init__(f"{settings.address}:{settings.rpyc_port}", told)
+    def __init__(self, settings: Settings, on_state: Callable[[State], None]) -> None:
+        super().__init__(f"{settings.address}:{settings.rpyc_port}", on_state)
         self._socket = dial(settings.address, settings.rpyc_port, settings.patience)
         try:
             self._rpyc = require("rpyc", "ev3")
@@ -89,15 +89,15 @@ class RpycLink(Link):
     def _connected(self, patience: float) -> Any:
         stream = _bounded_stream(self._rpyc)(self._socket)
         try:
-            # A classic client would let the brick execute what it likes here, and needs many round
-            # trips to begin.
+            # A classic client would let the brick execute any code on this computer, and needs many
+            # round trips to start.
             connection = self._rpyc.connect_stream(
                 stream, self._rpyc.core.service.FakeSlaveService, {"sync_request_timeout": patience}
             )
             connection.ping(timeout=patience)
             return connection
         except Exception as error:
-            raise NoSuchWayError(f"what answers at {self.where} is no rpyc server") from error
+            raise RobotNotFoundError("ev3-not-rpyc", place=self.place) from error
 
     def _begin(self, settings: Settings) -> Any:
         agent = resources.files("learnblock.robots.ev3").joinpath("agent.py").read_text("utf-8")
@@ -109,25 +109,24 @@ class RpycLink(Link):
             answer = slave.eval("answer")
         except Exception as error:
             raise RobotConnectionError(
-                f"the EV3 at {self.where} cannot be driven by rpyc ({_first_line(error)}):"
-                " learnblock robots setup ev3 puts our own agent there"
+                "ev3-rpyc-failed", place=self.place, reason=_first_line(error)
             ) from error
         self._read(said)
         return answer
 
     def _slowly(self, function: Any, argument: str) -> object:
-        """What the brick may take its time for."""
+        """Call a function that may take long on the brick."""
         doing = self._rpyc.async_(function)(argument)
         doing.set_expiry(BEGINNING)
-        # Waits for it, and raises what went wrong there.
+        # Waits for the result, and raises errors of the brick.
         return doing.value
 
     def _read(self, said: object) -> State:
         if not isinstance(said, str):
-            raise ValueError("no text")
-        answer = lines.answer(said, self.where)
+            raise ValueError("not a text")
+        answer = lines.answer(said, self.place)
         self.speaks = answer.speaks
-        assert answer.state is not None  # noqa: S101 - `lines.answer` refuses an answer without
+        assert answer.state is not None  # noqa: S101 - `lines.answer` requires one
         return answer.state
 
     def _asked(self, function: Any, *arguments: str) -> object:
@@ -136,21 +135,21 @@ class RpycLink(Link):
         except TimeoutError:
             raise
         except Exception as error:
-            # EOFError where the wire is cut; where it brings nonsense, whatever rpyc makes of it.
+            # EOFError for a cut connection; any other error of rpyc for invalid data.
             if self._socket.fileno() < 0 or isinstance(error, EOFError):
                 raise ConnectionResetError(str(error)) from error
             raise ValueError(str(error)) from error
 
 
 def _bounded_stream(rpyc: ModuleType) -> Any:
-    """A stream that, unlike rpyc's, neither waits without end nor for more than is sensible."""
+    """A stream that, unlike rpyc's, limits the time and the size of a message."""
 
     class Bounded(rpyc.core.stream.SocketStream):  # type: ignore[misc,name-defined]
         __slots__ = ()
 
         def read(self, count: int) -> bytes:
             if count > LARGEST:
-                raise EOFError("nonsense")
+                raise EOFError("the message is too long")
             data = b""
             while len(data) < count:
                 try:
@@ -166,5 +165,5 @@ def _bounded_stream(rpyc: ModuleType) -> Any:
 
 
 def _first_line(error: Exception) -> str:
-    """Without the traceback of the brick."""
+    """The first line of an error, without the traceback from the brick."""
     return (str(error).strip() or type(error).__name__).splitlines()[0][:200]

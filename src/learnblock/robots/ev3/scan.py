@@ -1,4 +1,4 @@
-"""Looking for bricks: in the network, on cables, by Bluetooth."""
+"""Looks for bricks in the network, on cables and by Bluetooth."""
 
 import re
 import socket
@@ -8,18 +8,17 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from learnblock.errors import LearnBlockError
+from learnblock.errors import LearnBlockError, RobotNotFoundError
 from learnblock.robots import settings as user_settings
 from learnblock.robots.ev3 import lines
-from learnblock.robots.ev3.brick import NoSuchWayError
 from learnblock.robots.ev3.network import dial
 from learnblock.robots.ev3.settings import Settings
 
 Found = Mapping[str, Any]
 
-#: Where LEGO's firmware tells, every few seconds, that it is there.
+#: The UDP port to which LEGO's firmware sends a beacon every few seconds.
 BEACONS = 3015
-#: LEGO's brick as the kernel names it: the bus, the vendor, the product.
+#: The kernel's id of LEGO's brick: bus, vendor, product.
 USB_ID = re.compile(r"^HID_ID=0003:00000694:00000005$", re.MULTILINE)
 _BEACON = re.compile(
     rb"Serial-Number: (?P<serial>\w{1,32})\r\nPort: (?P<port>\d{1,5})\r\n"
@@ -28,10 +27,10 @@ _BEACON = re.compile(
 
 
 def scan(seconds: float) -> Iterator[Found]:
-    """The settings with which each brick that is found is reached.
+    """Yield the settings that reach each brick found.
 
     Args:
-        seconds: no longer than that.
+        seconds: the time limit.
     """
     looks: tuple[Callable[[float], Iterator[Found]], ...] = (_ev3dev, beacons, _devices)
     with ThreadPoolExecutor(len(looks)) as pool:
@@ -40,7 +39,7 @@ def scan(seconds: float) -> Iterator[Found]:
 
 
 def beacons(seconds: float, port: int = BEACONS) -> Iterator[Found]:
-    """The bricks with LEGO's firmware that tell of themselves within so many seconds."""
+    """The bricks with LEGO's firmware that send a beacon within some seconds."""
     deadline = monotonic() + seconds
     seen = set()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ear:
@@ -48,7 +47,7 @@ def beacons(seconds: float, port: int = BEACONS) -> Iterator[Found]:
         try:
             ear.bind(("", port))
         except OSError:
-            # Another program listens for them, and gets them.
+            # Another program receives the beacons.
             return
         while (left := deadline - monotonic()) > 0:
             ear.settimeout(left)
@@ -56,25 +55,25 @@ def beacons(seconds: float, port: int = BEACONS) -> Iterator[Found]:
                 data, (address, _) = ear.recvfrom(1024)
             except TimeoutError:
                 return
-            told = read_beacon(data)
-            if told and address not in seen:
+            named = read_beacon(data)
+            if named and address not in seen:
                 seen.add(address)
-                yield {"connection": "direct", "address": address, "direct_port": told}
+                yield {"connection": "direct", "address": address, "direct_port": named}
 
 
 def read_beacon(data: bytes) -> int | None:
-    """The port that a beacon names; None if it is no EV3's."""
+    """The port in a beacon; None if it does not come from an EV3."""
     beacon = _BEACON.match(data)
     port = int(beacon["port"]) if beacon else 0
     return port if 0 < port < 65536 else None
 
 
 def _ev3dev(seconds: float) -> Iterator[Found]:
-    """What answers at the address that is set, and at the one a new brick has."""
+    """The bricks at the address in the settings and at the default address."""
     try:
         known = user_settings.load("ev3", Settings)
     except LearnBlockError:
-        # Wrong settings are told when they are used.
+        # Wrong settings are reported when they are used.
         known = Settings()
     addresses = {known.address, Settings().address}
     for address in sorted(addresses):
@@ -96,13 +95,13 @@ def _is_agent(address: str, port: int, patience: float) -> bool:
 def _listens(address: str, port: int, patience: float) -> bool:
     try:
         dial(address, port, patience).close()
-    except NoSuchWayError:
+    except RobotNotFoundError:
         return False
     return True
 
 
 def _devices(seconds: float) -> Iterator[Found]:
-    """Bricks on a cable, and the serial ports that Bluetooth has made."""
+    """Bricks on a cable, and Bluetooth's serial ports."""
     del seconds
     names = [
         file.parents[1].name
@@ -118,5 +117,5 @@ def _is_brick(file: Path) -> bool:
     try:
         return bool(USB_ID.search(file.read_text("utf-8", "replace")))
     except OSError:
-        # Its cable was pulled just now.
+        # Its cable was pulled in this moment.
         return False

@@ -1,4 +1,4 @@
-"""What an EV3 has to be told about itself."""
+"""The settings of an EV3."""
 
 from typing import Annotated, Literal
 
@@ -7,37 +7,28 @@ from msgspec import Meta
 from learnblock.robots.settings import Address, Length, Patience, Port, RobotSettings
 
 MotorPort = Literal["A", "B", "C", "D"]
-#: "" is whichever port has such a sensor.
+#: "" is any port with such a sensor.
 SensorPort = Literal["", "1", "2", "3", "4"]
 
 
 class Settings(RobotSettings, frozen=True):
-    """How the brick is reached, what is plugged in where, and the size of the robot."""
+    """The connection to the brick, the ports of motors and sensors, and the robot's size."""
 
     connection: Annotated[
-        Literal["auto", "agent", "rpyc", "direct"],
-        Meta(
-            description="our agent on ev3dev, rpyc on ev3dev, LEGO's own firmware, or what is there"
-        ),
+        Literal["auto", "agent", "rpyc", "direct"], Meta(description="robot-setting-connection")
     ] = "auto"
     address: Address = "ev3dev.local"
     agent_port: Port = 18813
     rpyc_port: Port = 18812
     direct_port: Port = 5555
-    device: Annotated[
-        str,
-        Meta(
-            max_length=200,
-            description="LEGO's firmware on a cable or by Bluetooth: a file such as /dev/hidraw0",
-        ),
-    ] = ""
-    token: Annotated[
-        str, Meta(max_length=200, description="the secret shared with the agent; setup makes it")
-    ] = ""
+    device: Annotated[str, Meta(max_length=200, description="robot-setting-device")] = ""
+    token: Annotated[str, Meta(max_length=200, description="robot-setting-token")] = ""
     ssh_port: Port = 22
-    user: Annotated[str, Meta(min_length=1, max_length=100, description="on ev3dev")] = "robot"
-    # Every brick is delivered with it.
-    password: Annotated[str, Meta(max_length=100, description="of that user")] = "maker"  # noqa: S105
+    user: Annotated[str, Meta(min_length=1, max_length=100, description="robot-setting-user")] = (
+        "robot"
+    )
+    # The default of every ev3dev image.
+    password: Annotated[str, Meta(max_length=100, description="robot-setting-password")] = "maker"  # noqa: S105
     left: MotorPort = "B"
     right: MotorPort = "D"
     ultrasonic: SensorPort = ""
@@ -46,9 +37,9 @@ class Settings(RobotSettings, frozen=True):
     touch: SensorPort = ""
     wheel_radius: Length = 30.0
     track: Length = 120.0
-    full_speed: Annotated[
-        float, Meta(ge=100, le=2000, description="of a wheel's motor at 100 %, degrees/s")
-    ] = 1050.0
+    full_speed: Annotated[float, Meta(ge=100, le=2000, description="robot-setting-full-speed")] = (
+        1050.0
+    )
     patience: Patience = 3.0
 
     @property

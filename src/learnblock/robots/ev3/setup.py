@@ -1,4 +1,4 @@
-"""Putting our agent on a brick with ev3dev, by SSH."""
+"""Installs LearnBlock's agent on a brick with ev3dev, over SSH."""
 
 import secrets
 import shlex
@@ -8,20 +8,19 @@ from importlib import resources
 from typing import Any
 
 from learnblock.errors import RobotConnectionError
-from learnblock.home import home
+from learnblock.i18n import Phrase
 from learnblock.robots import settings as user_settings
-from learnblock.robots.ev3.brick import NoSuchWayError
 from learnblock.robots.ev3.network import dial
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.real import require
+from learnblock.storage.home import home
 
-#: What is put into the user's folder on the brick: a name that its file browser shows, and some
-#: that it hides.
+#: The files in the user's folder on the brick: one that its file browser shows, and hidden ones.
 AGENT, TOKEN = "learnblock-agent.py", ".learnblock-token"
 LOG, PID = ".learnblock-log", ".learnblock-pid"
-#: Seconds in which the brick must log us in and do what it is told; its processor is slow.
+#: Seconds in which the brick must accept the login and run a command; its processor is slow.
 PATIENCE = 30.0
-#: Ends the agent that runs already; by now its number may be another process's.
+#: Ends an agent that is already running; its old process id may belong to another process now.
 END = """
 agent=$(cat {pid} 2> /dev/null)
 if [ -n "$agent" ] && grep -q {agent} "/proc/$agent/cmdline" 2> /dev/null; then
@@ -29,7 +28,7 @@ if [ -n "$agent" ] && grep -q {agent} "/proc/$agent/cmdline" 2> /dev/null; then
     while [ -d "/proc/$agent" ]; do sleep 0.1; done
 fi
 """
-#: Starts it so that it stays when we log out, and waits until it listens.
+#: Starts the agent so that it outlives the login, and waits until it listens.
 START = """
 : > {log}
 nohup ./{agent} --port {port} >> {log} 2>&1 < /dev/null &
@@ -42,43 +41,40 @@ exit 1
 """
 
 
-def set_up(settings: Settings, tell: Callable[[str], object]) -> None:
-    """Put the agent on the brick and start it, and keep the secret that it shares with us.
+def set_up(settings: Settings, report: Callable[[Phrase], object]) -> None:
+    """Copy the agent to the brick, start it, and store the secret that it shares with us.
 
     Args:
-        settings: of the robot.
-        tell: is told what is being done.
+        settings: the robot's settings.
+        report: is called with each step.
 
     Raises:
-        MissingPackageError: paramiko is not installed here.
-        RobotConnectionError: the brick cannot be reached, or does not do it.
+        MissingPackageError: paramiko is not installed on this computer.
+        RobotConnectionError: the brick cannot be reached, or the agent does not start.
     """
-    tell(f"logging in to {settings.address} as {settings.user}")
+    report(Phrase("ev3-setup-login", address=settings.address, user=settings.user))
     with _logged_in(settings) as client:
         token = settings.token or secrets.token_hex(16)
-        tell("putting LearnBlock's agent there")
+        report(Phrase("ev3-setup-copy"))
         _put(client, token)
-        tell("starting it")
+        report(Phrase("ev3-setup-start"))
         names = {"agent": AGENT, "log": LOG, "pid": PID, "port": settings.agent_port}
         _execute(client, END.format(**names))
         _execute(client, START.format(**names))
     for name, value in (("token", token), ("address", settings.address)):
         user_settings.change("ev3", Settings, name, value)
-    tell(
-        f"the agent runs, and programs for the robot `ev3` reach it. After the brick was switched"
-        f" off, choose {AGENT} in its file browser, or do this again"
-    )
+    report(Phrase("ev3-setup-done", file=AGENT))
 
 
 @contextmanager
 def _logged_in(settings: Settings) -> Iterator[Any]:
     paramiko = require("paramiko", "ev3")
-    where = f"{settings.address}:{settings.ssh_port}"
+    place = f"{settings.address}:{settings.ssh_port}"
     client = paramiko.SSHClient()
     known = home() / "ev3-known-hosts"
     known.parent.mkdir(parents=True, exist_ok=True)
     known.touch()
-    # Who answers the first time is trusted, and from then on has to be the same.
+    # The first brick that answers is trusted, and must be the same from then on.
     client.load_host_keys(str(known))
     client.set_missing_host_key_policy(paramiko.AutoAddPolicy())
     try:
@@ -91,30 +87,19 @@ def _logged_in(settings: Settings) -> Iterator[Any]:
             timeout=PATIENCE,
             banner_timeout=PATIENCE,
             auth_timeout=PATIENCE,
-            # A brick is no place for the keys of other machines.
+            # Keys of other computers must not be offered to a brick.
             allow_agent=False,
             look_for_keys=False,
         )
         yield client
-    except NoSuchWayError as error:
-        raise RobotConnectionError(
-            f"no brick with ev3dev is found at {where}: is it switched on, and this computer in"
-            f" its network? ({error})"
-        ) from error
     except paramiko.BadHostKeyException as error:
-        raise RobotConnectionError(
-            f"at {where} is another brick than before, or one that was installed anew: if that is"
-            f" so, delete its line in {known}"
-        ) from error
+        raise RobotConnectionError("ev3-setup-other-brick", place=place, file=str(known)) from error
     except paramiko.AuthenticationException as error:
-        raise RobotConnectionError(
-            f"the brick at {where} does not let `{settings.user}` in with that password: see"
-            " learnblock robots set ev3"
-        ) from error
+        raise RobotConnectionError("ev3-setup-no-login", place=place, user=settings.user) from error
     except (paramiko.SSHException, OSError, EOFError) as error:
         if isinstance(error, RobotConnectionError):
             raise
-        raise RobotConnectionError(f"the brick at {where} broke off: {error}") from error
+        raise RobotConnectionError("ev3-setup-broke", place=place, reason=str(error)) from error
     finally:
         client.close()
 
@@ -128,18 +113,18 @@ def _put(client: Any, token: str) -> None:
 
 def _write(files: Any, name: str, data: bytes, *, mode: int) -> None:
     with files.open(name, "wb") as file:
-        # Before there is anything to see in it.
+        # Before the secret is in it.
         file.chmod(mode)
         file.write(data)
 
 
 def _execute(client: Any, script: str) -> None:
-    """Have the brick do something.
+    """Run a script on the brick.
 
     Raises:
-        RobotConnectionError: it fails; with what was printed.
+        RobotConnectionError: it fails; the error contains its output.
     """
     _, out, _ = client.exec_command(f"sh -c {shlex.quote(script)}", timeout=PATIENCE)
-    said = out.read().decode("utf-8", "replace").strip()
+    output = out.read().decode("utf-8", "replace").strip()
     if out.channel.recv_exit_status():
-        raise RobotConnectionError(f"the agent does not start on the brick: {said[-500:]}")
+        raise RobotConnectionError("ev3-setup-not-started", output=output[-500:])

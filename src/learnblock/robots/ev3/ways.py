@@ -1,71 +1,76 @@
-"""Which way a brick is reached: the one that was chosen, or the first that is open."""
+"""Opens the connection to a brick: the chosen kind, or the first kind that works."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from time import monotonic, sleep
 
 import msgspec
 
+from learnblock.errors import RobotBusyError, RobotNotFoundError
 from learnblock.robots.ev3.agent_link import AgentLink
-from learnblock.robots.ev3.brick import NoSuchWayError, State, TakenError
+from learnblock.robots.ev3.brick import State
 from learnblock.robots.ev3.direct_link import DirectLink
 from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.network import resolve
 from learnblock.robots.ev3.rpyc_link import RpycLink
 from learnblock.robots.ev3.settings import Settings
 
-#: Seconds for which a brick that is used by another program is asked again: it lets go of one that
-#: has been silent for 1.5.
+#: Seconds for which a busy brick is asked again: it drops a client after 1.5 seconds of silence.
 PATIENCE = 1.8
 
-_WAYS: dict[str, Callable[[Settings, Callable[[State], None]], Link]] = {
+_LINKS: dict[str, Callable[[Settings, Callable[[State], None]], Link]] = {
     "agent": AgentLink,
     "rpyc": RpycLink,
     "direct": DirectLink,
 }
 
 
-def find_way(settings: Settings, told: Callable[[State], None]) -> Link:
-    """A way to the brick, open.
+def open_link(settings: Settings, on_state: Callable[[State], None]) -> Link:
+    """Connect to the brick.
 
     Args:
-        settings: of the robot.
-        told: is given each new state.
+        settings: the robot's settings.
+        on_state: is called with each new state.
 
     Raises:
-        RobotConnectionError: there is none; the sentence says what was tried.
+        RobotConnectionError: the brick cannot be reached.
     """
     if settings.connection != "auto":
-        way = _WAYS[settings.connection]
+        link = _LINKS[settings.connection]
     else:
-        way = DirectLink if settings.device else _first_open
-    return _when_free(lambda: way(settings, told))
+        link = DirectLink if settings.device else _first_open
+    return _when_free(lambda: link(settings, on_state))
 
 
 def _when_free(attempt: Callable[[], Link]) -> Link:
-    """A brick does not always notice at once that its last program is gone."""
+    """Try again while the brick still waits for a program that is gone."""
     deadline = monotonic() + PATIENCE
     while True:
         try:
             return attempt()
-        except TakenError:
+        except RobotBusyError:
             if monotonic() > deadline:
                 raise
         sleep(0.2)
 
 
-def _first_open(settings: Settings, told: Callable[[State], None]) -> Link:
+def _first_open(settings: Settings, on_state: Callable[[State], None]) -> Link:
     number = resolve(settings.address, settings.patience)
-    # Together they take no longer than one may.
+    # All attempts together take no longer than one may.
     hasty = msgspec.structs.replace(
-        settings, address=number, patience=settings.patience / len(_WAYS)
+        settings, address=number, patience=settings.patience / len(_LINKS)
     )
-    refusals = []
-    for name, way in _WAYS.items():
+    failures = []
+    for link in _LINKS.values():
         try:
-            return way(hasty, told)
-        except NoSuchWayError as error:
-            refusals.append(f"{name}: {error}")
-    raise NoSuchWayError(
-        f"no EV3 is found at {settings.address}: is it switched on, and this computer in its"
-        f" network? Tried were {'; '.join(refusals)}"
-    )
+            return link(hasty, on_state)
+        except RobotNotFoundError as error:
+            failures.append(error)
+    raise _most_telling(failures, settings.address)
+
+
+def _most_telling(failures: Sequence[RobotNotFoundError], address: str) -> RobotNotFoundError:
+    """The failure of a connection that was at least answered, or that of all of them."""
+    for failure in failures:
+        if failure.phrase.code != "ev3-no-answer":
+            return failure
+    return RobotNotFoundError("ev3-not-found", address=address)

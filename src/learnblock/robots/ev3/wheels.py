@@ -1,4 +1,4 @@
-"""From the robot's speeds to its wheels' and back: two driven wheels on one axle."""
+"""Converts between the robot's speeds and those of its two driven wheels."""
 
 import math
 import threading
@@ -9,24 +9,24 @@ from learnblock.wheels import body_speeds, wheel_speeds
 
 
 def turns(adv: float, rot: float, radius: float, track: float) -> Drive:
-    """How fast the wheels turn, degrees/s, at adv mm/s forward and rot degrees/s clockwise.
+    """The wheels' speeds in degrees/s at adv mm/s forward and rot degrees/s clockwise.
 
     Args:
         adv: mm/s.
         rot: degrees/s.
-        radius: of a wheel, mm.
-        track: between the wheels, mm.
+        radius: the radius of a wheel in mm.
+        track: the distance between the wheels in mm.
     """
     left, right = wheel_speeds(adv, rot, track)
     return Drive(math.degrees(left / radius), math.degrees(right / radius))
 
 
 class Odometry:
-    """Where the robot is, by what its wheels have turned since the start; heading 0 looks along x.
+    """The robot's pose, computed from its wheels' rotations; heading 0 faces along x.
 
     Args:
-        radius: of a wheel, mm.
-        track: between the wheels, mm.
+        radius: the radius of a wheel in mm.
+        track: the distance between the wheels in mm.
     """
 
     def __init__(self, radius: float, track: float) -> None:
@@ -42,13 +42,13 @@ class Odometry:
             return self._x, self._y, (self._heading + 180) % 360 - 180
 
     def follow(self, state: State) -> None:
-        """Take in how far the wheels have come."""
+        """Take in the rotations of a new state."""
         with self._lock:
             last, self._last = self._last or state, state
             left = math.radians(state.left - last.left) * self._radius
             right = math.radians(state.right - last.right) * self._radius
             ahead, turned = body_speeds((left, right), self._track)
-            # The direction half way: exact enough for the short arcs between two states.
+            # The direction halfway is exact enough for the short arcs between two states.
             middle = math.radians(self._heading + turned / 2)
             self._x += ahead * math.cos(middle)
             self._y -= ahead * math.sin(middle)

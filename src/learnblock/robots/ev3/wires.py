@@ -1,4 +1,4 @@
-"""What carries direct commands: a connection of WiFi, a serial device of Bluetooth, or USB."""
+"""Connections that carry direct commands: Wi-Fi, a serial device of Bluetooth, or USB."""
 
 import os
 import select
@@ -8,16 +8,16 @@ from pathlib import Path
 from time import monotonic
 from typing import Protocol, TypeVar
 
-from learnblock.robots.ev3.brick import NoSuchWayError
+from learnblock.errors import RobotNotFoundError
 from learnblock.robots.ev3.direct import LARGEST
 from learnblock.robots.ev3.network import dial, hang_up
 
-#: What opens LEGO's firmware to a client that has connected; it does not look at the serial number.
+#: The request that unlocks LEGO's firmware for a client; it ignores the serial number.
 UNLOCK = b"GET /target?sn= VMTP1.0\r\nProtocol: EV3\r\n\r\n"
 UNLOCKED = b"Accept:EV340\r\n\r\n"
 
 
-#: Seconds in which a device must take a message.
+#: Seconds in which a device must accept a message.
 LONGEST_WRITE = 1.0
 
 Argument = TypeVar("Argument")
@@ -31,23 +31,23 @@ class Wire(Protocol):
         """Send a message, its length first.
 
         Raises:
-            OSError: it cannot be sent.
+            OSError: sending fails.
         """
 
     def receive(self, patience: float) -> bytes:
         """The next message, without its length.
 
         Raises:
-            OSError: nothing came within so many seconds, or the wire broke.
-            ValueError: what came is no message.
+            OSError: nothing arrived within `patience` seconds, or the connection broke.
+            ValueError: the data is not a message.
         """
 
     def close(self) -> None:
-        """Let go; who waits for a message is woken. It may be called twice."""
+        """Close it and wake up waiting threads; calling it twice is harmless."""
 
 
 class Stream:
-    """Bytes one after the other: a message is its length, in two bytes, and so many more."""
+    """A stream of bytes: each message starts with its length in two bytes."""
 
     def __init__(self) -> None:
         self._held = b""
@@ -63,7 +63,7 @@ class Stream:
         return self.take(size, deadline)
 
     def take(self, count: int, deadline: float) -> bytes:
-        """So many bytes."""
+        """Receive this many bytes."""
         while len(self._held) < count:
             piece = self.read(LARGEST, deadline - monotonic())
             if not piece:
@@ -80,10 +80,10 @@ class Stream:
 
 
 class WiFi(Stream):
-    """A connection to LEGO's firmware in the network.
+    """A connection to LEGO's firmware over Wi-Fi.
 
     Raises:
-        NoSuchWayError: no such firmware answers there.
+        RobotNotFoundError: no such firmware answers there.
     """
 
     def __init__(self, address: str, port: int, patience: float) -> None:
@@ -105,24 +105,21 @@ class WiFi(Stream):
     def close(self) -> None:
         hang_up(self._socket)
 
-    def _unlock(self, where: str, patience: float) -> None:
+    def _unlock(self, place: str, patience: float) -> None:
         try:
             self.write(UNLOCK)
-            said = self.take(len(UNLOCKED), monotonic() + patience)
+            answer = self.take(len(UNLOCKED), monotonic() + patience)
         except OSError as error:
-            raise NoSuchWayError(
-                f"what listens at {where} does not answer as LEGO's firmware does; it serves one"
-                " program at a time"
-            ) from error
-        if said != UNLOCKED:
-            raise NoSuchWayError(f"what answers at {where} is not LEGO's firmware")
+            raise RobotNotFoundError("ev3-firmware-silent", place=place) from error
+        if answer != UNLOCKED:
+            raise RobotNotFoundError("ev3-not-firmware", place=place)
 
 
 class DeviceFile(Stream):
-    """A file of the system's that stands for a device: Bluetooth's serial port.
+    """A device file of the operating system: Bluetooth's serial port.
 
     Raises:
-        NoSuchWayError: it cannot be opened.
+        RobotNotFoundError: it cannot be opened.
     """
 
     def __init__(self, path: str) -> None:
@@ -148,11 +145,11 @@ class DeviceFile(Stream):
     def _once(
         self, attempt: Callable[[Argument, float], Result | None], what: Argument, deadline: float
     ) -> Result:
-        """Attempt it until it succeeds; between two attempts the file may be closed."""
+        """Try until it succeeds; between two attempts another thread may close the file."""
         while True:
             with self._lock:
                 if self._closed:
-                    raise ConnectionAbortedError("closed here")
+                    raise ConnectionAbortedError("the device was closed")
                 result = attempt(what, min(0.05, max(0.0, deadline - monotonic())))
             if result is not None:
                 return result
@@ -169,10 +166,10 @@ class DeviceFile(Stream):
 
 
 class Usb(DeviceFile):
-    """A brick on a USB cable, as Linux's hidraw offers it: reports of 1024 bytes."""
+    """A brick on a USB cable, through Linux's hidraw: reports of 1024 bytes."""
 
     def send(self, message: bytes) -> None:
-        # The number of the report goes first; the brick's have none, which is 0.
+        # The report's number comes first; the brick uses no numbers, which is 0.
         self.write(b"\0" + message.ljust(LARGEST, b"\0"))
 
     def receive(self, patience: float) -> bytes:
@@ -184,10 +181,10 @@ class Usb(DeviceFile):
 
 
 def open_wire(device: str, address: str, port: int, patience: float) -> Wire:
-    """The wire to a brick: a device's file where one is named, or else WiFi.
+    """Open the device if one is named, or else a Wi-Fi connection.
 
     Raises:
-        NoSuchWayError: nobody is there.
+        RobotNotFoundError: no brick answers.
     """
     if not device:
         return WiFi(address, port, patience)
@@ -198,14 +195,14 @@ def _opened(path: str) -> int:
     try:
         import tty  # noqa: PLC0415 - Windows has none
     except ImportError:
-        raise NoSuchWayError(
-            "this system reaches LEGO's firmware by WiFi alone: leave `device` empty"
-        ) from None
+        raise RobotNotFoundError("ev3-no-device-files") from None
     try:
         file = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         if os.isatty(file):
-            # Bytes as they are, and no line ends made of them.
+            # No conversion of line ends.
             tty.setraw(file)
     except OSError as error:
-        raise NoSuchWayError(f"the device {path} cannot be opened: {error.strerror}") from error
+        raise RobotNotFoundError(
+            "ev3-device-closed", device=path, reason=error.strerror or str(error)
+        ) from error
     return file

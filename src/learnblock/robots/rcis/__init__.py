@@ -1,6 +1,5 @@
 """RCIS, RoboComp's simulator, with the paper's EBO in it."""
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from learnblock.devices import Base, Camera, Display, DistanceSensors, JointMotor
@@ -16,7 +15,7 @@ __all__ = ["Robot", "Settings"]
 
 
 class Settings(RoboCompSettings, frozen=True):
-    """What can be set about a robot in RCIS; the ports are those of its components."""
+    """The settings of a robot in RCIS; the ports are those of its components."""
 
     laser_ports: tuple[Port, Port, Port, Port, Port] = (10102, 10103, 10104, 10105, 10106)
     joint_port: Port = 20000
@@ -28,16 +27,17 @@ class Robot(RoboCompRobot[Settings]):
     """An EBO in RCIS."""
 
     settings_type = Settings
+    model = "ebo"
     usual_layout = Layout.TOOL
-    # There the servo turns the other way round.
+    # In RCIS the servo turns the other way.
     servo_scale = -RoboCompRobot.servo_scale
 
-    def laser_places(self) -> Mapping[str, int]:
-        return {f"laser {n}": port for n, port in enumerate(self.settings.laser_ports, start=1)}
+    def laser_ports(self) -> tuple[int, ...]:
+        return self.settings.laser_ports
 
     def connect(self) -> None:
         super().connect()
-        self._display = self.component("display", "display", self.settings.display_port)
+        self._display = self.component("display", "screen", self.settings.display_port)
         self._camera = self.component("rgbd", "camera", self.settings.camera_port)
         self._pictures = Pictures()
         self.add(Base(move=self.drive, read=self.pose))
@@ -56,7 +56,7 @@ class Robot(RoboCompRobot[Settings]):
         return self._pictures.unpacked(colour)
 
     def _express(self, emotion: str) -> None:
-        # Here, as OpenCV is loaded with the first face.
+        # Imported here so that OpenCV is loaded only with the first face.
         from learnblock.robots.rcis.face import draw_face  # noqa: PLC0415
 
         face = draw_face(emotion)

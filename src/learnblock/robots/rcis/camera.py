@@ -1,4 +1,4 @@
-"""The pictures of RCIS's camera."""
+"""Decodes the pictures of the camera in RCIS."""
 
 from math import isqrt
 from typing import TYPE_CHECKING
@@ -10,22 +10,22 @@ if TYPE_CHECKING:
 
 
 class Pictures:
-    """Makes frames of packed RGB bytes; the same picture twice gives the same frame."""
+    """Converts packed RGB bytes to frames; the same picture twice gives the same frame."""
 
     def __init__(self) -> None:
         self._bytes: bytes | None = None
         self._frame: Frame | None = None
 
     def unpacked(self, packed: bytes) -> "Frame | None":
-        """The picture as a frame; None where there is none yet.
+        """The picture as a frame; None before the first one.
 
         Raises:
-            RobotConnectionError: so many bytes are no picture.
+            RobotConnectionError: the number of bytes fits no picture.
         """
         if not packed:
             return None
         if packed != self._bytes:
-            import numpy as np  # noqa: PLC0415 - a robot whose camera nobody uses needs none
+            import numpy as np  # noqa: PLC0415 - not needed if the camera is not used
 
             self._frame = np.frombuffer(packed, np.uint8).reshape(shape_of(len(packed)))
             self._bytes = packed
@@ -33,19 +33,15 @@ class Pictures:
 
 
 def shape_of(size: int) -> tuple[int, int, int]:
-    """Rows, columns and bytes a pixel of a picture of 4 to 3 with so many bytes.
+    """Rows, columns and bytes per pixel of a 4:3 picture with this many bytes.
 
-    The camera's parameters name its rows width and its columns height, or the other way round: the
-    number of bytes alone cannot be mistaken.
+    Some cameras swap width and height in their parameters, so only the number of bytes is reliable.
 
     Raises:
-        RobotConnectionError: so many bytes are no such picture.
+        RobotConnectionError: no 4:3 picture has this many bytes.
     """
     # 4 n columns and 3 n rows of 3 bytes.
     unit = isqrt(size // 36)
     if not unit or 36 * unit * unit != size:
-        raise RobotConnectionError(
-            f"the camera of the robot `rcis` sends pictures of {size} bytes, which are none of"
-            " 4 to 3, such as 320 by 240, in RGB"
-        )
+        raise RobotConnectionError("rcis-picture-size", bytes=size)
     return 3 * unit, 4 * unit, 3

@@ -1,4 +1,4 @@
-"""A face for RCIS's screen, as it has none of its own."""
+"""Draws faces for RCIS's screen, which has no built-in ones."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from learnblock.devices import Frame
 
 WIDTH, HEIGHT = 480, 320
-"""Of EBO's own screen."""
+"""The size of EBO's screen."""
 _WHITE, _BLACK = (255, 255, 255), (0, 0, 0)
 _EYES = (160, 320)
 _EYE_LEVEL, _BROW_LEVEL, _MOUTH_LEVEL = 140, 80, 235
@@ -20,13 +20,13 @@ _EYE_LEVEL, _BROW_LEVEL, _MOUTH_LEVEL = 140, 80, 235
 
 @dataclass(frozen=True, slots=True)
 class _Look:
-    """An expression, all lengths in pixels.
+    """An expression; all lengths in pixels.
 
     Args:
         eye: half the height of an eye.
-        brow: how much the inner end of a brow is above its outer end.
+        brow: how far the inner end of a brow is above its outer end.
         mouth: how far the corners of the mouth are above its middle.
-        gap: how far it is open.
+        gap: how far the mouth is open.
     """
 
     eye: int = 34
@@ -49,7 +49,7 @@ _LOOKS: Mapping[str, _Look] = {
 
 @cache
 def draw_face(emotion: str) -> "Frame":
-    """The face that shows an emotion, the same seen in a mirror; not to be written to."""
+    """A symmetric, read-only face that shows an emotion."""
     look = _LOOKS[emotion]
     face = np.full((HEIGHT, WIDTH, 3), 255, np.uint8)
     for middle, inwards in zip(_EYES, (1, -1), strict=True):

@@ -1,4 +1,4 @@
-"""What robots made of RoboComp's components share; no robot by itself."""
+"""The shared part of robots that run RoboComp's components, EBO and RCIS."""
 
 from learnblock.robots.robocomp.component import Component
 from learnblock.robots.robocomp.robot import RoboCompRobot, RoboCompSettings

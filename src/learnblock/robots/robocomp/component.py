@@ -1,4 +1,4 @@
-"""One of the components a robot is made of."""
+"""A component of a RoboComp robot."""
 
 from typing import Any
 
@@ -7,26 +7,27 @@ from learnblock.ice.endpoint import Endpoint
 from learnblock.ice.proxy import Proxy
 from learnblock.ice.robocomp import Layout, interfaces
 
-#: Ice's name of what a component says that cannot read what it was told.
+#: Ice's name for the answer of a component that cannot read a message.
 _NOT_UNDERSTOOD = "UnknownLocalException"
 
 
 class Component:
-    """One of a robot's components, which says who and where it is when something goes wrong.
+    """A component of a robot; its errors name the robot, the part and the address.
 
     Args:
         robot: the robot's id.
-        title: what it is, in words: ``base``.
-        proxy: the way to it.
+        part: base, joint, laser, face, screen or camera.
+        proxy: calls the component.
     """
 
-    def __init__(self, robot: str, title: str, proxy: Proxy) -> None:
+    def __init__(self, robot: str, part: str, proxy: Proxy) -> None:
         self._proxy = proxy
-        self._name = f"the {title} of the robot `{robot}` at {proxy.endpoint}"
+        self._robot = robot
+        self._part = part
 
     @property
     def endpoint(self) -> Endpoint:
-        """Where it is."""
+        """The component's address."""
         return self._proxy.endpoint
 
     def ask(self, operation: str, *values: Any) -> Any:
@@ -38,10 +39,10 @@ class Component:
         try:
             return self._proxy.call(operation, *values)
         except IceError as error:
-            raise self.told(error) from error
+            raise self.error(error) from error
 
-    def speak(self, layout: Layout) -> None:
-        """Go on in another layout."""
+    def use_layout(self, layout: Layout) -> None:
+        """Switch to another message layout."""
         identity, endpoint = self._proxy.identity, self._proxy.endpoint
         self._proxy = Proxy(interfaces(layout)[identity], identity, endpoint)
 
@@ -50,39 +51,38 @@ class Component:
         return any(one.name == operation for one in self._proxy.interface.operations)
 
     def check(self) -> None:
-        """Make sure that it is there, and what it should be.
+        """Check that the component answers and has the expected interface.
 
         Raises:
-            RobotConnectionError: it is not.
+            RobotConnectionError: it does not.
         """
         try:
             self._proxy.check()
         except IceError as error:
-            raise self.told(error) from error
+            raise self.error(error) from error
 
     def ping(self) -> None:
-        """Make sure that it is still there.
+        """Check that the component still answers.
 
         Raises:
-            RobotConnectionError: it is not.
+            RobotConnectionError: it does not.
         """
         self.ask("ice_ping")
 
     def close(self) -> None:
-        """Let go of it; the second time does nothing."""
+        """Close the connection; calling it twice is harmless."""
         self._proxy.close()
 
-    def told(self, error: IceError) -> RobotConnectionError:
-        """What went wrong, in words for the person at the robot."""
+    def error(self, error: IceError) -> RobotConnectionError:
+        """The error to raise for an error of Ice."""
+        robot, place = self._robot, str(self.endpoint)
         refusal = error.kind if isinstance(error, IceRefusedError) else ""
         if isinstance(error, IceEncodingError) or refusal == _NOT_UNDERSTOOD:
-            return RobotConnectionError(
-                f"{self._name} speaks in another order: {error}; does it have another `layout`?"
-                " Choose one in the robot's settings"
-            )
+            return RobotConnectionError("robot-part-layout", robot=robot, place=place)
         if refusal:
-            return RobotConnectionError(f"{self._name} refuses: {error}")
+            return RobotConnectionError(
+                "robot-part-refused", robot=robot, place=place, reason=error.phrase
+            )
         return RobotConnectionError(
-            f"{self._name} cannot be reached: {error}; is the robot on, its components running,"
-            " and this computer in its network?"
+            "robot-part-unreachable", robot=robot, part=self._part, place=place
         )

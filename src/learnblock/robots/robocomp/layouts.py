@@ -1,4 +1,4 @@
-"""Finds out in which layout a robot's components speak: none of them says it."""
+"""Detects the message layout of a robot's components, which do not report it themselves."""
 
 import math
 from collections.abc import Mapping
@@ -10,24 +10,24 @@ from learnblock.ice.endpoint import Endpoint
 from learnblock.ice.proxy import Proxy
 from learnblock.ice.robocomp import Layout, MotorGoalPosition, interfaces
 
-#: Questions whose answers stand in different orders.
+#: Operations whose answers differ between the layouts.
 _QUESTIONS = (
     ("jointmotor", "getBusParams"),
     ("laser", "getLaserConfData"),
     ("differentialrobot", "getBaseState"),
 )
-#: Numbers out of these bounds, but for 0, are other members read in a wrong place: 100 m, and a
-#: thousandth of a millimetre a second.
+#: Numbers beyond these bounds, except 0, were read from the wrong position of a message: 100 m, and
+#: a thousandth of a millimetre per second.
 _LEAST, _MOST = 1e-6, 1e5
-#: A joint that no robot has: to be told of it moves nothing.
-_NOBODY = MotorGoalPosition(name="which layout?")
+#: A joint that no robot has, so that nothing moves.
+_NO_JOINT = MotorGoalPosition(name="which layout?")
 
 
 def layouts_of(endpoints: Mapping[str, Endpoint]) -> tuple[Layout, ...]:
-    """The layouts that fit what the components say, and what they understand.
+    """The layouts that fit the components' answers and that they understand.
 
     Args:
-        endpoints: of the components differentialrobot, jointmotor and laser.
+        endpoints: those of the components differentialrobot, jointmotor and laser.
 
     Raises:
         IceLinkError: one of them cannot be reached.
@@ -46,16 +46,16 @@ def _fits(layout: Layout, endpoints: Mapping[str, Endpoint]) -> bool:
 
 
 def _understands_goals(joints: Proxy) -> bool:
-    """Whether a goal can be told: what is in another order is refused unread."""
+    """Whether the component can read a goal; in another layout it refuses the message."""
     try:
-        joints.call("setSyncPosition", [_NOBODY])
+        joints.call("setSyncPosition", [_NO_JOINT])
     except IceRefusedError as refusal:
         return refusal.kind != "UnknownLocalException"
     return True
 
 
 def _answers_well(component: Proxy, question: str) -> bool:
-    """Whether the answer makes sense; one that is refused says nothing."""
+    """Whether the answer makes sense; a refusal proves nothing and counts as good."""
     try:
         answer = component.call(question)
     except IceRefusedError:

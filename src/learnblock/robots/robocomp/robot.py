@@ -1,4 +1,4 @@
-"""A robot made of RoboComp's components: its links, its layout, its base, its joint."""
+"""A robot that runs RoboComp's components: its connections, layout, base and joint."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -22,15 +22,15 @@ from learnblock.robots.settings import Address, Patience, Port, RobotSettings
 
 LayoutChoice = Annotated[
     Literal["auto", "robot", "tool", "2020"],
-    Meta(description="in which order its components write what they say; auto finds it out"),
+    Meta(description="robot-setting-layout"),
 ]
 
-#: The joint that tilts the camera, as the robots call it.
+#: The robots' name for the joint that tilts the camera.
 SERVO = "servo"
 
 
 class RoboCompSettings(RobotSettings, frozen=True):
-    """What both have: where the base listens, and how its components speak."""
+    """The settings that EBO and RCIS share."""
 
     address: Address = "localhost"
     base_port: Port = 10004
@@ -43,11 +43,11 @@ RoboCompT = TypeVar("RoboCompT", bound=RoboCompSettings)
 
 
 class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
-    """A robot made of RoboComp's components; each of the two adds its own devices."""
+    """A robot that runs RoboComp's components; EBO and RCIS add their own devices."""
 
-    #: The layout that such a robot has where it cannot be found out.
+    #: The layout to use if it cannot be detected.
     usual_layout: ClassVar[Layout]
-    #: The servo's angle for one degree of ours, rad.
+    #: The servo's angle in radians for one degree of the camera.
     servo_scale: ClassVar[float] = math.radians(1)
 
     @classmethod
@@ -64,15 +64,13 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
 
     def connect(self) -> None:
         self._ending = ExitStack()
-        self._stands = True
+        self._stopped = True
         self.layout = self.usual_layout
         self._base = self.component("differentialrobot", "base", self.settings.base_port)
         self._guardian = Guardian(type(self), self.settings)
         self._ending.callback(self._end_guard)
         self._joint = self.component("jointmotor", "joint", self.settings.joint_port)
-        self.lasers = [
-            self.component("laser", title, port) for title, port in self.laser_places().items()
-        ]
+        self.lasers = [self.component("laser", "laser", port) for port in self.laser_ports()]
         self._settle_layout()
 
     def disconnect(self) -> None:
@@ -83,14 +81,14 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
 
     @classmethod
     def halt(cls, settings: RoboCompT) -> None:
-        # A guardian has to be quick: it tries again if this was too short.
+        # A guardian has to be quick; it tries again if the timeout was too short.
         proxy = cls.proxy("differentialrobot", settings, settings.base_port, patience=0.5)
         with closing(Component(cls.name(), "base", proxy)) as base:
             base.ask("setSpeedBase", 0.0, 0.0)
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
-        """Ask at the address in the user's settings and at the usual one."""
+        """Try the address in the user's settings and the default one."""
         saved = user_settings.load(cls.name(), cls.settings_type)
         usual = cls.settings_type()
         addresses = dict.fromkeys((saved.address, usual.address))
@@ -101,7 +99,7 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
 
     @classmethod
     def answers(cls, settings: RoboCompT, seconds: float) -> bool:
-        """Whether such a robot answers there, in no more than so many seconds."""
+        """Whether a robot of this kind answers there within a few seconds."""
         with closing(
             cls.proxy("differentialrobot", settings, settings.base_port, patience=seconds)
         ) as base:
@@ -111,11 +109,11 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
                 return False
         return True
 
-    def laser_places(self) -> Mapping[str, int]:
-        """Its lasers in words, from left to right, and the ports where they listen."""
+    def laser_ports(self) -> tuple[int, ...]:
+        """The ports of the distance sensors' components, from left to right."""
         raise NotImplementedError
 
-    # For the two.
+    # For EBO and RCIS.
 
     @classmethod
     def proxy(
@@ -127,48 +125,48 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
         layout: Layout | None = None,
         patience: float | None = None,
     ) -> Proxy:
-        """The way to one of the components; nothing is asked yet."""
+        """A proxy for one of the components; it connects at the first call."""
         interface = interfaces(layout or cls.usual_layout)[identity]
         endpoint = Endpoint(settings.address, port, patience or settings.patience)
         return Proxy(interface, identity, endpoint)
 
-    def component(self, identity: str, title: str, port: int) -> Component:
-        """One of the components, which is there; it is let go of when the robot is."""
+    def component(self, identity: str, part: str, port: int) -> Component:
+        """Connect to one of the components; it is closed with the robot."""
         proxy = self.proxy(identity, self.settings, port, layout=self.layout)
-        component = Component(self.name(), title, proxy)
+        component = Component(self.name(), part, proxy)
         self._ending.callback(component.close)
         component.check()
         return component
 
     def drive(self, adv: float, rot: float) -> None:
-        """Drive at mm/s forward and degrees/s clockwise, which RoboComp counts alike."""
+        """Drive at mm/s forward and degrees/s clockwise, the directions that RoboComp uses too."""
         if adv or rot:
-            self._stands = False
+            self._stopped = False
         self._base.ask("setSpeedBase", adv, math.radians(rot))
-        self._stands = not (adv or rot)
+        self._stopped = not (adv or rot)
 
     def pose(self) -> Pose:
-        """Where its base says it is."""
+        """The pose that the base reports."""
         return pose_of(self._base.ask("getBaseState"))
 
     def tilt(self, degrees: float) -> None:
-        """Tilt the camera, up positive."""
+        """Tilt the camera; up is positive."""
         goal = MotorGoalPosition(name=SERVO, position=degrees * self.servo_scale)
         self._joint.ask("setPosition", goal)
 
     def tilted(self) -> float:
-        """The camera's angle, degrees."""
+        """The camera's angle in degrees."""
         return float(self._joint.ask("getMotorState", SERVO).pos / self.servo_scale)
 
     def _settle_layout(self) -> None:
-        """Speak in the layout of the settings, or in the one that the components show."""
+        """Use the layout of the settings, or detect it."""
         chosen = self.settings.layout
-        self.layout = self._found_layout() if chosen == "auto" else Layout(chosen)
+        self.layout = self._detected_layout() if chosen == "auto" else Layout(chosen)
         for component in (self._base, self._joint, *self.lasers):
-            component.speak(self.layout)
+            component.use_layout(self.layout)
 
-    def _found_layout(self) -> Layout:
-        """The usual layout, unless the components show that they have another one."""
+    def _detected_layout(self) -> Layout:
+        """The usual layout, unless the components turn out to use another one."""
         components = {
             "differentialrobot": self._base,
             "jointmotor": self._joint,
@@ -177,16 +175,15 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
         try:
             fitting = layouts_of({name: one.endpoint for name, one in components.items()})
         except IceError as error:
-            raise self._base.told(error) from error
+            raise self._base.error(error) from error
         if not fitting:
             raise RobotConnectionError(
-                f"the components of the robot `{self.name()}` at {self.settings.address} answer in"
-                " an order of their own: none of the known layouts fits"
+                "robot-unknown-layout", robot=self.name(), address=self.settings.address
             )
         return self.usual_layout if self.usual_layout in fitting else fitting[0]
 
     def _end_guard(self) -> None:
-        if self._stands:
+        if self._stopped:
             self._guardian.dismiss()
         else:
             self._guardian.leave_in_charge()

@@ -1,4 +1,4 @@
-"""Thymio, by `thymiodirect` over a cable, its radio or the network, or by Thymio Suite.
+"""Thymio, over a cable, its radio, the network or Thymio Suite.
 
 from learnblock.robots.thymio import Robot
 
@@ -36,6 +36,7 @@ class Robot(RealRobot[ThymioSettings]):
     """A Thymio II."""
 
     settings_type = ThymioSettings
+    model = "thymio"
     _link: Link | None = None
     _motors: Motors | None = None
 

@@ -1,8 +1,8 @@
-"""A Thymio that is spoken to directly, over a cable, its radio's dongle, or the network.
+"""A direct connection to a Thymio, over a cable, its radio's dongle, or the network.
 
-The messages, the description of a node and the assembler are `thymiodirect`'s. Its connection is
-not used: over TCP it takes half a message for a whole one, goes round in circles when the other end
-closes, and its threads never end.
+It uses the messages, the node description and the assembler of `thymiodirect`, but not its
+connection: over TCP that takes half a message for a whole one, loops when the other end closes, and
+never ends its threads.
 """
 
 import secrets
@@ -12,16 +12,17 @@ from time import monotonic
 from thymiodirect.message import Message
 
 from learnblock.errors import RobotConnectionError
+from learnblock.i18n import Phrase
 from learnblock.robots.thymio.frames import Frames, encoded, signed
 from learnblock.robots.thymio.link import Link
 from learnblock.robots.thymio.node import Node
 from learnblock.robots.thymio.program import READY, Event
 from learnblock.robots.thymio.wires import Wire
 
-#: Seconds between two readings; the robot renews its motors' speeds 100 and its distances 10 times
-#: a second.
+#: Seconds between two readings; the robot updates its motors 100 times and its distances 10 times a
+#: second.
 PERIOD = 0.02
-#: Seconds after which an answer is no longer waited for before asking again.
+#: Seconds after which a missing answer is requested again.
 OVERDUE = 0.25
 #: Words of bytecode in one message.
 CHUNK = 200
@@ -29,10 +30,10 @@ PROTOCOL = 5
 
 
 class AsebaLink(Link):
-    """A conversation in Aseba's binary protocol.
+    """A connection in Aseba's binary protocol.
 
     Raises:
-        RobotConnectionError: nobody answers, it is no Thymio, or it does not take our program.
+        RobotConnectionError: no Thymio answers, or it does not run our program.
     """
 
     def __init__(self, wire: Wire, patience: float) -> None:
@@ -47,7 +48,7 @@ class AsebaLink(Link):
         self._poller = threading.Thread(target=self._poll, name="thymio poller", daemon=True)
         self._reader.start()
         try:
-            self._get_acquainted()
+            self._prepare()
         except BaseException:
             self.close()
             raise
@@ -67,46 +68,41 @@ class AsebaLink(Link):
         if self._poller.is_alive():
             self._poller.join()
 
-    # Getting acquainted.
+    # Preparing the robot.
 
-    def _get_acquainted(self) -> None:
+    def _prepare(self) -> None:
         self._send(encoded(Message.ID_LIST_NODES, PROTOCOL))
-        self._expect(lambda: self._node is not None, "no robot answers")
+        self._expect(lambda: self._node is not None, "thymio-no-answer")
         node = self._known()
         self._send(encoded(Message.ID_GET_NODE_DESCRIPTION, node.number, PROTOCOL))
-        self._expect(lambda: node.complete, "it does not say what it can do")
+        self._expect(lambda: node.complete, "thymio-not-ready")
         self._require_thymio(node)
         self._upload(node)
-        self._expect(lambda: self._ready, "it does not run our program")
+        self._expect(lambda: self._ready, "thymio-not-ready")
         self._ask()
-        self._expect(lambda: bool(self._values), "it does not say what it senses")
+        self._expect(lambda: bool(self._values), "thymio-not-ready")
 
     def _require_thymio(self, node: Node) -> None:
         if not node.name.startswith("thymio"):
-            raise RobotConnectionError(f"{self.name} is none: it calls itself `{node.name}`")
+            raise RobotConnectionError("thymio-other-robot", place=self.place, name=node.name)
         if node.lacking:
-            raise RobotConnectionError(
-                f"the software in {self.name} is too old: it lacks {', '.join(node.lacking)};"
-                " Thymio Suite can renew it"
-            )
+            raise RobotConnectionError("thymio-too-old", place=self.place)
 
     def _upload(self, node: Node) -> None:
         try:
             code = node.bytecode(self._token)
         except LookupError as error:
-            raise RobotConnectionError(
-                f"the software in {self.name} is too old ({error}); Thymio Suite can renew it"
-            ) from error
+            raise RobotConnectionError("thymio-too-old", place=self.place) from error
         for begin in range(0, len(code), CHUNK):
             words = code[begin : begin + CHUNK]
             self._send(encoded(Message.ID_SET_BYTECODE, node.number, begin, *words))
         self._send(encoded(Message.ID_RUN, node.number))
 
     def _known(self) -> Node:
-        assert self._node is not None  # noqa: S101 - whoever connects waits for it
+        assert self._node is not None  # noqa: S101 - `_prepare` waits for it
         return self._node
 
-    # What comes.
+    # Receiving.
 
     def _take(self, data: bytes) -> None:
         for message in self._frames.feed(data):
@@ -125,21 +121,21 @@ class AsebaLink(Link):
             node.take(message)
 
     def _greet(self, words: list[int]) -> None:
-        """A program has begun: ours, or that of another client, which a hub has let in."""
+        """Note that a program has started: ours, or that of another client of the same hub."""
         if words == [self._token]:
             self._ready = True
         elif self._ready:
-            self._lose("another program has taken the robot over")
+            self._lose(Phrase("thymio-taken", place=self.place))
 
     def _note(self, node: Node, message: Message) -> None:
-        """Keep an answer to our own question: a hub passes on those to others as well."""
+        """Store an answer to our own request; a hub also forwards the answers to others."""
         if not node.complete or node.lacking:
             return
         if (message.var_offset, len(message.var_data)) == node.span():
             self._begin, self._values = message.var_offset, tuple(map(signed, message.var_data))
             self._answered = True
 
-    # What is asked.
+    # Requests.
 
     def _ask(self) -> None:
         self._answered = False
@@ -147,7 +143,7 @@ class AsebaLink(Link):
         self._send(encoded(Message.ID_GET_VARIABLES, node.number, *node.span()))
 
     def _poll(self) -> None:
-        """Ask on and on what it senses: the next time when it has answered, or is overdue."""
+        """Request the readings repeatedly, whenever the last answer has come or is overdue."""
         asked = monotonic()
         while not self._closed.wait(PERIOD):
             if self._lost is not None:
@@ -160,5 +156,5 @@ class AsebaLink(Link):
         try:
             self._ask()
         except RobotConnectionError:
-            # Whoever uses the robot next is told.
+            # The next use of the robot raises it again.
             return

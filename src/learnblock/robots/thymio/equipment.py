@@ -1,4 +1,4 @@
-"""What a Thymio's lamps, loudspeaker and buttons are told and read through a link."""
+"""A Thymio's lamps, loudspeaker and buttons."""
 
 from collections.abc import Iterable, Mapping
 
@@ -7,9 +7,9 @@ from learnblock.robots.thymio import units
 from learnblock.robots.thymio.link import Link
 from learnblock.robots.thymio.program import LEFT, PLAY, RIGHT, SOUND, TONE, TOP, Event
 
-#: Its coloured lamps, by the slots that programs use.
+#: The coloured lamps, by their names in programs.
 SLOTS: Mapping[str, Event] = {"Up": TOP, "Left": LEFT, "Right": RIGHT}
-#: The colour of all of them for each emotion.
+#: The colour of all lamps for each emotion.
 EMOTIONS: Mapping[str, tuple[int, int, int]] = {
     Emotion.JOY: (0, 255, 0),
     Emotion.SADNESS: (0, 0, 255),
@@ -20,23 +20,23 @@ EMOTIONS: Mapping[str, tuple[int, int, int]] = {
     Emotion.NEUTRAL: (0, 0, 0),
     Emotion.NONE: (0, 0, 0),
 }
-#: Its arrows as those of a controller's left half.
+#: The arrow buttons, as the left half of a controller.
 ARROWS: Mapping[str, str] = {
     "lUp": "button.forward",
     "lLeft": "button.left",
     "lRight": "button.right",
     "lDown": "button.backward",
 }
-#: What a controller has and a Thymio lacks.
+#: The buttons of a controller that a Thymio lacks.
 LACKING = ("rUp", "rLeft", "rRight", "rDown")
 
 
 class Lamp:
-    """One of its coloured lamps.
+    """A coloured lamp.
 
     Args:
-        link: to the robot.
-        event: by which the robot's program lights it.
+        link: the link to the robot.
+        event: the event that sets its colour.
     """
 
     def __init__(self, link: Link, event: Event) -> None:
@@ -44,10 +44,10 @@ class Lamp:
         self._shown: tuple[int, ...] | None = None
 
     def light(self, red: int, green: int, blue: int) -> None:
-        """Give it a colour, each part 0 to 255; nothing is sent when it has that already."""
+        """Set its colour, each part 0 to 255; nothing is sent if it already has that colour."""
         self._link.check()
         levels = tuple(map(units.level, (red, green, blue)))
-        # A program that asks a thousand times a second would keep the cable from all else.
+        # A program that sets it a thousand times a second would block the cable.
         if levels != self._shown:
             self._link.tell(self._event, *levels)
             self._shown = levels
@@ -60,15 +60,15 @@ def show(lamps: Iterable[Lamp], emotion: str) -> None:
 
 
 def tone(link: Link, hertz: float, milliseconds: float) -> None:
-    """Sound a tone; 0 milliseconds end the present one."""
+    """Play a tone; 0 milliseconds end the current one."""
     link.tell(TONE, *units.tone(hertz, milliseconds))
 
 
 def play(link: Link, name: str) -> None:
-    """Play one of the robot's sounds by its name, or a file of its memory card by its number.
+    """Play one of the robot's sounds by name, or a file on its memory card by number.
 
     Raises:
-        DeviceValueError: it has no such sound.
+        DeviceValueError: the robot has no such sound.
     """
     if name.isdecimal():
         link.tell(PLAY, min(int(name), units.LARGEST))

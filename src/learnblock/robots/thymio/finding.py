@@ -1,4 +1,4 @@
-"""Where there are Thymios: at serial ports, behind Thymio Suite, in a simulator."""
+"""Looks for Thymios: at serial ports, in Thymio Suite, in a simulator."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
@@ -10,7 +10,7 @@ from learnblock.robots.real import require
 from learnblock.robots.thymio.settings import ThymioSettings
 from learnblock.robots.thymio.wires import TcpWire
 
-#: (vendor, product) on the USB: the robot itself, and the dongle of its radio.
+#: USB ids (vendor, product) of the robot and of its radio's dongle.
 USB_IDS = frozenset({(0x0617, 0x000A), (0x0617, 0x000C)})
 
 
@@ -21,7 +21,7 @@ def serial_devices() -> list[str]:
 
 
 def listens(address: str, port: int, seconds: float) -> bool:
-    """Whether anybody listens there."""
+    """Whether a program listens there."""
     with suppress(RobotConnectionError):
         TcpWire(address, port, seconds).close()
         return True
@@ -29,19 +29,19 @@ def listens(address: str, port: int, seconds: float) -> bool:
 
 
 def choose(settings: ThymioSettings) -> str:
-    """Which connection ``auto`` means now: suite, serial or tcp."""
+    """The connection to use, suite, serial or tcp; chosen here if the setting is ``auto``."""
     if settings.connection != "auto":
         return settings.connection
-    # Where the Suite runs it holds the cable.
+    # While Thymio Suite runs, the cable belongs to it.
     if listens("127.0.0.1", settings.suite_port, 1.0):
         return "suite"
     return "serial" if settings.device or serial_devices() else "tcp"
 
 
 def scan(settings: ThymioSettings, seconds: float) -> Iterator[Mapping[str, Any]]:
-    """The settings with which each Thymio that is found is reached.
+    """Yield the settings that reach each Thymio found.
 
-    A simulator serves one program at a time, and leaves the one that it serves when it is asked.
+    A simulator serves one program at a time, and drops it when it is scanned.
     """
     until = monotonic() + seconds
     for device in serial_devices():

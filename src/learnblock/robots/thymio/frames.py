@@ -1,7 +1,7 @@
-"""The messages in what a Thymio sends: Aseba's binary protocol.
+"""Aseba's binary protocol: splits a Thymio's data into messages.
 
-A message is a head of three numbers of 16 bits, the lower byte first (length of what follows the
-head, the sender's node, the kind), and then the rest.
+A message has a head of three 16-bit little-endian numbers (the length of the rest, the sender's
+node, the kind), followed by the rest.
 """
 
 import struct
@@ -12,21 +12,21 @@ from thymiodirect.message import Message
 from learnblock.robots.thymio.link import GarbledError
 
 _HEAD = struct.Struct("<HHH")
-#: Bytes after the head; a packet of Aseba's has 512 at most.
+#: The most bytes after the head; Aseba's packets have at most 512.
 _LONGEST = 1024
 
 
 class Frames:
-    """Cuts a stream of bytes into messages."""
+    """Splits a stream of bytes into messages."""
 
     def __init__(self) -> None:
         self._waiting = b""
 
     def feed(self, data: bytes) -> Iterator[Message]:
-        """The messages that these bytes complete.
+        """Yield the messages that these bytes complete.
 
         Raises:
-            GarbledError: they are none.
+            GarbledError: the data is invalid.
         """
         self._waiting += data
         while len(self._waiting) >= _HEAD.size:
@@ -44,25 +44,25 @@ def decoded(kind: int, node: int, payload: bytes) -> Message:
     """A message with its fields.
 
     Raises:
-        GarbledError: what it carries is not what its kind has.
+        GarbledError: its content does not fit its kind.
     """
     message = Message(kind, node, payload)
     try:
         message.decode()
     except (IndexError, ValueError) as error:
-        # Too short, or a name that is no UTF-8.
+        # Too short, or a name that is not UTF-8.
         raise GarbledError(f"a message {kind:#06x} of {len(payload)} bytes: {error}") from error
     return message
 
 
 def encoded(kind: int, *words: int) -> bytes:
-    """A message of ours with numbers of 16 bits, signed or not."""
+    """A message to the robot with 16-bit numbers, signed or not."""
     payload = Message.uint16array_to_bytes([word & 0xFFFF for word in words])
-    # Node 1 is what thymiodirect calls itself; the robot answers whoever asks.
+    # Node 1, as in thymiodirect; the robot answers any node.
     frame: bytes = Message(kind, 1, payload).serialize()
     return frame
 
 
 def signed(word: int) -> int:
-    """A number of 16 bits as the robot means it."""
+    """A 16-bit word as a signed number."""
     return word - 0x10000 if word >= 0x8000 else word

@@ -1,118 +1,117 @@
-"""What all ways of talking to a Thymio share: a reader, waiting with a limit, and being lost."""
+"""The base class of all connections to a Thymio."""
 
 import threading
 from collections.abc import Callable
 from time import monotonic
 
 from learnblock.errors import RobotConnectionError
+from learnblock.i18n import Phrase
 from learnblock.robots.thymio.program import Event
 from learnblock.robots.thymio.wires import Wire
 
-#: Seconds of silence after which the robot counts as gone; it is asked 50 times a second.
+#: Seconds of silence after which the robot counts as lost; it is polled 50 times a second.
 SILENCE = 2.5
 
 
 class GarbledError(Exception):
-    """What came over the wire is no message."""
+    """The received data is not a message."""
 
 
 class Link:
-    """A conversation with one Thymio, whose variables are read and which is told events.
+    """A connection to one Thymio: it reads the robot's variables and sends it events.
 
     Args:
-        wire: the way to it, which the link closes.
-        patience: seconds within which each step of getting acquainted must succeed.
+        wire: carries the data; the link closes it.
+        patience: the timeout in seconds for each step of connecting.
 
     Attributes:
-        name: as messages call the robot.
+        place: the robot's address or port, for errors.
     """
 
     def __init__(self, wire: Wire, patience: float) -> None:
-        self.name = f"the Thymio at {wire.name}"
+        self.place = wire.name
         self._wire = wire
         self._patience = patience
         self._changed = threading.Condition()
-        self._lost: str | None = None
+        self._lost: Phrase | None = None
         self._heard = monotonic()
         self._closed = threading.Event()
         self._reader = threading.Thread(target=self._listen, name="thymio reader", daemon=True)
 
-    # What a kind of link writes.
+    # For subclasses to override.
 
     def read(self, variable: str) -> tuple[int, ...]:
-        """The numbers of one of the robot's variables, signed, as they were last heard.
+        """The latest values of one of the robot's variables, signed.
 
         Raises:
-            RobotConnectionError: the robot is gone.
+            RobotConnectionError: the connection is lost.
         """
         raise NotImplementedError
 
     def tell(self, event: Event, *numbers: int) -> None:
-        """Send the robot's program an event.
+        """Send an event to the robot's program.
 
         Raises:
-            RobotConnectionError: the robot is gone.
+            RobotConnectionError: the connection is lost.
         """
         raise NotImplementedError
 
     def _take(self, data: bytes) -> None:
-        """Understand what has come; called by the reader, with the lock held.
+        """Process received data; the reader calls it with the lock held.
 
         Raises:
-            GarbledError: it makes no sense.
+            GarbledError: the data is invalid.
         """
         raise NotImplementedError
 
-    # What they share.
+    # Shared by all links.
 
     def check(self) -> None:
-        """Say so if the robot can no longer be reached.
+        """Check that the robot still answers.
 
         Raises:
-            RobotConnectionError: it cannot.
+            RobotConnectionError: the connection is lost.
         """
         silent = monotonic() - self._heard
         if self._lost is None and silent > SILENCE:
-            self._lose(f"it has said nothing for {silent:.1f} s")
+            self._lose(Phrase("thymio-silent", place=self.place, seconds=round(silent, 1)))
         if self._lost is not None:
-            raise RobotConnectionError(
-                f"the connection to {self.name} is gone: {self._lost};"
-                " is it switched on and in reach, and does no other program use it?"
-            )
+            raise RobotConnectionError(self._lost.code, **self._lost.values)
 
     def close(self) -> None:
-        """Let go of the robot; the second time it does nothing."""
+        """Close the connection; calling it twice is harmless."""
         self._closed.set()
         if self._reader.is_alive() and self._reader is not threading.current_thread():
             self._reader.join()
         self._wire.close()
 
     def wait(self, condition: Callable[[], bool], seconds: float) -> bool:
-        """Wait until something that is heard makes the condition true; whether it has."""
+        """Wait until received data makes the condition true, and return whether it did."""
         with self._changed:
             return self._changed.wait_for(
                 lambda: self._lost is not None or condition(), timeout=seconds
             ) and (self._lost is None)
 
     def _expect(self, condition: Callable[[], bool], otherwise: str) -> None:
-        """Wait for a step of getting acquainted.
+        """Wait for a step of connecting.
+
+        Args:
+            condition: whether the step is done.
+            otherwise: the code of the error; its words show the place.
 
         Raises:
-            RobotConnectionError: it is not made in time.
+            RobotConnectionError: the step is not done in time.
         """
         if not self.wait(condition, self._patience):
-            reason = self._lost or f"{otherwise} within {self._patience:g} s"
-            raise RobotConnectionError(
-                f"{self.name} cannot be used: {reason};"
-                " is it switched on, and does no other program use it?"
-            )
+            phrase = self._lost or Phrase(otherwise, place=self.place)
+            raise RobotConnectionError(phrase.code, **phrase.values)
 
     def _send(self, data: bytes) -> None:
         if self._lost is None:
             try:
                 self._wire.send(data)
             except OSError as error:
-                self._lose(_reason(error))
+                self._lose_wire(error)
         if self._lost is not None:
             self.check()
 
@@ -123,17 +122,16 @@ class Link:
                 with self._changed:
                     self._take(data)
                     self._changed.notify_all()
-            except GarbledError as error:
-                self._lose(f"what it sends makes no sense ({error})")
+            except GarbledError:
+                self._lose(Phrase("thymio-garbled", place=self.place))
             except OSError as error:
-                self._lose(_reason(error))
+                self._lose_wire(error)
 
-    def _lose(self, reason: str) -> None:
+    def _lose_wire(self, error: OSError) -> None:
+        reason = error.strerror or str(error)
+        self._lose(Phrase("thymio-link-broke", place=self.place, reason=reason))
+
+    def _lose(self, reason: Phrase) -> None:
         with self._changed:
             self._lost = self._lost or reason
             self._changed.notify_all()
-
-
-def _reason(error: OSError) -> str:
-    """What the system says, without its number."""
-    return (error.strerror or str(error)).lower()

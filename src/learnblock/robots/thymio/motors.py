@@ -1,4 +1,4 @@
-"""A Thymio's motors, which have to be told again and again that they are to turn."""
+"""A Thymio's motors, which need their command repeatedly."""
 
 import threading
 from contextlib import suppress
@@ -7,17 +7,17 @@ from learnblock.errors import RobotConnectionError
 from learnblock.robots.thymio.link import Link
 from learnblock.robots.thymio.program import DRIVE
 
-#: Seconds between two commands; the robot stops by itself after `program.LIVES` ticks without.
+#: Seconds between two commands; without one the robot stops after `program.LIVES` ticks.
 REPEATING = 0.1
-#: Seconds in which the robot should have noted that it is to stand before we let go of it.
+#: Seconds to wait for the robot to stop before the connection is closed.
 STANDING = 0.3
 
 
 class Motors:
-    """Keeps a Thymio going: its watchdog stops it unless the last command is repeated.
+    """Repeats the last command, since the robot's watchdog would stop it otherwise.
 
     Args:
-        link: to the robot.
+        link: the link to the robot.
     """
 
     def __init__(self, link: Link) -> None:
@@ -30,17 +30,17 @@ class Motors:
         self._thread.start()
 
     def drive(self, left: int, right: int) -> None:
-        """Turn the wheels at these motor speeds, -500 to 500, until told otherwise.
+        """Turn the wheels at these motor speeds, -500 to 500, until the next command.
 
-        The same speeds again are left to the repetition: a program that asks a thousand times a
-        second would keep the cable from all else.
+        A command with unchanged speeds is not sent at once: a program that drives a thousand times
+        a second would block the cable.
 
         Raises:
-            RobotConnectionError: the robot is gone.
+            RobotConnectionError: the connection is lost.
         """
         with self._telling:
             if (left, right) == self._speeds == (0, 0):
-                # Whoever stands can be left alone, even when another program has the robot now.
+                # Nothing to send, even if another program is using the robot now.
                 return
             self._link.check()
             if (left, right) != self._speeds:
@@ -48,10 +48,10 @@ class Motors:
                 self._link.tell(DRIVE, left, right)
 
     def close(self) -> None:
-        """Repeat no more, and wait a moment for the robot to say that it stands."""
+        """End the repetition, and wait a moment until the robot has stopped."""
         self._closed.set()
         self._thread.join()
-        # A robot that is gone has nothing to say, and stands still by itself.
+        # A lost robot stops by itself.
         with suppress(RobotConnectionError):
             self._link.wait(self._stands, STANDING)
 
@@ -64,7 +64,7 @@ class Motors:
             try:
                 self._tell_again()
             except RobotConnectionError:
-                # Whoever uses the robot next is told; without us it stands still.
+                # The next use of the robot raises it again; without commands it stops.
                 return
 
     def _tell_again(self) -> None:

@@ -1,4 +1,4 @@
-"""What a Thymio says of itself: its variables, events and functions, and where they are."""
+"""The description of a Thymio: its variables, events and functions."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -9,8 +9,8 @@ from thymiodirect.message import Message
 
 from learnblock.robots.thymio.program import assembly
 
-#: What we read, with how many numbers each has; they lie near each other, so that one request
-#: brings them all.
+#: The variables that are read, with their sizes; they are close together in memory, so that one
+#: request reads them all.
 READ: Mapping[str, int] = {
     "button.backward": 1,
     "button.left": 1,
@@ -26,10 +26,10 @@ READ: Mapping[str, int] = {
 
 
 class Node:
-    """A node of Aseba's network, described message by message.
+    """A node of Aseba's network, described by a sequence of messages.
 
     Args:
-        number: its own.
+        number: the node's number.
     """
 
     def __init__(self, number: int) -> None:
@@ -38,7 +38,7 @@ class Node:
         self._expected: tuple[int, int, int] | None = None
 
     def take(self, message: Message) -> None:
-        """Note what a message says of it; other messages say nothing."""
+        """Take in a message that describes the node; others are ignored."""
         if self.complete:
             return
         if message.id == Message.ID_DESCRIPTION:
@@ -52,12 +52,12 @@ class Node:
 
     @property
     def name(self) -> str:
-        """What kind of node it is; ``thymio-II`` is a Thymio."""
+        """The kind of node; ``thymio-II`` is a Thymio."""
         return self._remote.name or ""
 
     @property
     def complete(self) -> bool:
-        """Whether all that it announced has been described."""
+        """Whether everything that it announced has been described."""
         known = self._remote
         return self._expected == (
             len(known.named_variables),
@@ -67,29 +67,29 @@ class Node:
 
     @property
     def lacking(self) -> list[str]:
-        """The variables that we read and it has not."""
+        """The required variables that the node does not have."""
         sizes = self._remote.var_size
         return [name for name, size in READ.items() if sizes.get(name) != size]
 
     def place(self, variable: str) -> tuple[int, int]:
-        """The first word of a variable and how many it has."""
+        """The first word of a variable and its number of words."""
         return self._remote.var_offset[variable], self._remote.var_size[variable]
 
     def span(self) -> tuple[int, int]:
-        """The first word of all that we read, and how many words it takes."""
+        """The first word of all required variables, and their number of words."""
         offset, length = self._remote.data_span_for_variables(set(READ))
         return offset, length
 
     def bytecode(self, token: int) -> list[int]:
-        """Our program for it, which says the token when it begins.
+        """Our program for this node; it sends the token when it starts.
 
         Raises:
-            LookupError: it lacks something that the program needs.
+            LookupError: the node lacks something that the program needs.
         """
         try:
             code: list[int] = Assembler(self._remote, assembly(token)).assemble()
         except Exception as error:
-            # The assembler has no exception of its own.
+            # The assembler has no exception class of its own.
             raise LookupError(str(error)) from error
         return code
 

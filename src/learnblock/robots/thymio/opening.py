@@ -1,4 +1,4 @@
-"""Opens the link that the settings ask for; the libraries are imported only then."""
+"""Opens the connection chosen in the settings; its library is imported only then."""
 
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.real import require
@@ -9,14 +9,14 @@ from learnblock.robots.thymio.wires import SerialWire, TcpWire, Wire
 
 
 def open_link(settings: ThymioSettings) -> Link:
-    """A link to the robot.
+    """Connect to the robot.
 
     Raises:
         MissingPackageError: a library is not installed.
         RobotConnectionError: the robot cannot be reached.
     """
     chosen = finding.choose(settings)
-    # The library first: where it is missing nothing has been opened yet.
+    # The library first: if it is missing, nothing has been opened yet.
     kind = _suite_link() if chosen == "suite" else _direct_link()
     return kind(_wire(chosen, settings), settings.patience)
 
@@ -32,10 +32,7 @@ def _wire(chosen: str, settings: ThymioSettings) -> Wire:
 def _first_device() -> str:
     devices = finding.serial_devices()
     if not devices:
-        raise RobotConnectionError(
-            "no Thymio is plugged in: connect its cable or its dongle, and switch it on"
-            " (or name the port: learnblock robots set thymio device /dev/ttyACM0)"
-        )
+        raise RobotConnectionError("thymio-not-plugged-in")
     return devices[0]
 
 

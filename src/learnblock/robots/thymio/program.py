@@ -1,11 +1,11 @@
-"""The program that a Thymio runs while we drive it.
+"""The program that runs on a Thymio while LearnBlock drives it.
 
-Its lamps and sounds can only be reached by a program on the robot itself, so one is uploaded. It
-waits for events of ours, and it is the robot's own watchdog: when for `LIVES` ticks no `DRIVE` has
-come, it stops the motors, whatever became of the computer that sent the last one.
+Only a program on the robot itself can use its lamps and sounds, so one is uploaded. It waits for
+our events, and works as a watchdog: after `LIVES` ticks without a `DRIVE` event it stops the
+motors.
 
-It stands here twice: as assembly, which `thymiodirect` turns into the bytecode of the robot at
-hand, and as source text, which Thymio Suite compiles itself.
+There are two versions: assembly, which `thymiodirect` translates to the robot's bytecode, and
+source text, which Thymio Suite compiles.
 """
 
 from collections.abc import Mapping
@@ -19,12 +19,12 @@ LIVES = 5
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Something that we tell the robot's program, or it tells us.
+    """An event sent to the robot's program, or by it.
 
     Args:
-        number: by which the wire knows it.
-        name: by which Thymio Suite knows it.
-        size: how many numbers come with it.
+        number: identifies it in Aseba's protocol.
+        name: identifies it in Thymio Suite.
+        size: the number of its values.
     """
 
     number: int
@@ -32,7 +32,7 @@ class Event:
     size: int
 
 
-#: Motor speeds, left and right, -500 to 500; has to be repeated while the robot is to drive.
+#: Motor speeds, left and right, -500 to 500; has to be repeated while the robot drives.
 DRIVE = Event(0, "drive", 2)
 #: Red, green and blue, 0 to 32.
 TOP = Event(1, "top", 3)
@@ -43,15 +43,15 @@ TONE = Event(4, "tone", 2)
 #: The number of one of the robot's sounds, or of one on its memory card.
 SOUND = Event(5, "sound", 1)
 PLAY = Event(6, "play", 1)
-#: What it tells us: that it runs, with its token, and what it has just shown or sounded, with the
-#: event's number.
+#: Sent by the robot: the program has started, with its token; a command was executed, with its
+#: number.
 READY = Event(7, "ready", 1)
 DONE = Event(8, "done", 4)
 
 COMMANDS = (DRIVE, TOP, LEFT, RIGHT, TONE, SOUND, PLAY)
 EVENTS = (*COMMANDS, READY, DONE)
 
-#: The robot's own function for each command that calls one.
+#: The robot's function for each command that calls one.
 NATIVES: Mapping[Event, str] = {
     TOP: "leds.top",
     LEFT: "leds.bottom.left",
@@ -63,10 +63,10 @@ NATIVES: Mapping[Event, str] = {
 
 
 def assembly(token: int) -> str:
-    """The program for `thymiodirect.assembler`; its variables lie where the robot's own end.
+    """The program for `thymiodirect.assembler`; its variables come after the robot's own.
 
     Args:
-        token: what it says when it begins, 0 to 2000, by which it is known from another's.
+        token: sent when it starts, 0 to 2000, to distinguish it from another client's program.
     """
     vectors = "\n".join(f"    dc {event.number}, {event.name}" for event in COMMANDS)
     calls = "\n".join(_call(event, native) for event, native in NATIVES.items())
@@ -114,9 +114,9 @@ drive:
 
 
 def _call(event: Event, native: str) -> str:
-    """Call a function of the robot's with the numbers of an event, and tell so.
+    """Call a function of the robot with the values of an event, and report it.
 
-    Its arguments are the addresses of its numbers, the last one pushed first.
+    The arguments are the addresses of the values, the last one pushed first.
     """
     pushes = [f"    push event.args+{index}" for index in reversed(range(event.size))]
     copies = [
@@ -136,7 +136,7 @@ def _call(event: Event, native: str) -> str:
 
 
 def source() -> str:
-    """The same program in the robot's own language, for Thymio Suite's compiler."""
+    """The same program in the robot's language, for Thymio Suite's compiler."""
     calls = "\n".join(_source_call(event, native) for event, native in NATIVES.items())
     return f"""
 var life = 0

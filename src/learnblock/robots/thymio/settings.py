@@ -1,4 +1,4 @@
-"""What a Thymio has to be told about itself."""
+"""The settings of a Thymio."""
 
 from typing import Annotated, Literal
 
@@ -6,27 +6,23 @@ from msgspec import Meta
 
 from learnblock.robots.settings import Address, Patience, Port, RobotSettings
 
-#: Where Aseba's switch and playground listen unless told otherwise.
+#: The default port of Aseba's switch and playground.
 ASEBA_PORT = 33333
-#: Where Thymio Suite's device manager listens.
+#: The port of Thymio Suite's device manager.
 SUITE_PORT = 8596
 
 
 class ThymioSettings(RobotSettings, frozen=True, kw_only=True):
-    """How a Thymio is reached, and how its wheels run."""
+    """The connection to a Thymio, and the size and speed of its wheels."""
 
     connection: Annotated[
         Literal["auto", "serial", "tcp", "suite"],
-        Meta(description="auto takes Thymio Suite where it runs, else a cable, else tcp"),
+        Meta(description="robot-setting-thymio-connection"),
     ] = "auto"
-    device: Annotated[
-        str, Meta(max_length=200, description="the serial port; empty for the first Thymio found")
-    ] = ""
+    device: Annotated[str, Meta(max_length=200, description="robot-setting-thymio-device")] = ""
     address: Address = "127.0.0.1"
     port: Port = ASEBA_PORT
     suite_port: Port = SUITE_PORT
-    track: Annotated[float, Meta(ge=50, le=150, description="between its wheels, mm")] = 94.0
-    speed_unit: Annotated[
-        float, Meta(ge=0.1, le=1, description="mm/s of a wheel at motor speed 1")
-    ] = 0.332
+    track: Annotated[float, Meta(ge=50, le=150, description="robot-setting-track")] = 94.0
+    speed_unit: Annotated[float, Meta(ge=0.1, le=1, description="robot-setting-speed-unit")] = 0.332
     patience: Patience = 5.0

@@ -1,7 +1,7 @@
-"""A Thymio that Thymio Suite holds: its device manager passes on what `tdmclient` says.
+"""The connection to a Thymio through the device manager of Thymio Suite.
 
-`tdmclient` writes and reads the messages. Our own wire carries them, since its connections have
-threads that end only when the other side closes.
+`tdmclient` writes and reads the messages. Our own wire carries them, since the threads of
+`tdmclient`'s connections end only when the other side closes.
 """
 
 import struct
@@ -18,14 +18,14 @@ from learnblock.robots.thymio.node import READ
 from learnblock.robots.thymio.program import EVENTS, Event, source
 from learnblock.robots.thymio.wires import Wire
 
-#: Seconds between two requests whose answers show that the Suite is still there.
+#: Seconds between two requests that check that the Suite still answers.
 ASKING = 0.5
 _LENGTH = struct.Struct("<I")
-#: Bytes of a message, by the protocol.
+#: The most bytes of a message, by the protocol.
 _LONGEST = 102_400
 
 
-#: What `tdmclient` knows what to do with; the rest it prints into the pupil's output.
+#: The messages that `tdmclient` handles; it prints all others into the pupil's output.
 _UNDERSTOOD = frozenset(
     {
         tdmclient.ThymioFB.MESSAGE_TYPE_CONNECTION_HANDSHAKE,
@@ -40,16 +40,16 @@ _UNDERSTOOD = frozenset(
 
 
 class Packets:
-    """Cuts a stream of bytes into packets: a length of 32 bits, the lowest byte first, and them."""
+    """Splits a stream of bytes into packets, each with a 32-bit little-endian length first."""
 
     def __init__(self) -> None:
         self._waiting = b""
 
     def feed(self, data: bytes) -> Iterator[bytes]:
-        """The packets that these bytes complete.
+        """Yield the packets that these bytes complete.
 
         Raises:
-            GarbledError: they are none.
+            GarbledError: the data is invalid.
         """
         self._waiting += data
         while len(self._waiting) >= _LENGTH.size:
@@ -64,15 +64,14 @@ class Packets:
 
 
 class SuiteLink(Link):
-    """A conversation with the first free Thymio of Thymio Suite.
+    """A connection to the first free Thymio of Thymio Suite.
 
     Raises:
-        RobotConnectionError: nobody answers, no Thymio is free, or it does not take our program.
+        RobotConnectionError: no Thymio answers or is free, or it does not run our program.
     """
 
     def __init__(self, wire: Wire, patience: float) -> None:
         super().__init__(wire, patience)
-        self.name = f"the Thymio of Thymio Suite at {wire.name}"
         self._packets = Packets()
         self._values: dict[str, tuple[int, ...]] = {}
         self._node: Any = None
@@ -81,7 +80,7 @@ class SuiteLink(Link):
             self._client: Any = tdmclient.Client(tdm_transport=self)
             self._client.add_variables_changed_listener(self._note)
             self._reader.start()
-            self._get_acquainted()
+            self._prepare()
         except BaseException:
             self.close()
             raise
@@ -103,52 +102,50 @@ class SuiteLink(Link):
             self._poller.join()
 
     def send_packet(self, packet: bytes) -> None:
-        """What `tdmclient` calls to send a message.
+        """Send a message; `tdmclient` calls this.
 
         Raises:
-            RobotConnectionError: the Suite is gone.
+            RobotConnectionError: the connection is lost.
         """
         self._send(_LENGTH.pack(len(packet)) + packet)
 
-    # Getting acquainted.
+    # Preparing the robot.
 
-    def _get_acquainted(self) -> None:
-        self._expect(lambda: bool(self._client.nodes), "it names no robot")
-        taken = "the Suite lends no robot, since another program has it or it is switched off,"
-        self._expect(lambda: self._free() is not None, taken)
+    def _prepare(self) -> None:
+        self._expect(lambda: bool(self._client.nodes), "thymio-suite-empty")
+        self._expect(lambda: self._free() is not None, "thymio-suite-busy")
         self._node = self._free()
         watched = tdmclient.ThymioFB.WATCHABLE_INFO_VARIABLES
         run = tdmclient.ThymioFB.VM_EXECUTION_STATE_COMMAND_RUN
         events = [(event.name, event.size) for event in EVENTS]
         node = self._node
-        self._request("lend it to us", node.send_lock_node)
-        self._request("take our events", node.send_register_events, events)
-        self._request("take our program", node.send_program, source())
-        self._request("run our program", node.set_vm_execution_state, run)
-        self._request("tell what it senses", node.watch_node, watched)
-        self._expect(lambda: set(READ) <= set(self._values), "it does not say what it senses")
+        self._request(node.send_lock_node)
+        self._request(node.send_register_events, events)
+        self._request(node.send_program, source())
+        self._request(node.set_vm_execution_state, run)
+        self._request(node.watch_node, watched)
+        self._expect(lambda: set(READ) <= set(self._values), "thymio-not-ready")
 
     def _free(self) -> Any:
-        """The first robot that no program has, or None."""
+        """The first robot that no program is using, or None."""
         free = tdmclient.ThymioFB.NODE_STATUS_AVAILABLE
         return next((node for node in self._client.nodes if node.status == free), None)
 
-    def _request(self, what: str, send: Callable[..., None], *arguments: Any) -> None:
-        """Ask for something and wait for the answer.
+    def _request(self, send: Callable[..., None], *arguments: Any) -> None:
+        """Send a request and wait for its answer.
 
         Raises:
-            RobotConnectionError: it is refused, or nobody answers.
+            RobotConnectionError: the Suite refuses, or does not answer.
         """
         answers: list[Any] = []
         send(*arguments, request_id_notify=answers.append)
-        self._expect(lambda: bool(answers), f"the Suite does not {what}")
+        self._expect(lambda: bool(answers), "thymio-suite-silent")
         if answers[0] is not None:
             raise RobotConnectionError(
-                f"{self.name} cannot be used: the Suite does not {what} ({answers[0]});"
-                " does another program use it?"
+                "thymio-suite-refused", place=self.place, code=str(answers[0])
             )
 
-    # What comes.
+    # Receiving.
 
     def _take(self, data: bytes) -> None:
         for packet in self._packets.feed(data):
@@ -157,7 +154,7 @@ class SuiteLink(Link):
                 if _is_understood(packet):
                     self._client.process_message(packet)
             except Exception as error:
-                # Its reader fails on what is no message with whatever comes first.
+                # Invalid data makes its reader fail with any error.
                 raise GarbledError(f"{type(error).__name__}: {error}") from error
 
     def _note(self, node: Any, variables: Mapping[str, Any]) -> None:
@@ -165,10 +162,10 @@ class SuiteLink(Link):
             for name, numbers in variables.items():
                 self._values[name] = tuple(numbers if isinstance(numbers, list) else [numbers])
 
-    # What is asked.
+    # Requests.
 
     def _poll(self) -> None:
-        """The Suite tells what changes; at rest that may be nothing, so it is asked something."""
+        """Send requests regularly, since the Suite is silent while no variable changes."""
         watched = tdmclient.ThymioFB.WATCHABLE_INFO_VARIABLES
         while not self._closed.wait(ASKING) and self._lost is None:
             self._try(self._node.watch_node, watched)
@@ -177,12 +174,12 @@ class SuiteLink(Link):
         try:
             send(*arguments)
         except RobotConnectionError:
-            # Whoever uses the robot next is told.
+            # The next use of the robot raises it again.
             return
 
 
 def _is_understood(packet: bytes) -> bool:
-    """Whether it is a message that matters to us."""
+    """Whether `tdmclient` handles this message."""
     buffer = tdmclient.FlatBuffer()
     buffer.parse(packet, tdmclient.ThymioFB.SCHEMA)
     return getattr(buffer.root, "union_type", None) in _UNDERSTOOD

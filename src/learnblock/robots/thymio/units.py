@@ -1,6 +1,6 @@
-"""What the Thymio's numbers mean in our units.
+"""Converts the Thymio's numbers to our units.
 
-Sources: the robot's programming interface as Aseba documents it, and measurements in Aseba's
+Sources: Aseba's documentation of the robot's programming interface, and measurements in Aseba's
 playground, whose sensors were fitted to real robots (`benchmarks/robots_thymio.py` repeats them).
 """
 
@@ -9,21 +9,21 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from learnblock.devices import NOTHING_SEEN
-from learnblock.errors import DeviceValueError, did_you_mean
+from learnblock.errors import DeviceValueError, nearest
 from learnblock.wheels import limited, wheel_speeds
 
-#: The most that a motor may be told.
+#: The largest motor speed.
 FASTEST = 500
-#: What the accelerometer reads for 1 g, and that in m/s2.
+#: The accelerometer's reading for 1 g, and 1 g in m/s2.
 ACC_PER_G = 23
 GRAVITY = 9.81
-#: Levels of a lamp.
+#: The highest level of a lamp.
 BRIGHTEST = 32
-#: A tone lasts as many sixtieths of a second.
+#: The duration of a tone is given in sixtieths of a second.
 TICKS_PER_SECOND = 60
-#: Numbers of 16 bits.
+#: The largest 16-bit number.
 LARGEST = 32767
-#: The sounds in the robot, by what it uses them for itself.
+#: The robot's built-in sounds, by their purpose.
 SOUNDS: Mapping[str, int] = {
     "startup": 0,
     "shutdown": 1,
@@ -34,9 +34,9 @@ SOUNDS: Mapping[str, int] = {
     "friendly": 6,
     "detected": 7,
 }
-#: (what a distance sensor reads, mm to a white wall across its direction), the medians of twelve
-#: readings in the playground, which vary by half a percent. Beyond 140 mm it reads nothing at all
-#: there; the last line continues the curve, for real robots that read on.
+#: (a distance sensor's reading, mm to a white wall in front of it): the medians of twelve readings
+#: in the playground, which vary by half a percent. There, nothing is seen beyond 140 mm; the last
+#: line continues the curve for real robots, which see further.
 PROXIMITY: tuple[tuple[int, float], ...] = (
     (4504, 0.0),
     (4491, 5.0),
@@ -56,7 +56,7 @@ PROXIMITY: tuple[tuple[int, float], ...] = (
     (1360, 130.0),
     (1220, 140.0),
 )
-# numpy wants what it looks up in rising order.
+# numpy needs a rising order.
 _FALLING, _RISING = [-reading for reading, _ in PROXIMITY], [mm for _, mm in PROXIMITY]
 
 
@@ -70,22 +70,21 @@ def wheels(adv: float, rot: float, *, track: float, unit: float) -> tuple[int, i
         unit: mm/s of a wheel at motor speed 1.
 
     Returns:
-        Both reduced alike where a wheel would have to run faster than it can, so that the curve
-        stays the same.
+        Both speeds, reduced by the same factor if one is too fast: the curve stays the same.
     """
     left, right = limited(wheel_speeds(adv, rot, track), FASTEST * unit)
     return round(left / unit), round(right / unit)
 
 
 def distance(reading: int) -> float:
-    """The mm to what a distance sensor sees, 140 at most; 2000 where it sees nothing."""
+    """The distance in mm for a sensor's reading, at most 140; 2000 if it sees nothing."""
     if reading <= 0:
         return NOTHING_SEEN
     return float(np.interp(-reading, _FALLING, _RISING))
 
 
 def distances(readings: Sequence[int]) -> dict[str, list[float]]:
-    """The mm on each side, from left to right; a sensor between two sides counts for both."""
+    """The distances in mm on each side; a sensor between two sides counts for both."""
     left, left_front, front, right_front, right, back_left, back_right = map(distance, readings)
     return {
         "front": [left_front, front, right_front],
@@ -104,23 +103,23 @@ def ground(deltas: Sequence[int]) -> dict[str, float | None]:
 def acceleration(readings: Sequence[int]) -> tuple[float, float, float]:
     """(x forward, y left, z up) in m/s2; at rest z is 9.81.
 
-    The robot shows where gravity pulls: to its left, to its rear and down are positive. What holds
-    it against gravity, which is what an accelerometer feels, points the other way.
+    The robot reports the direction of gravity: left, rear and down are positive. An accelerometer
+    measures the opposite force, which holds the robot up.
     """
     to_left, to_rear, down = (reading / ACC_PER_G * GRAVITY for reading in readings)
-    # Not its negative: that of 0 would be shown as -0.0.
+    # Not `-to_left`, which would show 0 as -0.0.
     return to_rear, 0 - to_left, down
 
 
 def level(value: int) -> int:
-    """A lamp's brightness, 0 to 255, as 0 to 32."""
+    """A lamp's level from 0 to 32 for a brightness from 0 to 255."""
     return round(value * BRIGHTEST / 255)
 
 
 def tone(hertz: float, milliseconds: float) -> tuple[int, int]:
-    """What the robot's function for tones takes; no time at all makes it silent."""
+    """The arguments of the robot's function for tones; 0 milliseconds end a tone."""
     ticks = round(milliseconds * TICKS_PER_SECOND / 1000)
-    # To the robot 0 means for ever, and -1 silence.
+    # For the robot, 0 means forever and -1 means silence.
     lasting = min(max(ticks, 1), LARGEST) if milliseconds > 0 else -1
     return min(max(round(hertz), 0), LARGEST), lasting
 
@@ -129,11 +128,11 @@ def sound(name: str) -> int:
     """The number of one of the robot's sounds.
 
     Raises:
-        DeviceValueError: it has no such sound.
+        DeviceValueError: the robot has no such sound.
     """
-    if name not in SOUNDS:
-        hint = did_you_mean(name, SOUNDS) or "known are: " + ", ".join(SOUNDS)
-        raise DeviceValueError(
-            f"a Thymio has no sound {name!r}; {hint}; a number plays a file of its memory card"
-        )
-    return SOUNDS[name]
+    if name in SOUNDS:
+        return SOUNDS[name]
+    suggestion = nearest(name, SOUNDS)
+    if suggestion is None:
+        raise DeviceValueError("thymio-unknown-sound", name=name, known=tuple(SOUNDS))
+    raise DeviceValueError("thymio-unknown-sound-like", name=name, suggestion=suggestion)

@@ -1,4 +1,4 @@
-"""The ways to a Thymio: a network connection or a serial port, as bytes that come and go."""
+"""Carries bytes to and from a Thymio, over a network connection or a serial port."""
 
 import socket
 from contextlib import suppress
@@ -8,11 +8,11 @@ from typing import Protocol
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.real import require
 
-#: Seconds for which a wire is listened to at a time, so that its reader sees that it shall end.
+#: Seconds of one attempt to receive, after which the reader checks whether it should end.
 MOMENT = 0.1
-#: Seconds within which what is sent must have left.
+#: Timeout in seconds for sending.
 SENDING = 0.5
-#: Seconds that the other end has to close a connection.
+#: Seconds to wait for the other end to close a connection.
 PARTING = 0.3
 BAUD = 115_200
 
@@ -20,37 +20,37 @@ BAUD = 115_200
 class Wire(Protocol):
     """Bytes to and from a robot."""
 
-    #: How a person would call it.
+    #: The address or port, for errors.
     name: str
 
     def receive(self) -> bytes:
-        """What has come; nothing after a moment in which nothing did.
+        """Receive data; returns nothing after a moment without data.
 
         Raises:
-            OSError: it is broken.
+            OSError: the connection is broken.
         """
 
     def send(self, data: bytes) -> None:
-        """Send all of it.
+        """Send all of the data.
 
         Raises:
-            OSError: it is broken.
+            OSError: the connection is broken.
         """
 
     def close(self) -> None:
-        """Let go of it; whoever is receiving returns within a moment."""
+        """Close it; a thread that is receiving returns within a moment."""
 
 
 class TcpWire:
     """A network connection.
 
     Args:
-        address: name or number of the other end.
-        port: of the other end.
-        patience: seconds until it must be connected.
+        address: the name or IP address of the other end.
+        port: the port of the other end.
+        patience: the timeout in seconds.
 
     Raises:
-        RobotConnectionError: it cannot be connected.
+        RobotConnectionError: no program answers there.
     """
 
     def __init__(self, address: str, port: int, patience: float) -> None:
@@ -58,10 +58,7 @@ class TcpWire:
         try:
             self._socket = socket.create_connection((address, port), timeout=patience)
         except OSError as error:
-            raise RobotConnectionError(
-                f"nothing that speaks for a Thymio answers at {self.name} ({error});"
-                " is the program there running, and are address and port right?"
-            ) from error
+            raise RobotConnectionError("thymio-no-listener", place=self.name) from error
         # A command is a few bytes, and should not wait for more of them.
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._socket.settimeout(MOMENT)
@@ -72,15 +69,15 @@ class TcpWire:
         except TimeoutError:
             return b""
         if not data:
-            raise ConnectionError("the other end closed it")
+            raise ConnectionError("closed by the other end")
         return data
 
     def send(self, data: bytes) -> None:
         self._socket.sendall(data)
 
     def close(self) -> None:
-        # With our last words still under way, and answers unread, a sudden end would be an error to
-        # the other side; Aseba's playground does not survive that.
+        # An abrupt end with unread answers is an error for the other side, and crashes Aseba's
+        # playground.
         with self._socket, suppress(OSError):
             self._socket.shutdown(socket.SHUT_WR)
             self._socket.settimeout(PARTING)
@@ -109,16 +106,15 @@ class SerialWire:
             )
         except (OSError, ValueError) as error:
             raise RobotConnectionError(
-                f"the Thymio at {device} cannot be opened ({error});"
-                " is it plugged in, and does no other program, such as Thymio Suite, use it?"
+                "thymio-port-closed", place=device, reason=str(error)
             ) from error
 
     def receive(self) -> bytes:
         try:
             data: bytes = self._port.read(max(1, self._port.in_waiting))
         except TypeError as error:
-            # What pyserial trips over when it is closed while it reads.
-            raise ConnectionError("it was closed") from error
+            # pyserial's error when the port is closed during a read.
+            raise ConnectionError("the port was closed") from error
         return data
 
     def send(self, data: bytes) -> None:

@@ -3,8 +3,9 @@
 from collections.abc import Iterator
 
 from learnblock.blocks import Parameter
+from learnblock.errors import TagNamesError
+from learnblock.perception.tag_names import tag_names
 from learnblock.server.messages import Completion
-from learnblock.tag_names import TagNamesError, tag_names
 
 
 def value_options(parameter: Parameter) -> Iterator[Completion]:

@@ -4,8 +4,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from learnblock.blocks import BlockConfiguration, Parameter
-from learnblock.language.library import BUILTINS, FUNCTIONS
-from learnblock.language.names import attribute_to_python
+from learnblock.language.blocktext.names import attribute_to_python
+from learnblock.language.tree.builtins import BUILTINS, FUNCTIONS
 from learnblock.server.help.arguments import value_options
 from learnblock.server.help.cursor import Cursor, OpenCall
 from learnblock.server.help.vocabulary import Vocabulary

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from learnblock.blocks import BlockConfiguration
-from learnblock.language.names import attribute_from_python
+from learnblock.language.blocktext.names import attribute_from_python
 from learnblock.server.help.cursor import Cursor
 from learnblock.server.help.vocabulary import Vocabulary
 from learnblock.server.help.words import Words, library_parameters, signature

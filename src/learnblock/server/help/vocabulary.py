@@ -4,11 +4,12 @@ import re
 from dataclasses import dataclass
 from functools import cached_property
 
-from learnblock.language import names, recover
-from learnblock.language.library import FUNCTIONS
-from learnblock.language.names import state_of
-from learnblock.language.nodes import Def, When
-from learnblock.language.symbols import Symbols
+from learnblock.language import recover
+from learnblock.language.blocktext import names
+from learnblock.language.blocktext.names import state_of
+from learnblock.language.edit.symbols import Symbols
+from learnblock.language.tree.builtins import FUNCTIONS
+from learnblock.language.tree.nodes import Def, When
 from learnblock.server.messages import Notation
 from learnblock.server.program.document import Document
 
@@ -89,7 +90,7 @@ class Vocabulary:
         return f"{owner.name}.{name}" if ambiguous else name
 
     def state(self, word: str) -> tuple[str, str] | None:
-        """The ``when`` and what ``state_X`` or ``time_X`` asks of it, in Block-Text."""
+        """The ``when`` and what ``state_X`` or ``time_X`` asks about it, in Block-Text."""
         if self.notation == "python":
             return None
         return state_of(word, self.symbols.whens.keys())

@@ -9,7 +9,7 @@ from typing import Any
 import msgspec
 
 from learnblock.blocks import BlockConfiguration, Parameter
-from learnblock.language.library import BUILTINS, TEMPLATES
+from learnblock.language.tree.builtins import BUILTINS, TEMPLATES
 
 _FOLDER = Path(__file__).parent
 _FALLBACK = "en"

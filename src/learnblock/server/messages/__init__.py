@@ -1,8 +1,8 @@
 """The whole conversation between the server and a page.
 
-A page speaks first: `Open` or `New`; everything else is about the project it has opened. Each
-message is a JSON object whose `kind` names it; camera frames alone are binary (`CameraFrame` says
-how). ``python -m learnblock.server.typescript`` writes the page's types from this module.
+A page first sends `Open` or `New`; all other messages are about the project that it has opened.
+Each message is a JSON object with a `kind`; only camera frames are binary (see `CameraFrame`).
+``python -m learnblock.server.typescript`` writes the page's types from this module.
 """
 
 from learnblock.server.messages.base import (
@@ -29,6 +29,25 @@ from learnblock.server.messages.block_sets import (
     ReadBlockSet,
     SaveBlockSet,
 )
+from learnblock.server.messages.custom_blocks import (
+    MOST_ARGUMENTS,
+    CheckCustomBlock,
+    CustomBlock,
+    CustomBlockChecked,
+    CustomBlockPreview,
+    CustomBlockProblem,
+    CustomBlocks,
+    CustomBlockSaved,
+    DeleteCustomBlock,
+    DuplicateCustomBlock,
+    ExportCustomBlock,
+    ImportCustomBlock,
+    ListCustomBlocks,
+    PaletteChanged,
+    RestoreCustomBlock,
+    SaveCustomBlock,
+    TryCustomBlock,
+)
 from learnblock.server.messages.libraries import (
     MOST_LIBRARIES,
     MOST_SKILLS,
@@ -50,25 +69,6 @@ from learnblock.server.messages.libraries import (
     RemoveLibrary,
     SkillClash,
     UseLibrary,
-)
-from learnblock.server.messages.own_blocks import (
-    MOST_ARGUMENTS,
-    CheckOwnBlock,
-    DeleteOwnBlock,
-    DuplicateOwnBlock,
-    ExportOwnBlock,
-    ImportOwnBlock,
-    ListOwnBlocks,
-    OwnBlock,
-    OwnBlockChecked,
-    OwnBlockPreview,
-    OwnBlockProblem,
-    OwnBlocks,
-    OwnBlockSaved,
-    PaletteChanged,
-    RestoreOwnBlock,
-    SaveOwnBlock,
-    TryOwnBlock,
 )
 from learnblock.server.messages.program import (
     MOST_BREAKPOINTS,
@@ -135,9 +135,12 @@ from learnblock.server.messages.running import (
     ResetWorld,
     Resume,
     Robot,
+    RobotLink,
     Run,
+    RunningLine,
     RunState,
     Seen,
+    Sensor,
     SetSpeed,
     Sound,
     Step,
@@ -202,15 +205,15 @@ FromPage = (
     | ReadWorld
     | CheckWorld
     | SaveWorld
-    | ListOwnBlocks
-    | CheckOwnBlock
-    | SaveOwnBlock
-    | TryOwnBlock
-    | DuplicateOwnBlock
-    | DeleteOwnBlock
-    | RestoreOwnBlock
-    | ExportOwnBlock
-    | ImportOwnBlock
+    | ListCustomBlocks
+    | CheckCustomBlock
+    | SaveCustomBlock
+    | TryCustomBlock
+    | DuplicateCustomBlock
+    | DeleteCustomBlock
+    | RestoreCustomBlock
+    | ExportCustomBlock
+    | ImportCustomBlock
     | ListBlockSets
     | ChooseBlockSet
     | ReadBlockSet
@@ -252,15 +255,17 @@ ToPage = (
     | Printed
     | Ended
     | Variables
+    | RunningLine
     | Telemetry
+    | RobotLink
     | Sound
     | CameraFrame
     | Scene
     | WorldToEdit
     | WorldChecked
-    | OwnBlocks
-    | OwnBlockChecked
-    | OwnBlockSaved
+    | CustomBlocks
+    | CustomBlockChecked
+    | CustomBlockSaved
     | PaletteChanged
     | BlockSets
     | BlocksShown
@@ -292,7 +297,7 @@ __all__ = [
     "BlocksShown",
     "CameraFrame",
     "ChangeSettings",
-    "CheckOwnBlock",
+    "CheckCustomBlock",
     "CheckWorld",
     "ChooseBlockSet",
     "ChooseRobot",
@@ -301,22 +306,28 @@ __all__ = [
     "Completion",
     "Completions",
     "Coordinate",
+    "CustomBlock",
+    "CustomBlockChecked",
+    "CustomBlockPreview",
+    "CustomBlockProblem",
+    "CustomBlockSaved",
+    "CustomBlocks",
     "Delete",
     "DeleteBlockSet",
-    "DeleteOwnBlock",
+    "DeleteCustomBlock",
     "Describe",
     "Description",
     "Document",
     "DownloadLibrary",
     "Drive",
-    "DuplicateOwnBlock",
+    "DuplicateCustomBlock",
     "EditBlocks",
     "EditText",
     "Ended",
     "ExampleChoice",
     "Export",
     "ExportBlockSet",
-    "ExportOwnBlock",
+    "ExportCustomBlock",
     "ExportTags",
     "Exportable",
     "ExportableBlocks",
@@ -329,8 +340,8 @@ __all__ = [
     "History",
     "Id",
     "Import",
+    "ImportCustomBlock",
     "ImportLibraries",
-    "ImportOwnBlock",
     "InputWanted",
     "InstalledLibrary",
     "Libraries",
@@ -339,10 +350,10 @@ __all__ = [
     "LibraryMade",
     "LibraryRead",
     "ListBlockSets",
+    "ListCustomBlocks",
     "ListExportable",
     "ListHistory",
     "ListLibraries",
-    "ListOwnBlocks",
     "ListProjects",
     "MakeLibrary",
     "MakeRobot",
@@ -352,12 +363,6 @@ __all__ = [
     "Notation",
     "Open",
     "Opened",
-    "OwnBlock",
-    "OwnBlockChecked",
-    "OwnBlockPreview",
-    "OwnBlockProblem",
-    "OwnBlockSaved",
-    "OwnBlocks",
     "PaletteChanged",
     "PastRun",
     "Pause",
@@ -377,24 +382,27 @@ __all__ = [
     "Rename",
     "ResetWorld",
     "Restore",
-    "RestoreOwnBlock",
+    "RestoreCustomBlock",
     "Resume",
     "Robot",
     "RobotBegun",
     "RobotChoice",
+    "RobotLink",
     "RobotMade",
     "RobotProblem",
     "Robots",
     "Run",
     "RunState",
+    "RunningLine",
     "SaveAs",
     "SaveBlockSet",
-    "SaveOwnBlock",
+    "SaveCustomBlock",
     "SaveTags",
     "SaveWorld",
     "Saved",
     "Scene",
     "Seen",
+    "Sensor",
     "SetBreakpoints",
     "SetSpeed",
     "Setting",
@@ -411,7 +419,7 @@ __all__ = [
     "Telemetry",
     "Text",
     "ToPage",
-    "TryOwnBlock",
+    "TryCustomBlock",
     "Undo",
     "UseLibrary",
     "Variables",

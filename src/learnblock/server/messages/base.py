@@ -1,12 +1,12 @@
-"""What all messages are made of."""
+"""Types that all messages share."""
 
 from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
-#: Longer texts are no program that a person wrote.
+#: Characters; nobody writes a longer program by hand.
 LONGEST_TEXT = 1_000_000
-#: Sets of blocks that a project takes along.
+#: Block sets that are saved in one project.
 MOST_CARRIED = 8
 
 Notation = Literal["blocktext", "python"]
@@ -14,9 +14,9 @@ View = Literal["blocks", "blocktext", "python"]
 StateName = Literal["idle", "starting", "running", "paused", "held", "input", "ended"]
 Text = Annotated[str, Meta(max_length=LONGEST_TEXT)]
 Name = Annotated[str, Meta(min_length=1, max_length=100)]
-#: A name, or nothing.
+#: A name, or an empty text.
 ShortText = Annotated[str, Meta(max_length=100)]
-#: Of a block.
+#: The id of a block.
 Id = Annotated[str, Meta(min_length=1, max_length=100)]
 Coordinate = Annotated[float, Meta(ge=-5000, le=5000)]
 

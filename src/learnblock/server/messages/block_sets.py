@@ -1,9 +1,10 @@
-"""What is said of which blocks are shown."""
+"""Messages about the blocks that the palette shows."""
 
 from learnblock.blocks.block_sets import BlockSet
+from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, Name, Text
 
-# The page speaks.
+# From the page.
 
 
 class ListBlockSets(Message, frozen=True):
@@ -11,7 +12,7 @@ class ListBlockSets(Message, frozen=True):
 
 
 class ChooseBlockSet(Message, frozen=True):
-    """Show the blocks of a set in this project, which takes the set along: `BlocksShown`."""
+    """Show the blocks of a set, and save the set in the project: `BlocksShown`."""
 
     set: BlockSet
 
@@ -27,8 +28,8 @@ class SaveBlockSet(Message, frozen=True):
     """Save a set in the user's folder.
 
     Args:
-        set: under its name.
-        replace: the user's own set of that name, if there is one; otherwise that is refused.
+        set: saved under its name.
+        replace: whether to replace the user's set of that name; otherwise `Failed`.
     """
 
     set: BlockSet
@@ -36,7 +37,7 @@ class SaveBlockSet(Message, frozen=True):
 
 
 class DeleteBlockSet(Message, frozen=True):
-    """Delete a set from the user's folder; projects that took it along keep it."""
+    """Delete a set from the user's folder; projects that contain it keep it."""
 
     name: Name
 
@@ -47,31 +48,31 @@ class ExportBlockSet(Message, frozen=True):
     set: BlockSet
 
 
-# The server speaks.
+# To the page.
 
 
 class BlockSets(Message, frozen=True):
-    """Every set one can choose.
+    """The block sets to choose from.
 
     Args:
-        ours: from the first lesson to everything.
-        own: the user's.
-        problems: of files in the user's folder that are no sets.
+        ours: the sets that LearnBlock brings, from the first steps to all blocks.
+        own: the user's sets.
+        problems: the mistakes in files of the user's folder.
     """
 
     ours: tuple[BlockSet, ...]
     own: tuple[BlockSet, ...]
-    problems: tuple[str, ...] = ()
+    problems: tuple[Phrase, ...] = ()
 
 
 class BlocksShown(Message, frozen=True):
-    """Which blocks the project's palette shows, and the sets that the project takes along."""
+    """The block set that the palette shows, and the sets saved in the project."""
 
     set: BlockSet
     carried: tuple[BlockSet, ...] = ()
 
 
 class BlockSetRead(Message, frozen=True):
-    """The set in a file, which is not saved yet."""
+    """The block set in a file, which is not saved yet."""
 
     set: BlockSet

@@ -1,9 +1,10 @@
-"""What is said of libraries."""
+"""Messages about libraries."""
 
 from typing import Annotated
 
 from msgspec import Meta, Struct, field
 
+from learnblock.i18n import Phrase
 from learnblock.server.messages.base import (
     LONGEST_TEXT,
     Message,
@@ -11,21 +12,21 @@ from learnblock.server.messages.base import (
     ShortText,
 )
 
-#: That are imported at once.
+#: In one import.
 MOST_LIBRARIES = 20
-#: Of a library, or that are made one.
+#: Of one library.
 MOST_SKILLS = 200
 
-# The page speaks.
+# From the page.
 
 
 class LibraryFile(Struct, frozen=True, omit_defaults=True):
     """A library in one file.
 
     Args:
-        filename: as the user calls it.
+        filename: the user's name for it.
         content: its bytes, in base 64.
-        renames: other names for skills of it.
+        renames: new names for its skills.
     """
 
     filename: Name
@@ -38,11 +39,11 @@ class ListLibraries(Message, frozen=True):
 
 
 class ListExportable(Message, frozen=True):
-    """Ask what a library could be made of: `Exportable`."""
+    """Ask for the functions and blocks that a library can contain: `Exportable`."""
 
 
 class ReadLibraries(Message, frozen=True):
-    """Ask what is in files, and what keeps them from being imported: `LibrariesRead`."""
+    """Ask for the libraries in files, and for their problems: `LibrariesRead`."""
 
     files: Annotated[tuple[LibraryFile, ...], Meta(max_length=MOST_LIBRARIES)]
 
@@ -55,7 +56,7 @@ class ImportLibraries(Message, frozen=True):
 
 
 class RemoveLibrary(Message, frozen=True):
-    """Take an installed library away: all pages hear `Libraries`."""
+    """Remove an installed library: `Libraries`, to every page."""
 
     name: Name
 
@@ -67,14 +68,14 @@ class DownloadLibrary(Message, frozen=True):
 
 
 class MakeLibrary(Message, frozen=True):
-    """Ask for a library of functions of the program and blocks of one's own: `LibraryMade`.
+    """Ask for a library of functions of the program and custom blocks: `LibraryMade`.
 
     Args:
-        name: by which programs import it.
+        name: its name in programs.
         version: one to three numbers.
-        title: the tab of the palette by language code.
-        functions: those that they call come along.
-        own: files of blocks of one's own.
+        title: of its tab in the palette, by language code.
+        functions: of the program; the functions that they call are added.
+        own: files of custom blocks.
     """
 
     name: Name
@@ -90,19 +91,19 @@ class UseLibrary(Message, frozen=True):
     name: Name
 
 
-# The server speaks.
+# To the page.
 
 
 class InstalledLibrary(Struct, frozen=True, omit_defaults=True):
     """A library that is installed.
 
     Args:
-        name: by which programs import it.
-        version: of one to three numbers; empty where it cannot be read.
+        name: its name in programs.
+        version: of one to three numbers; empty if it can't be read.
         title: by language code.
         description: what it is for.
         skills: the names of its skills.
-        problem: why it cannot be used.
+        problem: why it can't be used.
     """
 
     name: str
@@ -110,20 +111,25 @@ class InstalledLibrary(Struct, frozen=True, omit_defaults=True):
     title: dict[str, str] = {}
     description: str = ""
     skills: tuple[str, ...] = ()
-    problem: str = ""
+    problem: Phrase | None = None
 
 
 class Libraries(Message, frozen=True):
-    """The libraries that are installed; all pages hear it whenever one has changed."""
+    """The installed libraries; sent to every page after each change."""
 
     libraries: tuple[InstalledLibrary, ...]
 
 
 class SkillClash(Struct, frozen=True):
-    """A skill of a library whose name somebody has; `place` says who."""
+    """A skill of a library whose name is taken.
+
+    Args:
+        skill: its name.
+        place: what has this name already, such as ``the library songs``.
+    """
 
     skill: str
-    place: str
+    place: Phrase
 
 
 class LibraryRead(Struct, frozen=True, omit_defaults=True):
@@ -131,11 +137,11 @@ class LibraryRead(Struct, frozen=True, omit_defaults=True):
 
     Args:
         filename: as it was sent.
-        library: what it would be; None where it is none.
+        library: the library; None if it can't be read.
         installed: the version that is installed; empty for none.
-        is_newer: than that one.
-        clashes: names that somebody has already.
-        problem: why it cannot be imported at all, or a new name cannot be given.
+        is_newer: whether it is newer than that.
+        clashes: skills whose names are taken.
+        problem: why it can't be imported, or a new name can't be used.
     """
 
     filename: str
@@ -143,11 +149,11 @@ class LibraryRead(Struct, frozen=True, omit_defaults=True):
     installed: str = ""
     is_newer: bool = True
     clashes: tuple[SkillClash, ...] = ()
-    problem: str = ""
+    problem: Phrase | None = None
 
 
 class LibrariesRead(Message, frozen=True):
-    """What is in files, in the order in which they were sent; nothing of them was run."""
+    """The contents of files in the order of the request; nothing in them was run."""
 
     files: tuple[LibraryRead, ...]
 
@@ -159,24 +165,24 @@ class ExportableFunction(Struct, frozen=True, omit_defaults=True):
         name: of the function.
         parameters: their names.
         takes_along: the functions that it calls.
-        problem: why it cannot be part of a library.
+        problem: why it can't be part of a library.
     """
 
     name: str
     parameters: tuple[str, ...]
     takes_along: tuple[str, ...] = ()
-    problem: str = ""
+    problem: Phrase | None = None
 
 
 class ExportableBlocks(Struct, frozen=True):
-    """A file of blocks of the user's own, and the names of these."""
+    """A file of custom blocks, and their names."""
 
     name: str
     blocks: tuple[str, ...]
 
 
 class Exportable(Message, frozen=True):
-    """What a library could be made of."""
+    """The functions and custom blocks that a library can contain."""
 
     functions: tuple[ExportableFunction, ...]
     own: tuple[ExportableBlocks, ...]

@@ -1,10 +1,11 @@
-"""What is said of the program: edits, its three views, completion and help."""
+"""Messages about the program: edits, its three views, completion and help."""
 
 from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
-from learnblock.language.workspace import Workspace
+from learnblock.i18n import Phrase
+from learnblock.language.workspace.blocks import Workspace
 from learnblock.server.messages.base import (
     Id,
     Message,
@@ -16,14 +17,14 @@ from learnblock.server.messages.base import (
 
 MOST_BREAKPOINTS = 1000
 
-# The page speaks.
+# From the page.
 
 
 class EditBlocks(Message, frozen=True):
-    """The workspace as it is now.
+    """Replace the workspace.
 
     Args:
-        edit: counts the page's edits; the `Document` that answers has the same number.
+        edit: the number of the page's edit; the resulting `Document` has the same number.
     """
 
     edit: int
@@ -31,7 +32,7 @@ class EditBlocks(Message, frozen=True):
 
 
 class EditText(Message, frozen=True):
-    """A text as it is now."""
+    """Replace a text."""
 
     edit: int
     notation: Notation
@@ -39,11 +40,11 @@ class EditText(Message, frozen=True):
 
 
 class Undo(Message, frozen=True):
-    """Take the last edit back, whichever view it was made in."""
+    """Undo the last edit in any view."""
 
 
 class Redo(Message, frozen=True):
-    """Make the last edit that was taken back again."""
+    """Redo the last undone edit."""
 
 
 class Format(Message, frozen=True):
@@ -51,7 +52,7 @@ class Format(Message, frozen=True):
 
 
 class Rename(Message, frozen=True):
-    """Rename a variable, a function or a `when` everywhere; answered by a `Document`."""
+    """Rename a variable, a function or a `when` everywhere: `Document`."""
 
     sort: Literal["variable", "function", "when"]
     name: Name
@@ -59,7 +60,7 @@ class Rename(Message, frozen=True):
 
 
 class Complete(Message, frozen=True):
-    """Ask for `Completions` at a place (both from 1) of a text as last sent."""
+    """Ask for `Completions` at a place of a text; line and column count from 1."""
 
     request: int
     notation: Notation
@@ -69,7 +70,7 @@ class Complete(Message, frozen=True):
 
 
 class Describe(Message, frozen=True):
-    """Ask for the `Description` of what stands at a place of a text, and where it is defined."""
+    """Ask for help on a place of a text, and for its definition: `Description`."""
 
     request: int
     notation: Notation
@@ -79,30 +80,30 @@ class Describe(Message, frozen=True):
 
 
 class SetBreakpoints(Message, frozen=True):
-    """Hold the program before these blocks."""
+    """Set breakpoints at these blocks."""
 
     blocks: Annotated[list[Id], Meta(max_length=MOST_BREAKPOINTS)]
 
 
-# The server speaks.
+# To the page.
 
 
 class Problem(Struct, frozen=True, omit_defaults=True):
     """An error or a warning.
 
     Args:
-        code: what kind of problem, for tests and help.
-        message: what is wrong and what to do.
+        code: the kind of problem, for scripts and help.
+        message: what happened and what to do.
         severity: an error keeps the program from running.
-        view: the text that `line` and `column` speak of; `blocks` where there is a block alone.
+        view: the text of `line` and `column`; `blocks` if only the block is known.
         line: from 1; 0 for all of it.
         column: from 1; 0 for the whole line.
-        end_column: behind the last character; 0 where it is not known.
+        end_column: after the last character; 0 if unknown.
         block: the block it belongs to, if any.
     """
 
     code: str
-    message: str
+    message: Phrase
     severity: Literal["error", "warning"]
     view: View
     line: int = 0
@@ -112,7 +113,7 @@ class Problem(Struct, frozen=True, omit_defaults=True):
 
 
 class Place(Struct, frozen=True, array_like=True):
-    """Where a statement stands in each view: block, and first and last lines from 1 (0 nowhere)."""
+    """The place of a statement in each view; lines count from 1, and 0 means nowhere."""
 
     block: str
     blocktext: int
@@ -122,17 +123,17 @@ class Place(Struct, frozen=True, array_like=True):
 
 
 class Document(Message, frozen=True):
-    """The program as it is now; a view that is None has not changed.
+    """The present program; a view that is None has not changed.
 
     Args:
-        edit: the page's last edit that is in it.
+        edit: the page's last edit that it contains.
         origin: the view that was edited last.
-        blocktext: the text, as its author wrote it if they wrote it.
-        python: likewise.
-        workspace: with ids and places kept.
+        blocktext: the text in Block-Text.
+        python: the text in Python.
+        workspace: the blocks; ids and places are preserved.
         places: every statement in all three views.
         problems: of all views.
-        stale: the views that show the last good program, since another one has errors.
+        stale: the views that show the last good program while another one has errors.
     """
 
     edit: int
@@ -148,11 +149,11 @@ class Document(Message, frozen=True):
 
 
 class Completion(Struct, frozen=True, omit_defaults=True):
-    """Something that could stand here.
+    """A suggestion for the text at the cursor.
 
     Args:
-        label: what is shown and filtered by.
-        insert: what is inserted.
+        label: the text to show and filter by.
+        insert: the text to insert.
         sort: skill, function, variable, when, keyword, robot, library.
         detail: its parameters.
         help: one sentence.
@@ -168,7 +169,7 @@ class Completion(Struct, frozen=True, omit_defaults=True):
 
 
 class Completions(Message, frozen=True):
-    """They replace the text from `from_column` (from 1) to the place that was asked for."""
+    """Suggestions for the text from `from_column` (from 1) to the requested place."""
 
     request: int
     from_column: int
@@ -176,18 +177,18 @@ class Completions(Message, frozen=True):
 
 
 class Description(Message, frozen=True):
-    """What stands at a place.
+    """Help on a place of a text.
 
     Args:
-        title: its name with its parameters; empty when there is nothing to say.
-        text: what it does.
-        needs: devices that it needs and the chosen robot lacks.
-        line: where it is defined in the same text, from 1; 0 for nowhere.
-        column: likewise.
-        from_column: where its name begins.
-        to_column: behind its end.
-        sort: of what can be renamed (variable, function, when), else empty.
-        name: as `Rename` wants it.
+        title: its name with its parameters; empty without help.
+        text: its help.
+        needs: required devices that the chosen robot lacks.
+        line: of its definition in the same text, from 1; 0 for none.
+        column: of its definition.
+        from_column: the start of its name.
+        to_column: after the end of its name.
+        sort: variable, function or when if it can be renamed, else empty.
+        name: for `Rename`.
     """
 
     request: int

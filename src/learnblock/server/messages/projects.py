@@ -1,27 +1,28 @@
-"""What is said of projects: what there is to choose from, their files, versions and runs."""
+"""Messages about projects: choices, files, versions and runs."""
 
 from typing import Literal
 
 from msgspec import Struct
 
+from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, Name, Text
 from learnblock.server.messages.worlds import WorldChoice
 
-# The page speaks.
+# From the page.
 
 
 class Open(Message, frozen=True):
-    """Open a project; the page then hears `Opened`."""
+    """Open a project: `Opened`."""
 
     name: Name
 
 
 class New(Message, frozen=True):
-    """Make a project and open it.
+    """Create a project and open it.
 
     Args:
-        name: made unique by a number behind it where there is one of that name.
-        example: begin with this example, or else with an empty program.
+        name: a number is added if it is taken.
+        example: the example to start with; None for an empty program.
     """
 
     name: Name = "program"
@@ -29,11 +30,11 @@ class New(Message, frozen=True):
 
 
 class Import(Message, frozen=True):
-    """Make a project from a file and open it.
+    """Import a file as a project and open it.
 
     Args:
         filename: ends in .bt, .py or .learnblock.
-        text: what stands in it.
+        text: of the file.
     """
 
     filename: Name
@@ -41,13 +42,13 @@ class Import(Message, frozen=True):
 
 
 class SaveAs(Message, frozen=True):
-    """Go on with a copy of the project under another name."""
+    """Continue with a copy of the project under another name."""
 
     name: Name
 
 
 class Delete(Message, frozen=True):
-    """Delete a project that is not open; it is kept in the folder's trash."""
+    """Move a project that is not open to the trash folder."""
 
     name: Name
 
@@ -67,16 +68,16 @@ class ListHistory(Message, frozen=True):
 
 
 class Restore(Message, frozen=True):
-    """Go back to a version; the present one becomes a version itself."""
+    """Restore a version; the present program is saved as a version too."""
 
     version: Name
 
 
-# The server speaks.
+# To the page.
 
 
 class RobotChoice(Struct, frozen=True):
-    """A robot one can choose; `simulated` ones live in a world."""
+    """A robot to choose; simulated robots are in a world."""
 
     name: str
     title: str
@@ -84,7 +85,7 @@ class RobotChoice(Struct, frozen=True):
 
 
 class ExampleChoice(Struct, frozen=True):
-    """An example to open, with the robot and world that suit it."""
+    """An example to open, with its robot and world."""
 
     name: str
     title: str
@@ -111,7 +112,7 @@ class ProjectEntry(Struct, frozen=True):
 
 
 class Projects(Message, frozen=True):
-    """Every project, the last changed first."""
+    """All projects, the last changed first."""
 
     projects: tuple[ProjectEntry, ...]
 
@@ -126,7 +127,7 @@ class Opened(Message, frozen=True):
 
 
 class Settings(Message, frozen=True):
-    """What is set for the next run, after anyone has changed it."""
+    """The settings of the next run, after a change by any page."""
 
     robot: str
     world: str
@@ -141,12 +142,12 @@ class File(Message, frozen=True):
 
 
 class Version(Struct, frozen=True):
-    """A version of the program that one can go back to.
+    """A version of the program to restore.
 
     Args:
         id: for `Restore`.
         time: seconds since 1970.
-        reason: why it was kept.
+        reason: why it was saved.
         lines: of its Block-Text.
     """
 
@@ -170,20 +171,25 @@ class PastRun(Struct, frozen=True):
 
 
 class History(Message, frozen=True):
-    """What was, the newest first."""
+    """The versions and runs of the project, the newest first."""
 
     versions: tuple[Version, ...]
     runs: tuple[PastRun, ...]
 
 
 class Saved(Message, frozen=True):
-    """The project is on disk as it was at `edit`."""
+    """The project is saved on disk, up to `edit`."""
 
     edit: int
 
 
 class Failed(Message, frozen=True):
-    """A message could not be obeyed; nothing has changed."""
+    """A request failed, and nothing has changed.
 
-    message: str
+    Args:
+        message: what happened and what to do.
+        request: the kind of the message that failed; empty where none did.
+    """
+
+    message: Phrase
     request: str = ""

@@ -1,24 +1,25 @@
-"""What is said of robots that people describe, to have them made."""
+"""Messages about new robots, which are generated from a description."""
 
 from typing import Annotated
 
 from msgspec import Meta, Struct
 
+from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, ShortText
 from learnblock.server.messages.projects import RobotChoice
 
-#: Characters; a description of every device there is takes a tenth of it.
+#: Characters; a description with every kind of device has a tenth of it.
 LONGEST_DESCRIPTION = 65_536
 
-# The page speaks.
+# From the page.
 
 
 class BeginRobot(Message, frozen=True):
-    """Ask for a description to begin with: `RobotBegun`."""
+    """Ask for a template of a description: `RobotBegun`."""
 
 
 class MakeRobot(Message, frozen=True):
-    """Make a robot from its description, with its twin and its test: `RobotMade`.
+    """Generate a robot, its twin and its test from a description: `RobotMade`.
 
     Args:
         name: its id.
@@ -29,29 +30,29 @@ class MakeRobot(Message, frozen=True):
     description: Annotated[str, Meta(max_length=LONGEST_DESCRIPTION)]
 
 
-# The server speaks.
+# To the page.
 
 
 class RobotBegun(Message, frozen=True):
-    """A description to begin with."""
+    """A template of a description."""
 
     description: str
 
 
 class RobotProblem(Struct, frozen=True, omit_defaults=True):
-    """Something wrong with a description; line 0 is none in particular."""
+    """A mistake in a description; line 0 stands for the whole text."""
 
-    message: str
+    message: Phrase
     line: int = 0
 
 
 class RobotMade(Message, frozen=True):
-    """A robot is made and can be chosen; or, where there are problems, it is not.
+    """A robot was generated and can be chosen, unless there are problems.
 
     Args:
-        name: its id; its twin is ``sim-`` and this.
-        files: what was written, by their paths.
-        problems: what is wrong with its description; then nothing was written.
+        name: its id; its twin has the prefix ``sim-``.
+        files: the paths of its files.
+        problems: the mistakes in its description; then no file was written.
     """
 
     name: str
@@ -60,6 +61,6 @@ class RobotMade(Message, frozen=True):
 
 
 class Robots(Message, frozen=True):
-    """The robots there are; told to every page when there is a new one."""
+    """All robots; sent to every page when there is a new one."""
 
     robots: tuple[RobotChoice, ...]

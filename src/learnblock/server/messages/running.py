@@ -1,12 +1,13 @@
-"""What is said while a program runs, and of the robot and its camera."""
+"""Messages about running programs, and about the robot and its camera."""
 
 from typing import Annotated, Any, Literal
 
 from msgspec import Meta, Struct, field
 
+from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Coordinate, Message, Name, StateName
 
-# The page speaks.
+# From the page.
 
 
 class ChooseRobot(Message, frozen=True):
@@ -21,7 +22,7 @@ class Run(Message, frozen=True):
     """Run the program from the beginning.
 
     Args:
-        paused: hold it before its first line.
+        paused: pause before its first line.
     """
 
     paused: bool = False
@@ -32,11 +33,11 @@ class Stop(Message, frozen=True):
 
 
 class Pause(Message, frozen=True):
-    """Hold program and world where they are."""
+    """Pause program and world."""
 
 
 class Resume(Message, frozen=True):
-    """Go on after a pause or a breakpoint."""
+    """Resume after a pause or a breakpoint."""
 
 
 class Step(Message, frozen=True):
@@ -46,23 +47,23 @@ class Step(Message, frozen=True):
 
 
 class SetSpeed(Message, frozen=True):
-    """How fast simulated time runs: times real time; None is as fast as it goes."""
+    """Set the speed of simulated time, times real time; None is the fastest."""
 
     factor: Annotated[float, Meta(ge=0.01, le=100)] | None
 
 
 class Answer(Message, frozen=True):
-    """The line that the program asked for by `InputWanted`."""
+    """Answer `InputWanted` with a line."""
 
     text: Annotated[str, Meta(max_length=10_000)]
 
 
 class ResetWorld(Message, frozen=True):
-    """Put everything back to where it was at first; only while no program runs."""
+    """Put everything back to its first place; only while no program runs."""
 
 
 class PlaceRobot(Message, frozen=True):
-    """Set the robot down elsewhere; the next run starts there. Only while the world stands still.
+    """Place the robot elsewhere; the next run starts there. Only while nothing moves.
 
     Args:
         x: mm east.
@@ -76,11 +77,11 @@ class PlaceRobot(Message, frozen=True):
 
 
 class Drive(Message, frozen=True):
-    """Drive by hand while no program runs; told again at least twice a second, else it stops.
+    """Drive by hand while no program runs; the robot stops half a second after the last message.
 
     Args:
-        advance: of the robot's fastest, -1 to 1, forward positive.
-        rotation: of the robot's fastest, -1 to 1, clockwise positive.
+        advance: of the robot's top speed, -1 to 1, forward positive.
+        rotation: of the robot's top speed, -1 to 1, clockwise positive.
     """
 
     advance: Annotated[float, Meta(ge=-1, le=1)]
@@ -88,21 +89,22 @@ class Drive(Message, frozen=True):
 
 
 class WatchCamera(Message, frozen=True):
-    """Send camera frames from now on, or no more."""
+    """Begin or stop sending camera frames."""
 
     on: bool
 
 
-# The server speaks.
+# From the server.
 
 
 class RunState(Message, frozen=True):
-    """What the program does.
+    """The state of the program.
 
     Args:
-        state: ``idle`` before the first run, ``ended`` after one; ``paused`` holds the world,
-            ``held`` holds the program before a line; ``input`` waits for `Answer`.
+        state: ``idle`` before the first run, ``ended`` after one; ``paused`` with its world,
+            ``held`` before a line; ``input`` while it waits for `Answer`.
         block: the block before which it is held.
+        speed: of simulated time, times real time; None is the fastest.
     """
 
     state: StateName
@@ -117,7 +119,7 @@ class InputWanted(Message, frozen=True):
 
 
 class Printed(Message, frozen=True):
-    """What the program printed, at most some thousand characters at once."""
+    """Output of the program, at most some thousand characters at once."""
 
     text: str
 
@@ -136,16 +138,16 @@ class Ended(Message, frozen=True):
 
     Args:
         ended: one word, such as ``finished``, ``stopped`` or ``error``.
-        message: a sentence when it did not end well.
+        message: the reason, when it did not end well.
         block: where it went wrong.
         no_effect: skills that had none, each with the device that is missing.
-        own_block: the file's name of the own block in which it went wrong, if in one.
-        own_line: the line of its source, from 1; 0 where it is not known.
-        tried: it was `TryOwnBlock` and no program.
+        custom_block: the file's name of the own block in which it went wrong, if in one.
+        custom_line: the line of its source, from 1; 0 where it is not known.
+        tried: it was `TryCustomBlock` and no program.
     """
 
     ended: str
-    message: str = ""
+    message: Phrase | None = None
     block: str | None = None
     time: float = 0.0
     distance: float | None = None
@@ -153,8 +155,8 @@ class Ended(Message, frozen=True):
     emotions: tuple[str, ...] = ()
     no_effect: tuple[tuple[str, str], ...] = ()
     trace_sha256: str = ""
-    own_block: str = ""
-    own_line: int = 0
+    custom_block: str = ""
+    custom_line: int = 0
     tried: bool = False
 
 
@@ -174,57 +176,109 @@ class Variables(Message, frozen=True):
     whens: tuple[WhenNow, ...] = ()
 
 
+class RunningLine(Message, frozen=True):
+    """The place in the program that runs now; sent when it changes, some times a second.
+
+    Args:
+        line: of the program's Python, from 1; 0 before the first.
+        block: the block of that line, if it is in one.
+    """
+
+    line: int
+    block: str | None = None
+
+
 class Robot(Struct, frozen=True, omit_defaults=True):
-    """A robot as it is now.
+    """The present state of a robot.
 
     Args:
         name: in its world.
         x: mm east.
         y: mm north.
         heading: degrees clockwise, 0 looks east.
+        located: whether x, y and heading are known; otherwise it is drawn there.
         joints: degrees, by key.
         leds: red, green, blue, by key.
-        emotion: what it shows; ``none`` is nothing.
+        emotion: the one it shows; ``none`` without one.
+        speed: mm/s forward and degrees/s clockwise, where known.
     """
 
     name: str
     x: float
     y: float
     heading: float
+    located: bool = True
     joints: dict[str, float] = field(default_factory=dict)
     leds: dict[str, tuple[int, int, int]] = field(default_factory=dict)
     emotion: str = "none"
+    speed: tuple[float, float] | None = None
+
+
+class Sensor(Struct, frozen=True, omit_defaults=True):
+    """A sensor's reading; ``device``, ``key``, ``place`` and ``number`` identify the sensor.
+
+    Args:
+        device: its type, such as ``DistanceSensors``.
+        key: the device's key.
+        value: None where nothing is measured.
+        place: a side, an axis or a button; empty where the device has only one reading.
+        number: among those of one place, from 1; 0 where there is only one.
+        unit: of the value; empty without one.
+        lowest: the smallest value that is usual.
+        highest: the largest.
+    """
+
+    device: str
+    key: str
+    value: float | bool | None
+    place: str = ""
+    number: int = 0
+    unit: str = ""
+    lowest: float = 0.0
+    highest: float = 1.0
 
 
 class Telemetry(Message, frozen=True):
-    """The world as it is now, about twenty times a second while something moves.
+    """The present state of the world, about twenty times a second while something changes.
 
     Args:
-        time: seconds of the world.
+        time: seconds of the robot's time.
         robots: ours is the first.
-        pushed: x, y, heading of what can be pushed, in the order of the world's description:
-            boxes with a mass first, then cylinders.
-        sensors: readings by sensor, such as ``Distance front 1`` in its unit; None where nothing is
-            measured.
-        block: the block that runs.
-        goals: as they stand.
+        pushed: x, y, heading of movable objects, in the order of the world's description: boxes
+            with a mass first, then cylinders.
+        sensors: the readings of our robot.
+        goals: the world's goals.
     """
 
     time: float
     robots: tuple[Robot, ...]
     pushed: tuple[tuple[float, float, float], ...] = ()
-    sensors: dict[str, float | bool | None] = field(default_factory=dict)
-    block: str | None = None
+    sensors: tuple[Sensor, ...] = ()
     goals: tuple[GoalNow, ...] = ()
 
 
+class RobotLink(Message, frozen=True):
+    """The link to the robot; sent when it changes.
+
+    Args:
+        state: ``simulated`` robots need none; ``disconnected`` while no program uses a real one;
+            ``lost`` where it broke during the last run.
+        battery: the battery's voltage, V, where the robot reports it.
+        quality: the share of the robot's messages that arrive, 0 to 1, where it is known.
+    """
+
+    state: Literal["simulated", "disconnected", "connected", "weak", "lost"]
+    battery: float | None = None
+    quality: float | None = None
+
+
 class Sound(Message, frozen=True):
-    """The robot would be heard.
+    """A sound or another output of a simulated robot.
 
     Args:
         device: such as ``Speaker``.
         action: such as ``say``.
-        values: as the robot was told.
+        values: of the command.
     """
 
     device: str
@@ -233,7 +287,7 @@ class Sound(Message, frozen=True):
 
 
 class Seen(Struct, frozen=True, omit_defaults=True):
-    """Something that perception found in a camera frame.
+    """A finding of perception in a camera frame.
 
     Args:
         sort: tag, face or line.
@@ -247,7 +301,7 @@ class Seen(Struct, frozen=True, omit_defaults=True):
 
 
 class CameraFrame(Message, frozen=True):
-    """What the next binary message is: a JPEG of the camera, and what was found in it."""
+    """The size and the findings of the camera frame (JPEG) in the next binary message."""
 
     width: int
     height: int

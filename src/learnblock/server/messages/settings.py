@@ -1,31 +1,32 @@
-"""What is said of settings of this machine: of robots, and of perception."""
+"""Messages about the settings of robots and of camera recognition."""
 
 from typing import Annotated, Any, Literal
 
 from msgspec import Meta, Struct, field
 
+from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, ShortText
 
-# The page speaks.
+# From the page.
 
 
 class ReadSettings(Message, frozen=True):
-    """Ask for what is set of a real robot, or of perception: `SettingsTable`.
+    """Ask for the settings of a real robot or of camera recognition: `SettingsTable`.
 
     Args:
-        robot: its name; empty for perception.
+        robot: its name; empty for camera recognition.
     """
 
     robot: ShortText = ""
 
 
 class ChangeSettings(Message, frozen=True):
-    """Change settings, all of them or none; `SettingsTable` says what is wrong.
+    """Change settings, all of them or none: `SettingsTable`.
 
     Args:
-        robot: its name; empty for perception.
-        values: by name; None puts a default back.
-        agreed: the user has read why feelings are not looked for on real cameras.
+        robot: its name; empty for camera recognition.
+        values: by name; None restores a default.
+        agreed: whether the user has accepted the text about emotions on real cameras.
     """
 
     robot: ShortText
@@ -33,7 +34,7 @@ class ChangeSettings(Message, frozen=True):
     agreed: bool = False
 
 
-# The server speaks.
+# To the page.
 
 
 class Setting(Struct, frozen=True, omit_defaults=True):
@@ -42,22 +43,22 @@ class Setting(Struct, frozen=True, omit_defaults=True):
     Args:
         name: of the setting.
         sort: a ``list`` is of texts.
-        value: as it is now.
-        default: as it is where nobody has chosen.
-        allowed: what it may be, in words.
-        description: what it is, in words; empty where the name says it.
+        value: the current value.
+        default: the value without a choice by the user.
+        allowed: its possible values.
+        description: what it is for; None where the name says it.
         least: of a number.
         most: of a number.
-        choices: what it may be, where that is one of a few; of a number, the word for none.
-        secret: not to be read over anybody's shoulder.
+        choices: the values to choose from, where there are a few; of a number, the word for none.
+        secret: whether the page hides it.
     """
 
     name: str
     sort: Literal["text", "number", "whole", "choice", "boolean", "list"]
     value: Any
     default: Any
-    allowed: str
-    description: str = ""
+    allowed: Phrase
+    description: Phrase | None = None
     least: float | None = None
     most: float | None = None
     choices: tuple[str, ...] = ()
@@ -65,16 +66,16 @@ class Setting(Struct, frozen=True, omit_defaults=True):
 
 
 class SettingsTable(Message, frozen=True):
-    """What is set of a real robot, or of perception.
+    """The settings of a real robot or of camera recognition.
 
     Args:
-        robot: its name; empty for perception.
+        robot: its name; empty for camera recognition.
         settings: in their order; none for a robot that has none.
-        wrong: why nothing was changed: a sentence for each setting that cannot be so.
-        problem: why the user's file cannot be read.
+        wrong: why nothing was changed, by the name of each wrong setting.
+        problem: why the user's file can't be read.
     """
 
     robot: str
     settings: tuple[Setting, ...] = ()
-    wrong: dict[str, str] = field(default_factory=dict)
-    problem: str = ""
+    wrong: dict[str, Phrase] = field(default_factory=dict)
+    problem: Phrase | None = None

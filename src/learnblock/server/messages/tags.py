@@ -1,19 +1,20 @@
-"""What is said of the names of tags."""
+"""Messages about the names of tags."""
 
 from typing import Annotated, Literal
 
 from msgspec import Meta
 
+from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, Name, ShortText, Text
 
-#: Names of tags; there are 587 tags, and each may have several.
+#: Names of tags; there are 587 tags, and a tag may have several names.
 MOST_TAGS = 2000
 
-# The page speaks.
+# From the page.
 
 
 class SaveTags(Message, frozen=True):
-    """Save the dictionary of tags; all pages then hear `Tags`."""
+    """Save the names of tags: `Tags`, to every page."""
 
     names: Annotated[dict[ShortText, int], Meta(max_length=MOST_TAGS)]
 
@@ -26,23 +27,23 @@ class ReadTags(Message, frozen=True):
 
 
 class ExportTags(Message, frozen=True):
-    """Ask for the dictionary of tags as a file, or its tags on paper: `File`."""
+    """Ask for the names of tags as a file, or for a sheet to print: `File`."""
 
     format: Literal["toml", "csv", "html"] = "toml"
 
 
-# The server speaks.
+# To the page.
 
 
 class Tags(Message, frozen=True):
-    """The dictionary of tags: the number of each name; a page hears it first with its project.
+    """The number of each name of a tag; sent when a page opens a project, and after changes.
 
     Args:
-        problem: why the user's file cannot be read; then there are no names.
+        problem: why the user's file can't be read; then there are no names.
     """
 
     names: dict[str, int]
-    problem: str = ""
+    problem: Phrase | None = None
 
 
 class TagsRead(Message, frozen=True):

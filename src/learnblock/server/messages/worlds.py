@@ -1,12 +1,13 @@
-"""What is said of worlds: how one looks, and how it is edited."""
+"""Messages about worlds: their look, and how they are edited."""
 
 from typing import Any
 
 from msgspec import Struct
 
+from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, Name
 
-# The page speaks.
+# From the page.
 
 
 class ReadWorld(Message, frozen=True):
@@ -16,18 +17,18 @@ class ReadWorld(Message, frozen=True):
 
 
 class CheckWorld(Message, frozen=True):
-    """Ask what is wrong with a world, and how it looks: `WorldChecked`."""
+    """Check a world and preview its lines: `WorldChecked`."""
 
     world: dict[str, Any]
 
 
 class SaveWorld(Message, frozen=True):
-    """Save a world in the user's folder and choose it; `WorldChecked` when it is wrong.
+    """Save a world in the user's folder and choose it; `WorldChecked` if it has mistakes.
 
     Args:
-        name: to be, and of the file.
+        name: of the world and its file.
         world: its values.
-        replace: the user's own world of that name, if there is one; otherwise that is refused.
+        replace: whether to replace the user's world of that name; otherwise `Failed`.
     """
 
     name: Name
@@ -35,11 +36,11 @@ class SaveWorld(Message, frozen=True):
     replace: bool = False
 
 
-# The server speaks.
+# To the page.
 
 
 class WorldChoice(Struct, frozen=True):
-    """A world one can choose; `own` ones can be edited in place."""
+    """A world to choose; the user's `own` worlds can be edited in place."""
 
     name: str
     title: str
@@ -47,34 +48,38 @@ class WorldChoice(Struct, frozen=True):
 
 
 class Worlds(Message, frozen=True):
-    """The worlds there are now, after one was saved."""
+    """All worlds, after one was saved."""
 
     worlds: tuple[WorldChoice, ...]
 
 
 class Scene(Message, frozen=True):
-    """What stands in the world, for drawing it; `Telemetry` moves it.
+    """The unchanging parts of a world, for drawing it; `Telemetry` moves the others.
 
     Args:
-        name: the world's.
-        world: as its file says (`WorldFile`).
+        name: the world's name; empty for the plain floor under a real robot.
+        world: the contents of its file (`WorldFile`).
         lines: for each painted line the corners of its middle, mm.
-        robots: name and description of each (`RobotDescription`).
+        robots: name and description of each robot (`RobotDescription`), ours first.
+        cameras: the keys of our robot's cameras.
         start: x, y, heading where the next run begins.
+        real: whether our robot is a real one.
     """
 
     name: str
     world: dict[str, Any]
     lines: tuple[tuple[tuple[float, float], ...], ...]
     robots: tuple[tuple[str, dict[str, Any]], ...]
+    cameras: tuple[str, ...] = ()
     start: tuple[float, float, float] | None = None
+    real: bool = False
 
 
 class WorldToEdit(Message, frozen=True):
     """A world as its file says (`WorldFile`), and the corners of its lines, mm.
 
     Args:
-        save_as: its own name where it is the user's; else a free one, so that none is replaced.
+        save_as: its name if it is the user's, else a free one, so that none is replaced.
     """
 
     name: str
@@ -84,7 +89,7 @@ class WorldToEdit(Message, frozen=True):
 
 
 class WorldChecked(Message, frozen=True):
-    """What is wrong with a world; `lines` as in `Scene` when nothing is."""
+    """The mistakes in a world; without any, `lines` as in `Scene`."""
 
-    problems: tuple[str, ...]
+    problems: tuple[Phrase, ...]
     lines: tuple[tuple[tuple[float, float], ...], ...] = ()

@@ -1,1 +1,1 @@
-"""A page that is connected: what it says and is told, and a module for each sort of request."""
+"""A connected page, and the handlers of its messages: one module for each subject."""

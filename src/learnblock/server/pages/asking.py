@@ -1,4 +1,4 @@
-"""What is done when a page asks about the program."""
+"""Handlers of messages about completion and help."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -11,7 +11,7 @@ from learnblock.server.pages.page import Handler, Page
 
 
 async def _complete(page: Page, message: messages.Complete) -> None:
-    page.tell(
+    page.send(
         await to_thread.run_sync(
             partial(
                 services.complete,
@@ -27,7 +27,7 @@ async def _complete(page: Page, message: messages.Complete) -> None:
 
 
 async def _describe(page: Page, message: messages.Describe) -> None:
-    page.tell(
+    page.send(
         await to_thread.run_sync(
             partial(
                 services.describe,

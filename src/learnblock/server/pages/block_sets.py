@@ -1,4 +1,4 @@
-"""What is done when a page asks which blocks there are to show, and chooses some."""
+"""Handlers of messages about block sets."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -7,13 +7,13 @@ from pathlib import PurePath
 from anyio import to_thread
 
 from learnblock.blocks import block_sets
+from learnblock.i18n import Phrase
 from learnblock.server import messages
 from learnblock.server.pages.page import Handler, Page
-from learnblock.server.pages.sentences import sentence
 
 
 async def _list(page: Page, _: messages.ListBlockSets) -> None:
-    page.tell(await to_thread.run_sync(_all))
+    page.send(await to_thread.run_sync(_all))
 
 
 async def _choose(page: Page, message: messages.ChooseBlockSet) -> None:
@@ -22,28 +22,29 @@ async def _choose(page: Page, message: messages.ChooseBlockSet) -> None:
 
 async def _read(page: Page, message: messages.ReadBlockSet) -> None:
     name = PurePath(message.filename).stem
-    page.tell(messages.BlockSetRead(block_sets.parse(message.text, name)))
+    page.send(messages.BlockSetRead(block_sets.parse(message.text, name)))
 
 
 async def _save(page: Page, message: messages.SaveBlockSet) -> None:
     save = partial(block_sets.save_own, message.set, replace=message.replace)
     await to_thread.run_sync(save)
-    page.sessions.tell(await to_thread.run_sync(_all))
+    page.sessions.send(await to_thread.run_sync(_all))
 
 
 async def _delete(page: Page, message: messages.DeleteBlockSet) -> None:
     await to_thread.run_sync(block_sets.delete_own, message.name)
-    page.sessions.tell(await to_thread.run_sync(_all))
+    page.sessions.send(await to_thread.run_sync(_all))
 
 
 async def _export(page: Page, message: messages.ExportBlockSet) -> None:
-    page.tell(messages.File(f"{message.set.name}.toml", block_sets.write(message.set)))
+    page.send(messages.File(f"{message.set.name}.toml", block_sets.write(message.set)))
 
 
 def _all() -> messages.BlockSets:
     own, wrong = block_sets.own()
     problems = tuple(
-        f"the file {error.filename} is no set of blocks: {sentence(error)}" for error in wrong
+        Phrase("server-block-set-file", name=error.filename, problem=error.phrase)
+        for error in wrong
     )
     return messages.BlockSets(tuple(block_sets.built_in().values()), own, problems)
 

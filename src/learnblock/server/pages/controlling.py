@@ -1,4 +1,4 @@
-"""What is done when a page runs the program, or plays with the robot."""
+"""Handlers of messages about the robot and the run."""
 
 from collections.abc import Mapping
 
@@ -17,7 +17,7 @@ async def _choose_world(page: Page, message: messages.ChooseWorld) -> None:
 
 
 async def _run(page: Page, message: messages.Run) -> None:
-    if await to_thread.run_sync(page.sessions.own_files.have_changed):
+    if await to_thread.run_sync(page.sessions.block_files.have_changed):
         await page.sessions.renew_blocks(page.session)
     await page.session.run(paused=message.paused)
 
@@ -47,7 +47,7 @@ async def _answer(page: Page, message: messages.Answer) -> None:
 
 
 async def _reset_world(page: Page, _: messages.ResetWorld) -> None:
-    await page.session.player.reset_world()
+    await page.session.reset_world()
 
 
 async def _place_robot(page: Page, message: messages.PlaceRobot) -> None:

@@ -1,4 +1,4 @@
-"""What is done when a page edits the program."""
+"""Handlers of messages about edits of the program."""
 
 from collections.abc import Mapping
 

@@ -1,13 +1,13 @@
-"""What a page has said and the server has not yet done."""
+"""Messages from a page that wait to be handled."""
 
 import asyncio
 from collections import deque
 
 from learnblock.server import messages
 
-#: So many messages may wait; then the page has to.
+#: Messages that may wait; then the page has to wait.
 _MOST = 100
-#: Of these the newest says it all.
+#: Of these kinds only the newest message counts.
 _NEWEST_ONLY = (
     messages.EditBlocks,
     messages.EditText,
@@ -15,15 +15,14 @@ _NEWEST_ONLY = (
     messages.PlaceRobot,
     messages.Drive,
     messages.CheckWorld,
-    messages.CheckOwnBlock,
+    messages.CheckCustomBlock,
 )
 
 
 class Inbox:
-    """Messages in order, but that an edit which follows another of the same view replaces it.
+    """Messages in order; an edit replaces the one before it if both are of the same view.
 
-    Someone who types faster than a long program can be translated waits for one translation, not
-    for as many as letters were typed.
+    So fast typing in a long program waits for one translation, not for one for each letter.
     """
 
     def __init__(self) -> None:
@@ -32,7 +31,7 @@ class Inbox:
         self._closed = False
 
     async def put(self, message: messages.Message) -> None:
-        """Add a message, when there is room for it."""
+        """Add a message once there is room for it."""
         async with self._changed:
             if self._messages and _replaces(message, self._messages[-1]):
                 self._messages.pop()
@@ -41,14 +40,14 @@ class Inbox:
             self._changed.notify_all()
 
     async def take(self) -> messages.Message | None:
-        """The next message, as soon as there is one; None when there will be none any more."""
+        """Return the next message as soon as there is one; None after the last."""
         async with self._changed:
             await self._changed.wait_for(lambda: self._messages or self._closed)
             self._changed.notify_all()
             return self._messages.popleft() if self._messages else None
 
     async def close(self) -> None:
-        """Nothing will come any more; what has come is still to be taken."""
+        """Accept no more messages; those that wait can still be taken."""
         async with self._changed:
             self._closed = True
             self._changed.notify_all()

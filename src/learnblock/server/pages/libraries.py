@@ -1,4 +1,4 @@
-"""What is done when a page lists, imports, makes and uses libraries.
+"""Handlers of messages about libraries.
 
 Nothing in a library is run here: it is read, and runs only as a part of a program.
 """
@@ -7,70 +7,71 @@ from collections.abc import Callable, Mapping
 
 from anyio import to_thread
 
-from learnblock import library
 from learnblock.errors import LearnBlockError
-from learnblock.language.extraction import extracted, with_needed
-from learnblock.language.nodes import Def, Program
-from learnblock.library import ENDING, Library, Shelved
+from learnblock.extensions import libraries
+from learnblock.extensions.libraries import ENDING, Library, Shelved
+from learnblock.i18n import Phrase
+from learnblock.language.edit.extraction import extracted, with_needed
+from learnblock.language.tree.nodes import Def, Program
 from learnblock.server import messages
+from learnblock.server.messages.problems import phrase_of
 from learnblock.server.pages.page import Handler, Page
-from learnblock.server.pages.sentences import sentence
 
 
 async def _list(page: Page, _: messages.ListLibraries) -> None:
-    page.tell(await to_thread.run_sync(_all))
+    page.send(await to_thread.run_sync(_all))
 
 
 async def _list_exportable(page: Page, _: messages.ListExportable) -> None:
     program = page.session.document.block_tree
-    page.tell(await to_thread.run_sync(_exportable, program))
+    page.send(await to_thread.run_sync(_exportable, program))
 
 
 async def _read(page: Page, message: messages.ReadLibraries) -> None:
-    page.tell(await to_thread.run_sync(_looked_at, message.files))
+    page.send(await to_thread.run_sync(_looked_at, message.files))
 
 
 async def _import(page: Page, message: messages.ImportLibraries) -> None:
     def install() -> None:
-        library.install(map(_renamed, message.files), replace=message.replace)
+        libraries.install(map(_renamed, message.files), replace=message.replace)
 
     await _changing(page, install)
 
 
 async def _remove(page: Page, message: messages.RemoveLibrary) -> None:
-    await _changing(page, lambda: library.remove(message.name))
+    await _changing(page, lambda: libraries.remove(message.name))
 
 
 async def _download(page: Page, message: messages.DownloadLibrary) -> None:
-    page.tell(_made(await to_thread.run_sync(library.installed, message.name)))
+    page.send(_made(await to_thread.run_sync(libraries.installed, message.name)))
 
 
 async def _make(page: Page, message: messages.MakeLibrary) -> None:
     program = page.session.document.block_tree
 
     def make() -> Library:
-        manifest = library.manifest(message.name, message.version, message.title)
-        return library.make(manifest, program, message.functions, message.own, page.session.name)
+        manifest = libraries.manifest(message.name, message.version, message.title)
+        return libraries.make(manifest, program, message.functions, message.own, page.session.name)
 
-    page.tell(_made(await to_thread.run_sync(make)))
+    page.send(_made(await to_thread.run_sync(make)))
 
 
 async def _use(page: Page, message: messages.UseLibrary) -> None:
-    await to_thread.run_sync(library.installed, message.name)
+    await to_thread.run_sync(libraries.installed, message.name)
     await page.session.change(lambda document: document.with_import(message.name))
 
 
 async def _changing(page: Page, change: Callable[[], None]) -> None:
     await to_thread.run_sync(change)
     await page.sessions.renew_blocks(page.session)
-    page.sessions.tell(await to_thread.run_sync(_all))
+    page.sessions.send(await to_thread.run_sync(_all))
 
 
-# What is told.
+# Answers.
 
 
 def _all() -> messages.Libraries:
-    return messages.Libraries(tuple(map(_shelved, library.shelved())))
+    return messages.Libraries(tuple(map(_shelved, libraries.shelved())))
 
 
 def _shelved(one: Shelved) -> messages.InstalledLibrary:
@@ -91,20 +92,20 @@ def _described(one: Library) -> messages.InstalledLibrary:
 
 
 def _made(one: Library) -> messages.LibraryMade:
-    return messages.LibraryMade(one.name + ENDING, library.pack(one))
+    return messages.LibraryMade(one.name + ENDING, libraries.pack(one))
 
 
-# Files that are to be imported.
+# Files to import.
 
 
 def _renamed(file: messages.LibraryFile) -> Library:
-    return library.renamed(library.unpack(file.content, file.filename), file.renames)
+    return libraries.renamed(libraries.unpack(file.content, file.filename), file.renames)
 
 
 def _looked_at(files: tuple[messages.LibraryFile, ...]) -> messages.LibrariesRead:
     found = [_opened(file) for file in files]
-    clashes = library.clashes(one for one, _ in found if one is not None)
-    there = library.readable()
+    clashes = libraries.clashes(one for one, _ in found if one is not None)
+    there = libraries.readable()
     return messages.LibrariesRead(
         tuple(
             _file(file, one, problem, there, clashes)
@@ -113,24 +114,24 @@ def _looked_at(files: tuple[messages.LibraryFile, ...]) -> messages.LibrariesRea
     )
 
 
-def _opened(file: messages.LibraryFile) -> tuple[Library | None, str]:
-    """The library in a file, with the new names that can be given, and what is wrong."""
+def _opened(file: messages.LibraryFile) -> tuple[Library | None, Phrase | None]:
+    """Read the library in a file with the new names it can have, and what is wrong with it."""
     try:
-        one = library.unpack(file.content, file.filename)
+        one = libraries.unpack(file.content, file.filename)
     except LearnBlockError as error:
-        return None, sentence(error)
+        return None, phrase_of(error)
     try:
-        return library.renamed(one, file.renames), ""
+        return libraries.renamed(one, file.renames), None
     except LearnBlockError as error:
-        return one, sentence(error)
+        return one, phrase_of(error)
 
 
 def _file(
     file: messages.LibraryFile,
     one: Library | None,
-    problem: str,
+    problem: Phrase | None,
     there: Mapping[str, Library],
-    clashes: tuple[library.Clash, ...],
+    clashes: tuple[libraries.Clash, ...],
 ) -> messages.LibraryRead:
     if one is None:
         return messages.LibraryRead(file.filename, problem=problem)
@@ -149,12 +150,12 @@ def _file(
     )
 
 
-# What a library can be made of.
+# The contents of a new library.
 
 
 def _exportable(program: Program) -> messages.Exportable:
     functions = tuple(_function(program, one) for one in program.functions.values())
-    own = tuple(messages.ExportableBlocks(*found) for found in library.own_skills().items())
+    own = tuple(messages.ExportableBlocks(*found) for found in libraries.own_skills().items())
     return messages.Exportable(functions, own)
 
 
@@ -163,7 +164,7 @@ def _function(program: Program, one: Def) -> messages.ExportableFunction:
     try:
         extracted(program, [one.name], "")
     except LearnBlockError as error:
-        return messages.ExportableFunction(one.name, one.parameters, others, sentence(error))
+        return messages.ExportableFunction(one.name, one.parameters, others, phrase_of(error))
     return messages.ExportableFunction(one.name, one.parameters, others)
 
 

@@ -1,4 +1,4 @@
-"""Where pages come in: they are greeted here, and from here they open their projects."""
+"""The entrance for pages: it greets them, and connects them with their projects."""
 
 from pathlib import Path
 
@@ -10,9 +10,9 @@ from learnblock.server.pages import (
     asking,
     block_sets,
     controlling,
+    custom_blocks,
     editing,
     libraries,
-    own_blocks,
     past,
     projecting,
     robot_making,
@@ -22,7 +22,7 @@ from learnblock.server.pages import (
 )
 from learnblock.server.pages.page import Page
 from learnblock.server.projects.folder import ProjectFolder
-from learnblock.server.sessions.open_projects import Sessions
+from learnblock.server.sessions.sessions import Sessions
 
 HANDLERS = {
     **projecting.HANDLERS,
@@ -35,7 +35,7 @@ HANDLERS = {
     **tags.HANDLERS,
     **settings.HANDLERS,
     **libraries.HANDLERS,
-    **own_blocks.HANDLERS,
+    **custom_blocks.HANDLERS,
     **robot_making.HANDLERS,
 }
 
@@ -44,7 +44,7 @@ class Lobby:
     """Serves every page.
 
     Args:
-        folder: where the projects are.
+        folder: of the projects.
         grace: seconds for which a project stays open without a page.
     """
 
@@ -53,11 +53,11 @@ class Lobby:
         self._sessions = Sessions(ProjectFolder(folder), grace)
 
     async def serve(self, socket: WebSocket) -> None:
-        """Return when the page has gone."""
+        """Serve a page until it has gone."""
         page = Page(socket, self._sessions, HANDLERS)
-        page.tell(await to_thread.run_sync(catalog.welcome, str(self._folder)))
+        page.send(await to_thread.run_sync(catalog.welcome, str(self._folder)))
         await page.serve()
 
     async def close(self) -> None:
-        """End every program, and save every project."""
+        """End all programs, and save all projects."""
         await self._sessions.close()

@@ -1,4 +1,4 @@
-"""What waits to be sent to a page."""
+"""Messages that wait to be sent to a page."""
 
 import asyncio
 from collections import deque
@@ -6,26 +6,32 @@ from dataclasses import dataclass
 
 from learnblock.server import messages
 
-#: A page that is so many messages behind will not catch up.
+#: A page that is this many messages behind will not catch up.
 FULL = 5000
-#: Of these a slow page gets the newest alone.
-_NEWEST_ONLY = (messages.Telemetry, messages.CameraFrame, messages.Variables)
+#: Of these kinds a slow page receives only the newest message.
+_NEWEST_ONLY = (
+    messages.CameraFrame,
+    messages.RobotLink,
+    messages.RunningLine,
+    messages.Telemetry,
+    messages.Variables,
+)
 
 
 class OutboxFullError(Exception):
-    """The page does not take what is sent to it."""
+    """The page does not receive its messages fast enough."""
 
 
 @dataclass
 class Parcel:
-    """A message, with the bytes that follow it."""
+    """A message, and the bytes that follow it."""
 
     message: messages.Message
     data: bytes | None = None
 
 
 class Outbox:
-    """Messages in order, but that newer telemetry and frames take the place of older ones."""
+    """Messages in order; newer telemetry and frames replace older ones."""
 
     def __init__(self) -> None:
         self._parcels: deque[Parcel] = deque()
@@ -33,7 +39,7 @@ class Outbox:
         self._filled = asyncio.Event()
 
     def put(self, message: messages.Message, data: bytes | None = None) -> None:
-        """Have a message sent; once the page is too far behind nothing is kept any more."""
+        """Queue a message; once the page is too far behind, drop it."""
         waiting = self._replaceable.get(type(message))
         if waiting:
             waiting.message, waiting.data = message, data
@@ -41,7 +47,7 @@ class Outbox:
             self._append(Parcel(message, data))
 
     async def take(self) -> Parcel:
-        """The next message, as soon as there is one.
+        """Return the next message as soon as there is one.
 
         Raises:
             OutboxFullError: the page is too far behind.

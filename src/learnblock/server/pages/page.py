@@ -1,4 +1,4 @@
-"""A page that is connected: what it says is obeyed in order, and what it is told is sent."""
+"""A connected page: handles its messages in order, and sends it the server's messages."""
 
 import asyncio
 import logging
@@ -10,15 +10,16 @@ import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 from learnblock.server import messages
+from learnblock.server.messages.problems import phrase_of
 from learnblock.server.pages.inbox import Inbox
 from learnblock.server.pages.outbox import Outbox, OutboxFullError
-from learnblock.server.pages.sentences import sentence
-from learnblock.server.pages.shown import Shown
+from learnblock.server.program.shown import Shown
 
 if TYPE_CHECKING:
-    from learnblock.server.sessions.open_projects import Sessions
     from learnblock.server.sessions.session import Session
+    from learnblock.server.sessions.sessions import Sessions
 
 #: Bytes: no message of a page is as large.
 LARGEST_MESSAGE = 4 * 1024 * 1024
@@ -33,7 +34,7 @@ Handler = Callable[["Page", Any], Awaitable[None]]
 
 
 class MessageError(LearnBlockError, ValueError):
-    """What a page said cannot be understood."""
+    """A page sent a message that LearnBlock doesn't know."""
 
 
 class Page:
@@ -42,16 +43,14 @@ class Page:
     Args:
         socket: accepted.
         sessions: the projects that are open.
-        handlers: what is done about each message.
+        handlers: a handler for each kind of message.
     """
 
     def __init__(
         self, socket: WebSocket, sessions: "Sessions", handlers: Mapping[type, Handler]
     ) -> None:
         self.sessions = sessions
-        #: The program as this page shows it.
         self.shown = Shown()
-        #: Whether it wants camera frames.
         self.watching = False
         self._socket = socket
         self._handlers = handlers
@@ -61,39 +60,39 @@ class Page:
 
     @property
     def session(self) -> "Session":
-        """The project it has opened.
+        """The project that the page has opened.
 
         Raises:
-            LearnBlockError: none.
+            LearnBlockError: the page has opened no project.
         """
         if self._session is None:
-            raise LearnBlockError("no project is open: open one first")
+            raise LearnBlockError("server-no-project")
         return self._session
 
     async def serve(self) -> None:
-        """Return when the page has gone, and all that it said is done."""
+        """Serve the page; return when it has gone and all its messages are handled."""
         try:
             async with asyncio.TaskGroup() as tasks:
                 sending = tasks.create_task(self._send())
                 tasks.create_task(self._receive())
-                await self._obey_all()
+                await self._handle_all()
                 sending.cancel()
         finally:
             self.leave()
 
-    def tell(self, message: messages.Message, data: bytes | None = None) -> None:
-        """Have a message sent, with `data` behind it."""
+    def send(self, message: messages.Message, data: bytes | None = None) -> None:
+        """Queue a message for the page, followed by `data` where there is any."""
         self._outbox.put(message, data)
 
     def join(self, session: "Session") -> None:
-        """Be a page of that project from now on, and of no other."""
+        """Show a project, in place of the one before."""
         self.leave()
         self.shown = Shown()
         self._session = session
         session.join(self)
 
     def leave(self) -> None:
-        """Be a page of no project."""
+        """Show no project any more."""
         session, self._session = self._session, None
         if session:
             session.leave(self)
@@ -104,39 +103,39 @@ class Page:
     async def _receive(self) -> None:
         try:
             while (received := await self._socket.receive())["type"] == "websocket.receive":
-                await self._hear(received.get("text") or received.get("bytes") or "")
+                await self._accept(received.get("text") or received.get("bytes") or "")
         finally:
             await self._inbox.close()
 
-    async def _hear(self, said: str | bytes) -> None:
+    async def _accept(self, text: str | bytes) -> None:
         try:
-            message = decode(said)
+            message = decode(text)
         except MessageError as error:
-            self.tell(messages.Failed(str(error)))
+            self.send(messages.Failed(error.phrase))
         else:
             await self._inbox.put(message)
 
-    async def _obey_all(self) -> None:
+    async def _handle_all(self) -> None:
         while (message := await self._inbox.take()) is not None:
-            await self._obey(message)
+            await self._handle(message)
 
-    async def _obey(self, message: messages.Message) -> None:
+    async def _handle(self, message: messages.Message) -> None:
         kind = type(message).__name__
         try:
             async with self._turn():
                 await self._handlers[type(message)](self, message)
         except (LearnBlockError, OSError, ValueError) as error:
-            self.tell(messages.Failed(sentence(error), kind))
+            self.send(messages.Failed(phrase_of(error), kind))
         except RecursionError:
-            self.tell(messages.Failed("this is nested too deeply", kind))
+            self.send(messages.Failed(Phrase("server-too-deep"), kind))
         except Exception as error:  # noqa: BLE001 - see below
             # A mistake of ours must not take the pupil's session with it.
             _log.exception("%s failed", kind)
-            told = f"LearnBlock has made a mistake: {type(error).__name__}: {error}"
-            self.tell(messages.Failed(told, kind))
+            reason = f"{type(error).__name__}: {error}"
+            self.send(messages.Failed(Phrase("server-mistake", reason=reason), kind))
 
     def _turn(self) -> AbstractAsyncContextManager[object]:
-        """The pages of a project take turns."""
+        """Let the pages of a project take turns."""
         return self._session.turn if self._session else nullcontext()
 
     # Sending.
@@ -151,22 +150,22 @@ class Page:
         except OutboxFullError:
             await self._socket.close(_TOO_SLOW)
         except WebSocketDisconnect:
-            # It has gone, which `_receive` hears as well.
+            # The page has gone, which `_receive` notices as well.
             pass
 
 
-def decode(said: str | bytes) -> messages.Message:
-    """What a page has said.
+def decode(text: str | bytes) -> messages.Message:
+    """Decode a message of a page.
 
     Raises:
-        MessageError: it is no message of a page.
+        MessageError: the text is not a message of a page.
     """
-    if len(said) > LARGEST_MESSAGE:
-        raise MessageError(f"a message of {len(said)} characters is too long")
+    if len(text) > LARGEST_MESSAGE:
+        raise MessageError("server-message-too-long", count=len(text))
     try:
-        message: messages.Message = _decoder.decode(said)
+        message: messages.Message = _decoder.decode(text)
     except msgspec.MsgspecError as error:
-        raise MessageError(f"this is no message that LearnBlock knows: {error}") from error
+        raise MessageError("server-message-unknown", reason=str(error)) from error
     except (RecursionError, UnicodeError) as error:
-        raise MessageError("this message is nested too deeply, or is no text") from error
+        raise MessageError("server-message-broken") from error
     return message

@@ -1,4 +1,4 @@
-"""What is done when a page asks for what was, or goes back to it."""
+"""Handlers of messages about the history of a project."""
 
 from collections.abc import Mapping
 
@@ -12,7 +12,7 @@ async def _list_history(page: Page, _: messages.ListHistory) -> None:
     folder, name = page.sessions.folder, page.session.name
     versions = await to_thread.run_sync(folder.versions, name)
     runs = await to_thread.run_sync(folder.runs, name)
-    page.tell(messages.History(versions, runs))
+    page.send(messages.History(versions, runs))
 
 
 async def _restore(page: Page, message: messages.Restore) -> None:

@@ -1,4 +1,4 @@
-"""What is done when a page opens, makes, copies or deletes projects."""
+"""Handlers of messages about projects."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -41,16 +41,16 @@ async def _delete(page: Page, message: messages.Delete) -> None:
 async def _export(page: Page, message: messages.Export) -> None:
     folder, project = page.sessions.folder, page.session.project
     filename, text = await to_thread.run_sync(folder.export, project, message.format)
-    page.tell(messages.File(filename, text))
+    page.send(messages.File(filename, text))
 
 
 async def _list(page: Page, _: messages.ListProjects) -> None:
     entries = await to_thread.run_sync(page.sessions.folder.entries)
-    page.tell(messages.Projects(tuple(entries)))
+    page.send(messages.Projects(tuple(entries)))
 
 
 def _made(message: messages.New) -> Project:
-    """A project with an example's program, or an empty one."""
+    """Create a project with the program of an example, or with an empty one."""
     if message.example is None:
         return _project(message.name, _EMPTY, running.DEFAULT_ROBOT, DEFAULT_WORLD)
     example = catalog.example(message.example)

@@ -1,19 +1,19 @@
-"""What is done when a page has a robot made from its description."""
+"""Handlers of messages about new robots."""
 
 from collections.abc import Mapping
 
 from anyio import to_thread
 
 from learnblock.errors import FileTakenError, NewNameError, RobotDescriptionError
-from learnblock.home import home
 from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handler, Page
+from learnblock.storage.home import home
 
 
 async def _begin(page: Page, _: messages.BeginRobot) -> None:
     from learnblock.new.template import read  # noqa: PLC0415 - few pages make robots
 
-    page.tell(messages.RobotBegun(read("robot/description.toml")))
+    page.send(messages.RobotBegun(read("robot/description.toml")))
 
 
 async def _make(page: Page, message: messages.MakeRobot) -> None:
@@ -21,17 +21,17 @@ async def _make(page: Page, message: messages.MakeRobot) -> None:
         files = await to_thread.run_sync(_written, message.name.strip(), message.description)
     except RobotDescriptionError as error:
         problems = (messages.RobotProblem(one.message, one.line) for one in error.diagnostics)
-        page.tell(messages.RobotMade(message.name, problems=tuple(problems)))
+        page.send(messages.RobotMade(message.name, problems=tuple(problems)))
         return
-    page.sessions.tell(messages.Robots(await to_thread.run_sync(catalog.robot_choices)))
-    page.tell(messages.RobotMade(message.name.strip(), files))
+    page.sessions.send(messages.Robots(await to_thread.run_sync(catalog.robot_choices)))
+    page.send(messages.RobotMade(message.name.strip(), files))
 
 
 def _written(name: str, description: str) -> tuple[str, ...]:
-    """Write a robot's files; answer their paths.
+    """Write a robot's files; return their paths.
 
     Raises:
-        NewNameError: it cannot be called that.
+        NewNameError: the robot can't have this name.
         RobotDescriptionError: the description is wrong.
         OSError: a file cannot be written.
     """
@@ -45,7 +45,7 @@ def _written(name: str, description: str) -> tuple[str, ...]:
     try:
         write_new(files)
     except FileTakenError:
-        raise NewNameError(f"there is a robot `{name}` already: choose another name") from None
+        raise NewNameError("new-robot-exists", name=name) from None
     return tuple(map(str, files))
 
 

@@ -1,35 +1,25 @@
-"""What is done when a page edits the names of tags."""
+"""Handlers of messages about the names of tags."""
 
 from collections.abc import Mapping
 
 from anyio import to_thread
 
-from learnblock import tag_names
-from learnblock.errors import LearnBlockError
-from learnblock.server import messages
+from learnblock.perception import tag_names
+from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handler, Page
-from learnblock.server.pages.sentences import sentence
-
-
-def present() -> messages.Tags:
-    """The dictionary as it is now, or why there is none."""
-    try:
-        return messages.Tags(dict(tag_names.tag_names()))
-    except (LearnBlockError, OSError) as error:
-        return messages.Tags({}, sentence(error))
 
 
 async def _save(page: Page, message: messages.SaveTags) -> None:
     await to_thread.run_sync(tag_names.save_names, message.names)
-    page.sessions.tell(await to_thread.run_sync(present))
+    page.sessions.send(await to_thread.run_sync(catalog.tag_dictionary))
 
 
 async def _read(page: Page, message: messages.ReadTags) -> None:
-    page.tell(messages.TagsRead(dict(tag_names.parse(message.text, message.filename))))
+    page.send(messages.TagsRead(dict(tag_names.parse(message.text, message.filename))))
 
 
 async def _export(page: Page, message: messages.ExportTags) -> None:
-    page.tell(await to_thread.run_sync(_file, message.format))
+    page.send(await to_thread.run_sync(_file, message.format))
 
 
 def _file(format_: str) -> messages.File:
@@ -40,7 +30,7 @@ def _file(format_: str) -> messages.File:
 
 
 def _sheet(names: Mapping[str, int]) -> str:
-    from learnblock.tag_sheet import sheet  # noqa: PLC0415 - it brings the simulator
+    from learnblock.monitor.tag_sheet import sheet  # noqa: PLC0415 - it brings the simulator
 
     return sheet([(number, name) for name, number in names.items()])
 

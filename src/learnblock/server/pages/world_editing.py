@@ -1,4 +1,4 @@
-"""What is done when a page edits worlds."""
+"""Handlers of messages about worlds."""
 
 from collections.abc import Mapping
 from itertools import count
@@ -12,33 +12,30 @@ from learnblock.server.pages.page import Handler, Page
 
 
 async def _read(page: Page, message: messages.ReadWorld) -> None:
-    page.tell(await to_thread.run_sync(_to_edit, message.name))
+    page.send(await to_thread.run_sync(_to_edit, message.name))
 
 
 async def _check(page: Page, message: messages.CheckWorld) -> None:
-    page.tell(await to_thread.run_sync(_checked, message.world))
+    page.send(await to_thread.run_sync(_checked, message.world))
 
 
 async def _save(page: Page, message: messages.SaveWorld) -> None:
     session = page.session
     if not message.replace and await to_thread.run_sync(_is_own, message.name):
-        raise LearnBlockError(
-            f"you have a world `{message.name}` already: choose another name, or save once more"
-            " to replace it"
-        )
+        raise LearnBlockError("server-world-exists", name=message.name)
     wrong = await to_thread.run_sync(_saved, message.name, message.world)
     if wrong:
-        page.tell(wrong)
+        page.send(wrong)
         return
-    session.tell(messages.Worlds(await to_thread.run_sync(catalog.world_choices)))
+    session.viewers.send(messages.Worlds(await to_thread.run_sync(catalog.world_choices)))
     await session.choose_world(message.name)
 
 
-# The simulator takes its time to be imported, and the server answers before it is.
+# The simulator takes its time to import, and the server answers before that.
 
 
 def _to_edit(name: str) -> messages.WorldToEdit:
-    from learnblock.robots import worlds  # noqa: PLC0415
+    from learnblock.monitor import worlds  # noqa: PLC0415
     from learnblock.robots.simulated import find_world  # noqa: PLC0415
 
     catalog.check_world_name(name)
@@ -49,7 +46,7 @@ def _to_edit(name: str) -> messages.WorldToEdit:
 
 
 def _save_as(name: str) -> str:
-    """The world's own name if it is the user's, else a free one."""
+    """The world's name if it is the user's own, else a free one."""
     from learnblock.robots.simulated import known_worlds  # noqa: PLC0415
 
     if _is_own(name):
@@ -65,7 +62,7 @@ def _is_own(name: str) -> bool:
 
 
 def _checked(values: dict[str, Any]) -> messages.WorldChecked:
-    from learnblock.robots import worlds  # noqa: PLC0415
+    from learnblock.monitor import worlds  # noqa: PLC0415
 
     try:
         world = worlds.world_from_values(values)
@@ -75,8 +72,8 @@ def _checked(values: dict[str, Any]) -> messages.WorldChecked:
 
 
 def _saved(name: str, values: dict[str, Any]) -> messages.WorldChecked | None:
-    """Save a world; what is wrong with it, if that cannot be."""
-    from learnblock.robots import worlds  # noqa: PLC0415
+    """Save a world, or return what is wrong with it."""
+    from learnblock.monitor import worlds  # noqa: PLC0415
 
     try:
         worlds.save_world(name, values)

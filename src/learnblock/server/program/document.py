@@ -1,4 +1,4 @@
-"""The program of a project at one moment, in all three views."""
+"""The program of a project in all three views."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -8,11 +8,11 @@ from learnblock.blocks import BlockConfiguration
 from learnblock.errors import Diagnostic, FileError, LearnBlockError, ProgramError
 from learnblock.language import format as format_program
 from learnblock.language import from_workspace, parse, recover
-from learnblock.language.extents import Extent, moved
-from learnblock.language.imports import imported, libraries_used, with_import
-from learnblock.language.nodes import Program as Tree
-from learnblock.language.rename import Sort, rename
-from learnblock.language.workspace import Workspace
+from learnblock.language.edit.imports import imported, libraries_used, with_import
+from learnblock.language.edit.rename import Sort, rename
+from learnblock.language.tree.extents import Extent, moved
+from learnblock.language.tree.nodes import Program as Tree
+from learnblock.language.workspace.blocks import Workspace
 from learnblock.runtime.program import Program
 from learnblock.server.messages import Notation, Place, Problem, View
 from learnblock.server.program.notations import Notations, Target, read_python, with_robot
@@ -24,13 +24,13 @@ VIEWS: tuple[View, ...] = ("blocks", "blocktext", "python")
 
 @dataclass(frozen=True)
 class Unread:
-    """A view that cannot be read as it is.
+    """A view with mistakes that keep it from being read.
 
     Args:
-        view: which.
-        mistakes: why.
-        text: what it shows, unless it shows blocks.
-        workspace: the blocks that it shows.
+        view: the view.
+        mistakes: its mistakes.
+        text: its text, unless it shows blocks.
+        workspace: its blocks.
     """
 
     view: View
@@ -41,17 +41,17 @@ class Unread:
 
 @dataclass(frozen=True)
 class Document:
-    """A program in three notations; each edit makes a new one.
+    """A program in three notations; each edit makes a new document.
 
-    What was edited stays as its author wrote it, and the other views follow. While it has mistakes
-    of form the others keep the last program without any.
+    The edited view stays as its author wrote it, and the other views follow. While it has syntax
+    errors the others keep the last program without any.
 
     Args:
         target: what the program is written for.
         origin: the view that was edited last.
         good: the last program that could be read.
-        unread: the edited view if it cannot be read.
-        remarks: what is to be said of blocks that can.
+        unread: the edited view if it can't be read.
+        remarks: warnings about blocks that can be read.
     """
 
     target: Target
@@ -71,15 +71,15 @@ class Document:
         *,
         devices: frozenset[str] | None = None,
     ) -> "Document":
-        """The document that was saved so.
+        """Restore a saved document.
 
         Args:
-            blocktext: the program; if it cannot be read, the other two say what was read last.
+            blocktext: the program; if it can't be read, the other two have what was read last.
             robot_module: the module that Python imports the robot from.
-            configurations: the skills there are, by name.
-            workspace: its blocks and where they lie.
+            configurations: the known skills, by name.
+            workspace: its blocks and their places.
             python: its Python as its author wrote it.
-            devices: what the robot has, as ``Type:KEY``.
+            devices: of the robot, as ``Type:KEY``.
         """
         target = Target(robot_module, configurations, devices)
         tree, mistakes = recover(blocktext)
@@ -90,7 +90,7 @@ class Document:
         return document if document.unread else _with_unread_blocks(document, workspace)
 
     def with_text(self, notation: Notation, text: str) -> "Document":
-        """One of the texts was edited."""
+        """Edit one of the texts."""
         try:
             good = self._read_blocktext(text) if notation == "blocktext" else self._read(text)
         except ProgramError as error:
@@ -101,7 +101,7 @@ class Document:
         return replace(self, origin=notation, good=good, unread=None, remarks=())
 
     def with_blocks(self, workspace: Workspace) -> "Document":
-        """The blocks were edited."""
+        """Edit the blocks."""
         try:
             read = from_workspace(workspace, self.target.configurations)
         except LearnBlockError as error:
@@ -115,12 +115,12 @@ class Document:
             return replace(self, origin="blocks", good=good, unread=None, remarks=said)
         good = self.good.with_blocks(read.program, read.block_ids, workspace)
         if self.unread and self.unread.view != "blocks":
-            # Who moves a block while a text has mistakes does not want to lose that text.
+            # Moving a block while a text has mistakes must not lose that text.
             return replace(self, good=good)
         return replace(self, origin="blocks", good=good, unread=None, remarks=said)
 
     def with_robot(self, module: str, devices: frozenset[str] | None = None) -> "Document":
-        """Another robot was chosen."""
+        """Choose another robot."""
         target = replace(self.target, robot_module=module, devices=devices)
         unread = self.unread
         if unread and unread.view == "python":
@@ -128,25 +128,25 @@ class Document:
         return replace(self, target=target, good=self.good.for_robot(module), unread=unread)
 
     def renamed(self, sort: Sort, name: str, new: str) -> "Document":
-        """A variable, a function or a ``when`` has another name, everywhere.
+        """Rename a variable, a function or a ``when`` everywhere.
 
         Raises:
-            LearnBlockError: the new name will not do, or the program has mistakes.
+            LearnBlockError: the new name is not allowed, or the program has mistakes.
         """
-        self._refuse_unread("a name can be changed")
+        self._refuse_unread("rename")
         return self._rewritten(rename(self.block_tree, sort, name, new))
 
     def with_import(self, library: str) -> "Document":
-        """The program imports a library.
+        """Import a library in the program.
 
         Raises:
             LearnBlockError: the program has mistakes.
         """
-        self._refuse_unread("a library can be imported")
+        self._refuse_unread("import")
         return self._rewritten(with_import(self.block_tree, library))
 
     def with_configurations(self, configurations: Mapping[str, BlockConfiguration]) -> "Document":
-        """Other skills are there than before, so that it may show other blocks and problems."""
+        """Read the program with other skills, which may change its blocks and problems."""
         return Document.from_text(
             self.blocktext,
             self.target.robot_module,
@@ -157,20 +157,20 @@ class Document:
         )
 
     def formatted(self) -> "Document":
-        """The Block-Text has its canonical form.
+        """Give the Block-Text its canonical form.
 
         Raises:
             LearnBlockError: the program has mistakes.
         """
-        self._refuse_unread("the program can be formatted")
+        self._refuse_unread("format")
         return self.with_text("blocktext", format_program(self.block_tree))
 
     def program(self, name: str, folder: str = "") -> Program:
-        """What is run; its lines are those of the Python view.
+        """The program to run; its lines are those of the Python view.
 
         Args:
-            name: the name its author knows it by.
-            folder: where its own modules are imported from.
+            name: the name that its author knows.
+            folder: the folder of the modules that it imports.
         """
         return Program(name, self.good.python.text, self.good.python.text, folder=folder)
 
@@ -199,7 +199,7 @@ class Document:
 
     @property
     def python_by_hand(self) -> str | None:
-        """The Python as it is shown, if it is not just what we would write."""
+        """The Python that is shown, unless it is just what LearnBlock generates."""
         read = self.unread is None or self.unread.view != "python"
         return None if read and not self.good.by_hand else self.python
 
@@ -212,19 +212,31 @@ class Document:
 
     @cached_property
     def problems(self) -> tuple[Problem, ...]:
-        """What is wrong or doubtful."""
+        """All errors and warnings."""
         if self.unread:
             return self.unread.mistakes
         return (*self.remarks, *problems(self.good, self.target))
 
     @property
-    def has_errors(self) -> bool:
-        """Whether it cannot be run."""
-        return any(one.severity == "error" for one in self.problems)
+    def first_error(self) -> Problem | None:
+        """The first error, which keeps the program from running; None if there is none."""
+        return next((one for one in self.problems if one.severity == "error"), None)
+
+    def require_no_errors(self) -> None:
+        """Refuse a program with errors.
+
+        Raises:
+            LearnBlockError: the program has errors.
+        """
+        if error := self.first_error:
+            if not error.line:
+                raise LearnBlockError("check-program-error", problem=error.message)
+            line = str(error.line)
+            raise LearnBlockError("check-program-error-in-line", line=line, problem=error.message)
 
     @cached_property
     def block_tree(self) -> Tree:
-        """The last good program; its spans lie in its Block-Text."""
+        """The last good program, with spans in its Block-Text."""
         return self.good.blocktext.tree or parse(self.good.blocktext.text)
 
     # Places.
@@ -238,18 +250,18 @@ class Document:
         )
         for block, blocktext, python in rows:
             if block is not None:
-                # A comment is of the same block as the statement below it, which comes later.
+                # A comment belongs to the block of the statement below it, which comes later.
                 found[block] = Place(block, *blocktext, *python)
         return tuple(found.values())
 
     def block_at(self, python_line: int) -> str | None:
-        """The innermost block that stands in a line of the Python view, from 1."""
+        """The innermost block in a line of the Python view; lines count from 1."""
         owner = self._python_owners
         index = owner[python_line] if 0 < python_line < len(owner) else None
         return None if index is None else self.good.blocks()[index]
 
     def python_line(self, block: str) -> int | None:
-        """The first line of a block in the Python view, from 1."""
+        """The first line of a block in the Python view; lines count from 1."""
         return self._python_lines.get(block)
 
     @cached_property
@@ -286,21 +298,21 @@ class Document:
         return replace(self, origin="blocktext", good=notations, unread=None, remarks=())
 
     def _renamed_throughout(self, good: Notations) -> Notations:
-        """If a name was changed in the blocks, what these left behind follows."""
+        """If a name was changed in the blocks, change it in raw Python and comments too."""
         change = rename_between(self.good.workspace, good.workspace)
         if self.unread or change is None or not change.is_left_in(good.blocktext.text):
             return good
         try:
             text = format_program(rename(self.block_tree, change.sort, change.name, change.new))
         except LearnBlockError:
-            # It stands where only its author can change it.
+            # It occurs where only its author can change it.
             return good
         if change.is_left_in(text):
             return good
         return Notations.of_blocktext(parse(text), text, self.target, good.workspace)
 
     def _importing(self, good: Notations) -> Notations:
-        """If a skill of a library was put in, the program imports that library."""
+        """If a skill of a library was added, import that library."""
         known = self.target.configurations
         used = libraries_used(good.tree, known) - libraries_used(self.good.tree, known)
         missing = sorted(used - imported(good.tree))
@@ -327,18 +339,18 @@ class Document:
 
         return tuple(problem(one, notation, block(one.line)) for one in diagnostics)
 
-    def _refuse_unread(self, what: str) -> None:
+    def _refuse_unread(self, task: str) -> None:
         if self.unread:
-            raise LearnBlockError(f"{what} once the program has no mistakes: correct them first")
+            raise LearnBlockError("edit-errors-first", task=task)
 
 
 def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace | None) -> Document:
-    """A program with the blocks with which it was saved, as far as these say the same."""
+    """Lay out a program with its saved blocks, if these have the same meaning."""
     if workspace is not None:
         try:
             read = from_workspace(workspace, target.configurations)
         except LearnBlockError:
-            # Blocks that no program has: they are laid out anew.
+            # These blocks are no program: lay out new ones.
             workspace = None
         else:
             if read.program == tree and not read.problems:
@@ -350,7 +362,7 @@ def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace |
 
 
 def _with_python(document: Document, python: str | None) -> Document:
-    """With the Python with which it was saved, if that says the same or cannot be read."""
+    """Add the saved Python, if it has the same meaning or can't be read."""
     if python is None:
         return document
     other = document.with_text("python", python)
@@ -358,7 +370,7 @@ def _with_python(document: Document, python: str | None) -> Document:
 
 
 def _with_unread_blocks(document: Document, workspace: Workspace | None) -> Document:
-    """With the blocks with which it was saved, if these cannot be read."""
+    """Add the saved blocks, if they can't be read."""
     if workspace is None or document.workspace is workspace:
         return document
     other = document.with_blocks(workspace)
@@ -366,17 +378,17 @@ def _with_unread_blocks(document: Document, workspace: Workspace | None) -> Docu
 
 
 def _same(one: Document, other: Document) -> bool:
-    # Compared as texts, since raw Python may be divided otherwise in a tree that was read anew.
+    # Compared as texts, since a tree that was read again may divide raw Python differently.
     return format_program(one.good.tree) == format_program(other.good.tree)
 
 
 def _last_good(
     target: Target, recovered: Tree, workspace: Workspace | None, python: str | None
 ) -> Document:
-    """What was read last when a document was saved with a Block-Text that cannot be read."""
+    """The last program that could be read, when the saved Block-Text can't be."""
     text = format_program(recovered)
     tree, mistakes = recover(text)
-    # Not all that can be recovered makes a program by itself.
+    # Recovered parts may not make a complete program.
     text, tree = ("", Tree()) if mistakes else (text, tree)
     notations = Notations.of_blocktext(tree, text, target, workspace)
     document = Document(target, "blocktext", notations)
@@ -394,4 +406,4 @@ def _unless_unread(before: Document, after: Document) -> Document:
 def _mistakes_of_blocks(error: LearnBlockError) -> tuple[Problem, ...]:
     if isinstance(error, FileError):
         return tuple(problem(one, "blocks") for one in error.diagnostics)
-    return (Problem(code="blocks", message=str(error), severity="error", view="blocks"),)
+    return (Problem(code="blocks", message=error.phrase, severity="error", view="blocks"),)

@@ -9,14 +9,14 @@ from dataclasses import dataclass
 
 import msgspec
 
-from learnblock.language.workspace import Block, Workspace
+from learnblock.language.workspace.blocks import Block, Workspace
 from learnblock.server.program.document import Document
 from learnblock.server.program.notations import Target
 
 MOST_STEPS = 500
-#: Bytes of all steps together, as they are kept.
+#: Bytes of all steps together, compressed.
 MOST_BYTES = 32 * 1024 * 1024
-#: Seconds between two letters of a word that are taken back together.
+#: Seconds between two letters of a word that are undone together.
 QUICK = 1.0
 
 _WORD_BEGINS = re.compile(r"\s\S|\n")
@@ -24,11 +24,11 @@ _read_workspace = msgspec.json.Decoder(Workspace).decode
 
 
 class Edits:
-    """The document as it is, and those before and after it.
+    """The present document, and those before and after it.
 
     Args:
         document: the first one.
-        now: seconds of any clock that goes on.
+        now: seconds of a monotonic clock.
     """
 
     def __init__(self, document: Document, now: Callable[[], float] = time.monotonic) -> None:
@@ -40,7 +40,7 @@ class Edits:
 
     @property
     def document(self) -> Document:
-        """The document as it is."""
+        """The present document."""
         return self._document
 
     @property
@@ -52,7 +52,7 @@ class Edits:
         return bool(self._future)
 
     def push(self, document: Document) -> None:
-        """The document was edited; letters of one word, typed quickly, are one step."""
+        """Add an edit; quickly typed letters of one word are one step."""
         if _looks_alike(document, self._document):
             self._document = document
             return
@@ -64,17 +64,17 @@ class Edits:
         self._future.clear()
 
     def replace(self, document: Document) -> None:
-        """The document is another one without having been edited, as for another robot."""
+        """Replace the document without recording an edit, for example when the robot changes."""
         self._document = document
 
     def undo(self) -> None:
-        """Take the last edit back, if there is one."""
+        """Undo the last edit, if there is one."""
         if self._past:
             self._future.append(_Moment.of(self._document))
             self._go_to(self._past.pop())
 
     def redo(self) -> None:
-        """Make the last edit that was taken back again, if there is one."""
+        """Redo the last undone edit, if there is one."""
         if self._future:
             self._past.append(_Moment.of(self._document))
             self._go_to(self._future.pop())
@@ -91,7 +91,7 @@ class Edits:
 
 @dataclass(frozen=True, slots=True)
 class _Moment:
-    """A document as small as can be: five hundred of a thousand blocks each would fill a memory."""
+    """A compressed document: five hundred with a thousand blocks each would need much memory."""
 
     blocktext: bytes
     python: bytes | None
@@ -139,14 +139,14 @@ def _looks_alike(one: Document, other: Document) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class _Typing:
-    """An edit such as typing makes.
+    """An edit by typing.
 
     Args:
-        view: where.
-        moment: when.
-        start: the first character that is another one; 0 in blocks.
-        removed: characters.
-        inserted: characters.
+        view: the edited view.
+        moment: the time of the edit.
+        start: the first changed character; 0 in blocks.
+        removed: the removed characters.
+        inserted: the inserted characters.
     """
 
     view: str
@@ -156,7 +156,7 @@ class _Typing:
     inserted: str = ""
 
     def goes_on(self, before: "_Typing") -> bool:
-        """Whether it goes on with the word in which `before` ended."""
+        """Whether it continues the word in which `before` ended."""
         if self.view != before.view or self.moment - before.moment > QUICK:
             return False
         if self.view == "blocks":
@@ -170,7 +170,7 @@ class _Typing:
 
 
 def _typed(before: Document, after: Document, now: float) -> _Typing | None:
-    """What was typed, if nothing else was done."""
+    """Compare two documents; return what was typed if that is the only change."""
     view = after.origin
     if view == "blocks":
         same = [*_blocks(before.workspace)] == [*_blocks(after.workspace)]
@@ -187,7 +187,7 @@ def _text(document: Document, view: str) -> str:
 
 
 def _difference(old: str, new: str) -> tuple[int, str, str]:
-    """Where two texts differ, what was removed there and what was inserted."""
+    """Compare two texts: the first difference, and the removed and inserted characters."""
     shorter = min(len(old), len(new))
     start = _common(old, new, shorter)
     end = _common(old[::-1], new[::-1], shorter - start)
@@ -195,7 +195,7 @@ def _difference(old: str, new: str) -> tuple[int, str, str]:
 
 
 def _common(one: str, other: str, most: int) -> int:
-    """How many characters two texts begin with alike, at most `most`; by halving."""
+    """Count the equal characters at the start of two texts, at most `most`; by bisection."""
     low, high = 0, most
     while low < high:
         middle = (low + high + 1) // 2
@@ -207,7 +207,7 @@ def _common(one: str, other: str, most: int) -> int:
 
 
 def _blocks(workspace: Workspace) -> Iterator[tuple[str, str]]:
-    """Every block and what it is, in order: the same where only fields or places are others."""
+    """List every block and its type in order, which fields and places don't change."""
     ahead: list[Block] = [block for stack in workspace.stacks for block in stack]
     while ahead:
         block = ahead.pop()

@@ -1,4 +1,4 @@
-"""One program without mistakes of form, in all three notations."""
+"""A program without syntax errors, in all three notations."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -7,21 +7,21 @@ from functools import cached_property
 from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.importable import Importable
 from learnblock.language import from_python, to_python, to_workspace
-from learnblock.language.extents import Extent, every, extents
-from learnblock.language.format import format_with_extents
-from learnblock.language.nodes import Program, Raw
-from learnblock.language.python import DEFAULT_ROBOT, ROBOT_IMPORT
-from learnblock.language.workspace import Workspace
+from learnblock.language.blocktext.format import format_with_extents
+from learnblock.language.python.generation import DEFAULT_ROBOT, ROBOT_IMPORT
+from learnblock.language.tree.extents import Extent, every, extents
+from learnblock.language.tree.nodes import Program, Raw
+from learnblock.language.workspace.blocks import Workspace
 
 
 @dataclass(frozen=True)
 class Target:
-    """What a program is written for.
+    """The robot and skills that a program is written for.
 
     Args:
         robot_module: the module that its Python imports the robot from.
-        configurations: the skills there are, by name.
-        devices: what the robot has, as ``Type:KEY``; None where it is not known.
+        configurations: the known skills, by name.
+        devices: of the robot, as ``Type:KEY``; None if unknown.
     """
 
     robot_module: str
@@ -30,7 +30,7 @@ class Target:
 
     @cached_property
     def importable(self) -> Importable:
-        """The libraries there are: a project has no files beside it."""
+        """The known libraries; a project has no files beside it."""
         found = (one.library for one in self.configurations.values())
         return Importable(frozenset(filter(None, found)))
 
@@ -42,7 +42,7 @@ class Written:
     Args:
         text: as it is shown.
         extents: the lines of `every` statement.
-        tree: one whose spans lie in the text, where its author wrote it; None where we did.
+        tree: with spans in the text if its author wrote it; None if it is generated.
     """
 
     text: str
@@ -59,12 +59,12 @@ class Notations:
     """One program in three notations.
 
     Args:
-        tree: what they all mean.
+        tree: the program itself.
         block_ids: the block of each node of `tree`, by its identity.
         workspace: the blocks.
         blocktext: in Block-Text.
         python: in Python.
-        by_hand: the Python is not as we would write it, so it is run and saved as it is.
+        by_hand: whether the Python differs from the generated one; it is run and saved unchanged.
     """
 
     tree: Program
@@ -107,7 +107,7 @@ class Notations:
         return replace(self, blocktext=Written.by_author(text, tree))
 
     def with_python(self, tree: Program, text: str) -> "Notations":
-        """The same program, otherwise written in Python."""
+        """The same program, written differently in Python."""
         by_hand = tree.python is not None
         return replace(self, python=Written.by_author(text, tree), by_hand=by_hand)
 

@@ -1,21 +1,20 @@
-"""What is wrong with a program, told in each of its views."""
+"""Find the problems of a program, and their places in each of its views."""
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 
 from learnblock.errors import Diagnostic
+from learnblock.i18n import Phrase
 from learnblock.language import check, parse
-from learnblock.language.extents import Extent, every
-from learnblock.language.nodes import Expression, Item, Main, Program, Raw, expressions, within
+from learnblock.language.tree.extents import Extent, every
+from learnblock.language.tree.nodes import Expression, Item, Main, Program, Raw
+from learnblock.language.tree.traversal import expressions, within
 from learnblock.server.messages import Problem, View
 from learnblock.server.program.notations import Notations, Target, Written
 
-_OTHER_LINE = re.compile(r"(?<=\bline )\d+")
-
 
 def problems(notations: Notations, target: Target) -> tuple[Problem, ...]:
-    """All that `check` says, once for each text."""
+    """The diagnostics of `check`, once for each text."""
     blocktext, python = notations.blocktext.tree, notations.python.tree
     said = _checked(blocktext or python or notations.tree, target)
     if not said:
@@ -48,12 +47,12 @@ def problem(diagnostic: Diagnostic, view: View, block: str | None = None) -> Pro
 
 
 def owners(extents: Iterable[Extent]) -> list[int | None]:
-    """For each line of a text, from 0 (nowhere), the innermost statement that stands in it."""
+    """For each line of a text, from 0 (nowhere), the index of the innermost statement there."""
     extents = list(extents)
     found: list[int | None] = [None] * (max((last for _, last in extents), default=0) + 1)
     for index, (first, last) in enumerate(extents):
         if first:
-            # Those inside come later.
+            # Inner statements come later.
             found[first : last + 1] = [index] * (last + 1 - first)
     return found
 
@@ -72,7 +71,7 @@ def _in_authors_python(
 
 
 def _in_characters(diagnostic: Diagnostic, lines: Sequence[str]) -> Diagnostic:
-    """Python's own tree counts columns in bytes."""
+    """A diagnostic with columns in characters: Python's syntax tree counts them in bytes."""
     if not 0 < diagnostic.line <= len(lines) or lines[diagnostic.line - 1].isascii():
         return diagnostic
     line = lines[diagnostic.line - 1].encode("utf-8", "surrogatepass")
@@ -91,7 +90,7 @@ def _in_characters(diagnostic: Diagnostic, lines: Sequence[str]) -> Diagnostic:
 
 
 class _Located:
-    """Finds the statement, the block and the line of Python of what `check` says of a tree.
+    """Finds the statement, the block and the line of Python of each diagnostic of a tree.
 
     Args:
         notations: the program.
@@ -109,22 +108,26 @@ class _Located:
 
     @cached_property
     def originals(self) -> list[Item | Main]:
-        """The same statements as the blocks know them."""
+        """The same statements in the tree of the blocks."""
         return every(self.notations.tree)
 
     def in_python(self, diagnostic: Diagnostic) -> Problem:
-        """A diagnostic of Block-Text in Python that we wrote: the line is all that is known."""
-        message = _OTHER_LINE.sub(
-            lambda match: str(self.python_line(int(match[0]))), diagnostic.message
-        )
+        """A diagnostic of Block-Text at its line of the generated Python."""
         return Problem(
             code=diagnostic.code,
-            message=message,
+            message=self.message_in_python(diagnostic.message),
             severity=diagnostic.severity,
             view="python",
             line=self.python_line(diagnostic.line),
             block=self.block(diagnostic),
         )
+
+    def message_in_python(self, message: Phrase) -> Phrase:
+        """A message whose line of Block-Text, if it names one, is that of Python."""
+        line = message.values.get("line")
+        if not isinstance(line, str):
+            return message
+        return Phrase(message.code, **{**message.values, "line": str(self.python_line(int(line)))})
 
     def python_line(self, line: int) -> int:
         index = self.statement(line)
@@ -133,12 +136,12 @@ class _Located:
         first, last = self.notations.python.extents[index]
         if isinstance(self.statements[index], Raw):
             below = line - self.written.extents[index][0]
-            # A program of nothing but raw Python has no line above it that says so.
+            # A program of raw Python alone has no `# python` line above it.
             return min(first + below - (first == 1), last) or 1
         return first
 
     def block(self, diagnostic: Diagnostic) -> str | None:
-        """The innermost block that a diagnostic speaks of."""
+        """The innermost block that a diagnostic is about."""
         index = self.statement(diagnostic.line)
         if index is None:
             return None

@@ -1,10 +1,10 @@
-"""A rename in the blocks: Blockly makes it in its own blocks, and not in the Python within them."""
+"""Renames in the blocks: Blockly renames in its blocks, but not in the raw Python within them."""
 
 import re
 from dataclasses import dataclass
 
-from learnblock.language.rename import Sort
-from learnblock.language.workspace import Block, Workspace
+from learnblock.language.edit.rename import Sort
+from learnblock.language.workspace.blocks import Block, Workspace
 
 _SORTS: dict[str, Sort] = {
     "procedures_defnoreturn": "function",
@@ -15,12 +15,12 @@ _SORTS: dict[str, Sort] = {
 
 @dataclass(frozen=True)
 class Rename:
-    """Something has another name.
+    """A change of a name.
 
     Args:
-        sort: what.
-        name: as it was called.
-        new: as it is called now.
+        sort: variable, function or when.
+        name: the old name.
+        new: the new name.
     """
 
     sort: Sort
@@ -28,12 +28,12 @@ class Rename:
     new: str
 
     def is_left_in(self, text: str) -> bool:
-        """Whether the old name still stands somewhere, be it in a comment."""
+        """Whether the old name still occurs in a text, even in a comment."""
         return bool(re.search(rf"\b(?:state_|time_)?{re.escape(self.name)}\b", text))
 
 
 def rename_between(before: Workspace, after: Workspace) -> Rename | None:
-    """The one thing that has another name than before, if it is one."""
+    """Find the single changed name; None if there is none or more than one."""
     old, new = _names(before), _names(after)
     changed = [key for key, name in new.items() if old.get(key, name) != name]
     if len(changed) != 1:
@@ -43,7 +43,7 @@ def rename_between(before: Workspace, after: Workspace) -> Rename | None:
 
 
 def _names(workspace: Workspace) -> dict[tuple[Sort, str], str]:
-    """What has a name, by its sort and its id."""
+    """List all names by sort and id."""
     found: dict[tuple[Sort, str], str] = {
         ("variable", variable.id): variable.name for variable in workspace.variables
     }

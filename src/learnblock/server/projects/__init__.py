@@ -1,1 +1,1 @@
-"""Projects on disk: their files, their folder and their history."""
+"""Projects on disk: their files, folder and history."""

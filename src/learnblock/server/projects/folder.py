@@ -17,8 +17,8 @@ from learnblock.errors import (
     ProjectError,
     UnknownNameError,
 )
-from learnblock.files import save
-from learnblock.language.python import ROBOT_IMPORT
+from learnblock.i18n import Phrase
+from learnblock.language.python.generation import ROBOT_IMPORT
 from learnblock.running import DEFAULT_ROBOT
 from learnblock.server.messages import PastRun, ProjectEntry, Version
 from learnblock.server.projects.history import History, Reason
@@ -31,6 +31,7 @@ from learnblock.server.projects.project_file import (
     decode,
     encode,
 )
+from learnblock.storage.files import save
 
 __all__ = ["Format", "Project", "ProjectFolder"]
 
@@ -41,10 +42,10 @@ _NOT_IN_NAMES = re.compile(r"[^\w .-]+")
 
 @dataclass(frozen=True)
 class ProjectFolder:
-    """Projects as files of a folder, with their history and what was deleted beside them.
+    """Projects as files in a folder, with their history and a trash folder.
 
     Args:
-        path: need not exist yet.
+        path: of the folder, which may not exist yet.
         now: seconds since 1970.
     """
 
@@ -52,53 +53,53 @@ class ProjectFolder:
     now: Callable[[], float] = time.time
 
     def entries(self) -> tuple[ProjectEntry, ...]:
-        """Every project, the last changed first."""
+        """List the projects, the last changed first."""
         return tuple(sorted(self._entries(), key=lambda entry: entry.changed, reverse=True))
 
     def read(self, name: str) -> Project:
-        """A project.
+        """Read a project.
 
         Raises:
-            UnknownNameError: there is none of that name.
-            ProjectError: its file is wrong or cannot be read.
+            UnknownNameError: it does not exist.
+            ProjectError: its file is wrong or can't be read.
         """
         path = self._path(name)
         if not path.is_file():
             raise UnknownNameError("project", name, self._names())
-        with _told(path, "the project cannot be read"), path.open("rb") as file:
+        with _reporting(path, "read"), path.open("rb") as file:
             return decode(file.read(LARGEST + 1), path.stem)
 
     def write(self, project: Project) -> None:
-        """Save a project, as a whole or not at all.
+        """Save a project completely or not at all.
 
         Raises:
-            ProjectError: it cannot be saved; what was saved before is as it was.
+            ProjectError: it can't be saved; the file is unchanged.
         """
         path = self._path(project.name)
-        with _told(path, "the project cannot be saved"):
+        with _reporting(path, "save"):
             save(path, encode(project))
 
     def free_name(self, wish: str) -> str:
-        """A name like `wish` that a project can have and none has."""
+        """Find a free name like `wish`."""
         plain = _plain(wish)
-        # Windows and macOS take two names for one that differ only in capitals.
+        # Windows and macOS ignore case in file names.
         taken = {name.casefold() for name in self._names()}
         names = (plain, *(f"{plain} {number}" for number in range(2, len(taken) + 3)))
         return next(name for name in names if name.casefold() not in taken)
 
     def delete(self, name: str) -> None:
-        """Put a project and its history into the folder's trash, ``.trash``.
+        """Move a project and its history into the trash folder, ``.trash``.
 
         Raises:
-            UnknownNameError: there is none of that name.
-            ProjectError: it cannot be moved there.
+            UnknownNameError: it does not exist.
+            ProjectError: it can't be moved.
         """
         path = self._path(name)
         if not path.is_file():
             raise UnknownNameError("project", name, self._names())
         moment = datetime.fromtimestamp(self.now(), UTC).strftime("%Y-%m-%d %H.%M.%S.%f")
         trash = self.path / ".trash" / f"{path.stem} {moment}"
-        with _told(path, "the project cannot be deleted"):
+        with _reporting(path, "delete"):
             trash.mkdir(parents=True)
             path.replace(trash / path.name)
             history = self._history(name).folder
@@ -106,14 +107,14 @@ class ProjectFolder:
                 history.replace(trash / "history")
 
     def import_file(self, filename: str, text: str) -> Project:
-        """A project of a file's text, under a free name; it is not written yet.
+        """Make a project of a file's text, under a free name; it is not saved yet.
 
         Args:
             filename: ends in .bt, .py or .learnblock.
-            text: may have mistakes if it is a program.
+            text: of a program, which may have mistakes, or of a project.
 
         Raises:
-            ProjectError: it is no such file, or a wrong project.
+            ProjectError: the file has another type, or is a wrong project.
         """
         stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
         text = text.removeprefix("\ufeff").replace("\r\n", "\n")
@@ -123,16 +124,15 @@ class ProjectFolder:
         if ending == "py":
             return _from_python(name, text)
         if f".{ending}" != ENDING:
-            message = "this is no program: .bt, .py and .learnblock files are"
-            raise ProjectError(filename, [Diagnostic("unknown-file", message)])
+            raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("project-type"))])
         return replace(decode(text.encode("utf-8", "replace"), stem), name=name)
 
     def export(self, project: Project, format_: Format) -> tuple[str, str]:
-        """The name and the text of a file of a project.
+        """Export a project: return the name and the text of a file.
 
         Raises:
-            ProgramError: Python is asked for and the program has mistakes.
-            ProjectError: the project cannot be written as a file.
+            ProgramError: the format is Python and the program has mistakes.
+            ProjectError: the project can't be written as a file.
         """
         if format_ == "bt":
             text = project.blocktext
@@ -142,43 +142,43 @@ class ProjectFolder:
             text = encode(project).decode()
         return f"{project.name}.{format_}", text
 
-    # What was.
+    # History.
 
     def keep_version(self, project: Project, reason: Reason) -> str:
-        """Keep a version of a project, unless the last is the same; answer its id.
+        """Save a version of a project unless the last one is the same; return its id.
 
         Raises:
-            ProjectError: it cannot be kept.
+            ProjectError: it can't be saved.
         """
-        with _told(self._path(project.name), "the version cannot be kept"):
+        with _reporting(self._path(project.name), "keep-version"):
             return self._history(project.name).keep(project, reason)
 
     def versions(self, name: str) -> tuple[Version, ...]:
-        """The versions of a project, the newest first."""
+        """List the versions of a project, the newest first."""
         return self._history(name).versions()
 
     def read_version(self, name: str, version: str) -> Project:
-        """A version of a project.
+        """Read a version of a project.
 
         Raises:
-            UnknownNameError: it is not kept.
+            UnknownNameError: it does not exist.
             ProjectError: its file is damaged.
         """
-        with _told(self._path(name), "the version cannot be read"):
+        with _reporting(self._path(name), "read-version"):
             return self._history(name).read(version)
 
     def add_run(self, name: str, run: PastRun) -> None:
-        """Keep how a run went.
+        """Save the result of a run.
 
         Raises:
-            ProjectError: it cannot be kept.
+            ProjectError: it can't be saved.
         """
-        with _told(self._path(name), "the run cannot be kept"):
+        with _reporting(self._path(name), "keep-run"):
             self._history(name).add_run(run)
 
     def runs(self, name: str) -> tuple[PastRun, ...]:
-        """The last runs of a project, the newest first."""
-        with _told(self._path(name), "its runs cannot be read"):
+        """List the last runs of a project, the newest first."""
+        with _reporting(self._path(name), "read-runs"):
             return self._history(name).runs()
 
     def _history(self, name: str) -> History:
@@ -190,7 +190,7 @@ class ProjectFolder:
 
     def _entries(self) -> Iterator[ProjectEntry]:
         for path in self.path.glob("*" + ENDING):
-            # What another program put there is called as it likes, and may be gone by now.
+            # Another program may have put the file there, or deleted it just now.
             with suppress(OSError, ProjectError):
                 yield ProjectEntry(checked_name(path.stem), path.stat().st_mtime)
 
@@ -199,7 +199,7 @@ class ProjectFolder:
 
 
 def _plain(wish: str) -> str:
-    """A name that a project can have."""
+    """Turn any text into a name that a project can have."""
     short = _NOT_IN_NAMES.sub(" ", wish).encode("utf-8", "ignore")[: LONGEST_NAME - 10]
     try:
         return checked_name(short.decode("utf-8", "ignore").strip(" ._-"))
@@ -208,7 +208,7 @@ def _plain(wish: str) -> str:
 
 
 def _from_python(name: str, text: str) -> Project:
-    """A project of a Python file, which may be wrong."""
+    """Make a project of a Python file, which may have mistakes."""
     module = ROBOT_IMPORT.search(text)
     robot = _robot_of(module[1]) if module else DEFAULT_ROBOT
     try:
@@ -223,7 +223,7 @@ def _robot_of(module: str) -> str:
     try:
         return robots.find(module).name
     except LearnBlockError:
-        # A robot that is not here: the program can still be read, and run on another one.
+        # The robot is not installed; the program can still be read, and run on another one.
         return DEFAULT_ROBOT
 
 
@@ -233,10 +233,11 @@ def _python(project: Project) -> str:
 
 
 @contextmanager
-def _told(path: Path, what: str) -> Iterator[None]:
-    """Tell what the system refuses in a sentence of ours."""
+def _reporting(path: Path, action: str) -> Iterator[None]:
+    """Report an action that the system refuses."""
     try:
         yield
     except OSError as error:
-        reason = f"{what} in {path.parent}: {error.strerror or error}"
-        raise ProjectError(path.name, [Diagnostic("no-access", reason)]) from error
+        reason = error.strerror or str(error)
+        message = Phrase("project-no-access", action=action, folder=str(path.parent), reason=reason)
+        raise ProjectError(path.name, [Diagnostic("no-access", message)]) from error

@@ -1,4 +1,4 @@
-"""What a project was before: its versions, and its runs."""
+"""The history of a project: its versions and its runs."""
 
 import re
 import time
@@ -10,27 +10,27 @@ from typing import Literal, cast
 import msgspec
 
 from learnblock.errors import UnknownNameError
-from learnblock.files import save
 from learnblock.server.messages import PastRun, Version
 from learnblock.server.projects.project_file import ENDING, LARGEST, Project, decode, encode
+from learnblock.storage.files import save
 
 Reason = Literal["run", "time", "restored", "opened"]
 
 MOST_VERSIONS = 100
 MOST_RUNS = 200
 
-#: Milliseconds since 1970, why it was kept, how many lines it has.
+#: Milliseconds since 1970, the reason for the version, its number of lines.
 _ID = re.compile(r"(\d{13,15})-(run|time|restored|opened)-(\d{1,7})")
 _read_runs = msgspec.json.Decoder(list[PastRun]).decode
 
 
 @dataclass(frozen=True)
 class History:
-    """The versions and runs of one project, in a folder of its own.
+    """The versions and runs of one project, in one folder.
 
     Args:
-        name: the project's.
-        folder: need not exist yet.
+        name: of the project.
+        folder: may not exist yet.
         now: seconds since 1970.
     """
 
@@ -39,11 +39,11 @@ class History:
     now: Callable[[], float] = time.time
 
     def keep(self, project: Project, reason: Reason) -> str:
-        """Keep a version, unless the last one is the same; answer its id.
+        """Save a version unless the last one is the same; return its id.
 
         Raises:
-            ProjectError: it cannot be written as a file.
-            OSError: the folder cannot be written to.
+            ProjectError: it can't be written as a file.
+            OSError: the folder can't be written to.
         """
         data = encode(project)
         before = self.versions()
@@ -55,16 +55,16 @@ class History:
         return version
 
     def versions(self) -> tuple[Version, ...]:
-        """The versions that are kept, the newest first."""
+        """List the versions, the newest first."""
         found = (_version(path.stem) for path in self.folder.glob(f"*{ENDING}"))
         kept = (version for version in found if version is not None)
         return tuple(sorted(kept, key=lambda version: version.time, reverse=True))
 
     def read(self, version: str) -> Project:
-        """A version.
+        """Read a version.
 
         Raises:
-            UnknownNameError: it is not kept.
+            UnknownNameError: it does not exist.
             ProjectError: its file is damaged.
         """
         known = [one.id for one in self.versions()]
@@ -74,23 +74,23 @@ class History:
             return decode(file.read(LARGEST + 1), self.name)
 
     def add_run(self, run: PastRun) -> None:
-        """Keep how a run went.
+        """Save the result of a run.
 
         Raises:
-            OSError: the folder cannot be written to.
+            OSError: the folder can't be written to.
         """
         runs = [run, *self.runs()][:MOST_RUNS]
         lines = b",\n".join(map(msgspec.json.encode, runs))
         save(self._runs, b"[\n" + lines + b"\n]\n")
 
     def runs(self) -> tuple[PastRun, ...]:
-        """The last runs, the newest first."""
+        """List the last runs, the newest first."""
         try:
             return tuple(_read_runs(self._runs.read_bytes()))
         except FileNotFoundError:
             return ()
         except (msgspec.MsgspecError, RecursionError):
-            # A damaged list of runs must keep nobody from running the program again.
+            # A damaged list of runs must not prevent the next run.
             return ()
 
     @property
@@ -103,7 +103,7 @@ class History:
     def _new_id(self, before: tuple[Version, ...], reason: Reason, lines: int) -> str:
         moment = int(self.now() * 1000)
         if before:
-            # Versions stay in order even where the clock is set back.
+            # Versions stay in order even when the clock is set back.
             moment = max(moment, round(before[0].time * 1000) + 1)
         return f"{moment:013}-{reason}-{lines}"
 
@@ -123,9 +123,9 @@ def _version(id_: str) -> Version | None:
 
 
 def _least_missed(times: list[float]) -> int:
-    """Which of several versions, the newest first, leaves the smallest gap for its age.
+    """Choose the version whose removal leaves the smallest gap for its age.
 
-    The first and the last one stay. What is kept is dense in the last minutes and sparse long ago.
+    The first and the last version stay. So recent versions are dense, and old ones are sparse.
     """
 
     def gap(index: int) -> float:

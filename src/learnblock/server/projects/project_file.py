@@ -1,4 +1,4 @@
-"""A project and its file: JSON that a person can read, with a version.
+"""Projects, and their files: readable JSON with a version number.
 
 ```json
 {
@@ -13,10 +13,9 @@
 }
 ```
 
-Texts are lists of their lines. ``python`` stands there only where its author wrote it by hand,
-``workspace`` says where the blocks lie, ``breakpoints`` names blocks, ``shown`` and
-``block_sets`` say which blocks the palette shows, and ``libraries`` with which versions of those it
-was made.
+Texts are lists of lines. ``python`` is there only if its author wrote it by hand, ``workspace`` has
+the places of the blocks, ``breakpoints`` has ids of blocks, ``shown`` and ``block_sets`` choose the
+blocks in the palette, and ``libraries`` has the versions that the program was made with.
 """
 
 import dataclasses
@@ -30,23 +29,26 @@ from typing import Annotated, Any, NoReturn
 import msgspec
 from msgspec import Meta, Struct, field
 
-from learnblock import library
 from learnblock.blocks.block_sets import EVERYTHING, BlockNames, BlockSet
-from learnblock.errors import Diagnostic, ProjectError, did_you_mean
-from learnblock.files import is_device_name
-from learnblock.language.workspace import Workspace
+from learnblock.errors import Diagnostic, ProjectError
+from learnblock.extensions.libraries import Name, Version
+from learnblock.i18n import Phrase
+from learnblock.language.workspace.blocks import Workspace
 from learnblock.running import DEFAULT_ROBOT
 from learnblock.server.messages import MOST_BREAKPOINTS, MOST_CARRIED, Id
+from learnblock.storage.file_phrases import place as phrase_of_place
+from learnblock.storage.file_phrases import unknown_key
+from learnblock.storage.files import is_device_name
 
 ENDING = ".learnblock"
 VERSION = 1
-#: Bytes; a thousand statements with their blocks take a tenth of it.
+#: Bytes; a thousand statements with their blocks have a tenth of it.
 LARGEST = 4 * 1024 * 1024
 LONGEST_NAME = 100
-#: That a program imports.
+#: Of a program's imports.
 MOST_LIBRARIES = 1000
 
-# No separators, and neither end may be what Windows strips or Unix hides.
+# No separators; no start that Unix hides, and no end that Windows strips.
 _NAME = re.compile(r"[^\W_](?:[\w .-]*[\w-])?")
 
 
@@ -57,14 +59,14 @@ class Project:
     Args:
         name: also of its file.
         blocktext: the program.
-        python: the same, as its author wrote it by hand; None where nobody did.
-        workspace: its blocks; None to lay them out anew.
+        python: the same as its author wrote it by hand; None if it is generated.
+        workspace: its blocks; None to lay them out.
         robot: its name.
-        world: its name; empty for the robot's own.
+        world: its name; empty for the usual world of the robot.
         breakpoints: ids of blocks.
-        shown: the name of the set of blocks that the palette shows.
-        block_sets: those that are not ours, so that the project takes them along.
-        libraries: the version of each that the program was made with.
+        shown: the name of the block set that the palette shows.
+        block_sets: the block sets that are saved in the project.
+        libraries: the versions that the program was made with, by name.
     """
 
     name: str
@@ -83,7 +85,7 @@ Choice = Annotated[str, Meta(max_length=LONGEST_NAME)]
 
 
 class _File(Struct, forbid_unknown_fields=True):
-    """What a project's file holds, in this order."""
+    """The values of a project's file, in this order."""
 
     learnblock: int
     blocktext: list[str]
@@ -94,13 +96,13 @@ class _File(Struct, forbid_unknown_fields=True):
     )
     shown: Choice = EVERYTHING
     block_sets: Annotated[tuple[BlockSet, ...], Meta(max_length=MOST_CARRIED)] = ()
-    libraries: Annotated[dict[library.Name, library.Version], Meta(max_length=MOST_LIBRARIES)] = {}
+    libraries: Annotated[dict[Name, Version], Meta(max_length=MOST_LIBRARIES)] = {}
     python: list[str] | None = None
     workspace: Workspace | None = None
 
 
 class _Head(Struct):
-    """What tells a project's file from other JSON."""
+    """The key that distinguishes a project's file from other JSON."""
 
     learnblock: Any = None
 
@@ -110,51 +112,50 @@ _read_file = msgspec.json.Decoder(_File).decode
 
 
 def checked_name(name: str) -> str:
-    """The name in the form in which files are called.
+    """Check a name, and return it in the form of file names.
 
     Raises:
-        ProjectError: a project cannot be called so.
+        ProjectError: a project can't have this name.
     """
     name = unicodedata.normalize("NFC", name)
     if not _NAME.fullmatch(name) or len(name.encode("utf-8", "replace")) > LONGEST_NAME:
         _refuse(
             name,
             "wrong-name",
-            f"a project cannot be called {name!r:.120}: letters, digits, blanks, `-`, `_` and `.`"
-            f" make a name, at most {LONGEST_NAME} of them, and it begins with a letter or digit",
+            Phrase("project-name-wrong", name=name[:120], limit=LONGEST_NAME),
         )
     if is_device_name(name):
-        _refuse(name, "wrong-name", f"`{name}` is a device's name on Windows: choose another one")
+        _refuse(name, "wrong-name", Phrase("project-name-device", name=name))
     return name
 
 
 def encode(project: Project) -> bytes:
-    """The file of a project.
+    """Encode a project as a file.
 
     Raises:
-        ProjectError: it is larger than any that `decode` reads, or holds what is no text.
+        ProjectError: it is larger than `decode` reads, or contains half a character.
     """
     try:
         data = (_written(_values(project)) + "\n").encode()
     except UnicodeEncodeError as error:
         character = ord(error.object[error.start])
-        message = f"the character U+{character:04X} cannot be saved: remove it from the program"
+        message = Phrase("project-character", code=f"{character:04X}")
         _refuse(project.name, "bad-character", message)
     if len(data) > LARGEST:
-        message = f"the project has {len(data):,} bytes; at most {LARGEST:,} are saved"
+        message = Phrase("project-too-large", size=len(data), limit=LARGEST)
         _refuse(project.name, "too-large", message)
     return data
 
 
 def decode(data: bytes, name: str) -> Project:
-    """The project that a file holds.
+    """Decode the project in a file.
 
     Raises:
-        ProjectError: it is no project, or a wrong one; the diagnostic says where.
+        ProjectError: the file is not a project, or a wrong one, with the place.
     """
     filename = name + ENDING
     if len(data) > LARGEST:
-        message = f"the file has {len(data):,} bytes; a project has at most {LARGEST:,}"
+        message = Phrase("project-too-large", size=len(data), limit=LARGEST)
         _refuse(filename, "too-large", message)
     text = _text(data, filename)
     try:
@@ -165,7 +166,7 @@ def decode(data: bytes, name: str) -> Project:
     except msgspec.DecodeError as error:
         raise ProjectError(filename, [_malformed(str(error), data)], text) from None
     except RecursionError:
-        _refuse(filename, "too-deep", "its brackets stand deeper inside each other than any blocks")
+        _refuse(filename, "too-deep", Phrase("project-too-deep"))
     _check_choices(file, filename)
     return _project(file, name)
 
@@ -193,103 +194,99 @@ def _text(data: bytes, filename: str) -> str:
         return data.decode()
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
-        problem = f"the byte {data[error.start]:#x} is not UTF-8: this is no project"
+        problem = Phrase("project-not-utf-8", byte=f"{data[error.start]:#x}")
         raise ProjectError(filename, [Diagnostic("not-utf-8", problem, line)]) from None
 
 
 def _check_version(version: object, filename: str) -> None:
     if version is None:
-        _refuse(
-            filename,
-            "no-project",
-            'this is no project of LearnBlock: a project begins with `"learnblock": 1`',
-        )
+        _refuse(filename, "no-project", Phrase("project-none", start=_START))
     if version != VERSION or isinstance(version, bool):
         _refuse(
             filename,
             "unknown-version",
-            f"`learnblock` is {version!r:.40}, and this LearnBlock reads version {VERSION}:"
-            " a newer LearnBlock may open it",
+            Phrase("project-version", version=f"{version!r:.40}", known=str(VERSION)),
         )
 
 
 def _check_choices(file: _File, filename: str) -> None:
-    """Robots and worlds are chosen by name: a project never leads out of its folder."""
+    """Refuse paths: a project names robots and worlds, and never points out of its folder."""
     for key, value in (("robot", file.robot), ("world", file.world)):
         if value and not _NAME.fullmatch(value):
             _refuse(
                 filename,
                 "no-name",
-                f"`{key}` is {value!r}: a project names a {key} there is, such as"
-                f" `{_SUCH_AS[key]}`, and no path",
+                Phrase("project-path", kind=key, value=repr(value), example=_SUCH_AS[key]),
             )
 
 
+#: How a project's file starts.
+_START = '{"learnblock": 1'
 _SUCH_AS = {"robot": DEFAULT_ROBOT, "world": "line"}
 _PLACE = re.compile(r" - at (?:`key` in )?`\$\.?(.*?)`$")
 _UNKNOWN = re.compile(r"Object contains unknown field `(.+)`")
 _MISSING = re.compile(r"Object missing required field `(.+)`")
 _BYTE = re.compile(r" \(byte (\d+)\)")
-_ADVICE = {
-    "blocktext": "it is the list of the program's lines",
-    "python": "it is the list of the lines of Python",
-    "robot": "it is the name of a robot, such as `sim-ebo`",
-    "world": "it is the name of a world, such as `line`",
-    "breakpoints": f"it is a list of the ids of at most {MOST_BREAKPOINTS} blocks",
-    "shown": "it is the name of a set of blocks, such as `first-steps`",
-    "block_sets": f"it is a list of at most {MOST_CARRIED} sets of blocks",
-    "libraries": 'it gives the version of each library, such as `{"dance": "1.2.0"}`',
-    "workspace": "leave it out to have the blocks laid out anew",
+_EXPECTED = {
+    "blocktext": Phrase("project-expects-blocktext"),
+    "python": Phrase("project-expects-python"),
+    "robot": Phrase("project-expects-robot"),
+    "world": Phrase("project-expects-world"),
+    "breakpoints": Phrase("project-expects-breakpoints", limit=MOST_BREAKPOINTS),
+    "shown": Phrase("project-expects-shown"),
+    "block_sets": Phrase("project-expects-block-sets", limit=MOST_CARRIED),
+    "libraries": Phrase("project-expects-libraries", example='{"dance": "1.2.0"}'),
+    "workspace": Phrase("project-expects-workspace"),
 }
 
 
 def _explained(refusal: str, text: str) -> Diagnostic:
-    """What msgspec refuses, in the words of the file."""
+    """Explain what msgspec refuses to a person who knows only the file."""
     found = _PLACE.search(refusal)
     place = found[1] if found else ""
-    key = re.split(r"[.\[]", place, maxsplit=1)[0]
     refusal = _PLACE.sub("", refusal)
     if missing := _MISSING.match(refusal):
-        advice = _ADVICE.get(missing[1], "it belongs there")
-        return _at("", text, "missing-key", f"{_owner(place)} lacks `{missing[1]}`: {advice}")
+        message = Phrase("file-missing-key", key=missing[1], place=phrase_of_place(place))
+        return _at("", text, "missing-key", message)
     if unknown := _UNKNOWN.match(refusal):
-        known = _known(place)
-        hint = did_you_mean(unknown[1], known) or "known are: " + ", ".join(known)
-        message = f"{_owner(place)} has a key `{unknown[1]}`, which is not known; {hint}"
+        message = unknown_key(unknown[1], place, _known(place))
         return _at(unknown[1], text, "unknown-key", message)
+    key = re.split(r"[.\[]", place, maxsplit=1)[0]
+    return _at(key, text, "wrong-value", _wrong_value(place, key, text))
+
+
+def _wrong_value(place: str, key: str, text: str) -> Phrase:
+    expected = _EXPECTED.get(key)
+    if expected is None:
+        return Phrase("project-none", start=_START)
     value = _shown(place, text)
-    wrong = refusal[0].lower() + refusal[1:]
-    advice = _ADVICE.get(key, 'the file begins with `{"learnblock": 1`')
-    message = f"{_owner(place)} is {value}: {wrong}; {advice}"
-    return _at(key, text, "wrong-value", message)
+    if value is None:
+        return Phrase("project-value-wrong", place=phrase_of_place(place), expected=expected)
+    return Phrase("project-value", place=phrase_of_place(place), value=value, expected=expected)
 
 
 def _known(place: str) -> tuple[str, ...]:
-    """The keys that there may be at a place."""
+    """The keys that are allowed at a place."""
     if not place.startswith("block_sets"):
         return _File.__struct_fields__
     kind = BlockNames if place.endswith((".show", ".hide")) else BlockSet
     return kind.__struct_fields__
 
 
-def _owner(place: str) -> str:
-    return f"`{place}`" if place else "the file"
-
-
-def _shown(place: str, text: str) -> str:
-    """The value at a place, as the file has it, cut where it is long."""
+def _shown(place: str, text: str) -> str | None:
+    """The value at a place as in the file, shortened if it is long; None if it can't be shown."""
     try:
         value = json.loads(text)
         for index, key in re.findall(r"\[(\d+)\]|([^.\[\]]+)", place):
             value = value[int(index)] if index else value[key]
         written = json.dumps(value, ensure_ascii=False)
     except (KeyError, TypeError, ValueError, RecursionError):
-        # Msgspec calls each value of an object `...`; and some values cannot be shown at all.
-        return "wrong"
+        # Msgspec calls each value of an object `...`, and some values can't be shown at all.
+        return None
     return written if len(written) <= 60 else written[:57] + "..."
 
 
-def _at(key: str, text: str, code: str, message: str) -> Diagnostic:
+def _at(key: str, text: str, code: str, message: Phrase) -> Diagnostic:
     found = re.search(rf'^\s*("{re.escape(key)}")\s*:', text, re.MULTILINE) if key else None
     if found is None:
         return Diagnostic(code, message)
@@ -299,28 +296,28 @@ def _at(key: str, text: str, code: str, message: str) -> Diagnostic:
 
 
 def _malformed(refusal: str, data: bytes) -> Diagnostic:
-    """What is no JSON, and where."""
+    """Report a file that is not JSON, with the place."""
     found = _BYTE.search(refusal)
     at = int(found[1]) if found else len(data)
     start = data.rfind(b"\n", 0, at) + 1
     column = len(data[start:at].decode("utf-8", "replace")) + 1
     what = _BYTE.sub("", refusal).removeprefix("JSON is malformed: ")
-    message = f"this is no JSON ({what}), so no project: take an older copy of the file"
+    message = Phrase("project-damaged", reason=what)
     return Diagnostic("not-json", message, data.count(b"\n", 0, start) + 1, column)
 
 
-def _refuse(filename: str, code: str, message: str) -> NoReturn:
+def _refuse(filename: str, code: str, message: Phrase) -> NoReturn:
     raise ProjectError(filename, [Diagnostic(code, message)])
 
 
 # Writing.
 
-#: Brackets that begin a line of their own: those of the file, of a text, of the list of stacks.
+#: Levels of brackets that are split into lines: the file, a text, the list of stacks.
 _SPREAD = 3
 
 
 def _values(project: Project) -> dict[str, Any]:
-    """The file's values; blocks stay what they are, since `msgspec` alone writes deep ones."""
+    """The file's values; blocks stay Structs, since only `msgspec` encodes deep ones."""
     values: dict[str, Any] = {"learnblock": VERSION, "robot": project.robot}
     values["world"] = project.world
     values["breakpoints"] = list(project.breakpoints)
@@ -339,7 +336,7 @@ def _values(project: Project) -> dict[str, Any]:
 
 
 def _written(value: Any, depth: int = _SPREAD, indent: str = "") -> str:
-    """JSON with a line for each line of a text and for each stack of blocks."""
+    """Encode JSON with a line for each line of a text and for each stack of blocks."""
     if not depth or not value or not isinstance(value, dict | list):
         return msgspec.json.encode(value).decode()
     inner = indent + "  "

@@ -1,1 +1,1 @@
-"""Running the program of a session, and telling its pages what happens."""
+"""Runs of a project's program, and reports of them to its pages."""

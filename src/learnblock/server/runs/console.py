@@ -1,15 +1,14 @@
-"""What programs print, on its way to the page."""
+"""The output of programs on its way to the page."""
 
 import threading
 
-#: Characters; of what is printed within one moment no more is sent, and no more is kept for a page
-#: that comes later.
+#: Characters sent at once, and kept for a page that opens later; the rest is left out.
 MOST_AT_ONCE = 20_000
 MOST_KEPT = 100_000
 
 
 class Console:
-    """Gathers prints in the thread that runs the program, and hands them out in portions."""
+    """Collects the output in the thread of the program, and hands it out in portions."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -18,16 +17,16 @@ class Console:
 
     @property
     def kept(self) -> str:
-        """The last of all that was handed out."""
+        """The end of the output handed out so far."""
         return self._kept
 
     def printed(self, text: str) -> None:
-        """Add what the program printed; from any thread."""
+        """Add output of the program; from any thread."""
         with self._lock:
             self._new.append(text)
 
     def take(self) -> str:
-        """What was printed since this was last asked, or its end where that is very much."""
+        """The output since the last call, or its end where there is too much."""
         with self._lock:
             new, self._new = "".join(self._new), []
         shown = _shortened(new)
@@ -35,7 +34,7 @@ class Console:
         return shown
 
     def clear(self) -> None:
-        """A new run begins with an empty page."""
+        """Forget all output, as at the beginning of a run."""
         with self._lock:
             self._new, self._kept = [], ""
 

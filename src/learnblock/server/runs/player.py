@@ -1,10 +1,12 @@
-"""Runs the program of a session, and plays with its robot while none runs."""
+"""Runs the program of a project, and moves its robot while no program runs."""
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from anyio import to_thread
 
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 from learnblock.running import Report
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.status import State
@@ -13,14 +15,15 @@ from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import Console
 from learnblock.server.runs.playing import Played, Playing, Setting, prepared
 from learnblock.server.runs.reporter import Reporter
+from learnblock.server.runs.viewers import Viewer, Viewers
 
 if TYPE_CHECKING:
+    from learnblock.devices import Pose
+    from learnblock.monitor import Monitor
     from learnblock.robots import RobotEntry
-    from learnblock.robots.stage import Stage
-    from learnblock.server.pages.page import Page
-    from learnblock.server.sessions.session import Session
 
-#: Being held comes with its line, and the end with its report.
+#: The states reported as they are; a held program is reported with its line, an ended one with its
+#: report.
 _STATES: dict[State, messages.StateName] = {
     State.STARTING: "starting",
     State.RUNNING: "running",
@@ -28,18 +31,21 @@ _STATES: dict[State, messages.StateName] = {
     State.INPUT: "input",
 }
 IDLE = messages.RunState("idle")
+NOWHERE = messages.RunningLine(0)
 
 
 class Player:
-    """What runs, or stands still, in the world of a session.
+    """The robot of a project in its world, and the program that it runs.
 
     Args:
-        session: whose program it is, and whose pages are told.
+        viewers: the pages that show the project.
+        on_run_ended: is called after each run.
     """
 
-    def __init__(self, session: "Session") -> None:
-        self._session = session
-        self._stage: Stage | None = None
+    def __init__(self, viewers: Viewers, on_run_ended: Callable[[messages.Ended], object]) -> None:
+        self.viewers = viewers
+        self._on_run_ended = on_run_ended
+        self._monitor: Monitor | None = None
         self._scene: messages.Scene | None = None
         self._playing: Playing | None = None
         self._state = IDLE
@@ -50,42 +56,38 @@ class Player:
         self._console = Console()
         self._reporter = Reporter(self, self._console)
 
-    # What the reporter asks.
+    # For the reporter.
 
     @property
-    def stage(self) -> "Stage | None":
-        """The robot in its world: the program's, once it has made it."""
-        return (self._playing and self._playing.run.stage) or self._stage
+    def monitor(self) -> "Monitor | None":
+        """The monitor of the robot: the program's, once it has made its robot."""
+        return (self._playing and self._playing.run.monitor) or self._monitor
 
     @property
     def active(self) -> bool:
         return self._playing is not None
 
     @property
-    def block(self) -> str | None:
-        return self._playing.block if self._playing else None
-
-    @property
-    def pages(self) -> "tuple[Page, ...]":
-        return self._session.pages
+    def running_line(self) -> messages.RunningLine:
+        return self._playing.running_line if self._playing else NOWHERE
 
     # Pages.
 
-    def join(self, page: "Page") -> None:
-        """Tell a page what all others know."""
+    def join(self, page: Viewer) -> None:
+        """Send a page what the other pages have received."""
         self._reporter.flush()
         printed = messages.Printed(self._console.kept) if self._console.kept else None
         known = (self._scene, self._state, printed, self._variables, self._asked, self._ended)
         for message in known:
             if message is not None:
-                page.tell(message)
+                page.send(message)
         self._reporter.greet()
 
     def watch(self) -> None:
-        """A page has begun or ceased to watch the camera."""
+        """Send camera frames, or stop, after a page has begun or ceased to watch."""
         self._reporter.watch()
 
-    # The stage.
+    # The robot in its world.
 
     async def set_the_stage(self, robot: "RobotEntry", world: str) -> None:
         """Put a robot into a world.
@@ -93,57 +95,51 @@ class Player:
         Raises:
             LearnBlockError: there is no room for it, or a program runs.
         """
-        self._require_rest("change robot or world")
-        stage = await to_thread.run_sync(_staged, robot, world)
-        await self._close_stage()
-        self._stage = stage
-        self._scene = telemetry.scene(stage) if stage else None
-        if self._scene:
-            self._session.tell(self._scene)
+        self._require_rest()
+        monitor = await to_thread.run_sync(_monitor, robot, world)
+        await self._close_monitor()
+        self._monitor = monitor
+        self._scene = telemetry.scene(monitor)
+        self.viewers.send(self._scene)
         self._reporter.greet()
 
-    async def reset_world(self) -> None:
-        """Put everything back to where it was at first."""
-        await self.set_the_stage(self._session.robot, self._session.world)
-
     def place(self, x: float, y: float, heading: float) -> None:
-        """Set the robot down; the next run begins there."""
+        """Place the robot; the next run begins there.
+
+        Raises:
+            LearnBlockError: the robot is moving, or it is a real one.
+        """
         if self._state.state not in {"idle", "ended", "paused", "held"}:
-            raise LearnBlockError("the robot is moving: pause or stop the program to set it down")
-        self._simulated().place(x, y, heading)
+            raise LearnBlockError("play-robot-moves")
+        self._require_monitor().place(x, y, heading)
         self._reporter.attend()
 
     def drive(self, advance: float, rotation: float) -> None:
-        """Drive by hand."""
-        self._require_rest("drive by hand")
-        self._simulated().drive(advance, rotation)
+        """Drive the robot by hand.
+
+        Raises:
+            LearnBlockError: a program runs, or the robot is a real one.
+        """
+        self._require_rest()
+        self._require_monitor().drive(advance, rotation)
         self._reporter.attend()
 
     # The program.
 
-    def require_no_errors(self) -> None:
-        """Refuse a program that cannot be run.
+    @property
+    def start(self) -> "Pose | None":
+        """The pose at which the user placed the robot; None without one."""
+        return self._monitor.start if self._monitor else None
 
-        Raises:
-            LearnBlockError: it has errors.
-        """
-        for problem in self._session.document.problems:
-            if problem.severity == "error":
-                place = f"line {problem.line}: " if problem.line else ""
-                raise LearnBlockError(f"the program has an error: {place}{problem.message}")
-
-    async def run(self, played: Played, *, paused: bool) -> None:
+    async def run(self, played: Played, setting: Setting, *, paused: bool) -> None:
         """Run a program from the beginning."""
-        session = self._session
-        start = self._stage.start if self._stage else None
-        setting = Setting(session.name, session.robot, session.world, start, session.breakpoints)
         playing = prepared(played, setting, self, self._console, paused=paused)
         playing.run.set_speed(self._speed)
-        await self._close_stage()
+        await self._close_monitor()
         self._begin(playing)
 
     async def stop(self) -> None:
-        """Stop the program and the robot, and return when they stand still."""
+        """Stop the program and the robot, and return when both are at rest."""
         playing = self._playing
         if playing:
             playing.run.stop()
@@ -162,7 +158,7 @@ class Player:
             (self._playing.run.step_over if over else self._playing.run.step)()
 
     def set_speed(self, factor: float | None) -> None:
-        """How fast this run and those to come are, times real time; None is as fast as it goes."""
+        """Set the speed of this run and of later ones, times real time; None is the fastest."""
         self._speed = factor
         if self._playing:
             self._playing.run.set_speed(factor)
@@ -173,23 +169,23 @@ class Player:
             self._playing.set_breakpoints(blocks)
 
     def answer(self, text: str) -> None:
-        """The line that the program waits for.
+        """Give the program the line that it waits for.
 
         Raises:
-            LearnBlockError: it waits for none.
+            LearnBlockError: it is not waiting for one.
         """
         if not self._playing or not self._asked:
-            raise LearnBlockError("the program does not ask for anything")
+            raise LearnBlockError("play-no-question")
         self._asked = None
         self._playing.watcher.answer(text)
 
     async def close(self) -> None:
-        """Stop everything, and look no more."""
+        """Stop the program, the robot and the reports."""
         await self.stop()
-        await self._close_stage()
+        await self._close_monitor()
         self._reporter.close()
 
-    # What the run tells.
+    # Reports of the run.
 
     def on_state(self, state: State) -> None:
         if state in _STATES:
@@ -201,27 +197,27 @@ class Player:
 
     def on_variables(self, variables: Variables) -> None:
         whens = tuple(messages.WhenNow(name, *now) for name, now in variables.whens.items())
-        told = messages.Variables(variables.local, variables.shared, whens)
-        if told != self._variables:
-            self._variables = told
-            self._session.tell(told)
+        shown = messages.Variables(variables.local, variables.shared, whens)
+        if shown != self._variables:
+            self._variables = shown
+            self.viewers.send(shown)
 
     def on_input(self, prompt: str) -> None:
         self._reporter.flush()
         self._asked = messages.InputWanted(prompt)
-        self._session.tell(self._asked)
+        self.viewers.send(self._asked)
 
     def on_ended(self, report: Report | Exception) -> None:
         playing = self._playing
-        assert playing is not None  # noqa: S101 - it is told once, by the run that is over
-        self._stage = playing.run.stage or self._stage
+        assert playing is not None  # noqa: S101 - each run reports its end once
+        self._monitor = playing.run.monitor or self._monitor
         self._playing = self._asked = None
         self._reporter.flush()
         self._reporter.attend()
-        self._tell_end(playing, report)
+        self._report_end(playing, report)
         playing.over.set()
 
-    # Within.
+    # Helpers.
 
     def _begin(self, playing: Playing) -> None:
         self._console.clear()
@@ -235,35 +231,35 @@ class Player:
         self._reporter.flush()
         before, self._state = self._state, messages.RunState(state, block, self._speed)
         if self._state != before:
-            self._session.tell(self._state)
+            self.viewers.send(self._state)
 
-    def _tell_end(self, playing: Playing, report: Report | Exception) -> None:
+    def _report_end(self, playing: Playing, report: Report | Exception) -> None:
         if isinstance(report, Report):
             self._ended = playing.ended(report)
         else:
-            sentence = f"the run could not be made: {report}"
-            self._ended = messages.Ended("error", sentence, tried=playing.is_trial)
-        self._session.tell(self._ended)
+            phrase = Phrase("play-not-started", reason=str(report))
+            self._ended = messages.Ended("error", phrase, tried=playing.is_trial)
+        self.viewers.send(self._ended)
         self._enter("ended")
-        self._session.ran(self._ended)
+        self._on_run_ended(self._ended)
 
-    def _require_rest(self, what: str) -> None:
+    def _require_rest(self) -> None:
         if self.active:
-            raise LearnBlockError(f"a program is running: stop it first to {what}")
+            raise LearnBlockError("play-program-running")
 
-    def _simulated(self) -> "Stage":
-        if self.stage is None:
-            raise LearnBlockError("the chosen robot is no simulated one")
-        return self.stage
+    def _require_monitor(self) -> "Monitor":
+        if self.monitor is None:
+            raise LearnBlockError("play-no-robot")
+        return self.monitor
 
-    async def _close_stage(self) -> None:
-        if self._stage:
-            # It waits for the thread that a drive by hand has.
-            await to_thread.run_sync(self._stage.close)
+    async def _close_monitor(self) -> None:
+        if self._monitor:
+            # It waits for the thread of a drive by hand.
+            await to_thread.run_sync(self._monitor.close)
 
 
-def _staged(robot: "RobotEntry", world: str) -> "Stage | None":
-    # The simulator takes its time to be imported, and the server answers before it is.
-    from learnblock.robots.stage import make_stage  # noqa: PLC0415
+def _monitor(robot: "RobotEntry", world: str) -> "Monitor":
+    # The server answers before the simulator is loaded, which takes time.
+    from learnblock.monitor import make_monitor  # noqa: PLC0415
 
-    return make_stage(robot, world)
+    return make_monitor(robot, world)

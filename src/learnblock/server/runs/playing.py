@@ -1,4 +1,4 @@
-"""One run of the program, from the event loop's side."""
+"""A single run of the program, as the event loop sees it."""
 
 import asyncio
 import threading
@@ -7,32 +7,31 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
-from learnblock import skill_files
 from learnblock.devices import Pose
 from learnblock.robots import RobotEntry
-from learnblock.running import Options, Report
-from learnblock.running import Session as Run
+from learnblock.running import Options, ProgramRun, Report
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.program import Program
 from learnblock.server import messages
 from learnblock.server.runs.console import Console
 from learnblock.server.runs.trial import Trial
 from learnblock.server.runs.watcher import Audience, RunWatcher
+from learnblock.storage import skill_files
 
-#: Whoever repeats a run on the command line gets the same one: it seeds with 0 as well.
+#: The seed of the command line, so that the same run can be repeated there.
 SEED = 0
 
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """What a program runs on.
+    """The surroundings of a run.
 
     Args:
-        name: what its author calls it.
-        robot: on which robot.
-        world: in which world.
-        start: where the robot was put, if it was.
-        breakpoints: blocks before which it is held.
+        name: of the program.
+        robot: that it runs on.
+        world: of a simulated robot.
+        start: the pose at which the user placed the robot; None for the world's own start.
+        breakpoints: the blocks before which it pauses.
     """
 
     name: str
@@ -43,20 +42,20 @@ class Setting:
 
 
 class Played(Protocol):
-    """What is run: a program's document, or a function that is tried."""
+    """A program's document, or a function that the user tries."""
 
     def program(self, name: str, /) -> Program:
-        """What is run."""
+        """The program to run."""
 
     def block_at(self, python_line: int, /) -> str | None:
-        """The block that stands in a line of it."""
+        """The block of a line of its Python; None for a line without one."""
 
     def python_line(self, block: str, /) -> int | None:
-        """The first line of a block."""
+        """The first line of a block; None if the block is not in it."""
 
 
 class Playing:
-    """One run: the program as it was when it began, and who controls and watches it.
+    """A run: the program as it was at its beginning, its controls and its watcher.
 
     Args:
         played: the program.
@@ -64,43 +63,44 @@ class Playing:
         watcher: that of `run`.
     """
 
-    def __init__(self, played: Played, run: Run, watcher: RunWatcher) -> None:
+    def __init__(self, played: Played, run: ProgramRun, watcher: RunWatcher) -> None:
         self.played = played
         self.run = run
         self.watcher = watcher
-        #: Set once nothing of it is left.
+        #: Set when the run is over and its robot released.
         self.over = asyncio.Event()
 
     @property
-    def block(self) -> str | None:
-        """The block that runs now."""
-        return self.played.block_at(self.watcher.current_line)
+    def running_line(self) -> messages.RunningLine:
+        """The line and the block that are running."""
+        line = self.watcher.current_line
+        return messages.RunningLine(line, self.played.block_at(line))
 
     @property
     def is_trial(self) -> bool:
         return isinstance(self.played, Trial)
 
     def start(self) -> None:
-        """Run it, in a thread."""
-        self.run.tell_variables(tell=True)
+        """Run the program in a thread."""
+        self.run.report_variables(enabled=True)
         threading.Thread(target=self._play, name="run", daemon=True).start()
 
     def set_breakpoints(self, blocks: Iterable[str]) -> None:
-        """Hold it before these blocks."""
+        """Pause before these blocks, and before no others."""
         self.run.set_breakpoints(lines(self.played, blocks))
 
     def ended(self, report: Report) -> messages.Ended:
-        """How it ended."""
+        """Describe how the run ended."""
         error = report.error or {}
         line = error.get("line")
         line = line if isinstance(line, int) else 0
-        own_block, own_line = self._own_place(error.get("within"), line)
+        custom_block, custom_line = self._own_place(error.get("within"), line)
         return messages.Ended(
             ended=report.ended,
-            message=str(error.get("message", "")),
+            message=error.get("message"),  # type: ignore[arg-type]
             block=self.played.block_at(line) if line else None,
-            own_block=own_block,
-            own_line=own_line,
+            custom_block=custom_block,
+            custom_line=custom_line,
             tried=self.is_trial,
             time=report.time,
             distance=report.distance,
@@ -114,9 +114,9 @@ class Playing:
         )
 
     def _own_place(self, within: Any, line: int) -> tuple[str, int]:
-        """The block of the user's own in which it went wrong, and the line of its source."""
-        if isinstance(self.played, Trial) and (own_line := self.played.own_line(line)):
-            return self.played.name, own_line
+        """The custom block in which an error happened, and the line of its source."""
+        if isinstance(self.played, Trial) and (custom_line := self.played.custom_line(line)):
+            return self.played.name, custom_line
         if within and Path(within["file"]) in skill_files.own_files():
             return Path(within["file"]).stem, within["line"]
         return "", 0
@@ -124,7 +124,7 @@ class Playing:
     def _play(self) -> None:
         try:
             outcome: Report | Exception = self.run.run()
-        except Exception as error:  # noqa: BLE001 - a robot's driver may raise whatever it likes
+        except Exception as error:  # noqa: BLE001 - a driver may raise any exception
             outcome = error
         self.watcher.ended(outcome)
 
@@ -137,17 +137,17 @@ def prepared(
     *,
     paused: bool,
 ) -> Playing:
-    """A run that has not begun.
+    """Prepare a run.
 
     Args:
         played: a program without errors.
-        setting: what it runs on, and where.
-        audience: is told how it fares.
-        console: takes what it prints.
-        paused: hold it before its first line.
+        setting: the robot and the world.
+        audience: receives the reports of the run.
+        console: takes the output.
+        paused: pause before the first line.
     """
     watcher = RunWatcher(audience, console)
-    run = Run(
+    run = ProgramRun(
         played.program(setting.name),
         setting.robot,
         Options(world=setting.world, seed=SEED, start=setting.start),

@@ -1,4 +1,4 @@
-"""Tells the pages of a session, some times a second, what has changed in its world."""
+"""Reports to the pages of a session, some times a second, what has changed in its world."""
 
 import asyncio
 from collections.abc import Awaitable, Callable
@@ -10,42 +10,42 @@ from anyio import to_thread
 from learnblock.server import messages
 from learnblock.server.runs import telemetry
 from learnblock.server.runs.console import Console
+from learnblock.server.runs.viewers import Viewers
 
 if TYPE_CHECKING:
-    from learnblock.robots.picture import Picture
-    from learnblock.robots.stage import Stage
-    from learnblock.server.pages.page import Page
+    from learnblock.monitor import Monitor
+    from learnblock.monitor.pictures import Picture
 
 #: Seconds between two looks at the world, and between two camera frames.
 TELEMETRY_PERIOD = 1 / 20
 CAMERA_PERIOD = 1 / 12
-#: Seconds for which a world is looked at after something was done to it by hand.
+#: Seconds for which a world is watched after the user moved something in it.
 ATTENTION = 1.5
 
 
 class Reported(Protocol):
-    """What is reported of."""
+    """The run and the world that are reported."""
 
     @property
-    def stage(self) -> "Stage | None": ...
+    def monitor(self) -> "Monitor | None": ...
 
     @property
     def active(self) -> bool:
         """Whether a program runs."""
 
     @property
-    def block(self) -> str | None: ...
+    def running_line(self) -> messages.RunningLine: ...
 
     @property
-    def pages(self) -> "tuple[Page, ...]": ...
+    def viewers(self) -> Viewers: ...
 
 
 class Reporter:
-    """Looks at the world while something moves in it, and sleeps while nothing does.
+    """Watches the world while something moves in it, and sleeps while nothing does.
 
     Args:
-        of: the world and who looks at it.
-        console: what the program prints.
+        of: the run, its world and its pages.
+        console: the program's output.
     """
 
     def __init__(self, of: Reported, console: Console) -> None:
@@ -54,7 +54,8 @@ class Reporter:
         self._awake = asyncio.Event()
         self._watched = asyncio.Event()
         self._until = 0.0
-        self._last: messages.Telemetry | None = None
+        #: The last message of each type; equal ones are not sent again.
+        self._last: dict[type[messages.Message], messages.Message] = {}
         self._filmed: Picture | None = None
         self._tasks = (
             asyncio.create_task(_repeat(TELEMETRY_PERIOD, self._awake, self._look)),
@@ -62,62 +63,70 @@ class Reporter:
         )
 
     def attend(self) -> None:
-        """Something happens, or will in a moment."""
+        """Watch the world: something happens in it, or will in a moment."""
         self._until = monotonic() + ATTENTION
         self._awake.set()
 
     def watch(self) -> None:
-        """A page has begun to watch the camera, or does so no more."""
+        """Send camera frames, or stop, after a page has begun or ceased to watch."""
         self._filmed = None
-        watched = any(page.watching for page in self._of.pages)
+        watched = any(page.watching for page in self._of.viewers)
         (self._watched.set if watched else self._watched.clear)()
 
     def greet(self) -> None:
-        """Tell the world as it is, also where nothing moves: somebody has just come to see it."""
-        self._last = None
+        """Report the world once more, also where nothing moves: a page has just opened it."""
+        self._last.clear()
         self.attend()
 
     def flush(self) -> None:
-        """Tell what was printed so far."""
+        """Send the output so far."""
         if text := self._console.take():
-            for page in self._of.pages:
-                page.tell(messages.Printed(text))
+            for page in self._of.viewers:
+                page.send(messages.Printed(text))
 
     def close(self) -> None:
-        """Look no more."""
+        """Stop watching."""
         for task in self._tasks:
             task.cancel()
 
     async def _look(self) -> None:
         self.flush()
-        stage = self._of.stage
-        if stage and self._of.pages:
-            await self._tell_world(stage)
+        monitor = self._of.monitor
+        if self._of.viewers:
+            self._send(self._of.running_line)
+        if monitor and self._of.viewers:
+            await self._report_world(monitor)
         if not self._of.active and monotonic() > self._until:
             self._awake.clear()
 
-    async def _tell_world(self, stage: "Stage") -> None:
-        now = await to_thread.run_sync(telemetry.telemetry, stage, self._of.block)
-        heard = telemetry.sounds(stage)
-        changed, self._last = now != self._last, now
-        for page in self._of.pages:
-            if changed:
-                page.tell(now)
-            for sound in heard:
-                page.tell(sound)
+    async def _report_world(self, monitor: "Monitor") -> None:
+        self._send(await to_thread.run_sync(telemetry.telemetry, monitor))
+        # After the state, by which a link may turn out to be broken.
+        self._send(telemetry.link(monitor))
+        for sound in telemetry.sounds(monitor):
+            for page in self._of.viewers:
+                page.send(sound)
+
+    def _send(self, message: messages.Message) -> None:
+        """Send a message to every page, unless it is the same as the last of its type."""
+        if self._last.get(type(message)) == message:
+            return
+        self._last[type(message)] = message
+        for page in self._of.viewers:
+            page.send(message)
 
     async def _film(self) -> None:
-        stage = self._of.stage
-        watching = [page for page in self._of.pages if page.watching]
-        if stage is None or not watching:
+        monitor = self._of.monitor
+        watching = [page for page in self._of.viewers if page.watching]
+        if monitor is None or not watching:
             self._watched.clear()
             return
-        picture = await to_thread.run_sync(stage.camera)
+        picture = await to_thread.run_sync(monitor.camera)
         # The same object: nothing has moved since.
         if picture and picture is not self._filmed:
             self._filmed = picture
             for page in watching:
-                page.tell(telemetry.camera_frame(picture), picture.jpeg)
+                page.send(telemetry.camera_frame(picture), picture.jpeg)
 
 
 async def _repeat(

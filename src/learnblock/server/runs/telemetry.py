@@ -1,4 +1,4 @@
-"""The world as the page is told of it."""
+"""A robot's monitor as messages for the page."""
 
 from typing import TYPE_CHECKING
 
@@ -7,34 +7,59 @@ import msgspec
 from learnblock.server import messages
 
 if TYPE_CHECKING:
-    from learnblock.robots.picture import Picture
-    from learnblock.robots.stage import Stage
+    from learnblock.monitor import Monitor, RobotNow
+    from learnblock.monitor.pictures import Picture
 
 
-def scene(stage: "Stage") -> messages.Scene:
-    """What stands there."""
-    return msgspec.convert(stage.scene(), messages.Scene, from_attributes=True)
+def scene(monitor: "Monitor") -> messages.Scene:
+    """The unchanging parts of its world."""
+    return msgspec.convert(monitor.scene(), messages.Scene, from_attributes=True)
 
 
-def telemetry(stage: "Stage", block: str | None) -> messages.Telemetry:
-    """How it is now, while `block` runs."""
-    state = stage.state()
+def telemetry(monitor: "Monitor") -> messages.Telemetry:
+    """Its present state."""
+    state = monitor.state()
     return messages.Telemetry(
         time=state.time,
-        robots=msgspec.convert(state.robots, tuple[messages.Robot, ...], from_attributes=True),
+        robots=tuple(map(_robot, state.robots)),
         pushed=state.pushed,
-        sensors=state.sensors,
-        block=block,
+        sensors=msgspec.convert(state.sensors, tuple[messages.Sensor, ...], from_attributes=True),
         goals=msgspec.convert(state.goals, tuple[messages.GoalNow, ...], from_attributes=True),
     )
 
 
-def sounds(stage: "Stage") -> tuple[messages.Sound, ...]:
-    """What was to be heard since this was last asked."""
-    return tuple(messages.Sound(one.device, one.action, one.values) for one in stage.sounds())
+def link(monitor: "Monitor") -> messages.RobotLink:
+    """Its link, rounded so that noise is no news."""
+    now = monitor.link()
+    return messages.RobotLink(now.state.value, _rounded(now.battery), _rounded(now.quality))
+
+
+def sounds(monitor: "Monitor") -> tuple[messages.Sound, ...]:
+    """The sounds since the last call."""
+    return tuple(messages.Sound(one.device, one.action, one.values) for one in monitor.sounds())
 
 
 def camera_frame(picture: "Picture") -> messages.CameraFrame:
-    """What is said before the picture itself."""
+    """The message before the picture itself."""
     seen = msgspec.convert(picture.seen, tuple[messages.Seen, ...], from_attributes=True)
     return messages.CameraFrame(picture.width, picture.height, picture.time, seen)
+
+
+def _robot(now: "RobotNow") -> messages.Robot:
+    # A robot whose place is unknown is drawn in the middle.
+    x, y, heading = now.pose or (0.0, 0.0, 0.0)
+    return messages.Robot(
+        name=now.name,
+        x=x,
+        y=y,
+        heading=heading,
+        located=now.pose is not None,
+        joints=now.joints,
+        leds=now.leds,
+        emotion=now.emotion,
+        speed=now.speed,
+    )
+
+
+def _rounded(value: float | None) -> float | None:
+    return None if value is None else round(value, 1)

@@ -1,14 +1,14 @@
-"""A function of one's own that is tried: a program of one line, below the source as it stands."""
+"""Trying a function of a custom block: a program of one line below the block's source."""
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from learnblock.blocks.signature import Signature, signatures
+from learnblock.blocks.source.signature import Signature, signatures
 from learnblock.errors import LearnBlockError, UnknownNameError
 from learnblock.runtime.program import Program
 
-# The source's own names are most likely none of these; the robot is whichever one is chosen.
+# Names that a source hardly uses itself; the import stands for the chosen robot.
 _MAKE = """
 
 from learnblock.robots.sim_ebo import Robot as _Robot
@@ -19,13 +19,13 @@ _robot = _Robot()
 
 @dataclass(frozen=True)
 class Trial:
-    """A function that is tried.
+    """A call of a function of a custom block.
 
     Args:
-        name: of the file that it will stand in.
-        source: the whole of it.
+        name: of the block's file.
+        source: the whole file.
         functions: the names of its functions, which may call each other as skills.
-        call: the one line.
+        call: the line that calls the function.
     """
 
     name: str
@@ -34,41 +34,41 @@ class Trial:
     call: str
 
     def program(self, name: str) -> Program:
-        """What is run; its lines are those of the source as far as that goes."""
+        """The program to run; it begins with the lines of the source."""
         del name
         learns = "".join(f"_robot.learn({one})\n" for one in self.functions)
         python = f"{self.source}{_MAKE}{learns}{self.call}\n"
         return Program(f"{self.name}.py", python, python)
 
     def block_at(self, python_line: int) -> None:
-        """No block of the workspace runs."""
+        """None: no block of the workspace runs."""
         del python_line
 
     def python_line(self, block: str) -> None:
-        """No block of the workspace holds it."""
+        """None: no block of the workspace is in it."""
         del block
 
-    def own_line(self, python_line: int) -> int:
-        """The line of the source; 0 for one that is not in it."""
+    def custom_line(self, python_line: int) -> int:
+        """The line of the source; 0 for a line below it."""
         return python_line if python_line <= len(self.source.split("\n")) else 0
 
 
 def trial(name: str, source: str, function: str, arguments: Sequence[object]) -> Trial:
-    """Try a function.
+    """Make a program that tries a function.
 
     Args:
-        name: of the file; empty where it has none yet.
-        source: the whole of it.
-        function: which one; empty for the first.
-        arguments: values of JSON, in the order of its parameters.
+        name: of the block's file; empty for a block that was never saved.
+        source: the whole file.
+        function: its name; empty for the first one.
+        arguments: JSON values in the order of the parameters.
 
     Raises:
         ProgramError: the source is no Python.
-        LearnBlockError: there is no such function, or it cannot be called so.
+        LearnBlockError: there is no such function, or it does not take these arguments.
     """
     known = {one.name: one for one in signatures(source, f"{name or 'block'}.py")}
     if not known:
-        raise LearnBlockError("there is no function in it that takes the robot: write one first")
+        raise LearnBlockError("play-no-function")
     chosen = known.get(function or next(iter(known)))
     if chosen is None:
         raise UnknownNameError("function", function, known)
@@ -81,18 +81,21 @@ def _checked(function: Signature, arguments: Sequence[object]) -> Sequence[objec
     least = sum(1 for one in function.arguments if one.required)
     if not least <= len(arguments) <= len(function.arguments):
         raise LearnBlockError(
-            f"`{function.name}` takes {least} to {len(function.arguments)} values, not"
-            f" {len(arguments)}"
+            "play-wrong-count",
+            function=function.name,
+            least=least,
+            most=len(function.arguments),
+            count=len(arguments),
         )
     return arguments
 
 
 def _written(value: object) -> str:
-    """A value of JSON as Python writes it."""
+    """A JSON value as Python source."""
     if isinstance(value, float) and not math.isfinite(value):
-        raise LearnBlockError(f"{value} is no number that a block can give")
+        raise LearnBlockError("play-bad-number", value=str(value))
     if isinstance(value, list):
         return f"[{', '.join(map(_written, value))}]"
     if isinstance(value, dict):
-        raise LearnBlockError("a block gives numbers, texts, truth values and lists")
+        raise LearnBlockError("play-bad-value")
     return repr(value)

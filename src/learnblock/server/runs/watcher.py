@@ -1,4 +1,4 @@
-"""Takes what happens in a run from the thread that it happens in to the event loop."""
+"""Passes the events of a run from its own thread to the event loop."""
 
 import asyncio
 import threading
@@ -13,7 +13,7 @@ from learnblock.server.runs.console import Console
 
 
 class Audience(Protocol):
-    """Who is told, in the event loop."""
+    """The receiver of a run's events, in the event loop."""
 
     def on_state(self, state: State) -> None: ...
 
@@ -30,8 +30,8 @@ class RunWatcher(Watcher):
     """Watches one run.
 
     Args:
-        audience: is told, in the event loop that is running now.
-        console: takes the prints.
+        audience: receives the events, in the event loop that is running now.
+        console: takes the output.
     """
 
     def __init__(self, audience: Audience, console: Console) -> None:
@@ -53,20 +53,20 @@ class RunWatcher(Watcher):
         self.current_line = number
 
     def state(self, state: State) -> None:
-        self._tell(self._audience.on_state, state)
+        self._pass_on(self._audience.on_state, state)
 
     def held(self, line: int, variables: Variables) -> None:
-        # In this order whoever sees that it is held sees the variables as they are there.
-        self._tell(self._audience.on_variables, variables)
-        self._tell(self._audience.on_held, line)
+        # The variables first: the page has them when it shows that the program is held.
+        self._pass_on(self._audience.on_variables, variables)
+        self._pass_on(self._audience.on_held, line)
 
     def variables(self, variables: Variables) -> None:
-        self._tell(self._audience.on_variables, variables)
+        self._pass_on(self._audience.on_variables, variables)
 
     def input(self, prompt: str) -> str | None:
         with self._input:
             self._answer = None
-            self._tell(self._audience.on_input, prompt)
+            self._pass_on(self._audience.on_input, prompt)
             self._input.wait_for(lambda: self._answer is not None or self._cancelled)
             return self._answer
 
@@ -76,16 +76,16 @@ class RunWatcher(Watcher):
             self._input.notify_all()
 
     def ended(self, report: Report | Exception) -> None:
-        """The run is over."""
-        self._tell(self._audience.on_ended, report)
+        """Report the end of the run."""
+        self._pass_on(self._audience.on_ended, report)
 
     # The event loop.
 
     def answer(self, text: str) -> None:
-        """The line that the program waits for."""
+        """Give the program the line that it waits for."""
         with self._input:
             self._answer = text
             self._input.notify_all()
 
-    def _tell(self, listener: Callable[..., None], *args: object) -> None:
+    def _pass_on(self, listener: Callable[..., None], *args: object) -> None:
         self._loop.call_soon_threadsafe(listener, *args)

@@ -1,1 +1,1 @@
-"""Projects that are open, each shared by every page that shows it."""
+"""Open projects, each shared by every page that shows it."""

@@ -1,4 +1,4 @@
-"""An open project on disk: itself, its versions and its runs."""
+"""An open project on disk: the project, its versions and its runs."""
 
 import asyncio
 from collections.abc import Callable
@@ -8,27 +8,28 @@ from typing import Any, TypeVar
 from anyio import to_thread
 
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 from learnblock.server.messages import PastRun
-from learnblock.server.pages.sentences import sentence
+from learnblock.server.messages.problems import phrase_of
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.history import Reason
 from learnblock.server.projects.project_file import Project
 from learnblock.server.sessions.saver import Saver
 
-#: Seconds of changes after which a version is kept.
+#: Seconds of changes after which a version is saved.
 VERSION_PERIOD = 300.0
 
 Value = TypeVar("Value")
 
 
 class Archive:
-    """Keeps an open project; what cannot be kept is told, and keeps nobody from going on.
+    """Saves an open project; a failure is reported, and the project stays usable.
 
     Args:
-        folder: where.
-        project: the project as it is now.
-        saved: is called before each writing; what it returns is called when that has succeeded.
-        failed: is told what went wrong.
+        folder: the folder of the projects.
+        project: returns the project in its present state.
+        saved: is called before each save; the function that it returns is called after success.
+        failed: is called with what went wrong.
     """
 
     def __init__(
@@ -36,7 +37,7 @@ class Archive:
         folder: ProjectFolder,
         project: Callable[[], Project],
         saved: Callable[[], Callable[[], None]],
-        failed: Callable[[str], None],
+        failed: Callable[[Phrase], None],
     ) -> None:
         self._folder = folder
         self._project = project
@@ -47,22 +48,22 @@ class Archive:
         self._tasks: set[asyncio.Task[Any]] = set()
 
     def changed(self) -> None:
-        """The project is not as it was saved."""
+        """Note that the project has changed since it was saved."""
         self._saver.changed()
 
     async def keep_version(self, reason: Reason) -> str:
-        """Keep the project as it is; answer the version's id, "" if that cannot be."""
+        """Save a version; return its id, or "" if it can't be saved."""
         self._version_kept = monotonic()
         return await self._tried(self._folder.keep_version, self._project(), reason) or ""
 
     def add_run(self, run: PastRun) -> None:
-        """Keep how a run went."""
+        """Save the result of a run."""
         task = asyncio.create_task(self._tried(self._folder.add_run, self._project().name, run))
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
     async def close(self) -> None:
-        """Return when everything is on disk."""
+        """Save everything, and return when it is on disk."""
         await self._saver.flush()
         await asyncio.gather(*self._tasks)
 
@@ -81,5 +82,5 @@ class Archive:
         try:
             return await to_thread.run_sync(action, *args)
         except (LearnBlockError, OSError) as error:
-            self._failed(sentence(error))
+            self._failed(phrase_of(error))
             return None

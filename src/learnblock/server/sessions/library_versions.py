@@ -1,12 +1,13 @@
-"""Which versions of libraries a project was made with, and which are installed."""
+"""The versions of libraries that a project was made with, and those installed."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from learnblock import library
-from learnblock.language.imports import imported
-from learnblock.language.nodes import Program
-from learnblock.library import order
+from learnblock.extensions import libraries
+from learnblock.extensions.libraries import order
+from learnblock.i18n import Phrase
+from learnblock.language.edit.imports import imported
+from learnblock.language.tree.nodes import Program
 
 
 @dataclass(frozen=True)
@@ -14,33 +15,29 @@ class LibraryVersions:
     """Versions by the name of the library.
 
     Args:
-        made_with: as the project remembers.
-        installed: as they are now.
+        made_with: as saved in the project.
+        installed: the present ones.
     """
 
     made_with: Mapping[str, str]
-    installed: Mapping[str, str] = field(default_factory=library.versions)
+    installed: Mapping[str, str] = field(default_factory=libraries.versions)
 
     def renewed(self) -> "LibraryVersions":
-        """With what is installed by now."""
-        return replace(self, installed=library.versions())
+        """Return the same with the versions installed now."""
+        return replace(self, installed=libraries.versions())
 
     def used(self, program: Program) -> dict[str, str]:
-        """Those that a program is made with now; of a library that is gone, the last."""
+        """The versions that a program uses now; of a removed library, the last one."""
         known = {**self.made_with, **self.installed}
         return {name: known[name] for name in sorted(imported(program)) if name in known}
 
-    def remarks(self) -> Iterator[str]:
-        """What somebody should know who opens the project."""
+    def remarks(self) -> Iterator[Phrase]:
+        """List the libraries that are missing or older than when the project was made."""
         for name, version in self.made_with.items():
             there = self.installed.get(name)
             if there is None:
-                yield (
-                    f"this program was made with version {version} of the library {name}, which is"
-                    " not installed: import it"
-                )
+                yield Phrase("project-library-missing", library=name, version=version)
             elif order(there) < order(version):
-                yield (
-                    f"this program was made with version {version} of the library {name}, and"
-                    f" {there} is installed: import the newer one"
+                yield Phrase(
+                    "project-library-older", library=name, version=version, installed=there
                 )

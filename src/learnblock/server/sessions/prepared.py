@@ -1,35 +1,35 @@
-"""A project that has been read, and is about to be opened."""
+"""Projects that have been read and can be opened."""
 
 from dataclasses import dataclass
 
 from learnblock import robots, running
-from learnblock.blocks import all_configurations
+from learnblock.blocks.known import all_configurations
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 from learnblock.robots import RobotEntry
 from learnblock.server import catalog
-from learnblock.server.pages.sentences import sentence
 from learnblock.server.program.document import Document
 from learnblock.server.projects.project_file import Project
 from learnblock.server.sessions.library_versions import LibraryVersions
 from learnblock.server.sessions.shown_blocks import ShownBlocks
 
-#: Where there is neither the world that a project names nor one that its robot likes.
+#: Used without the world that a project names, and without one that its robot prefers.
 DEFAULT_WORLD = "empty"
 
 
 @dataclass(frozen=True)
 class Prepared:
-    """A project with all that takes its time to be read.
+    """A project whose slow parts have been read.
 
     Args:
-        name: the project's.
+        name: of the project.
         document: its program.
-        robot: the one it names, or else our default.
+        robot: the one that it names, or else the default.
         world: likewise.
-        shown_blocks: which the palette shows.
-        libraries: which versions it was made with.
+        shown_blocks: the block set of the palette.
+        libraries: the versions that it was made with.
         breakpoints: ids of blocks.
-        remarks: what could not be as it was saved.
+        remarks: what differs from the saved project, and why.
     """
 
     name: str
@@ -39,11 +39,11 @@ class Prepared:
     shown_blocks: ShownBlocks
     libraries: LibraryVersions
     breakpoints: tuple[str, ...] = ()
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Phrase, ...] = ()
 
 
 def prepare(project: Project) -> Prepared:
-    """Read a project's program, and find its robot and its world; it takes a while."""
+    """Read a project's program, and find its robot and world; this takes a while."""
     robot, no_robot = _robot(project.robot)
     world, no_world = _world(project.world, robot)
     document = Document.from_text(
@@ -69,43 +69,47 @@ def prepare(project: Project) -> Prepared:
 
 
 def settled(document: Document) -> Document:
-    """A document that has thought about everything it is going to be asked."""
+    """Compute the slow properties of a document now, so that reading them is quick."""
     _ = document.problems, document.places, document.workspace
     return document
 
 
 def loaded(name: str) -> RobotEntry:
-    """A robot that can be used.
+    """Find and load a robot.
 
     Raises:
-        LearnBlockError: there is none of that name, or its module is wrong.
+        LearnBlockError: it does not exist, or its module has an error.
     """
     entry = robots.find(name)
     entry.load()
     return entry
 
 
-def _robot(name: str) -> tuple[RobotEntry, tuple[str, ...]]:
+def _robot(name: str) -> tuple[RobotEntry, tuple[Phrase, ...]]:
     try:
         return loaded(name), ()
     except LearnBlockError as error:
         default = running.DEFAULT_ROBOT
-        return loaded(default), (f"{sentence(error)}; the project now uses {default}",)
+        return loaded(default), (
+            Phrase("project-robot-replaced", problem=error.phrase, robot=default),
+        )
 
 
-def _world(name: str, robot: RobotEntry) -> tuple[str, tuple[str, ...]]:
+def _world(name: str, robot: RobotEntry) -> tuple[str, tuple[Phrase, ...]]:
     if not name:
         return catalog.usual_world(robot) or DEFAULT_WORLD, ()
     try:
         catalog.check_world_name(name)
     except LearnBlockError as error:
-        return DEFAULT_WORLD, (f"{sentence(error)}; the project now uses {DEFAULT_WORLD}",)
+        return DEFAULT_WORLD, (
+            Phrase("project-world-replaced", problem=error.phrase, world=DEFAULT_WORLD),
+        )
     return name, ()
 
 
-def _shown_blocks(project: Project) -> tuple[ShownBlocks, tuple[str, ...]]:
+def _shown_blocks(project: Project) -> tuple[ShownBlocks, tuple[Phrase, ...]]:
     try:
         return ShownBlocks.of(project), ()
     except LearnBlockError as error:
         everything = ShownBlocks(carried=project.block_sets)
-        return everything, (f"{sentence(error)}; the project now shows all blocks",)
+        return everything, (Phrase("project-blocks-replaced", problem=error.phrase),)

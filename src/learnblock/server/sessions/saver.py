@@ -1,17 +1,17 @@
-"""When a project is written: soon after it has changed."""
+"""Saves a project soon after a change."""
 
 import asyncio
 from collections.abc import Awaitable, Callable
 
-#: Seconds from the first change that is not on disk to the writing of all.
+#: Seconds from the first unsaved change to the save.
 DELAY = 0.5
 
 
 class Saver:
-    """Has something written within a second of its change, and at once when asked.
+    """Saves something within a second of a change, or at once on request.
 
     Args:
-        write: writes it; tells of errors itself.
+        write: saves it, and reports errors itself.
         delay: seconds.
     """
 
@@ -22,12 +22,12 @@ class Saver:
         self._writing = asyncio.Lock()
 
     def changed(self) -> None:
-        """Something is not on disk."""
+        """Note a change that is not on disk."""
         if self._waiting is None:
             self._waiting = asyncio.create_task(self._later())
 
     async def flush(self) -> None:
-        """Write at once what is not on disk, and return when it is."""
+        """Save unsaved changes at once, and return when they are on disk."""
         waiting, self._waiting = self._waiting, None
         if waiting:
             waiting.cancel()
@@ -38,6 +38,6 @@ class Saver:
     async def _later(self) -> None:
         await asyncio.sleep(self._delay)
         async with self._writing:
-            # From here on a change is a new one, which this writing may miss.
+            # This save may miss later changes, so they start a new wait.
             self._waiting = None
             await self._write()

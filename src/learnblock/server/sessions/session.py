@@ -1,38 +1,35 @@
-"""A project that is open, shared by every page that shows it."""
+"""An open project, shared by every page that shows it."""
 
 import asyncio
 from collections.abc import Callable, Mapping
 from time import time
-from typing import TYPE_CHECKING
 
 from anyio import to_thread
 
 from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
 from learnblock.server import catalog, messages
-from learnblock.server.pages import tags
-from learnblock.server.pages.sentences import sentence
 from learnblock.server.program.document import Document
 from learnblock.server.program.edits import Edits
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project_file import Project
 from learnblock.server.runs.player import Player
+from learnblock.server.runs.playing import Played, Setting
 from learnblock.server.runs.trial import Trial
+from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions.archive import Archive
 from learnblock.server.sessions.prepared import Prepared, loaded, prepare, settled
 
-if TYPE_CHECKING:
-    from learnblock.server.pages.page import Page
-
 
 class Session:
-    """A project that is open.
+    """An open project.
 
-    Its methods are the event loop's; whoever changes the project holds `turn`.
+    Its methods run in the event loop; a caller that changes the project holds `turn`.
 
     Args:
-        folder: where it is saved.
+        folder: the folder to save it in.
         prepared: the project.
     """
 
@@ -46,19 +43,19 @@ class Session:
         self.edits = Edits(prepared.document)
         self.turn = asyncio.Lock()
         self.archive = Archive(folder, lambda: self.project, self._saving, self._failed)
-        self._pages: list[Page] = []
+        self.viewers = Viewers()
         self._remarks = prepared.remarks
         self._last_run = (0.0, "")
-        self.player = Player(self)
+        self.player = Player(self.viewers, self._keep_run)
 
     @property
     def document(self) -> Document:
-        """The program as it is now."""
+        """The present program."""
         return self.edits.document
 
     @property
     def project(self) -> Project:
-        """What is saved."""
+        """The project as it is saved."""
         return Project(
             name=self.name,
             blocktext=self.document.blocktext,
@@ -73,73 +70,63 @@ class Session:
         )
 
     async def close(self) -> None:
-        """End the program that runs, and save."""
+        """End the running program, and save."""
         await self.player.close()
         await self.archive.close()
 
     async def set_the_stage(self) -> None:
-        """Put the robot into its world, before the first page comes."""
+        """Put the robot into its world before the first page joins."""
         try:
             await self.player.set_the_stage(self.robot, self.world)
         except LearnBlockError as error:
-            # Whoever sees what is wrong can choose another world, or mend this one.
-            self._remarks = (*self._remarks, sentence(error))
+            # The pages show the problem, and the user can choose another world.
+            self._remarks = (*self._remarks, error.phrase)
 
     # Pages.
 
-    @property
-    def pages(self) -> tuple["Page", ...]:
-        """Those that show it."""
-        return tuple(self._pages)
-
-    def join(self, page: "Page") -> None:
-        """Tell a page everything, from now on."""
-        self._pages.append(page)
-        page.tell(messages.Opened(self.name, self.robot.name, self.world, self.breakpoints))
-        page.tell(self.shown_blocks.told())
-        page.tell(tags.present())
-        page.tell(page.shown.update(self.edits))
+    def join(self, page: Viewer) -> None:
+        """Send a page the whole project, and all changes from now on."""
+        self.viewers.add(page)
+        page.send(messages.Opened(self.name, self.robot.name, self.world, self.breakpoints))
+        page.send(self.shown_blocks.message())
+        page.send(catalog.tag_dictionary())
+        page.send(page.shown.update(self.edits))
         for remark in self._remarks:
-            page.tell(messages.Failed(remark))
+            page.send(messages.Failed(remark))
         self.player.join(page)
 
-    def leave(self, page: "Page") -> None:
-        """Tell a page nothing any more."""
-        self._pages.remove(page)
+    def leave(self, page: Viewer) -> None:
+        """Stop sending messages to a page."""
+        self.viewers.remove(page)
         self.player.watch()
-
-    def tell(self, message: messages.Message) -> None:
-        """Tell every page."""
-        for page in self._pages:
-            page.tell(message)
 
     # The program.
 
     async def change(self, edit: Callable[[Document], Document]) -> None:
-        """Change the program, and tell every page what it does not show yet.
+        """Change the program, and send every page what it doesn't show yet.
 
         Raises:
-            LearnBlockError: it cannot be changed so; nothing has changed.
+            LearnBlockError: the edit is impossible; nothing has changed.
         """
         before = self.document
         await self._think(lambda: self.edits.push(settled(edit(before))))
 
     async def undo(self) -> None:
-        """Take the last edit back, if there is one."""
+        """Undo the last edit, if there is one."""
         await self._think(self.edits.undo)
 
     async def redo(self) -> None:
-        """Make the last edit that was taken back again, if there is one."""
+        """Redo the last undone edit, if there is one."""
         await self._think(self.edits.redo)
 
     async def restore(self, earlier: Project) -> None:
-        """Go back to an earlier program, on the robot and in the world of now."""
+        """Restore an earlier program, with the present robot and world."""
         await self.archive.keep_version("restored")
         module, devices = self.robot.module, self.robot.load().known_devices()
         await self.change(lambda _: prepare(earlier).document.with_robot(module, devices))
 
     async def know(self, configurations: Mapping[str, BlockConfiguration]) -> None:
-        """Other skills are there than before."""
+        """Read the program with other skills than before."""
         before = self.document
         self.libraries = await to_thread.run_sync(self.libraries.renewed)
         await self._think(lambda: self.edits.replace(before.with_configurations(configurations)))
@@ -147,10 +134,10 @@ class Session:
     # Settings.
 
     async def choose_robot(self, name: str) -> None:
-        """Another robot, in the same world.
+        """Change the robot, in the same world.
 
         Raises:
-            LearnBlockError: there is none of that name, or a program runs.
+            LearnBlockError: the robot does not exist, or a program is running.
         """
         robot = await to_thread.run_sync(loaded, name)
         await self.player.set_the_stage(robot, self.world)
@@ -159,55 +146,62 @@ class Session:
         await self._think(
             lambda: self.edits.replace(self.document.with_robot(robot.module, devices))
         )
-        self._tell_settings()
+        self._send_settings()
 
     async def choose_world(self, name: str) -> None:
-        """Another world.
+        """Change the world.
 
         Raises:
-            LearnBlockError: there is none of that name, or a program runs.
+            LearnBlockError: the world does not exist, or a program is running.
         """
         await to_thread.run_sync(catalog.check_world_name, name)
         await self.player.set_the_stage(self.robot, name)
         self.world = name
-        self._tell_settings()
+        self._send_settings()
 
     def set_breakpoints(self, blocks: tuple[str, ...]) -> None:
-        """Hold the program before these blocks."""
+        """Set the blocks before which the program pauses."""
         self.breakpoints = blocks
         self.player.set_breakpoints(blocks)
-        self._tell_settings()
+        self._send_settings()
 
     def show_blocks(self, block_set: BlockSet) -> None:
-        """Have the palette show the blocks of a set.
+        """Show the blocks of a set in the palette.
 
         Raises:
-            BlockSetError: it has no name that it can be found by.
+            BlockSetError: the set has an unusable name.
         """
         self.shown_blocks = self.shown_blocks.choosing(block_set)
-        self.tell(self.shown_blocks.told())
+        self.viewers.send(self.shown_blocks.message())
         self.archive.changed()
 
     # Running.
 
     async def run(self, *, paused: bool) -> None:
-        """Run the program from the beginning; a version of it is kept.
+        """Run the program from the start, and save a version of it.
 
         Raises:
             LearnBlockError: it has errors.
         """
-        self.player.require_no_errors()
+        self.document.require_no_errors()
         await self.player.stop()
         self._last_run = (time(), await self.archive.keep_version("run"))
-        await self.player.run(self.document, paused=paused)
+        await self._run(self.document, paused=paused)
 
     async def try_out(self, trial: Trial) -> None:
-        """Run a function by itself, in place of the program."""
+        """Run a single function in place of the program."""
         await self.player.stop()
-        await self.player.run(trial, paused=False)
+        await self._run(trial, paused=False)
 
-    def ran(self, ended: messages.Ended) -> None:
-        """A run is over."""
+    async def reset_world(self) -> None:
+        """Put everything in the world back where it was at first."""
+        await self.player.set_the_stage(self.robot, self.world)
+
+    async def _run(self, played: Played, *, paused: bool) -> None:
+        setting = Setting(self.name, self.robot, self.world, self.player.start, self.breakpoints)
+        await self.player.run(played, setting, paused=paused)
+
+    def _keep_run(self, ended: messages.Ended) -> None:
         if ended.tried:
             return
         began, version = self._last_run
@@ -227,30 +221,30 @@ class Session:
     # Within.
 
     async def _think(self, change: Callable[[], None]) -> None:
-        """Change the program in a thread, as that takes its time, and tell what has changed."""
+        """Change the program in a thread, as this takes its time, and send what has changed."""
 
         def think() -> None:
             change()
             settled(self.document)
 
         await to_thread.run_sync(think)
-        for page in self._pages:
-            page.tell(page.shown.update(self.edits))
+        for page in self.viewers:
+            page.send(page.shown.update(self.edits))
         self.archive.changed()
 
-    def _tell_settings(self) -> None:
-        self.tell(messages.Settings(self.robot.name, self.world, self.breakpoints))
+    def _send_settings(self) -> None:
+        self.viewers.send(messages.Settings(self.robot.name, self.world, self.breakpoints))
         self.archive.changed()
 
     def _saving(self) -> Callable[[], None]:
-        """What is being saved is what each page has sent until now."""
-        edits = [(page, page.shown.edit) for page in self._pages]
+        """Note the last edit of each page, to confirm when it is saved."""
+        edits = [(page, page.shown.edit) for page in self.viewers]
 
         def saved() -> None:
             for page, edit in edits:
-                page.tell(messages.Saved(edit))
+                page.send(messages.Saved(edit))
 
         return saved
 
-    def _failed(self, message: str) -> None:
-        self.tell(messages.Failed(message))
+    def _failed(self, message: Phrase) -> None:
+        self.viewers.send(messages.Failed(message))

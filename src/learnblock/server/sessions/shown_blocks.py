@@ -1,4 +1,4 @@
-"""Which blocks a project's palette shows."""
+"""The block sets of a project, and the one that its palette shows."""
 
 from dataclasses import dataclass
 
@@ -11,13 +11,13 @@ from learnblock.server.projects.project_file import Project
 
 @dataclass(frozen=True)
 class ShownBlocks:
-    """The set that is shown, and those that the project takes along.
+    """The block set that the palette shows, and the sets saved in the project.
 
-    Whoever opens an exercise has its blocks, and finds them again after having shown others.
+    A project of an exercise brings its own sets, so that they are there on every computer.
 
     Args:
-        name: of the set that is shown: one of ours, or one that is carried.
-        carried: sets that are not ours, the last chosen first.
+        name: of the set that is shown: one of LearnBlock's, or one of `carried`.
+        carried: the sets saved in the project, the last chosen first.
     """
 
     name: str = EVERYTHING
@@ -25,15 +25,15 @@ class ShownBlocks:
 
     @classmethod
     def of(cls, project: Project) -> "ShownBlocks":
-        """What a project says.
+        """The choice of a project.
 
         Raises:
-            UnknownNameError: it shows a set that is neither ours nor its own.
+            UnknownNameError: the project names an unknown set.
         """
         found = cls(project.shown, project.block_sets)
         if found._find() is None:
             known = (*block_sets.BUILT_IN, *(one.name for one in found.carried))
-            raise UnknownNameError("set of blocks", project.shown, known)
+            raise UnknownNameError("block-set", project.shown, known)
         return found
 
     @property
@@ -44,10 +44,10 @@ class ShownBlocks:
         return found
 
     def choosing(self, chosen: BlockSet) -> "ShownBlocks":
-        """Another set; one that is not ours is carried from now on.
+        """Choose another set, and save it in the project unless it is one of LearnBlock's.
 
         Raises:
-            BlockSetError: it has the name of one of ours, or none that a file can have.
+            BlockSetError: the set has the name of one of LearnBlock's, or an unusable name.
         """
         if block_sets.built_in().get(chosen.name) == chosen:
             return ShownBlocks(chosen.name, self.carried)
@@ -55,8 +55,8 @@ class ShownBlocks:
         others = (one for one in self.carried if one.name != name)
         return ShownBlocks(name, (chosen, *others)[:MOST_CARRIED])
 
-    def told(self) -> BlocksShown:
-        """As pages are told."""
+    def message(self) -> BlocksShown:
+        """The message to pages."""
         return BlocksShown(self.set, self.carried)
 
     def _find(self) -> BlockSet | None:

@@ -1,4 +1,4 @@
-"""Faces that are drawn: nobody's, so that feelings may be read in them."""
+"""Drawn faces, which belong to no person, so that emotions may be recognised in them."""
 
 from learnblock.simulator.faces.expressions import EXPRESSIONS
 from learnblock.simulator.faces.people import Person

@@ -1,4 +1,4 @@
-"""How a face shows an emotion."""
+"""The expressions of faces."""
 
 from dataclasses import dataclass, fields
 from types import MappingProxyType
@@ -6,14 +6,14 @@ from types import MappingProxyType
 
 @dataclass(frozen=True, slots=True)
 class Expression:
-    """How a face shows an emotion, in parts of the face's width, downwards positive.
+    """The expression of a face, in parts of its width, downwards positive.
 
     Args:
-        brow_inner: how far the brow's inner end lies beneath its place at rest.
+        brow_inner: the distance of the brow's inner end below its place at rest.
         brow_outer: the same of its outer end.
         eye: how wide the eye is open, 1 at rest.
         mouth_width: half of it.
-        corners: how far the mouth's corners lie beneath its middle.
+        corners: the distance of the mouth's corners below its middle.
         gap: how far the lips are apart.
         sneer: how far the upper lip and the wings of the nose are drawn up.
         blush: how red the cheeks are, 0 to 1.
@@ -29,7 +29,7 @@ class Expression:
     blush: float = 0.15
 
     def times(self, vigour: float) -> "Expression":
-        """The same, shown more strongly or less: 1 leaves it as it is, 0 is no expression."""
+        """The same expression, stronger or weaker: 1 leaves it unchanged, 0 is no expression."""
         rest = Expression()
         return Expression(
             **{

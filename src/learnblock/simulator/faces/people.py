@@ -1,4 +1,4 @@
-"""Whose face it is: what distinguishes people, whatever they feel."""
+"""The people of drawn faces: the differences that do not depend on emotions."""
 
 from dataclasses import dataclass
 
@@ -20,7 +20,7 @@ _BACKDROPS: tuple[Colour, ...] = (
 
 @dataclass(frozen=True, slots=True)
 class Person:
-    """What one face has that others have not; lengths are parts of the picture's side.
+    """The features of one person's face; lengths are parts of the picture's side.
 
     Args:
         width: half the width of the head.
@@ -30,7 +30,7 @@ class Person:
         brow: how thick a brow is.
         nose: how long the nose is, 1 being the usual length.
         mouth: how wide the mouth is, 1 being the usual width.
-        chin: how far the mouth lies beneath its usual place.
+        chin: the distance of the mouth below its usual place.
         lips: how thick the lips are, 1 being usual.
         line: how thick lines are drawn, 1 being usual.
         vigour: how strongly feelings are shown, 1 being usual.
@@ -55,7 +55,7 @@ class Person:
 
     @classmethod
     def number(cls, number: int) -> "Person":
-        """The person of that number: 0 is the usual one, every other is made up from it."""
+        """The person with this number: 0 is the standard one, all others are variations of it."""
         if number == 0:
             return cls()
         chance = np.random.default_rng(number)

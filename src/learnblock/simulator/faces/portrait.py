@@ -27,7 +27,7 @@ def portrait(expression: Expression, person: Person) -> Easel:
 
 @dataclass(frozen=True, slots=True)
 class _Painter:
-    """Draws the parts of one face; `side` is -1 for what is left in the picture, 1 for right."""
+    """Draws the parts of one face; `side` is -1 for left in the picture, 1 for right."""
 
     easel: Easel
     expression: Expression
@@ -56,7 +56,7 @@ class _Painter:
         easel.polygon(self._outline, person.skin)
 
     def shading(self) -> None:
-        """The relief of a face lit from above: what the detector of real faces goes by."""
+        """The relief of a face lit from above, which the detector of real faces relies on."""
         easel, person = self.easel, self.person
         relief = Easel(easel.image.copy())
         for side in (-1, 1):

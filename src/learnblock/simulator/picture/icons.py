@@ -26,14 +26,14 @@ SHADOW = (3.0, 4.0)
 
 @dataclass(frozen=True, slots=True)
 class _Expression:
-    """How a small face shows an emotion, in parts of its radius.
+    """The shape of a small face with an emotion, in parts of its radius.
 
     Args:
         colour: of the face.
         smile: how far the mouth's middle hangs below its corners.
         mouth: half the mouth's width.
         open: radius of a round open mouth; 0 for a line.
-        brow: how far the brows' inner ends lie beneath the outer ones; None for no brows.
+        brow: the distance of the brows' inner ends below the outer ones; None for no brows.
     """
 
     colour: RGB
@@ -58,7 +58,7 @@ _NO_EMOTION = _Expression((235, 236, 240), mouth=0.0)
 
 
 def emotion_colour(emotion: str) -> RGB:
-    """The colour of an emotion's face; pale for what is none."""
+    """The colour of an emotion's face; pale for an unknown one."""
     return _EXPRESSIONS.get(emotion, _NO_EMOTION).colour
 
 

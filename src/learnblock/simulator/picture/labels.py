@@ -1,4 +1,4 @@
-"""Where labels go: near what they name, clear of each other, and off the path where they can be."""
+"""The places of labels: near their objects, apart from each other, and off the path if possible."""
 
 import math
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from learnblock.simulator.picture.svg import Point
 
 DISTANCES = (0.0, 14.0, 32.0, 56.0, 86.0, 120.0)
-"""Tried one after another beyond what must stay clear, pixels."""
+"""Distances that are tried in this order, pixels."""
 DIRECTIONS = 16
 GAP = 4.0
 """Pixels between two labels."""
@@ -20,7 +20,7 @@ BUSY_MARGIN = 6.0
 LEADER_STEP = 6.0
 """Pixels between the points for which the line from a label to its place counts."""
 LEADER_WEIGHT = 8
-"""How many points of the path one of these counts for."""
+"""The points of the path that one of these counts for."""
 
 
 _NO_POINTS = np.empty((0, 2))
@@ -36,7 +36,7 @@ class Box:
     bottom: float
 
     def overlaps(self, other: "Box") -> bool:
-        """Whether they come nearer to each other than `GAP`."""
+        """Whether they are nearer to each other than `GAP`."""
         return (
             self.left < other.right + GAP
             and other.left < self.right + GAP
@@ -66,7 +66,7 @@ class Spot:
     """Where a label goes.
 
     Args:
-        head: the middle of its icon, or the end of its text that is nearer to what it names.
+        head: the middle of its icon, or the end of its text that is nearer to its object.
         side: 1 if the text runs to the right of the head, -1 if to the left.
         box: all of it.
     """
@@ -99,7 +99,7 @@ class Room:
         """The best place that is free, which is then taken; None if nothing is free.
 
         Args:
-            anchor: what is to be labelled.
+            anchor: the place to be labelled.
             icon: the icon's radius.
             text: the text's width.
             clear: how far from the anchor the icon must stay.
@@ -123,13 +123,13 @@ class Room:
     def _cost(self, anchor: Point, leader: NDArray[np.float64], box: Box) -> float:
         if not self._bounds.holds(box) or any(box.overlaps(other) for other in self._taken):
             return math.inf
-        # What the anchor lies in, every leader crosses.
+        # Every leader crosses the boxes that contain the anchor.
         crossed = sum(_count(leader, b) for b in self._taken if not b.holds(Box.around(anchor, 0)))
         return _count(self._busy, box.grown(BUSY_MARGIN)) + LEADER_WEIGHT * crossed
 
 
 def _leader(anchor: Point, spot: Spot) -> NDArray[np.float64]:
-    """Points every few pixels from what is named to its label."""
+    """Points every few pixels from an object to its label."""
     count = 2 + int(math.dist(anchor, spot.head) / LEADER_STEP)
     return np.linspace(anchor, spot.head, count)
 

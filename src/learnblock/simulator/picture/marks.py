@@ -1,4 +1,4 @@
-"""What happened on the way, and the names of things: icons and labels that keep clear."""
+"""Events on the way, and the names of things: icons and labels that keep clear."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -82,7 +82,7 @@ def events_drawn(events: Sequence[Event], room: Room, clear: float) -> Iterator[
     Args:
         events: in the order of time.
         room: where labels may go; those placed are taken from it.
-        clear: how far from the place the label of the end must stay: the robot stands there.
+        clear: how far from the place the label of the end must stay: the robot is there.
     """
     for event in events:
         yield icons.dot(event.place, event.colour)
@@ -117,7 +117,7 @@ class Name:
 
 
 def name_drawn(name: Name, room: Room) -> Iterator[Shape]:
-    """The name beside what it names, if there is room."""
+    """The name next to its object, if there is room."""
     label = shortened(name.text, LONGEST_LABEL)
     radius = FLAG if name.is_goal else 0.0
     spot = room.place(name.place, radius, _width(label), name.clear, leader=False)

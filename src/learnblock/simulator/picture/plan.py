@@ -46,7 +46,7 @@ BOARD = (34.0, 84.0)
 
 
 def drawn(world: WorldDescription, view: View) -> Iterator[Shape]:
-    """Everything that stands before a robot comes."""
+    """Everything in the world except the robots."""
     yield from _ground(world, view)
     yield from _goals(world, view)
     for line in world.line:
@@ -59,10 +59,10 @@ def drawn(world: WorldDescription, view: View) -> Iterator[Shape]:
 
 
 def board_picture(board: Tag | Face, view: View) -> tuple[Point, float]:
-    """The middle of a board's picture, which stands behind it, and its side, in pixels."""
+    """The middle of a board's picture, which is behind the board, and its side, in pixels."""
     side = min(max(board.size * view.scale * 0.8, BOARD[0]), BOARD[1])
     x, y = forward(board.heading)
-    # So far that the square clears the board at whatever angle it stands.
+    # Far enough for the square to clear the board at any angle.
     back = 0.5 * side * (abs(x) + abs(y)) + 7
     board_x, board_y = view.at(board.x, board.y)
     return (board_x - back * x, board_y + back * y), side
@@ -91,7 +91,7 @@ def outline(thing: Box | Cylinder, view: View) -> list[Point]:
 
 
 def tag_number_box(tag: Tag, view: View) -> LabelBox:
-    """Where a tag's number stands: beyond its picture, away from the board."""
+    """The place of a tag's number: beyond its picture, away from the board."""
     (x, y), side = board_picture(tag, view)
     away = -1 if forward(tag.heading)[1] < 0 else 1
     middle = y + away * (side / 2 + 13)
@@ -170,7 +170,7 @@ def _outlines(world: WorldDescription, view: View) -> Iterator[Shape]:
 
 
 def _followed(goal: Follow, world: WorldDescription, view: View) -> Iterator[Shape]:
-    """A green glow beneath the line."""
+    """A green glow under the line."""
     for line in world.line:
         if line.name == goal.line:
             points = view.all(_points(line.polyline().points))
@@ -239,7 +239,7 @@ def _cylinder(cylinder: Cylinder, view: View) -> Iterator[Shape]:
 
 
 def _sides(thing: Box | Cylinder) -> Paint:
-    """What can be pushed has a dashed edge."""
+    """Draw objects that can be pushed with a dashed edge."""
     dash = () if thing.mass is None else (6.0, 4.0)
     return Paint(rgb(thing.colour), _darker(rgb(thing.colour)), 2.4, dash=dash)
 

@@ -42,17 +42,17 @@ LONGEST_TITLE = 110
 TALLEST_BAR = 520.0
 """Pixels."""
 SPREAD = 6.0
-"""Pixels between the points of what labels should not cover."""
+"""Pixels between the points that labels should not cover."""
 START_SLACK = 30.0
 """mm off a start at which a path still begins there."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Scene:
-    """What a picture of a run shows.
+    """The contents of a picture of a run.
 
     Args:
-        world: as described; what was pushed stands where it began.
+        world: as described; objects that were pushed are at their start.
         body: the robot's hull, for its outline and colour.
         path: (time in s, x in mm, y in mm, heading in degrees), in the order of time; may be
             empty.
@@ -140,7 +140,7 @@ def _labels(scene: Scene, view: View, driven: Track | None) -> Iterator[Shape]:
     if scene.path:
         room.take(Box.around(view.at(*scene.path[-1][1:3]), reach * 0.8))
     events = [marks.Event(t, kind, text, view.at(x, y)) for t, kind, text, x, y in scene.marks]
-    # What happened matters more than what things are called: it chooses first, and lies on top.
+    # Labels of events matter more than names of objects: they are placed first, and on top.
     happened = list(marks.events_drawn(events, room, reach))
     for name in _names(scene, view):
         yield from marks.name_drawn(name, room)
@@ -148,7 +148,7 @@ def _labels(scene: Scene, view: View, driven: Track | None) -> Iterator[Shape]:
 
 
 def _names(scene: Scene, view: View) -> Iterator[marks.Name]:
-    """What the world calls its goals, its named things and its starts."""
+    """The names of the world's goals, named things and starts."""
     told = [text for _, kind, text, _, _ in scene.marks if kind == "goal"]
     for name in _goal_names(scene.world, view):
         if not any(text.startswith(f"{name.text}:") for text in told):
@@ -196,7 +196,7 @@ def _bounds(view: View) -> Box:
 
 
 def _busy(scene: Scene, view: View, driven: Track | None) -> NDArray[np.float64]:
-    """What labels should not cover: lines, walls, things, the path, the robot at its start."""
+    """The shapes that labels should not cover: lines, walls, things, path and start."""
     parts = [_within(plan.outline(thing, view)) for thing in plan.things(scene.world)]
     lines = [line.polyline().points.tolist() for line in scene.world.line]
     for points in [*lines, *(wall.points for wall in scene.world.wall)]:

@@ -1,4 +1,4 @@
-"""A drawing as a list of shapes, and what becomes of it: an SVG document or a PNG.
+"""A drawing as a list of shapes, written as an SVG document or a PNG.
 
 Places are pixels from the upper left corner of the page, x to the right and y down.
 """
@@ -26,13 +26,13 @@ _FONT_FILES = [str(FONTS / "inter-regular.ttf"), str(FONTS / "inter-semibold.ttf
 _FONT_FAMILY = "Inter, 'Helvetica Neue', Arial, sans-serif"
 # XML 1.0, production 2, leaves out control characters and lone surrogates.
 _NO_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
-# What the fonts beside this file have: Latin, Greek, Cyrillic and punctuation.
+# The characters in the fonts next to this file: Latin, Greek, Cyrillic and punctuation.
 _NOT_IN_FONT = re.compile("[^\u0000-\u024f\u0370-\u045f\u2000-\u205f]")
 
 
 @dataclass(frozen=True, slots=True)
 class Paint:
-    """How a closed shape is filled and outlined; None leaves it out."""
+    """The fill and outline of a closed shape; None for no fill or no outline."""
 
     fill: RGB | None = None
     stroke: RGB | None = None
@@ -76,9 +76,9 @@ class Text:
 
     Args:
         place: where its baseline begins, has its middle or ends, as `anchor` says.
-        text: shown as it is, whatever characters it has.
+        text: shown as it is, with any characters.
         size: of the font, pixels.
-        halo: the colour of an edge that sets it off from what lies beneath.
+        halo: the colour of an edge that separates it from the background.
     """
 
     place: Point
@@ -115,7 +115,7 @@ def document(shapes: Iterable[Shape], width: float, height: float, title: str) -
 def png(svg: str) -> bytes:
     """An SVG document, one pixel per unit, as a PNG with our own fonts.
 
-    Fonts of the machine are asked only for characters that ours lack: they would look different
+    Fonts of the machine are used only for characters that ours lack: they would look different
     everywhere, and take time to find.
     """
     return resvg_py.svg_to_bytes(

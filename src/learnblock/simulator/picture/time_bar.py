@@ -1,4 +1,4 @@
-"""The bar that tells which colour of the path is which time."""
+"""The bar that shows the time of each colour of the path."""
 
 import math
 from collections.abc import Iterator
@@ -19,7 +19,7 @@ WIDTH = 18.0
 """Pixels."""
 PIECES = 96
 TICKS = 7
-"""About so many times are named."""
+"""The approximate number of times on the bar."""
 
 
 def drawn(start: float, end: float, corner: Point, height: float) -> Iterator[Shape]:

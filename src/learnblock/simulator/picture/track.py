@@ -60,12 +60,12 @@ class Track:
         return float(self.along[-1])
 
     def at(self, place: float) -> Point:
-        """The pixel so many pixels along the path."""
+        """The pixel at this distance along the path."""
         x, y = (float(np.interp(place, self.along, self.points[:, i])) for i in (0, 1))
         return x, y
 
     def colour(self, place: float) -> RGB:
-        """The colour so many pixels along the path."""
+        """The colour at this distance along the path."""
         return time_colour(float(np.interp(place, self.along, self.parts)))
 
     def spread(self, gap: float) -> NDArray[np.float64]:

@@ -1,4 +1,4 @@
-"""From the world to the page: what of the world is shown, and where each place of it lies."""
+"""The part of the world that is shown, and the mapping from its places to pixels."""
 
 import math
 from collections.abc import Iterable
@@ -29,8 +29,8 @@ class View:
 
     Args:
         scale: pixels per mm.
-        middle: the pixel where (`x`, `y`) lies.
-        x: mm of the middle of what is shown.
+        middle: the pixel of (`x`, `y`).
+        x: mm of the middle of the shown part.
         y: the same to the north.
         plot: width and height of the part of the page that shows the world, pixels.
     """

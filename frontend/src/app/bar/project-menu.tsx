@@ -1,0 +1,49 @@
+/** The project menu, which shows the name of the open project. */
+
+import { t } from "../../i18n";
+import { type Page, usePage } from "../../model/page";
+import { chooseFile } from "../../ui/files";
+import { Icon } from "../../ui/icons";
+import { Menu } from "../../ui/menu";
+
+export const IMPORTED = ".learnblock,.bt,.py";
+
+export function ProjectMenu() {
+  const page = usePage();
+  const { name, saved } = page.project;
+  return (
+    <>
+      <Menu label={t("page-project-menu")} items={items(page)}>
+        <span class="hidden">{t("page-project-menu")}: </span>
+        <span class="project-name">{name.value || "…"}</span>
+        <Icon name="down" />
+      </Menu>
+      <span class="saved">{t(saved.value ? "page-project-saved" : "page-project-saving")}</span>
+    </>
+  );
+}
+
+function items(page: Page) {
+  const { dialogs, project } = page;
+  const name = project.name.value;
+  return [
+    { text: t("page-project-new"), run: () => project.create(t("page-project-new-name")) },
+    { text: t("page-project-open"), run: () => dialogs.show("open") },
+    { text: t("page-project-examples"), run: () => dialogs.show("examples") },
+    { text: t("page-project-save-as"), separated: true, run: () => dialogs.show("saveAs") },
+    { text: t("page-project-history"), run: () => dialogs.show("history") },
+    { text: t("page-sets-menu"), separated: true, run: () => dialogs.show("blockSets") },
+    { text: t("page-custom-menu"), run: () => dialogs.show("customBlocks") },
+    { text: t("page-libraries-menu"), run: () => dialogs.show("libraries") },
+    { text: t("page-tags-menu"), run: () => dialogs.show("tags") },
+    {
+      text: t("page-project-upload"),
+      separated: true,
+      run: () => chooseFile(IMPORTED, (file) => void project.import(file)),
+    },
+    { text: t("page-project-download-learnblock"), run: () => project.export("learnblock") },
+    { text: t("page-project-download-bt"), run: () => project.export("bt") },
+    { text: t("page-project-download-py"), run: () => project.export("py") },
+    { text: t("page-project-delete"), separated: true, run: () => dialogs.show({ delete: name }) },
+  ];
+}

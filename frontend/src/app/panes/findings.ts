@@ -1,0 +1,39 @@
+/** The program's problems as a list, with one entry for each mistake. */
+
+import { say } from "../../i18n";
+import type { Problem } from "../../protocol/messages";
+
+/** One mistake, with all places where a view shows it. */
+export interface Finding {
+  readonly key: string;
+  readonly message: string;
+  readonly severity: Problem["severity"];
+  readonly places: readonly Problem[];
+}
+
+/** Errors first, then warnings, each in the server's order. */
+export function findings(problems: readonly Problem[]): readonly Finding[] {
+  const found = new Map<string, Problem[]>();
+  for (const problem of problems) {
+    const key = keyOf(problem, found);
+    found.set(key, [...(found.get(key) ?? []), problem]);
+  }
+  const entries = [...found].map(([key, places]) => finding(key, places));
+  return [...of(entries, "error"), ...of(entries, "warning")];
+}
+
+/** If one view shows a mistake twice and it belongs to no block, it counts as two. */
+function keyOf({ code, message, block, view }: Problem, found: ReadonlyMap<string, readonly Problem[]>): string {
+  const same = `${code}|${say(message)}|${block ?? ""}`;
+  const known = found.get(same)?.filter((one) => one.view === view).length ?? 0;
+  return block || known === 0 ? same : `${same}|${found.size}`;
+}
+
+function finding(key: string, places: readonly Problem[]): Finding {
+  const { message, severity = "error" } = places[0] ?? {};
+  return { key, message: message ? say(message) : "", severity, places };
+}
+
+function of(entries: readonly Finding[], severity: Problem["severity"]): readonly Finding[] {
+  return entries.filter((one) => one.severity === severity);
+}

@@ -1,0 +1,69 @@
+/** The panel below the world: console, variables, sensors, problems, result. */
+
+import { useEffect } from "preact/hooks";
+
+import { t } from "../../i18n";
+import { type Page, usePage } from "../../model/page";
+import { IslandPlace } from "../../ui/island-place";
+import { Tabs } from "../../ui/tabs";
+import { findings } from "./findings";
+import { Problems } from "./problems";
+import { Result } from "./result-panel";
+
+export function Panel({ weight }: { weight: number }) {
+  const page = usePage();
+  const { views, context } = page;
+  useEffect(() => context.connection.on("InputWanted", () => views.showPanel("console")), [context, views]);
+  return (
+    <section
+      id="panel"
+      class="pane panel-pane"
+      style={{ flexGrow: weight }}
+      hidden={!views.shows("panel")}
+      aria-labelledby="title-panel"
+      data-region="panel"
+      data-tour="panel"
+      tabIndex={-1}
+    >
+      <h2 id="title-panel" class="hidden">
+        {t("page-shell-panel")}
+      </h2>
+      <Tabs
+        label={t("page-shell-panel")}
+        tabs={tabs(page)}
+        selected={views.panel.value}
+        select={(name) => (views.panel.value = name)}
+      />
+    </section>
+  );
+}
+
+function tabs(page: Page) {
+  const { context } = page;
+  const failed = context.running.ended.value?.ended === "error" ? 1 : 0;
+  const found = findings(context.program.state.value.problems);
+  const count = found.length + failed;
+  const serious = failed > 0 || found.some((one) => one.severity === "error");
+  return [
+    { name: "console", text: t("page-shell-console"), panel: <IslandPlace load={() => loadConsole(page)} /> },
+    { name: "variables", text: t("page-shell-variables"), panel: <IslandPlace load={() => loadVariables(page)} /> },
+    { name: "sensors", text: t("page-shell-sensors"), panel: <IslandPlace load={() => loadSensors(page)} /> },
+    { name: "problems", text: t("page-shell-problems"), count, serious, panel: <Problems /> },
+    { name: "result", text: t("page-shell-result"), panel: <Result /> },
+  ] as const;
+}
+
+async function loadConsole({ context }: Page) {
+  const { createConsole } = await import("../../views/output/console");
+  return createConsole(context);
+}
+
+async function loadVariables({ context }: Page) {
+  const { createVariables } = await import("../../views/output/variables");
+  return createVariables(context);
+}
+
+async function loadSensors({ context }: Page) {
+  const { createSensors } = await import("../../views/output/sensors");
+  return createSensors(context);
+}

@@ -1,0 +1,55 @@
+/** What the page's keyboard shortcuts do. */
+
+import { t } from "../i18n";
+import type { Page } from "../model/page";
+import { matches, SHORTCUTS, type ShortcutWord } from "../ui/shortcuts";
+import { nextRegion } from "../views/regions";
+
+const ACTIONS: Readonly<Record<ShortcutWord, (page: Page) => void>> = {
+  "page-bar-run": ({ controls }) => controls.run(),
+  "page-bar-stop": ({ controls }) => controls.stop(),
+  "page-bar-pause-or-resume": ({ controls }) => controls.pauseOrResume(),
+  "page-bar-step": ({ controls }) => controls.step(false),
+  "page-bar-step-over": ({ controls }) => controls.step(true),
+  "page-settings-next-region": ({ views }) => nextRegion(views, 1),
+  "page-settings-previous-region": ({ views }) => nextRegion(views, -1),
+  "page-project-open": ({ dialogs }) => dialogs.show("open"),
+  "page-settings-saves": saves,
+  "page-settings-shortcuts": ({ dialogs }) => dialogs.show("shortcuts"),
+};
+
+/** Listen to the page's keys; call the result to stop. */
+export function listen(page: Page): () => void {
+  const pressed = (event: KeyboardEvent) => {
+    const shortcut = SHORTCUTS.find((one) => matches(one, event));
+    if (!shortcut || page.dialogs.open.value !== null || page.dialogs.tour.value) return;
+    event.preventDefault();
+    event.stopPropagation();
+    ACTIONS[shortcut.word](page);
+  };
+  const unclaimed = (event: KeyboardEvent) => undoOrRedo(page, event);
+  // Before the editors, where Ctrl+Enter starts a new line.
+  addEventListener("keydown", pressed, { capture: true });
+  addEventListener("keydown", unclaimed);
+  return () => {
+    removeEventListener("keydown", pressed, { capture: true });
+    removeEventListener("keydown", unclaimed);
+  };
+}
+
+/** Undo and redo also work outside the views. */
+function undoOrRedo({ context: { program } }: Page, event: KeyboardEvent): void {
+  if (event.defaultPrevented || !(event.ctrlKey || event.metaKey) || isField(event.target)) return;
+  const key = event.key.toLowerCase();
+  if (key === "z" && !event.shiftKey) program.undo();
+  else if (key === "y" || key === "z") program.redo();
+}
+
+function isField(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && (target.isContentEditable || target.matches("input, textarea"));
+}
+
+function saves({ context: { program }, toasts }: Page): void {
+  program.flush();
+  toasts.note(t("page-project-saves-itself"));
+}

@@ -1,9 +1,0 @@
-/** Dates in the page's language. */
-
-import { language } from "../../i18n";
-
-/** A time in seconds since 1970, as a person of that language would write it. */
-export function date(seconds: number): string {
-  const form = new Intl.DateTimeFormat(language.value, { dateStyle: "medium", timeStyle: "short" });
-  return form.format(seconds * 1000);
-}

@@ -1,0 +1,132 @@
+/** The actions for the set in the dialog. */
+
+import { useSignal } from "@preact/signals";
+import { language, t } from "../../i18n";
+import { usePage } from "../../model/page";
+import type { BlockSet } from "../../protocol/messages";
+import { Actions } from "../../ui/dialog";
+import { chooseFile } from "../../ui/files";
+import type { Toasts } from "../../ui/toasts";
+import { type BlockSets, titleOf, useBlockSets } from "./block-sets";
+import type { LabelledTab } from "./labels";
+import { type Draft, setOf } from "./ticks";
+
+/** The server's limit. */
+const LONGEST_NAME = 60;
+const NAME = "[\\p{L}\\p{N}_]([\\p{L}\\p{N}_ \\-]*[\\p{L}\\p{N}_])?";
+
+interface Props {
+  readonly draft: Draft;
+  readonly tabs: readonly LabelledTab[];
+  readonly look: (set: BlockSet) => void;
+}
+
+export function BlockSetActions({ draft, tabs, look }: Props) {
+  const { dialogs, toasts } = usePage();
+  const blockSets = useBlockSets();
+  const naming = useSignal(false);
+  const isOurs = blockSets.ours.value.some((one) => one.name === draft.base.name);
+  const isOwn = blockSets.own.value.some((one) => one.name === draft.base.name);
+  const empty = draft.ticks.blocks.size === 0;
+  const leave = () => {
+    blockSets.draft.value = null;
+    dialogs.close();
+  };
+  const show = () => {
+    leave();
+    choose(
+      blockSets,
+      toasts,
+      draft.changed && isOurs ? renamed(setOf(draft, tabs), blockSets.ours.value) : setOf(draft, tabs),
+    );
+  };
+  const remove = () => {
+    blockSets.delete(draft.base);
+    look(blockSets.shown.peek());
+  };
+  if (naming.value) return <SaveForm draft={draft} tabs={tabs} look={look} done={() => (naming.value = false)} />;
+  return (
+    <>
+      {empty && <p class="dim">{t("page-sets-empty")}</p>}
+      <Actions cancel={leave}>
+        <button
+          type="button"
+          class="button bordered"
+          onClick={() => chooseFile(".toml", (file) => void blockSets.readFile(file))}
+        >
+          {t("page-sets-load")}
+        </button>
+        <button type="button" class="button bordered" onClick={() => blockSets.export(setOf(draft, tabs))}>
+          {t("page-sets-download")}
+        </button>
+        {isOwn && (
+          <button type="button" class="button bordered" onClick={remove}>
+            {t("page-sets-delete")}
+          </button>
+        )}
+        <button type="button" class="button bordered" disabled={empty} onClick={() => (naming.value = true)}>
+          {t("page-sets-save-as")}
+        </button>
+        <button type="button" class="button filled" disabled={empty} onClick={show}>
+          {t("page-sets-show")}
+        </button>
+      </Actions>
+    </>
+  );
+}
+
+function SaveForm({ draft, tabs, look, done }: Props & { done: () => void }) {
+  const blockSets = useBlockSets();
+  const isOurs = blockSets.ours.value.some((one) => one.name === draft.base.name);
+  const name = useSignal(isOurs ? t("page-sets-my-blocks") : (draft.base.name ?? ""));
+  const taken = blockSets.own.value.some((one) => one.name === name.value.trim());
+  const save = (event: SubmitEvent) => {
+    event.preventDefault();
+    const set = named(setOf(draft, tabs), name.value.trim());
+    blockSets.save(set, taken);
+    look(set);
+    done();
+  };
+  return (
+    <form onSubmit={save}>
+      <label class="field">
+        {t("page-sets-name")}
+        <input
+          required
+          autofocus
+          pattern={NAME}
+          maxLength={LONGEST_NAME}
+          value={name.value}
+          onInput={({ currentTarget }) => (name.value = currentTarget.value)}
+        />
+      </label>
+      <p class="dim" role="status">
+        {taken ? t("page-sets-replaces") : t("page-sets-save-help")}
+      </p>
+      <Actions cancel={done}>
+        <button type="submit" class="button filled">
+          {t("page-sets-save")}
+        </button>
+      </Actions>
+    </form>
+  );
+}
+
+/** The set with a name given by the user, which is its title too. */
+function named(set: BlockSet, name: string): BlockSet {
+  return name === set.name ? set : { ...set, name, title: { [language.peek()]: name } };
+}
+
+/** A changed built-in set becomes the user's own. */
+function renamed(set: BlockSet, ours: readonly BlockSet[]): BlockSet {
+  const title = titleOf(ours.find((one) => one.name === set.name) ?? set);
+  return named(set, t("page-sets-changed", { title }));
+}
+
+/** Show a set's blocks, with undo. */
+function choose(blockSets: BlockSets, toasts: Toasts, set: BlockSet): void {
+  const before = blockSets.shown.peek();
+  blockSets.choose(set);
+  const action = { text: t("page-sets-undo"), run: () => blockSets.choose(before) };
+  toasts.show({ sort: "note", text: t("page-sets-shown-now", { title: titleOf(set) }), action });
+}

@@ -1,0 +1,126 @@
+/** The user's custom blocks, and actions on a whole block. */
+
+import { signal } from "@preact/signals";
+
+import type { Phrase } from "../../i18n";
+import type { Connection } from "../../protocol/connection";
+import type { CustomBlock, FromPage } from "../../protocol/messages";
+import { provided } from "../../ui/provided";
+
+/** The outcome of an action, shown in its dialog. */
+export interface Outcome {
+  readonly sort: "done" | "failed";
+  /** The server's message, or the key of a text with its values. */
+  readonly message?: Phrase;
+  readonly word?: string;
+  readonly values?: Readonly<Record<string, string>>;
+  /** What the user can do about it. */
+  readonly action?: { readonly word: string; run(): void };
+}
+
+/** The server's limit. */
+const LONGEST = 1_000_000;
+const REQUESTS = [
+  "DuplicateCustomBlock",
+  "DeleteCustomBlock",
+  "RestoreCustomBlock",
+  "ExportCustomBlock",
+  "ImportCustomBlock",
+] as const satisfies readonly FromPage["kind"][];
+
+export class CustomBlocks {
+  /** Null until the server has sent it. */
+  readonly blocks = signal<readonly CustomBlock[] | null>(null);
+  readonly outcome = signal<Outcome | null>(null);
+  /** Makes the outcome when the server has confirmed the action. */
+  private doing: ((name: string) => Outcome) | null = null;
+
+  constructor(private readonly connection: Connection) {
+    connection.on("Opened", () => this.list());
+    connection.on("CustomBlocks", ({ blocks }) => (this.blocks.value = blocks));
+    connection.on("CustomBlockSaved", ({ name }) => this.saved(name));
+    connection.onRefused(REQUESTS, (message) => {
+      this.doing = null;
+      this.outcome.value = { sort: "failed", message };
+    });
+  }
+
+  list(): void {
+    this.connection.send({ kind: "ListCustomBlocks" });
+  }
+
+  find(name: string): CustomBlock | undefined {
+    return this.blocks.value?.find((one) => one.name === name);
+  }
+
+  duplicate(name: string): void {
+    const copy = this.freeName(name);
+    this.doing = () => done("page-custom-duplicated", { name, copy });
+    this.connection.send({ kind: "DuplicateCustomBlock", name, new: copy });
+  }
+
+  delete(name: string): void {
+    if (!this.connection.send({ kind: "DeleteCustomBlock", name })) return;
+    const action = { word: "page-custom-undo", run: () => this.restore(name) };
+    this.outcome.value = { ...done("page-custom-deleted", { name }), action };
+  }
+
+  export(name: string): void {
+    this.connection.send({ kind: "ExportCustomBlock", name });
+  }
+
+  /** Import a block from a file; the user must confirm before it replaces one of the same name. */
+  async import(file: File): Promise<void> {
+    if (file.size > LONGEST) {
+      this.outcome.value = failed("page-custom-large", { name: file.name });
+      return;
+    }
+    const content = await file.text();
+    const name = nameIn(content);
+    if (!name || !this.find(name)) return this.add(content, false);
+    const action = { word: "page-custom-replace", run: () => this.add(content, true) };
+    this.outcome.value = { ...failed("page-custom-taken", { name }), action };
+  }
+
+  private add(content: string, replace: boolean): void {
+    this.doing = (name) => done("page-custom-imported", { name });
+    this.connection.send({ kind: "ImportCustomBlock", content, replace });
+  }
+
+  private restore(name: string): void {
+    this.doing = () => done("page-custom-restored", { name });
+    this.connection.send({ kind: "RestoreCustomBlock", name });
+  }
+
+  private saved(name: string): void {
+    if (this.doing) this.outcome.value = this.doing(name);
+    this.doing = null;
+  }
+
+  /** An unused name: the requested one plus a number. */
+  private freeName(wish: string): string {
+    let number = 2;
+    while (this.find(`${wish}_${number}`)) number++;
+    return `${wish}_${number}`;
+  }
+}
+
+export const [CustomBlocksProvider, useCustomBlocks] = provided<CustomBlocks>("CustomBlocks");
+
+function done(word: string, values: Readonly<Record<string, string>>): Outcome {
+  return { sort: "done", word, values };
+}
+
+function failed(word: string, values: Readonly<Record<string, string>>): Outcome {
+  return { sort: "failed", word, values };
+}
+
+/** The name of the block in an exported file; the server checks whether it is valid. */
+function nameIn(content: string): string | null {
+  try {
+    const { name } = JSON.parse(content) as { name?: unknown };
+    return typeof name === "string" ? name : null;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,197 @@
+/** A block that is being edited: its source, the server's checks, and saving. */
+
+import { batch, computed, effect, signal, untracked } from "@preact/signals";
+import { language, type Phrase, t } from "../../i18n";
+import type { Connection } from "../../protocol/connection";
+import type { CustomBlock, CustomBlockChecked, CustomBlockPreview, CustomBlockProblem } from "../../protocol/messages";
+import { Throttle } from "../../ui/throttle";
+import { blocksIn, type Configured, withBlock } from "./configuration";
+import { drop, keep, unsaved, type Written } from "./unsaved";
+
+/** ms between two requests for a check. */
+const PERIOD = 300;
+
+export class Draft {
+  readonly written = signal<Written>({ name: "", source: "", configuration: "" });
+  /** The name that it is saved under; empty if it was never saved. */
+  readonly saved = signal("");
+  readonly checked = signal<CustomBlockChecked | null>(null);
+  /** Whether it continues an unsaved edit. */
+  readonly goesOn = signal(false);
+  /** The outcome of saving: a name, or the reason for the failure. */
+  readonly outcome = signal<{ readonly saved: string } | { readonly refused: Phrase | string } | null>(null);
+
+  readonly problems = computed<readonly CustomBlockProblem[]>(() => this.checked.value?.problems ?? []);
+  /** From the last source without syntax errors. */
+  readonly blocks = signal<readonly Configured[]>([]);
+  readonly previews = signal<readonly CustomBlockPreview[]>([]);
+  /** As JSON: the user's own, or else derived from the source by the server. */
+  readonly configuration = computed(
+    () => this.written.value.configuration || (this.checked.value?.configuration ?? ""),
+  );
+  /** Whether the server's answer is about the current text. */
+  readonly current = computed(() => this.answered.value === this.written.value);
+  readonly dirty = computed(() => !same(this.written.value, this.original.value));
+
+  private readonly original = signal<Written>(this.written.peek());
+  private readonly asking = new Throttle(PERIOD);
+  private request = 0;
+  /** The text of the last request: an answer only counts while the text is the same. */
+  private asked: Written | null = null;
+  /** The configuration without what the source defines; choices in the form go into it. */
+  private chosen = "";
+  private readonly answered = signal<Written | null>(null);
+  /** Whether to save it when the server has answered. */
+  private waiting = false;
+  private saving: Written | null = null;
+  /** Whether the name follows the function's name, until the user types one. */
+  private named = false;
+  private readonly ends: (() => void)[];
+
+  constructor(private readonly connection: Connection) {
+    this.ends = [
+      connection.on("CustomBlockChecked", (message) => this.hear(message)),
+      connection.on("CustomBlockSaved", ({ name }) => this.hearSaved(name)),
+      connection.onRefused(["SaveCustomBlock"], (reason) => this.refused(reason)),
+      effect(() => this.ask(language.value, this.written.value, this.saved.value)),
+    ];
+  }
+
+  destroy(): void {
+    for (const end of this.ends) end();
+    this.asking.cancel();
+  }
+
+  /** Edit a saved block. */
+  open({ name, source, configuration }: CustomBlock): void {
+    this.begin(name, { name, source, configuration });
+  }
+
+  /** Edit a new block. */
+  create(source: string): void {
+    this.begin("", { name: "", source, configuration: "" });
+  }
+
+  change(change: Partial<Written>): void {
+    if (change.name !== undefined) this.named = true;
+    this.written.value = { ...this.written.value, ...change };
+    this.outcome.value = null;
+  }
+
+  /** Change the configuration of one of its functions. */
+  configure(name: string, change: (block: Configured) => Configured): void {
+    this.chosen = withBlock(this.chosen, name, change);
+    this.blocks.value = this.blocks.peek().map((block) => (block.name === name ? change(block) : block));
+    this.change({ configuration: this.chosen });
+  }
+
+  /** Go back to the saved version. */
+  discard(): void {
+    drop(this.saved.peek());
+    this.goesOn.value = false;
+    this.named = this.saved.peek() !== "";
+    this.written.value = this.original.peek();
+  }
+
+  save(): void {
+    // The name comes from the function, which the server is still reading.
+    this.waiting = !this.named && !this.current.peek();
+    if (this.waiting) return;
+    const { name, source, configuration } = this.written.peek();
+    if (!name.trim()) return this.refuse(t("page-custom-nameless"));
+    this.saving = this.written.peek();
+    const replaces = this.saved.peek();
+    if (!this.connection.send({ kind: "SaveCustomBlock", name: name.trim(), source, configuration, replaces }))
+      this.refused(t("page-shell-lost"));
+  }
+
+  private begin(saved: string, original: Written): void {
+    const left = unsaved(saved);
+    this.named = saved !== "" || !!left?.name;
+    batch(() => {
+      this.saved.value = saved;
+      this.original.value = original;
+      this.goesOn.value = left !== null;
+      this.written.value = left ?? original;
+    });
+    this.ends.push(effect(() => this.keepUnsaved()));
+  }
+
+  private ask(code: string, written: Written, replaces: string): void {
+    const { name, source, configuration } = written;
+    const question = { name: name.trim(), source, configuration, replaces, language: code };
+    if (!source) return;
+    this.asking.do(() => {
+      this.request += 1;
+      this.asked = written;
+      this.connection.send({ kind: "CheckCustomBlock", request: this.request, ...question });
+    });
+  }
+
+  private hear(message: CustomBlockChecked): void {
+    if (message.request === 0) this.refused("");
+    else if (message.request !== this.request || this.asked !== this.written.peek()) return;
+    this.checked.value = message;
+    const { configuration = "" } = message;
+    if (configuration) this.show(message);
+    this.answered.value = this.written.peek();
+    if (this.waiting) this.save();
+  }
+
+  private show({ configuration = "", chosen = "", previews = [] }: CustomBlockChecked): void {
+    this.chosen = chosen;
+    this.blocks.value = blocksIn(configuration);
+    this.previews.value = previews;
+    this.followFunction();
+  }
+
+  /** A new block is named after its function. */
+  private followFunction(): void {
+    const [first] = this.blocks.peek();
+    const written = this.written.peek();
+    if (this.named || !first || first.name === written.name) return;
+    const named = { ...written, name: first.name };
+    batch(() => {
+      if (!this.dirty.peek()) this.original.value = named;
+      this.written.value = named;
+    });
+  }
+
+  private hearSaved(name: string): void {
+    const { saving } = this;
+    if (!saving) return;
+    this.saving = null;
+    drop(this.saved.peek());
+    drop(name);
+    const original = { ...saving, name };
+    this.named = true;
+    batch(() => {
+      if (same(saving, this.written.peek())) this.written.value = original;
+      this.saved.value = name;
+      this.original.value = original;
+      this.goesOn.value = false;
+      this.outcome.value = { saved: name };
+    });
+  }
+
+  private refused(reason: Phrase | string): void {
+    if (!this.saving) return;
+    this.saving = null;
+    this.refuse(reason);
+  }
+
+  private refuse(refused: Phrase | string): void {
+    this.outcome.value = { refused };
+  }
+
+  private keepUnsaved(): void {
+    const written = this.written.value;
+    const saved = untracked(() => this.saved.value);
+    if (this.dirty.value) keep(saved, written);
+    else drop(saved);
+  }
+}
+
+function same(one: Written, other: Written): boolean {
+  return one.name === other.name && one.source === other.source && one.configuration === other.configuration;
+}

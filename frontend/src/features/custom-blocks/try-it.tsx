@@ -1,0 +1,138 @@
+/** A test run of one function on the current robot: its arguments, output and result. */
+
+import { useSignal } from "@preact/signals";
+
+import { say, t } from "../../i18n";
+import { usePage } from "../../model/page";
+import { sentence } from "../../model/run-result";
+import type { Ended } from "../../protocol/messages";
+import { type Argument, argumentsOf, parseValue } from "./arguments";
+import type { Editing } from "./editing";
+
+type Written = Readonly<Record<string, string>>;
+
+export function TryIt({ editing }: { editing: Editing }) {
+  const { context, project } = usePage();
+  const written = useSignal<Written>({});
+  const { draft, trying, shown } = editing;
+  const preview = shown.value;
+  const list = preview ? argumentsOf(preview) : [];
+  const robot = project.robotTitle(context.running.robot.value);
+  const start = (event: SubmitEvent) => {
+    event.preventDefault();
+    const { name, source } = draft.written.peek();
+    const values = list.map((one) => parseValue(one, written.value[one.name] ?? one.initial) ?? null);
+    trying.try(name, source, preview?.name ?? "", values);
+  };
+  return (
+    <div class="custom-block-try">
+      <form onSubmit={start}>
+        {list.map((one) => (
+          <label class="field" key={`${preview?.name} ${one.name}`}>
+            {one.name}
+            <Value
+              argument={one}
+              value={written.value[one.name] ?? one.initial}
+              set={(text) => (written.value = { ...written.value, [one.name]: text })}
+            />
+          </label>
+        ))}
+        <div class="custom-block-run">
+          <button
+            type="submit"
+            class="button filled"
+            disabled={!preview || !draft.current.value || context.running.active.value}
+          >
+            {t("page-custom-try", { robot })}
+          </button>
+          <button type="button" class="button bordered" disabled={!trying.active.value} onClick={() => trying.stop()}>
+            {t("page-bar-stop")}
+          </button>
+        </div>
+      </form>
+      <Outcome editing={editing} />
+    </div>
+  );
+}
+
+interface ValueProps {
+  readonly argument: Argument;
+  readonly value: string;
+  readonly set: (text: string) => void;
+}
+
+function Value({ argument, value, set }: ValueProps) {
+  const { kind, allowed } = argument;
+  const take = ({ currentTarget }: { currentTarget: HTMLInputElement | HTMLSelectElement }) => set(currentTarget.value);
+  const wrong = parseValue(argument, value) === undefined;
+  switch (kind) {
+    case "number":
+    case "range":
+    case "angle": {
+      const { min, max, step = "any" } = allowed;
+      return <input type="number" required {...{ min, max, step }} value={value} onInput={take} />;
+    }
+    case "choice":
+      return (
+        <select value={value} onChange={take}>
+          {allowed.options?.map(([label, choice]) => (
+            <option key={choice} value={choice}>
+              {label}
+            </option>
+          ))}
+        </select>
+      );
+    case "truth":
+      return (
+        <select value={value} onChange={take}>
+          <option value="TRUE">{t("page-custom-true")}</option>
+          <option value="FALSE">{t("page-custom-false")}</option>
+        </select>
+      );
+    case "colour":
+      return <input type="color" value={value} onInput={take} />;
+    case "list":
+      return <input required aria-invalid={wrong} title={t("page-custom-list-help")} value={value} onInput={take} />;
+    case "text":
+    case "tag":
+      return <input value={value} onInput={take} />;
+  }
+}
+
+function Outcome({ editing: { trying } }: { editing: Editing }) {
+  const { output, ended, refused, active, prompt } = trying;
+  return (
+    <>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard has to reach it */}
+      <pre class="custom-block-output" tabIndex={0} role="log" aria-label={t("page-custom-output")}>
+        {output.value}
+      </pre>
+      {prompt.value !== null && <Question prompt={prompt.value} answer={(text) => trying.answer(text)} />}
+      <p role="status">
+        {active.value ? t("page-custom-runs") : ended.value ? describeEnd(ended.value) : say(refused.value)}
+      </p>
+    </>
+  );
+}
+
+/** How the run ended, with the line of an error. */
+function describeEnd(ended: Ended): string {
+  const text = sentence(ended);
+  return ended.custom_line ? `${text} ${t("page-custom-at-line", { line: ended.custom_line })}` : text;
+}
+
+function Question({ prompt, answer }: { prompt: string; answer: (text: string) => void }) {
+  const text = useSignal("");
+  const send = (event: SubmitEvent) => {
+    event.preventDefault();
+    answer(text.value);
+  };
+  return (
+    <form onSubmit={send}>
+      <label class="field">
+        {prompt || t("page-custom-asks")}
+        <input value={text.value} onInput={({ currentTarget }) => (text.value = currentTarget.value)} />
+      </label>
+    </form>
+  );
+}

@@ -1,0 +1,156 @@
+/** The installed libraries, the files to import, and the parts for a new library. */
+
+import { signal } from "@preact/signals";
+import { type Phrase, t } from "../../i18n";
+import type { Connection } from "../../protocol/connection";
+import type { Exportable, FromPage, InstalledLibrary, LibraryRead, MakeLibrary } from "../../protocol/messages";
+import { saveFile } from "../../ui/files";
+import { provided } from "../../ui/provided";
+import { fileOf, type Incoming, looked, renamed } from "./incoming";
+
+/** The outcome of the last action. */
+export interface Outcome {
+  readonly sort: "done" | "failed";
+  /** The server's message, or a translated text of the page. */
+  readonly text: Phrase | string;
+}
+
+/** The extension of library files. */
+export const ENDING = ".lblib";
+/** The server's limit in bytes. */
+const LARGEST = 1_000_000;
+const MOST = 20;
+const REQUESTS = [
+  "ListLibraries",
+  "ReadLibraries",
+  "ImportLibraries",
+  "RemoveLibrary",
+  "DownloadLibrary",
+  "MakeLibrary",
+  "UseLibrary",
+] as const satisfies readonly FromPage["kind"][];
+
+export class Libraries {
+  /** Null until the server has sent it. */
+  readonly installed = signal<readonly InstalledLibrary[] | null>(null);
+  readonly exportable = signal<Exportable | null>(null);
+  /** The files to import. */
+  readonly incoming = signal<readonly Incoming[]>([]);
+  readonly outcome = signal<Outcome | null>(null);
+  /** Makes the outcome when the server has confirmed the action. */
+  private doing: string | null = null;
+
+  constructor(private readonly connection: Connection) {
+    connection.on("Libraries", ({ libraries }) => this.receive(libraries));
+    connection.on("LibrariesRead", ({ files }) => this.read(files));
+    connection.on("Exportable", (exportable) => (this.exportable.value = exportable));
+    connection.on("LibraryMade", ({ filename, content }) => this.made(filename, content));
+    connection.onRefused(REQUESTS, (message) => {
+      this.doing = null;
+      this.outcome.value = { sort: "failed", text: message };
+    });
+  }
+
+  /** Ask for the installed libraries and the parts for a new one. */
+  list(): void {
+    this.outcome.value = null;
+    this.connection.send({ kind: "ListLibraries" });
+    this.connection.send({ kind: "ListExportable" });
+  }
+
+  // Importing.
+
+  /** Have the server read files, together with those read before. */
+  async take(files: readonly File[]): Promise<void> {
+    this.outcome.value = null;
+    const wrong = files.find((one) => !one.name.endsWith(ENDING) || one.size > LARGEST);
+    if (wrong) return this.fail(t("page-libraries-wrong-file", { name: wrong.name }));
+    if (this.incoming.value.length + files.length > MOST)
+      return this.fail(t("page-libraries-too-many", { most: MOST }));
+    const found = await Promise.all(files.map(incoming));
+    this.look([...this.incoming.value, ...found]);
+  }
+
+  rename(filename: string, skill: string, name: string): void {
+    this.look(this.incoming.value.map((one) => (one.filename === filename ? renamed(one, skill, name) : one)));
+  }
+
+  leaveOut(filename: string): void {
+    this.look(this.incoming.value.filter((one) => one.filename !== filename));
+  }
+
+  import(replace: boolean): void {
+    const names = this.incoming.value.map((one) => one.read?.library?.name ?? "").join(", ");
+    this.doing = t("page-libraries-imported", { names });
+    this.connection.send({ kind: "ImportLibraries", files: this.incoming.value.map(fileOf), replace });
+  }
+
+  // What is installed.
+
+  remove(name: string): void {
+    this.doing = t("page-libraries-removed", { name });
+    this.connection.send({ kind: "RemoveLibrary", name });
+  }
+
+  download(name: string): void {
+    this.connection.send({ kind: "DownloadLibrary", name });
+  }
+
+  use(name: string): void {
+    if (this.connection.send({ kind: "UseLibrary", name })) this.done(t("page-libraries-used", { name }));
+  }
+
+  make(library: Omit<MakeLibrary, "kind">): void {
+    this.outcome.value = null;
+    this.connection.send({ kind: "MakeLibrary", ...library });
+  }
+
+  // The server's answers.
+
+  private receive(libraries: readonly InstalledLibrary[]): void {
+    this.installed.value = libraries;
+    if (!this.doing) return;
+    this.done(this.doing);
+    this.doing = null;
+    this.incoming.value = [];
+  }
+
+  private read(files: readonly LibraryRead[]): void {
+    const known = this.incoming.value;
+    // Files were added or removed since: another answer is coming.
+    if (files.length !== known.length || files.some((one, at) => one.filename !== known[at]?.filename)) return;
+    const found = known.map((one, at) => looked(one, files[at]!));
+    const suggests = found.some((one, at) => one.renamings.length > known[at]!.renamings.length);
+    if (suggests) this.look(found);
+    else this.incoming.value = found;
+  }
+
+  private look(files: readonly Incoming[]): void {
+    this.incoming.value = files;
+    if (files.length) this.connection.send({ kind: "ReadLibraries", files: files.map(fileOf) });
+  }
+
+  private made(filename: string, content: string): void {
+    saveFile(filename, bytes(content), "application/zip");
+    this.done(t("page-libraries-made", { filename }));
+  }
+
+  private done(text: string): void {
+    this.outcome.value = { sort: "done", text };
+  }
+
+  private fail(text: string): void {
+    this.outcome.value = { sort: "failed", text };
+  }
+}
+
+export const [LibrariesProvider, useLibraries] = provided<Libraries>("Libraries");
+
+async function incoming(file: File): Promise<Incoming> {
+  const letters = Array.from(new Uint8Array(await file.arrayBuffer()), (byte) => String.fromCharCode(byte));
+  return { filename: file.name.slice(-100), content: btoa(letters.join("")), renamings: [], read: null };
+}
+
+function bytes(content: string): Uint8Array<ArrayBuffer> {
+  return Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0));
+}

@@ -1,0 +1,57 @@
+/** Lets the server make a robot from its description; the text is kept until that succeeds. */
+
+import { signal } from "@preact/signals";
+import { t } from "../../i18n";
+import type { Connection } from "../../protocol/connection";
+import type { FromPage, RobotMade, RobotProblem } from "../../protocol/messages";
+import { provided } from "../../ui/provided";
+
+const REQUESTS = ["BeginRobot", "MakeRobot"] as const satisfies readonly FromPage["kind"][];
+
+/** The server's limit. */
+const LONGEST = 65_536;
+
+export class RobotMaker {
+  readonly name = signal("");
+  /** TOML. */
+  readonly description = signal("");
+  readonly problems = signal<readonly RobotProblem[]>([]);
+  /** The robot made last. */
+  readonly made = signal<RobotMade | null>(null);
+
+  constructor(private readonly connection: Connection) {
+    connection.on("RobotBegun", ({ description }) => (this.description.value ||= description));
+    connection.on("RobotMade", (made) => this.hear(made));
+    connection.onRefused(REQUESTS, (message) => (this.problems.value = [{ message }]));
+  }
+
+  /** Continue with the current text, or start with the server's template. */
+  begin(): void {
+    this.problems.value = [];
+    this.made.value = null;
+    if (!this.description.value) this.connection.send({ kind: "BeginRobot" });
+  }
+
+  make(): void {
+    this.problems.value = [];
+    this.connection.send({ kind: "MakeRobot", name: this.name.value.trim(), description: this.description.value });
+  }
+
+  /** Use a file's text as the description, and its name if the robot has none yet. */
+  async readFile(file: File): Promise<void> {
+    this.problems.value =
+      file.size > LONGEST ? [{ message: { code: t("page-newrobot-large", { name: file.name }) } }] : [];
+    if (this.problems.value.length) return;
+    this.description.value = await file.text();
+    this.name.value ||= file.name.replace(/\.toml$/, "");
+  }
+
+  private hear(made: RobotMade): void {
+    this.problems.value = made.problems ?? [];
+    if (this.problems.value.length) return;
+    this.made.value = made;
+    this.name.value = this.description.value = "";
+  }
+}
+
+export const [RobotMakerProvider, useRobotMaker] = provided<RobotMaker>("RobotMaker");

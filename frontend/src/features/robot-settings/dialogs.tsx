@@ -1,0 +1,129 @@
+/** The dialogs for robot settings and camera recognition. */
+
+import { useComputed, useSignal } from "@preact/signals";
+import { Fragment } from "preact";
+import { useEffect } from "preact/hooks";
+
+import { say, t } from "../../i18n";
+import { usePage } from "../../model/page";
+import type { SettingsTable } from "../../protocol/messages";
+import { Actions, Dialog } from "../../ui/dialog";
+import { SettingField } from "./field";
+import { changes, PERCEPTION, useRobotSettings, type Values, valuesOf } from "./robot-settings";
+import "./dialogs.css";
+
+const EMOTIONS = "emotions_on_cameras";
+
+export function RobotSettingsDialog() {
+  const { context, dialogs, project } = usePage();
+  const real = project.welcome.value?.robots.filter((one) => !one.simulated) ?? [];
+  const chosen = real.find((one) => one.name === context.running.robot.peek()) ?? real[0];
+  const robot = useSignal(chosen?.name ?? "");
+  return (
+    <Dialog title={t("page-robots-robots")} close={() => dialogs.close()}>
+      <p class="dim">{t("page-robots-robots-help")}</p>
+      <label class="field">
+        {t("page-bar-robot")}
+        <select value={robot.value} onChange={({ currentTarget }) => (robot.value = currentTarget.value)}>
+          {real.map(({ name, title }) => (
+            <option key={name} value={name}>
+              {title}
+            </option>
+          ))}
+        </select>
+      </label>
+      {robot.value && <SettingsForm key={robot.value} robot={robot.value} />}
+    </Dialog>
+  );
+}
+
+export function PerceptionDialog() {
+  const { dialogs } = usePage();
+  return (
+    <Dialog title={t("page-robots-perception")} close={() => dialogs.close()}>
+      <p class="dim">{t("page-robots-perception-help")}</p>
+      <SettingsForm robot={PERCEPTION} />
+    </Dialog>
+  );
+}
+
+function SettingsForm({ robot }: { robot: string }) {
+  const machine = useRobotSettings();
+  useEffect(() => machine.read(robot), []);
+  const table = useComputed(() => (machine.table.value?.robot === robot ? machine.table.value : null));
+  const problem = machine.refusal.value || table.value?.problem;
+  return (
+    <>
+      <p role="alert" class="refused">
+        {problem && say(problem)}
+      </p>
+      {table.value?.settings && <Form table={table.value} robot={robot} />}
+    </>
+  );
+}
+
+function Form({ table, robot }: { table: SettingsTable; robot: string }) {
+  const { dialogs } = usePage();
+  const machine = useRobotSettings();
+  const { settings = [], wrong = {} } = table;
+  const values = useSignal<Values>(valuesOf(settings));
+  const agreed = useSignal(false);
+  // The server may change a saved value, such as a video's path into an absolute one.
+  useEffect(() => {
+    if (Object.keys(wrong).length === 0) values.value = valuesOf(settings);
+  }, [table]);
+  const changed = changes(settings, values.value);
+  const asks = changed[EMOTIONS] === true;
+  const save = (event: SubmitEvent) => {
+    event.preventDefault();
+    machine.change(robot, changed, agreed.value);
+  };
+  const isChanged = Object.keys(changed).length > 0;
+  return (
+    <form onSubmit={save} noValidate>
+      {settings.map((setting) => (
+        <Fragment key={setting.name}>
+          <SettingField
+            setting={setting}
+            value={values.value[setting.name]}
+            wrong={setting.name in changed ? wrong[setting.name] : undefined}
+            change={(value) => (values.value = { ...values.value, [setting.name]: value })}
+          />
+          {setting.name === EMOTIONS && <Law asks={asks} agreed={agreed.value} agree={(on) => (agreed.value = on)} />}
+        </Fragment>
+      ))}
+      <p role="status" class="dim">
+        {t(isChanged ? "page-robots-unsaved" : "page-robots-saved")}
+      </p>
+      <Actions cancel={() => dialogs.close()}>
+        <button type="submit" class="button filled" disabled={!isChanged || (asks && !agreed.value)}>
+          {t("page-robots-save")}
+        </button>
+      </Actions>
+    </form>
+  );
+}
+
+interface LawProps {
+  /** Whether the user is switching on emotion recognition for real cameras. */
+  readonly asks: boolean;
+  readonly agreed: boolean;
+  readonly agree: (on: boolean) => void;
+}
+
+/** The reason why emotion recognition is off for real cameras. */
+function Law({ asks, agreed, agree }: LawProps) {
+  return (
+    <section class="law" aria-label={t("page-robots-law")}>
+      <h3>{t("page-robots-law")}</h3>
+      <p>{t("page-robots-law-text")}</p>
+      <p>{t("page-robots-law-pictures")}</p>
+      {asks && (
+        <label class="check">
+          <input type="checkbox" checked={agreed} onChange={({ currentTarget }) => agree(currentTarget.checked)} />
+          {t("page-robots-agree")}
+        </label>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,110 @@
+/** The handles of the selected thing: they turn, resize and bend it. */
+
+import type { LineValues, XY } from "../../views/world/scenery/description";
+import { between, forward, from, headingOf, type Pose, wrapped } from "../../views/world/scenery/geometry";
+import { boundsOf } from "./fields";
+import type { Sort, Thing } from "./sorts";
+import { hasPath } from "./things";
+
+/** Turning with a handle rounds to these degrees. */
+const TURN_STEP = 5;
+const GAP = 60;
+
+export interface Handle {
+  readonly kind: "turn" | "size" | "corner" | "insert";
+  readonly at: XY;
+  /** The thing after the handle is dragged to a point. */
+  pull(to: XY): Thing;
+  /** The thing without this corner, if it can be removed. */
+  remove?(): Thing;
+}
+
+export function handlesOf(sort: Sort, thing: Thing): Handle[] {
+  if (sort === "wall" || (sort === "line" && !hasPath(thing)))
+    return corners(thing, sort === "line" && thing.closed === true);
+  if (sort === "line") return pathHandles(thing as unknown as LineValues);
+  const pose = poseOf(thing);
+  const turn = "heading" in thing ? [turning(thing, pose, GAP + halfLength(thing))] : [];
+  return [...turn, ...sizes(sort, thing, pose)];
+}
+
+function poseOf(thing: Thing): Pose {
+  return { x: Number(thing.x), y: Number(thing.y), heading: Number(thing.heading ?? 0) };
+}
+
+function halfLength(thing: Thing): number {
+  return "length" in thing ? Number(thing.length) / 2 : 40;
+}
+
+function turning(thing: Thing, pose: Pose, reach: number): Handle {
+  return {
+    kind: "turn",
+    at: from(pose, reach),
+    pull: ([x, y]) => ({ ...thing, heading: stepped(headingOf(x - pose.x, y - pose.y)) }),
+  };
+}
+
+function stepped(heading: number): number {
+  return wrapped(Math.round(heading / TURN_STEP) * TURN_STEP);
+}
+
+function sizes(sort: Sort, thing: Thing, pose: Pose): Handle[] {
+  const size = (key: string, heading: number, factor: number): Handle => ({
+    kind: "size",
+    at: from({ ...pose, heading }, Number(thing[key]) / factor),
+    pull: ([x, y]) => {
+      const [dx, dy] = forward(heading);
+      const reach = Math.abs((x - pose.x) * dx + (y - pose.y) * dy) * factor;
+      return { ...thing, [key]: between(Math.round(reach), ...boundsOf(sort, key)) };
+    },
+  });
+  switch (sort) {
+    case "box":
+      return [size("length", pose.heading + 180, 2), size("width", pose.heading + 90, 2)];
+    case "cylinder":
+      return [size("radius", 0, 1)];
+    case "reach":
+      return [size("radius", 0, 1)];
+    case "tag":
+    case "face":
+      return [size("size", pose.heading + 90, 2)];
+    default:
+      return [];
+  }
+}
+
+function corners(thing: Thing, closed: boolean): Handle[] {
+  const points = thing.points as XY[];
+  const knobs = points.map((at, i): Handle => {
+    const others = points.filter((_, k) => k !== i);
+    const pull = (to: XY): Thing => ({ ...thing, points: points.map((point, k) => (k === i ? to : point)) });
+    return points.length > 2
+      ? { kind: "corner", at, pull, remove: () => ({ ...thing, points: others }) }
+      : { kind: "corner", at, pull };
+  });
+  const ends = closed ? [...points.slice(1), points[0] as XY] : points.slice(1);
+  return [...ends.map((end, i) => amid(thing, points, i, end)), ...knobs];
+}
+
+/** A handle between two corners, which becomes a corner when it is dragged. */
+function amid(thing: Thing, points: readonly XY[], index: number, [endX, endY]: XY): Handle {
+  const [x, y] = points[index] as XY;
+  return {
+    kind: "insert",
+    at: [(x + endX) / 2, (y + endY) / 2],
+    pull: (to) => ({ ...thing, points: points.toSpliced(index + 1, 0, to) }),
+  };
+}
+
+function pathHandles(line: LineValues): Handle[] {
+  const [x, y, heading] = line.start;
+  const thing = line as unknown as Thing;
+  return [
+    { kind: "corner", at: [x, y], pull: (to) => ({ ...thing, start: [...to, heading] }) },
+    {
+      kind: "turn",
+      at: from({ x, y, heading }, 2 * GAP),
+      pull: ([toX, toY]) => ({ ...thing, start: [x, y, stepped(headingOf(toX - x, toY - y))] }),
+    },
+  ];
+}

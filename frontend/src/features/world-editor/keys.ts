@@ -1,0 +1,49 @@
+/** The editor's keys. */
+
+import type { Commands } from "./commands";
+import { TURN } from "./commands";
+import type { Draft } from "./drafts";
+import type { Plan } from "./plan";
+
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+/** Comma and full stop turn too: brackets are hard to reach on some keyboards. */
+const TURNS: Readonly<Record<string, number>> = { "[": -TURN, "]": TURN, ",": -TURN, ".": TURN, "{": -1, "}": 1 };
+const COARSE = 100;
+const FINE = 1;
+
+export function editorKeys(draft: Draft, commands: Commands, plan: Plan): (event: KeyboardEvent) => void {
+  return (event) => {
+    if (!undoing(event, draft) && !(plan.focusedThing && onThing(event, draft, commands, plan))) return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+}
+
+function undoing(event: KeyboardEvent, draft: Draft): boolean {
+  // In a text field, undo belongs to the browser.
+  if (event.target instanceof HTMLInputElement || !(event.ctrlKey || event.metaKey)) return false;
+  const letter = event.key.toLowerCase();
+  if (letter === "y" || (letter === "z" && event.shiftKey)) draft.redo();
+  else if (letter === "z") draft.undo();
+  else return false;
+  return true;
+}
+
+function onThing(event: KeyboardEvent, draft: Draft, commands: Commands, plan: Plan): boolean {
+  const arrow = ARROWS[event.key];
+  const turn = TURNS[event.key];
+  if (arrow) commands.nudge(...arrow, event.shiftKey ? COARSE : event.altKey ? FINE : undefined);
+  else if (turn) commands.turn(turn);
+  else if (event.key === "Delete" || event.key === "Backspace") commands.remove();
+  else if (event.key.toLowerCase() === "d" && (event.ctrlKey || event.metaKey)) {
+    const copy = commands.duplicate();
+    if (copy) plan.focus(copy);
+  } else if (event.key === "Escape" && draft.selected.peek()) draft.select(null);
+  else return false;
+  return true;
+}

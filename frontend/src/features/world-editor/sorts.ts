@@ -1,0 +1,20 @@
+/** The sorts of things in a world. */
+
+/** In the order in which they are painted and reached by Tab. */
+export const SORTS = [
+  "follow",
+  "line",
+  "reach",
+  "visit",
+  "start",
+  "wall",
+  "box",
+  "cylinder",
+  "tag",
+  "face",
+  "light",
+] as const;
+export type Sort = (typeof SORTS)[number];
+
+/** The values of one thing of any sort. */
+export type Thing = Readonly<Record<string, unknown>>;

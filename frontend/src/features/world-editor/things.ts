@@ -1,0 +1,211 @@
+/** The things of a world, handled alike for all sorts. */
+
+import type { LineValues, WorldValues, XY } from "../../views/world/scenery/description";
+import { between, cornersOf, radians, wrapped } from "../../views/world/scenery/geometry";
+import { defaultsOf } from "./fields";
+import { SORTS, type Sort, type Thing } from "./sorts";
+
+/** The `index`th thing of a sort. */
+export interface Ref {
+  readonly sort: Sort;
+  readonly index: number;
+}
+
+type GoalSort = "reach" | "follow" | "visit";
+const GOALS: readonly string[] = ["reach", "follow", "visit"];
+/** A grid of 5 mm or less would be too fine to feel. */
+export const GRID = 10;
+const FARTHEST = 5000;
+
+function isGoal(sort: Sort): sort is GoalSort {
+  return GOALS.includes(sort);
+}
+
+export function key({ sort, index }: Ref): string {
+  return `${sort}:${index}`;
+}
+
+export function same(a: Ref | null, b: Ref | null): boolean {
+  return a?.sort === b?.sort && a?.index === b?.index;
+}
+
+export function listOf(world: WorldValues, sort: Sort): readonly Thing[] {
+  return (isGoal(sort) ? world.goal[sort] : world[sort]) as unknown as readonly Thing[];
+}
+
+export function thingAt(world: WorldValues, { sort, index }: Ref): Thing | undefined {
+  return listOf(world, sort)[index];
+}
+
+export function allThings(world: WorldValues): Ref[] {
+  return SORTS.flatMap((sort) => listOf(world, sort).map((_, index) => ({ sort, index })));
+}
+
+function withList(world: WorldValues, sort: Sort, list: readonly Thing[]): WorldValues {
+  if (isGoal(sort)) return { ...world, goal: { ...world.goal, [sort]: list } };
+  return { ...world, [sort]: list };
+}
+
+/** The world with another thing in a thing's place. */
+export function replaced(world: WorldValues, ref: Ref, thing: Thing): WorldValues {
+  const list = listOf(world, ref.sort).map((old, i) => (i === ref.index ? thing : old));
+  return withList(world, ref.sort, list);
+}
+
+export function removed(world: WorldValues, ref: Ref): WorldValues {
+  return withList(
+    world,
+    ref.sort,
+    listOf(world, ref.sort).filter((_, i) => i !== ref.index),
+  );
+}
+
+/** The world with one more thing, and a reference to that thing. */
+export function added(world: WorldValues, sort: Sort, thing: Thing): [WorldValues, Ref] {
+  const list = listOf(world, sort);
+  return [withList(world, sort, [...list, withName(world, sort, thing)]), { sort, index: list.length }];
+}
+
+/** A new thing of a sort at a place, with default values. */
+export function created(world: WorldValues, sort: Sort, [x, y]: XY): Thing {
+  const placed = { ...defaultsOf(sort), x, y };
+  switch (sort) {
+    case "wall":
+      return {
+        ...defaultsOf(sort),
+        points: [
+          [x - 200, y],
+          [x + 200, y],
+        ],
+      };
+    case "line":
+      return {
+        ...defaultsOf(sort),
+        points: [
+          [x - 300, y],
+          [x + 300, y],
+        ],
+      };
+    case "follow":
+      return { ...defaultsOf(sort), line: world.line[0]?.name };
+    case "visit":
+      return { ...defaultsOf(sort), id: world.tag[0]?.id };
+    case "tag":
+      return { ...placed, heading: 180, id: freeTag(world) };
+    case "face":
+      return { ...placed, heading: 180, emotion: "joy" };
+    default:
+      return placed;
+  }
+}
+
+/** The sort that a new thing needs and the world lacks; null if it can be created. */
+export function missing(world: WorldValues, sort: Sort): Sort | null {
+  if (sort === "follow" && !world.line.length) return "line";
+  if (sort === "visit" && !world.tag.length) return "tag";
+  return null;
+}
+
+function freeTag(world: WorldValues): number {
+  const taken = new Set(world.tag.map(({ id }) => id));
+  let id = 1;
+  while (taken.has(id)) id++;
+  return id;
+}
+
+/** Lines, starts and goals are referred to by name, so names are unique. */
+function withName(world: WorldValues, sort: Sort, thing: Thing): Thing {
+  const goals = [...world.goal.reach, ...world.goal.follow, ...world.goal.visit];
+  const others = isGoal(sort) ? goals : sort === "line" || sort === "start" ? world[sort] : null;
+  if (!others) return thing;
+  const taken = new Set(others.map(({ name }) => name));
+  const stem = String(thing.name).replace(/ \d+$/, "");
+  let name = String(thing.name);
+  for (let count = 2; taken.has(name); count++) name = `${stem} ${count}`;
+  return { ...thing, name };
+}
+
+/** The world with a copy beside a thing, and a reference to the copy. */
+export function duplicated(world: WorldValues, ref: Ref): [WorldValues, Ref] {
+  const copy = moved(world, ref, 5 * GRID, -5 * GRID) ?? {};
+  return added(world, ref.sort, ref.sort === "tag" ? { ...copy, id: freeTag(world) } : copy);
+}
+
+/** Round to the grid. */
+export function snapped(value: number, grid = GRID): number {
+  return Math.round(value / grid) * grid;
+}
+
+/** The nearest valid place, on the floor if the sort requires it. */
+export function allowedPlace(world: WorldValues, sort: Sort, [x, y]: XY): XY {
+  const free = sort === "wall" || sort === "line" || sort === "reach";
+  const [east, north] = free ? [FARTHEST, FARTHEST] : [world.floor.size[0] / 2, world.floor.size[1] / 2];
+  return [between(x, -east, east), between(y, -north, north)];
+}
+
+/** A thing moved by mm; null if there is no such thing. */
+export function moved(world: WorldValues, ref: Ref, dx: number, dy: number): Thing | null {
+  const thing = thingAt(world, ref);
+  if (!thing) return null;
+  const shift = ([x, y]: XY): XY => allowedPlace(world, ref.sort, [x + dx, y + dy]);
+  if (ref.sort === "line" && hasPath(thing)) {
+    const [x, y, heading] = (thing as unknown as LineValues).start;
+    return { ...thing, start: [...shift([x, y]), heading] };
+  }
+  if ("points" in thing) return { ...thing, points: (thing.points as XY[]).map(shift) };
+  if (!("x" in thing)) return thing;
+  const [x, y] = shift([Number(thing.x), Number(thing.y)]);
+  return { ...thing, x, y };
+}
+
+/** A thing turned clockwise by degrees; unchanged if its sort has no heading. */
+export function turned(thing: Thing, degrees: number): Thing {
+  if ("heading" in thing) return { ...thing, heading: wrapped(Number(thing.heading) + degrees) };
+  if (hasPath(thing)) {
+    const [x, y, heading] = (thing as unknown as LineValues).start;
+    return { ...thing, start: [x, y, wrapped(heading + degrees)] };
+  }
+  if ("points" in thing) return { ...thing, points: turnedPoints(thing.points as XY[], degrees) };
+  return thing;
+}
+
+function turnedPoints(points: readonly XY[], degrees: number): XY[] {
+  const [x, y] = middleOf(points);
+  const [cos, sin] = [Math.cos(radians(degrees)), Math.sin(radians(degrees))];
+  return points.map(([px, py]) => {
+    const [dx, dy] = [px - x, py - y];
+    return [tenths(x + dx * cos + dy * sin), tenths(y + dy * cos - dx * sin)];
+  });
+}
+
+function tenths(value: number): number {
+  return Math.round(value * 10) / 10;
+}
+
+export function middleOf(points: readonly XY[]): XY {
+  const sum = points.reduce(([x, y], [px, py]): XY => [x + px, y + py], [0, 0]);
+  return [sum[0] / points.length, sum[1] / points.length];
+}
+
+export function hasPath(thing: Thing): boolean {
+  return Array.isArray(thing.path) && thing.path.length > 0;
+}
+
+/** The place of a thing, for its description and for the plan. */
+export function placeOf(world: WorldValues, { sort, index }: Ref): XY {
+  const thing = listOf(world, sort)[index];
+  if (!thing) return [0, 0];
+  if (sort === "follow") return lineMiddle(world.line.find(({ name }) => name === thing.line));
+  if (sort === "line") return lineMiddle(thing as unknown as LineValues);
+  if (sort === "visit") {
+    const tag = world.tag.find(({ id }) => id === thing.id);
+    return tag ? [tag.x, tag.y] : [0, 0];
+  }
+  if (sort === "wall") return middleOf(thing.points as XY[]);
+  return [Number(thing.x), Number(thing.y)];
+}
+
+function lineMiddle(line: LineValues | undefined): XY {
+  const points = line ? cornersOf(line) : [];
+  return points.length ? middleOf(points) : [0, 0];
+}

@@ -1,0 +1,66 @@
+/** The part of the world that the plan shows: places in mm, y down as in SVG. */
+
+import type { XY } from "../../views/world/scenery/description";
+import { between } from "../../views/world/scenery/geometry";
+import { set } from "./svg";
+
+/** The margin around the floor, as a part of its size. */
+const MARGIN = 0.06;
+const NEAREST = 100;
+const FARTHEST = 40000;
+
+export class Viewport {
+  private middle: XY = [0, 0];
+  /** mm per pixel. */
+  scale = 4;
+
+  constructor(
+    private readonly plan: SVGSVGElement,
+    private readonly changed: () => void,
+  ) {}
+
+  /** Show a whole floor. */
+  fit([east, north]: XY): void {
+    const { clientWidth, clientHeight } = this.plan;
+    const room = 1 + 2 * MARGIN;
+    this.middle = [0, 0];
+    this.scale = Math.max((east * room) / Math.max(1, clientWidth), (north * room) / Math.max(1, clientHeight));
+    this.apply();
+  }
+
+  /** Zoom in with a factor below 1, keeping a place of the world where it is on the screen. */
+  zoom(factor: number, [x, y]: XY = this.middle): void {
+    const width = this.plan.clientWidth;
+    const scale = between(this.scale * factor, NEAREST / width, FARTHEST / width);
+    const part = scale / this.scale;
+    this.middle = [x + (this.middle[0] - x) * part, y + (this.middle[1] - y) * part];
+    this.scale = scale;
+    this.apply();
+  }
+
+  /** Shift by pixels. */
+  pan(right: number, down: number): void {
+    this.middle = [this.middle[0] - right * this.scale, this.middle[1] + down * this.scale];
+    this.apply();
+  }
+
+  /** The middle of the visible part, in the world. */
+  get centre(): XY {
+    return this.middle;
+  }
+
+  /** The place in the world at a place of the page. */
+  at({ clientX, clientY }: { readonly clientX: number; readonly clientY: number }): XY {
+    const box = this.plan.getBoundingClientRect();
+    const right = (clientX - box.left - box.width / 2) * this.scale;
+    const down = (clientY - box.top - box.height / 2) * this.scale;
+    return [this.middle[0] + right, this.middle[1] - down];
+  }
+
+  apply(): void {
+    const [width, height] = [this.plan.clientWidth * this.scale, this.plan.clientHeight * this.scale];
+    const [x, y] = this.middle;
+    set(this.plan, { viewBox: `${x - width / 2} ${-y - height / 2} ${width} ${height}` });
+    this.changed();
+  }
+}

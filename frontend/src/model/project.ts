@@ -1,0 +1,161 @@
+/** The open project, and the list of all projects. */
+
+import { computed, effect, signal } from "@preact/signals";
+import { type Phrase, say, t, translated } from "../i18n";
+import { addressedProject, nameProject, renameProject } from "../protocol/address";
+import type { Connection } from "../protocol/connection";
+import type { Export, History, ProjectEntry, Welcome, WorldChoice } from "../protocol/messages";
+import { saveFile } from "../ui/files";
+import type { Toasts } from "../ui/toasts";
+import type { Program } from "./program";
+
+/** The example that new users see. */
+const FIRST_EXAMPLE = "square";
+/** The server's limit. */
+const LONGEST_TEXT = 1_000_000;
+const IMPORTED = [".learnblock", ".bt", ".py"];
+
+export class Project {
+  readonly name = signal("");
+  readonly welcome = signal<Welcome | null>(null);
+  readonly worlds = signal<readonly WorldChoice[]>([]);
+  /** Null until the server has sent it. */
+  readonly entries = signal<readonly ProjectEntry[] | null>(null);
+  readonly history = signal<History | null>(null);
+  readonly saved = computed(() => this.program.unsaved.value === null);
+  /** Whether to choose a project when the list arrives. */
+  private choosing = false;
+  /** The project to delete once another one is open. */
+  private doomed: string | null = null;
+
+  constructor(
+    private readonly connection: Connection,
+    private readonly program: Program,
+    private readonly toasts: Toasts,
+  ) {
+    connection.on("Welcome", (welcome) => this.begin(welcome));
+    connection.on("Projects", ({ projects }) => this.listed(projects));
+    connection.on("Opened", ({ name }) => this.opened(name));
+    connection.on("Robots", ({ robots }) => (this.welcome.value &&= { ...this.welcome.value, robots }));
+    connection.on("Worlds", ({ worlds }) => (this.worlds.value = worlds));
+    connection.on("History", (history) => (this.history.value = history));
+    connection.on("File", ({ filename, text }) => saveFile(filename, text, "text/plain"));
+    connection.on("Failed", ({ message, request }) => this.failed(message, request ?? ""));
+    effect(() => {
+      document.title = this.name.value ? `${this.name.value} – LearnBlock` : "LearnBlock";
+    });
+    addEventListener("popstate", () => this.followAddress());
+  }
+
+  open(name: string): void {
+    this.program.flush();
+    this.connection.send({ kind: "Open", name });
+  }
+
+  create(name: string, example: string | null = null): void {
+    this.program.flush();
+    this.connection.send({ kind: "New", name, example });
+  }
+
+  saveAs(name: string): void {
+    this.program.flush();
+    this.connection.send({ kind: "SaveAs", name });
+  }
+
+  export(format: Export["format"]): void {
+    this.program.flush();
+    this.connection.send({ kind: "Export", format });
+  }
+
+  restore(version: string): void {
+    this.program.flush();
+    this.connection.send({ kind: "Restore", version });
+  }
+
+  list(): void {
+    this.connection.send({ kind: "ListProjects" });
+  }
+
+  listHistory(): void {
+    this.history.value = null;
+    this.connection.send({ kind: "ListHistory" });
+  }
+
+  /** Delete a project; if it is open, open another one first. */
+  delete(name: string): void {
+    if (name === this.name.value) {
+      this.doomed = name;
+      this.choosing = true;
+    } else {
+      this.connection.send({ kind: "Delete", name });
+    }
+    this.list();
+  }
+
+  async import(file: File): Promise<void> {
+    if (!IMPORTED.some((ending) => file.name.endsWith(ending))) {
+      return this.toasts.error(t("page-project-wrong-file", { name: file.name }));
+    }
+    if (file.size > LONGEST_TEXT) {
+      return this.toasts.error(t("page-project-large-file", { name: file.name }));
+    }
+    this.program.flush();
+    this.connection.send({ kind: "Import", filename: file.name, text: await file.text() });
+  }
+
+  /** A robot's display name. */
+  robotTitle(name: string): string {
+    return this.welcome.value?.robots.find((one) => one.name === name)?.title ?? name;
+  }
+
+  /** A world's display name; the user's own worlds keep their names. */
+  worldTitle(name: string): string {
+    const world = this.worlds.value.find((one) => one.name === name);
+    return world?.own ? world.title : translated(`page-catalog-world-${name}`, world?.title ?? name);
+  }
+
+  /** Handle a new connection, the first one or a reconnection. */
+  private begin(welcome: Welcome): void {
+    this.welcome.value = welcome;
+    this.worlds.value = welcome.worlds;
+    const name = this.name.value || addressedProject();
+    if (this.name.value) this.toasts.note(t("page-project-recovered"));
+    if (name) return this.open(name);
+    this.choosing = true;
+    this.list();
+  }
+
+  private listed(projects: readonly ProjectEntry[]): void {
+    this.entries.value = projects;
+    if (!this.choosing) return;
+    this.choosing = false;
+    const last = projects.find((one) => one.name !== this.doomed);
+    if (last) this.open(last.name);
+    else this.create(FIRST_EXAMPLE, FIRST_EXAMPLE);
+  }
+
+  private opened(name: string): void {
+    this.name.value = name;
+    nameProject(name);
+    if (this.doomed && this.doomed !== name) this.connection.send({ kind: "Delete", name: this.doomed });
+    this.doomed = null;
+    this.list();
+  }
+
+  private failed(message: Phrase, request: string): void {
+    // The dialog that sent the request shows the error itself.
+    if (/(CustomBlock|Library|Libraries)$/.test(request)) return;
+    this.toasts.error(say(message));
+    this.doomed = null;
+    // The page's address names a project that does not exist.
+    if (request !== "Open") return;
+    if (this.name.value) return renameProject(this.name.value);
+    this.choosing = true;
+    this.list();
+  }
+
+  private followAddress(): void {
+    const name = addressedProject();
+    if (name && name !== this.name.value) this.open(name);
+  }
+}

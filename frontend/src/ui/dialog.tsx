@@ -1,0 +1,71 @@
+/** A modal dialog of the browser, which traps the focus and returns it. */
+
+import type { ComponentChildren } from "preact";
+import { useLayoutEffect, useRef } from "preact/hooks";
+
+import { t } from "../i18n";
+import { IconButton } from "./button";
+import "./dialog.css";
+
+interface Props {
+  readonly title: string;
+  readonly close: () => void;
+  readonly size?: "small" | "large" | "whole";
+  readonly children: ComponentChildren;
+}
+
+export function Dialog({ title, close, size = "small", children }: Props) {
+  const dialog = useRef<HTMLDialogElement>(null);
+  useLayoutEffect(() => (dialog.current ? hold(dialog.current, close) : undefined), []);
+  return (
+    // biome-ignore lint/a11y/useKeyWithClickEvents: a click beside the dialog closes it, as Escape does
+    <dialog
+      ref={dialog}
+      class={`dialog ${size}`}
+      aria-labelledby="dialog-title"
+      onClick={({ target }) => target === dialog.current && close()}
+    >
+      <div class="dialog-inside">
+        <header>
+          <h2 id="dialog-title">{title}</h2>
+          <IconButton icon="close" word="page-shell-close" onClick={close} />
+        </header>
+        {children}
+      </div>
+    </dialog>
+  );
+}
+
+/** Show it; call the result to close it and return the focus. */
+export function hold(dialog: HTMLDialogElement, close: () => void): () => void {
+  const cancel = (event: Event) => {
+    // The browser reports that it has closed the dialog only in the next frame.
+    event.preventDefault();
+    close();
+  };
+  dialog.showModal();
+  dialog.addEventListener("cancel", cancel);
+  // Some browsers do not let a page prevent the second Escape.
+  dialog.addEventListener("close", close);
+  return () => {
+    dialog.removeEventListener("close", close);
+    dialog.close();
+  };
+}
+
+interface ActionsProps {
+  readonly cancel: () => void;
+  readonly children: ComponentChildren;
+}
+
+/** The buttons at the end of a dialog; the confirming one comes last. */
+export function Actions({ cancel, children }: ActionsProps) {
+  return (
+    <div class="actions">
+      <button type="button" class="button bordered" onClick={cancel}>
+        {t("page-shell-cancel")}
+      </button>
+      {children}
+    </div>
+  );
+}

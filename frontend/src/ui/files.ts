@@ -1,0 +1,30 @@
+/** Choosing and saving files. */
+
+/** Ask for a file with one of the extensions, such as `.toml,.csv`. */
+export function chooseFile(endings: string, take: (file: File) => void): void {
+  ask(endings, false, ([file]) => file && take(file));
+}
+
+/** Ask for several files. */
+export function chooseFiles(endings: string, take: (files: readonly File[]) => void): void {
+  ask(endings, true, (files) => files.length && take(files));
+}
+
+/** Let the browser save a file. */
+export function saveFile(filename: string, content: BlobPart, type: string): void {
+  const address = URL.createObjectURL(new Blob([content], { type }));
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = filename;
+  link.click();
+  URL.revokeObjectURL(address);
+}
+
+function ask(endings: string, multiple: boolean, take: (files: readonly File[]) => void): void {
+  const input = document.createElement("input");
+  input.type = "file";
+  input.accept = endings;
+  input.multiple = multiple;
+  input.onchange = () => take([...(input.files ?? [])]);
+  input.click();
+}

@@ -1,0 +1,109 @@
+/** The palette's categories whose blocks depend on the program: `when`s and functions. */
+
+import * as Blockly from "blockly/core";
+
+import { t } from "../../i18n";
+import { actionsOf } from "./actions";
+import { SKILL } from "./menus";
+import { freeWhenName, whenNames } from "./when-block";
+
+type Items = Blockly.utils.toolbox.FlyoutItemInfo[];
+type Item = Blockly.utils.toolbox.FlyoutItemInfo;
+
+const NEW_WHEN = "LB_NEW_WHEN";
+const OWN = "LB_OWN";
+const NEW_OWN = "LB_NEW_OWN";
+const ALL_OWN = "LB_ALL_OWN";
+
+export function registerCategories(workspace: Blockly.WorkspaceSvg): void {
+  workspace.registerToolboxCategoryCallback("WHEN", whenItems);
+  workspace.registerToolboxCategoryCallback("PROCEDURE", procedureItems);
+  workspace.registerToolboxCategoryCallback(OWN, ownItems);
+  workspace.registerButtonCallback(NEW_WHEN, () => askForWhen(workspace));
+  workspace.registerButtonCallback(NEW_OWN, () => actionsOf(workspace)?.newCustomBlock());
+  workspace.registerButtonCallback(ALL_OWN, () => actionsOf(workspace)?.listCustomBlocks());
+}
+
+/** The tab of custom blocks. */
+export function ownTab(): Blockly.utils.toolbox.ToolboxItemInfo {
+  const tab = {
+    kind: "category",
+    name: t("page-blocks-own"),
+    category: "lb_own",
+    categorystyle: "lb_others_category",
+    custom: OWN,
+  };
+  return tab as Blockly.utils.toolbox.ToolboxItemInfo;
+}
+
+/** Buttons for creating and listing custom blocks, and the blocks themselves, which are also in their own tabs. */
+function ownItems(workspace: Blockly.WorkspaceSvg): Items {
+  const names = actionsOf(workspace)?.customBlocks() ?? new Set();
+  const offered = (workspace.options.languageTree?.contents ?? []).flatMap(contentsOf);
+  const own = offered.filter((item) => item.kind === "block" && names.has(skillOf(item)));
+  return [button(NEW_OWN, t("page-blocks-new-own")), button(ALL_OWN, t("page-blocks-all-own")), ...own];
+}
+
+function contentsOf(tab: Blockly.utils.toolbox.ToolboxItemInfo): Items {
+  return "contents" in tab ? (tab.contents as Items) : [];
+}
+
+function skillOf(item: Item): string {
+  return "type" in item ? (item.type ?? "").replace(SKILL, "") : "";
+}
+
+function whenItems(workspace: Blockly.WorkspaceSvg): Items {
+  const name = freeWhenName(workspace, t("page-blocks-when-name"));
+  const templates = [false, true].map((condition) =>
+    block("lb_when", { fields: { NAME: name }, extraState: { condition } }),
+  );
+  const uses = whenNames(workspace).flatMap((when) =>
+    ["lb_activate", "lb_deactivate", "lb_state", "lb_time"].map((type) => block(type, { fields: { WHEN: when } })),
+  );
+  return [button(NEW_WHEN, t("page-blocks-new-when")), ...templates, ...uses];
+}
+
+function block(type: string, state: object): Item {
+  return { kind: "block", type, ...state } as Item;
+}
+
+function button(callbackkey: string, text: string): Item {
+  return { kind: "button", text, callbackkey } as Item;
+}
+
+function procedureItems(workspace: Blockly.WorkspaceSvg): Items {
+  return [...Blockly.Procedures.flyoutCategory(workspace), ...answeringCalls(workspace), block("lb_return", {})];
+}
+
+// For Blockly a function with a return inside its body has no result; its calls may
+// still be values.
+function answeringCalls(workspace: Blockly.WorkspaceSvg): Items {
+  const definitions = workspace.getBlocksByType("procedures_defnoreturn", false).filter(answers);
+  return definitions.map((definition) => {
+    const params = definition.getVarModels().map((variable) => variable.getName());
+    return block("procedures_callreturn", { extraState: { name: definition.getFieldValue("NAME"), params } });
+  });
+}
+
+function answers(definition: Blockly.Block): boolean {
+  return definition
+    .getDescendants(false)
+    .some((inner) => inner.type === "lb_return" && inner.getInputTargetBlock("VALUE") !== null);
+}
+
+function askForWhen(workspace: Blockly.WorkspaceSvg): void {
+  const target = workspace.targetWorkspace ?? workspace;
+  const wish = freeWhenName(target, t("page-blocks-when-name"));
+  Blockly.dialog.prompt(t("page-blocks-when-prompt"), wish, (answer) => {
+    const name = answer?.trim();
+    if (name) addWhen(target, freeWhenName(target, name));
+  });
+}
+
+function addWhen(workspace: Blockly.WorkspaceSvg, name: string): void {
+  const view = workspace.getMetricsManager().getViewMetrics(true);
+  const state = { type: "lb_when", fields: { NAME: name }, x: view.left + 40, y: view.top + 40 };
+  const block = Blockly.serialization.blocks.append(state, workspace) as Blockly.BlockSvg;
+  block.bumpNeighbours();
+  Blockly.getFocusManager().focusNode(block);
+}

@@ -1,0 +1,227 @@
+/** The program as blocks. */
+
+import { effect, untracked } from "@preact/signals";
+import { language, t } from "../../i18n";
+import type { Context } from "../../model/context";
+import type { ThemeName } from "../../model/preferences";
+import { theme } from "../../model/preferences";
+import type { BlockSet, Workspace } from "../../protocol/messages";
+import type { Island } from "../../ui/island";
+import "./blocks.css";
+import type { Actions } from "./actions";
+import { Editor } from "./editor";
+import { registerMenus } from "./menus";
+import type { Palette } from "./palette";
+import { fetchPalette, installPalette, prepareBlockly } from "./palette";
+import { registerSearchTab } from "./search";
+
+export interface BlocksIsland extends Island {
+  focus(): void;
+  /** Scroll to a block and highlight it. */
+  reveal(block: string): void;
+  resize(): void;
+}
+
+let prepared = false;
+
+/** Create the blocks view; it fills `dom` once that is in the page and the palette has loaded. */
+export function createBlocks(context: Context): BlocksIsland {
+  prepare();
+  return new Blocks(context);
+}
+
+/** Blockly keeps its registries for the whole page. */
+export function prepare(): void {
+  if (prepared) return;
+  prepared = true;
+  prepareBlockly();
+  registerMenus();
+  registerSearchTab();
+}
+
+/** The view scrolls to the running block at most this often, in ms. */
+const FOLLOWING = 400;
+
+class Blocks implements BlocksIsland {
+  readonly dom = document.createElement("div");
+  private editor: Editor | null = null;
+  private palette: Palette | null = null;
+  /** Counts requests, so that older answers are ignored. */
+  private asked = 0;
+  private followed = 0;
+  /** The program shown last; it is older than the blocks while edits are on their way to the server. */
+  private shown: Workspace | null = null;
+  private readonly ends: (() => void)[];
+
+  constructor(private readonly context: Context) {
+    this.dom.className = "blocks";
+    this.dom.setAttribute("role", "group");
+    const watcher = new ResizeObserver(() => this.resize());
+    watcher.observe(this.dom);
+    this.ends = [
+      () => watcher.disconnect(),
+      effect(() => this.dom.setAttribute("aria-label", t("page-blocks-label"))),
+      effect(() => void this.load(language.value)),
+      context.connection.on("PaletteChanged", () => void this.load(language.peek())),
+      effect(() => this.showCustomBlocks()),
+      effect(() => this.showBlocks(context.shownBlocks.value)),
+      effect(() => this.showTheme(theme.value)),
+      effect(() => this.showProgram()),
+      effect(() => this.showProblems()),
+      effect(() => this.showBreakpoints()),
+      effect(() => this.showRunning()),
+    ];
+  }
+
+  destroy(): void {
+    for (const end of this.ends) end();
+    this.editor?.destroy();
+    this.editor = null;
+    this.asked += 1;
+  }
+
+  focus(): void {
+    this.editor?.focus();
+  }
+
+  reveal(block: string): void {
+    if (this.isShown) this.editor?.reveal(block);
+  }
+
+  resize(): void {
+    if (!this.isShown) return;
+    if (this.editor) this.editor.resize();
+    else this.open();
+    this.showAll();
+  }
+
+  private get isShown(): boolean {
+    return this.dom.clientWidth > 0 && this.dom.clientHeight > 0;
+  }
+
+  private async load(code: string): Promise<void> {
+    this.asked += 1;
+    const { asked } = this;
+    try {
+      const palette = await fetchPalette(code);
+      this.whenStill(() => {
+        // Another language may have been chosen meanwhile, or the page left.
+        if (this.asked === asked) this.install(palette);
+      });
+    } catch (error) {
+      if (this.asked === asked) this.fail(error);
+    }
+  }
+
+  private whenStill(act: () => void): void {
+    if (this.editor) this.editor.whenStill(act);
+    else act();
+  }
+
+  private fail(error: unknown): void {
+    console.error(error);
+    if (!this.editor) this.dom.textContent = t("page-blocks-failed");
+  }
+
+  private install(palette: Palette): void {
+    this.palette = palette;
+    installPalette(palette);
+    if (this.isShown) this.open();
+  }
+
+  private open(): void {
+    if (!this.palette) return;
+    const view = this.editor?.view;
+    if (!view) this.shown = null;
+    this.editor?.destroy();
+    this.dom.textContent = "";
+    this.editor = new Editor(this.dom, this.palette, theme.peek(), this.actions(), () => this.edited());
+    if (view) this.editor.takeOver(view);
+    this.showAll();
+  }
+
+  private actions(): Actions {
+    const { program, running } = this.context;
+    return {
+      undo: () => program.undo(),
+      redo: () => program.redo(),
+      canUndo: () => program.state.peek().canUndo,
+      canRedo: () => program.state.peek().canRedo,
+      toggleBreakpoint: (block) => running.toggleBreakpoint(block),
+      hasBreakpoint: (block) => running.breakpoints.peek().has(block),
+      show: (block) => this.context.reveal(block),
+      shownBlocks: () => this.context.shownBlocks.peek(),
+      customBlocks: () => new Set(this.context.customBlocks.peek()?.flatMap(({ blocks }) => blocks)),
+      tagNames: () => Object.keys(this.context.tagNames.peek()),
+      listCustomBlocks: () => this.context.listCustomBlocks(),
+      newCustomBlock: () => this.context.editCustomBlock(""),
+      editCustomBlock: (skill) => this.editCustomBlock(skill),
+    };
+  }
+
+  private editCustomBlock(skill: string): void {
+    const found = this.context.customBlocks.peek()?.find(({ blocks }) => blocks.includes(skill));
+    if (found) this.context.editCustomBlock(found.name);
+  }
+
+  private edited(): void {
+    const { editor } = this;
+    if (editor) this.context.program.editedBlocks(() => editor.read());
+  }
+
+  private showAll(): void {
+    untracked(() => {
+      this.showProgram();
+      this.showProblems();
+      this.showBreakpoints();
+      this.showRunning();
+    });
+  }
+
+  private showProgram(): void {
+    const { workspace, stale } = this.context.program.state.value;
+    this.dom.classList.toggle("stale", stale.includes("blocks"));
+    if (!this.editor || !this.isShown) return;
+    if (workspace !== this.shown) this.editor.show(workspace);
+    this.shown = workspace;
+    untracked(() => this.showProblems());
+    untracked(() => this.showBreakpoints());
+    untracked(() => this.showRunning());
+  }
+
+  private showProblems(): void {
+    const problems = [...this.context.program.state.value.problems, ...this.context.runError.value];
+    this.editor?.marks.showProblems(problems);
+  }
+
+  // Read the signals before the editor exists: an effect depends only on what it has read.
+  private showTheme(name: ThemeName): void {
+    this.editor?.setTheme(name);
+  }
+
+  private showBlocks(set: BlockSet): void {
+    this.whenStill(() => this.editor?.showBlocks(set));
+  }
+
+  private showCustomBlocks(): void {
+    if (this.context.customBlocks.value) this.editor?.refreshPalette();
+  }
+
+  private showBreakpoints(): void {
+    const blocks = this.context.running.breakpoints.value;
+    this.editor?.marks.showBreakpoints(blocks);
+  }
+
+  private showRunning(): void {
+    const [block, { state }] = [this.context.running.block.value, this.context.running.state.value];
+    const shown = this.editor?.marks.showRunning(block);
+    if (shown) this.follow(shown, state === "held");
+  }
+
+  private follow(block: Parameters<Editor["scrollTo"]>[0], atOnce: boolean): void {
+    const now = performance.now();
+    if (!atOnce && now - this.followed < FOLLOWING) return;
+    this.followed = now;
+    this.editor?.scrollTo(block);
+  }
+}

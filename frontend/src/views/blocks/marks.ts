@@ -1,0 +1,114 @@
+/** Marks on blocks: problems, breakpoints, and the running block. */
+
+import * as Blockly from "blockly/core";
+import { say } from "../../i18n";
+
+import type { Problem } from "../../protocol/messages";
+import { BreakpointIcon } from "./breakpoint-icon";
+import { takeFromIcon } from "./focus";
+
+type Svg = Blockly.BlockSvg;
+type Severity = Problem["severity"];
+
+const WARNING_ID = "learnblock";
+const CLASSES: Record<Severity, string> = { error: "lbError", warning: "lbWarning" };
+
+interface Finding {
+  readonly severity: Severity;
+  readonly text: string;
+}
+
+/** Marks on the blocks of a workspace; set them again after blocks have been replaced. */
+export class Marks {
+  private problems = new Map<Svg, Finding>();
+  private stops = new Set<Svg>();
+  private running: Svg | null = null;
+
+  constructor(
+    private readonly workspace: Blockly.WorkspaceSvg,
+    private readonly toggleBreakpoint: (block: string) => void,
+  ) {}
+
+  showProblems(problems: readonly Problem[]): void {
+    const findings = this.onBlocks(collect(problems));
+    for (const [block, finding] of this.problems) {
+      if (findings.get(block)?.text !== finding.text && !block.isDisposed()) unmark(block);
+    }
+    for (const [block, finding] of findings) {
+      if (this.problems.get(block)?.text !== finding.text) mark(block, finding);
+    }
+    this.problems = findings;
+  }
+
+  showBreakpoints(ids: Iterable<string>): void {
+    const blocks = new Set(this.onBlocks(new Map([...ids].map((id) => [id, true]))).keys());
+    for (const block of this.stops) {
+      if (!blocks.has(block) && !block.isDisposed()) removeStop(block);
+    }
+    for (const block of blocks) {
+      if (!this.stops.has(block)) block.addIcon(new BreakpointIcon(block, () => this.toggleBreakpoint(block.id)));
+    }
+    this.stops = blocks;
+  }
+
+  /** Mark the running block, or none; return the block that shows the mark. */
+  showRunning(id: string | null): Svg | null {
+    const block = id === null ? null : visible(this.workspace.getBlockById(id));
+    if (block === this.running) return block;
+    if (this.running && !this.running.isDisposed()) this.running.removeClass("lbRunning");
+    block?.addClass("lbRunning");
+    this.running = block;
+    return block;
+  }
+
+  private onBlocks<T>(byId: ReadonlyMap<string, T>): Map<Svg, T> {
+    const found = new Map<Svg, T>();
+    for (const [id, value] of byId) {
+      const block = this.workspace.getBlockById(id);
+      if (block) found.set(block, value);
+    }
+    return found;
+  }
+}
+
+function collect(problems: readonly Problem[]): Map<string, Finding> {
+  const found = new Map<string, Finding>();
+  for (const { block, message, severity } of problems) {
+    if (!block) continue;
+    const known = found.get(block);
+    const text = say(message);
+    found.set(block, known ? join(known, text, severity) : { severity, text });
+  }
+  return found;
+}
+
+function join(known: Finding, message: string, severity: Severity): Finding {
+  // The server reports a problem once for each text.
+  const lines = known.text.split("\n");
+  const text = lines.includes(message) ? known.text : `${known.text}\n${message}`;
+  return { text, severity: known.severity === "error" ? "error" : severity };
+}
+
+function mark(block: Svg, { text, severity }: Finding): void {
+  block.setWarningText(text, WARNING_ID);
+  block.removeClass(CLASSES[severity === "error" ? "warning" : "error"]);
+  block.addClass(CLASSES[severity]);
+}
+
+function removeStop(block: Svg): void {
+  takeFromIcon(block, BreakpointIcon.TYPE);
+  block.removeIcon(BreakpointIcon.TYPE);
+}
+
+function unmark(block: Svg): void {
+  takeFromIcon(block, Blockly.icons.WarningIcon.TYPE);
+  block.setWarningText(null, WARNING_ID);
+  for (const name of Object.values(CLASSES)) block.removeClass(name);
+}
+
+/** The block itself, or the outermost folded block that contains it. */
+export function visible(block: Svg | null): Svg | null {
+  let shown = block;
+  for (let outer = block; outer; outer = outer.getSurroundParent()) if (outer.isCollapsed()) shown = outer;
+  return shown;
+}

@@ -1,0 +1,159 @@
+/** Blockly's keys and context menus, with the server's undo and LearnBlock's own entries. */
+
+import * as Blockly from "blockly/core";
+
+import { t } from "../../i18n";
+import { type Actions, actionsOf } from "./actions";
+import { hasCondition, toggleCondition, toggleWord } from "./when-block";
+
+/** The prefix of a skill block's type; the skill's name follows. */
+export const SKILL = "lb_skill_";
+
+type Item = Blockly.ContextMenuRegistry.RegistryItem;
+type Scope = Blockly.ContextMenuRegistry.Scope;
+
+const { CTRL_CMD, SHIFT, Z, Y, F9 } = Blockly.utils.KeyCodes as unknown as Record<string, number>;
+const { FOCUS_TOOLBOX, FOCUS_WORKSPACE, START_MOVE, START_MOVE_STACK } = Blockly.ShortcutItems.names;
+
+/** Replace and add keys and menu entries, for all workspaces at once. */
+export function registerMenus(): void {
+  replaceKey("undo", [[Z, CTRL_CMD]], (own) => own.undo());
+  replaceKey(
+    "redo",
+    [
+      [Z, CTRL_CMD, SHIFT],
+      [Y, CTRL_CMD],
+    ],
+    (own) => own.redo(),
+  );
+  registerBreakpointKey();
+  // A letter typed in a list would leave the list open.
+  for (const name of [FOCUS_TOOLBOX, FOCUS_WORKSPACE])
+    narrow(name, () => !Blockly.getFocusManager().ephemeralFocusTaken());
+  // Blockly cannot move a block by keys during a drag: the drag would never end.
+  for (const name of [START_MOVE, START_MOVE_STACK]) narrow(name, () => !Blockly.Gesture.inProgress());
+  for (const item of [undoItem, redoItem, breakpointItem, showItem, editOwnItem, conditionItem]) replaceItem(item);
+}
+
+function replaceKey(name: string, keys: (number | undefined)[][], act: (own: Actions) => void): void {
+  const registry = Blockly.ShortcutRegistry.registry;
+  registry.unregister(name);
+  registry.register({
+    name,
+    keyCodes: keys.map(([key, ...modifiers]) => registry.createSerializedKey(key!, modifiers as number[])),
+    preconditionFn: (workspace) => !workspace.isDragging() && !Blockly.getFocusManager().ephemeralFocusTaken(),
+    callback: (workspace, event) => {
+      const own = actionsOf(workspace);
+      event.preventDefault();
+      if (own) act(own);
+      return own !== undefined;
+    },
+  });
+}
+
+/** Restrict one of Blockly's keys by a condition. */
+function narrow(name: string, allowed: () => boolean): void {
+  const registry = Blockly.ShortcutRegistry.registry;
+  const shortcut = registry.getRegistry()[name]!;
+  registry.unregister(name);
+  registry.register({
+    ...shortcut,
+    preconditionFn: (...where) => allowed() && (shortcut.preconditionFn?.(...where) ?? true),
+  });
+}
+
+function registerBreakpointKey(): void {
+  Blockly.ShortcutRegistry.registry.register({
+    name: "lb_breakpoint",
+    keyCodes: [F9!],
+    preconditionFn: (workspace) => !workspace.isFlyout && focusedStatement(workspace) !== null,
+    callback: (workspace) => {
+      const block = focusedStatement(workspace);
+      if (block) actionsOf(workspace)?.toggleBreakpoint(block.id);
+      return block !== null;
+    },
+  });
+}
+
+function focusedStatement(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg | null {
+  const node = Blockly.getFocusManager().getFocusedNode();
+  const block = node && workspace.getNavigator().getSourceBlockFromNode(node);
+  return block ? statementOf(block) : null;
+}
+
+/** The statement that a block is or belongs to; null for a hat. */
+function statementOf(block: Blockly.BlockSvg): Blockly.BlockSvg | null {
+  let outer: Blockly.BlockSvg | null = block;
+  while (outer?.outputConnection) outer = outer.getParent();
+  return outer?.previousConnection ? outer : null;
+}
+
+function replaceItem(item: Item): void {
+  const registry = Blockly.ContextMenuRegistry.registry;
+  if (registry.getItem(item.id)) registry.unregister(item.id);
+  registry.register(item);
+}
+
+const undoItem: Item = {
+  id: "undoWorkspace",
+  weight: 1,
+  scopeType: Blockly.ContextMenuRegistry.ScopeType.WORKSPACE,
+  displayText: () => Blockly.Msg.UNDO!,
+  preconditionFn: ({ workspace }: Scope) => (actionsOf(workspace)?.canUndo() ? "enabled" : "disabled"),
+  callback: ({ workspace }: Scope) => actionsOf(workspace)?.undo(),
+};
+
+const redoItem: Item = {
+  id: "redoWorkspace",
+  weight: 2,
+  scopeType: Blockly.ContextMenuRegistry.ScopeType.WORKSPACE,
+  displayText: () => Blockly.Msg.REDO!,
+  preconditionFn: ({ workspace }: Scope) => (actionsOf(workspace)?.canRedo() ? "enabled" : "disabled"),
+  callback: ({ workspace }: Scope) => actionsOf(workspace)?.redo(),
+};
+
+const breakpointItem: Item = {
+  id: "lb_breakpoint",
+  weight: 8,
+  scopeType: Blockly.ContextMenuRegistry.ScopeType.BLOCK,
+  displayText: ({ block }: Scope) => t(hasStop(block) ? "page-blocks-remove-breakpoint" : "page-blocks-add-breakpoint"),
+  preconditionFn: ({ block }: Scope) => (block && !block.isInFlyout && statementOf(block) ? "enabled" : "hidden"),
+  callback: ({ block }: Scope) => actionsOf(block?.workspace)?.toggleBreakpoint(statementOf(block!)!.id),
+};
+
+function hasStop(block: Blockly.BlockSvg | undefined): boolean {
+  const statement = block && statementOf(block);
+  return !!statement && !!actionsOf(block.workspace)?.hasBreakpoint(statement.id);
+}
+
+const showItem: Item = {
+  id: "lb_show",
+  weight: 9,
+  scopeType: Blockly.ContextMenuRegistry.ScopeType.BLOCK,
+  displayText: () => t("page-blocks-show-in-texts"),
+  preconditionFn: ({ block }: Scope) => (block && !block.isInFlyout ? "enabled" : "hidden"),
+  callback: ({ block }: Scope) => actionsOf(block?.workspace)?.show((statementOf(block!) ?? block!).id),
+};
+
+const editOwnItem: Item = {
+  id: "lb_edit_own",
+  weight: 10,
+  scopeType: Blockly.ContextMenuRegistry.ScopeType.BLOCK,
+  displayText: () => t("page-blocks-edit-own"),
+  preconditionFn: ({ block }: Scope) =>
+    actionsOf(block?.workspace)?.customBlocks().has(skillOf(block)) ? "enabled" : "hidden",
+  callback: ({ block }: Scope) => actionsOf(block?.workspace)?.editCustomBlock(skillOf(block)),
+};
+
+function skillOf(block: Blockly.BlockSvg | undefined): string {
+  return block?.type.startsWith(SKILL) ? block.type.slice(SKILL.length) : "";
+}
+
+const conditionItem: Item = {
+  id: "lb_condition",
+  weight: 0,
+  scopeType: Blockly.ContextMenuRegistry.ScopeType.BLOCK,
+  displayText: ({ block }: Scope) => toggleWord(!!block && hasCondition(block)),
+  preconditionFn: ({ block }: Scope) => (block?.type === "lb_when" && !block.isInFlyout ? "enabled" : "hidden"),
+  callback: ({ block }: Scope) => toggleCondition(block!),
+};

@@ -1,0 +1,98 @@
+/** The palette of a language: the blocks there are and how they are arranged. */
+
+import * as Blockly from "blockly/core";
+import "blockly/blocks";
+import * as english from "blockly/msg/en";
+
+import { registerCodeField } from "./code-field";
+import { type Definition, defineFields, learnAllowed } from "./fields";
+import { keepFocus } from "./focus";
+import { registerMutators } from "./mutators";
+import { offerPlainly } from "./offered";
+import { tuneRendering } from "./rendering";
+import { defineTagField } from "./tag-field";
+import { forgetUnknown } from "./unknown";
+import { compareNamesExactly } from "./variables";
+import { registerWhen } from "./when-block";
+
+type Messages = Record<string, string>;
+type Toolbox = Blockly.utils.toolbox.ToolboxInfo;
+
+/** The server's palette, made from the block configurations. */
+export interface Palette {
+  readonly language: string;
+  readonly definitions: readonly Definition[];
+  readonly toolbox: Toolbox;
+  readonly messages: Messages;
+}
+
+// Blockly has texts in a hundred languages, 9 MB; add a new language of the page here.
+const locales: Record<string, () => Promise<object>> = {
+  es: () => import("blockly/msg/es"),
+};
+// Texts that Blockly has only in English, mainly for screen readers.
+const missing = import.meta.glob<Messages>("./words/*.json", { import: "default" });
+
+/** Fetch the palette in a language, with English texts where Blockly has no others. */
+export async function fetchPalette(language: string): Promise<Palette> {
+  const [palette, words] = await Promise.all([fetchOwn(language), fetchWords(language)]);
+  const messages: object = { ...english, ...words, ...palette.messages };
+  return { ...palette, messages: messages as Messages };
+}
+
+async function fetchOwn(language: string): Promise<Palette> {
+  const response = await fetch(`palette/${encodeURIComponent(language)}.json`);
+  if (!response.ok) throw new Error(`the palette did not come: ${response.status} ${response.statusText}`);
+  return (await response.json()) as Palette;
+}
+
+async function fetchWords(language: string): Promise<object> {
+  const [theirs, ours] = await Promise.all([locales[language]?.(), missing[`./words/${language}.json`]?.()]);
+  return { ...theirs, ...ours };
+}
+
+/** Give Blockly the palette's language and blocks. */
+export function installPalette(palette: Palette): void {
+  Blockly.setLocale(palette.messages);
+  defineBlocks(palette.definitions);
+}
+
+/** Define or redefine types of blocks; blocks in the program keep their shape. */
+export function defineBlocks(definitions: readonly Definition[]): void {
+  for (const { type } of definitions) {
+    forgetUnknown(type);
+    // Blockly warns about each type that it already knows.
+    delete Blockly.Blocks[type];
+  }
+  Blockly.common.defineBlocksWithJsonArray([...definitions]);
+  learnAllowed(definitions);
+}
+
+/** Set up once what is the same in every language. */
+export function prepareBlockly(): void {
+  compareNamesExactly();
+  registerMutators();
+  registerWhen();
+  registerCodeField();
+  defineFields();
+  defineTagField();
+  leaveChecksToServer();
+  offerPlainly();
+  tuneRendering();
+  keepFocus();
+  // Never stopped: a program repeats few words, and measuring one causes a layout of the page.
+  Blockly.utils.dom.startTextWidthCache();
+}
+
+// The server says what is wrong with a program, the same in all three views. Blockly would disable a
+// `break` outside a loop and allow nothing after one, not even a comment; and it would delete
+// calls of undefined functions.
+function leaveChecksToServer(): void {
+  Blockly.Extensions.unregister("controls_flow_in_loop_check");
+  Blockly.Extensions.register("controls_flow_in_loop_check", function (this: Blockly.Block) {
+    this.setNextStatement(true);
+  });
+  delete Blockly.Blocks.procedures_callnoreturn.onchange;
+  delete Blockly.Blocks.procedures_callreturn.onchange;
+  delete Blockly.Blocks.procedures_ifreturn;
+}

@@ -1,0 +1,65 @@
+/** Places stacks: new ones below the others, and none under one that has grown. */
+
+import type * as Blockly from "blockly/core";
+
+const LEFT = 40;
+const GAP = 40;
+
+type Rect = Blockly.utils.Rect;
+/** The area of each stack, by the id of its first block. */
+export type Covered = ReadonlyMap<string, Rect>;
+
+export function covered(workspace: Blockly.WorkspaceSvg): Covered {
+  return new Map(workspace.getTopBlocks(false).map((block) => [block.id, block.getBoundingRectangle()]));
+}
+
+/** Put stacks without a place one below the other, under all that have one. */
+export function placeBelow(workspace: Blockly.WorkspaceSvg, unplaced: readonly Blockly.BlockSvg[]): void {
+  const moving = new Set(unplaced);
+  const others = workspace.getTopBlocks(false).filter((block) => !moving.has(block));
+  let bottom = Math.max(0, ...others.map((block) => block.getBoundingRectangle().bottom));
+  for (const block of unplaced) {
+    moveTo(block, LEFT, bottom + GAP);
+    bottom = block.getBoundingRectangle().bottom;
+  }
+}
+
+export function moveTo(block: Blockly.BlockSvg, x: number, y: number): void {
+  const place = block.getRelativeToSurfaceXY();
+  block.moveBy(x - place.x, y - place.y);
+}
+
+/** Move down stacks that a grown stack now covers. */
+export function makeRoom(workspace: Blockly.WorkspaceSvg, before: Covered): void {
+  const stacks = workspace.getTopBlocks(false).filter((block) => before.has(block.id));
+  stacks.sort((a, b) => before.get(a.id)!.top - before.get(b.id)!.top);
+  const pushed = new Set<Blockly.BlockSvg>();
+  stacks.forEach((upper, place) => {
+    if (!pushed.has(upper) && !hasGrown(upper, before)) return;
+    for (const lower of stacks.slice(place + 1)) {
+      if (!wasUnder(lower, upper, before) || (!pushed.has(lower) && hasMoved(lower, before))) continue;
+      if (pushBelow(upper, lower)) pushed.add(lower);
+    }
+  });
+}
+
+function hasMoved(block: Blockly.BlockSvg, before: Covered): boolean {
+  const [old, now] = [before.get(block.id)!, block.getBoundingRectangle()];
+  return now.top !== old.top || now.left !== old.left;
+}
+
+function hasGrown(block: Blockly.BlockSvg, before: Covered): boolean {
+  return !hasMoved(block, before) && block.getBoundingRectangle().bottom > before.get(block.id)!.bottom;
+}
+
+// Stacks that the user put on one another stay there.
+function wasUnder(lower: Blockly.BlockSvg, upper: Blockly.BlockSvg, before: Covered): boolean {
+  return before.get(lower.id)!.top >= before.get(upper.id)!.bottom;
+}
+
+function pushBelow(upper: Blockly.BlockSvg, lower: Blockly.BlockSvg): boolean {
+  const [above, below] = [upper.getBoundingRectangle(), lower.getBoundingRectangle()];
+  if (!above.intersects(below)) return false;
+  lower.moveBy(0, above.bottom + GAP - below.top);
+  return true;
+}

@@ -1,0 +1,215 @@
+/** Shows a workspace by changing only the blocks that differ. */
+
+import * as Blockly from "blockly/core";
+
+import type { Block, Workspace } from "../../protocol/messages";
+import { addShadows, build, differsInShape, update } from "./build";
+import type { Link, Node } from "./flat";
+import { index, shadowLinks } from "./flat";
+import type { Covered } from "./places";
+import { covered, makeRoom, moveTo, placeBelow } from "./places";
+import { readOwn, readWorkspace } from "./read";
+import { removeVariables, setVariables } from "./variables";
+
+type Svg = Blockly.BlockSvg;
+const NOTHING: Workspace = { stacks: [], variables: [] };
+
+/** Keeps Blockly's workspace and the flat one equal, in both directions. */
+export class Sync {
+  /** The workspace shown last; Blockly's version of it may differ in spelling. */
+  private shown = NOTHING;
+  /** The area of each stack when it was last shown or read. */
+  private covered: Covered = new Map();
+
+  constructor(
+    private readonly workspace: Blockly.WorkspaceSvg,
+    private readonly checker: { lenient: boolean },
+  ) {}
+
+  /** The workspace after the user's edits; during a drag, the state before it. */
+  read(): Workspace {
+    if (this.workspace.isDragging()) return this.shown;
+    Blockly.renderManagement.triggerQueuedRenders(this.workspace);
+    this.silently(() => makeRoom(this.workspace, this.covered));
+    this.covered = covered(this.workspace);
+    this.shown = readWorkspace(this.workspace, this.order());
+    return this.shown;
+  }
+
+  /** Show a workspace; return whether a block changed. */
+  show(wanted: Workspace): boolean {
+    if (wanted === this.shown) return false;
+    const change = new Change(this.workspace, index(this.shown), wanted);
+    this.shown = wanted;
+    const touched = this.silently(() => change.apply());
+    this.covered = covered(this.workspace);
+    return touched;
+  }
+
+  private order(): string[] {
+    return this.shown.stacks.map((stack) => stack[0]!.id);
+  }
+
+  // These changes are not edits of the user, and the program is valid even where Blockly would not
+  // connect two blocks.
+  private silently<T>(change: () => T): T {
+    Blockly.Events.disable();
+    this.checker.lenient = true;
+    this.workspace.setResizesEnabled(false);
+    try {
+      return change();
+    } finally {
+      this.workspace.setResizesEnabled(true);
+      this.checker.lenient = false;
+      Blockly.Events.enable();
+    }
+  }
+}
+
+/** One change of the shown workspace. */
+class Change {
+  private readonly nodes: Map<string, Node>;
+  private readonly before;
+  private readonly made: Svg[] = [];
+  private touched = false;
+
+  constructor(
+    private readonly workspace: Blockly.WorkspaceSvg,
+    private readonly shown: ReadonlyMap<string, Node>,
+    private readonly wanted: Workspace,
+  ) {
+    this.nodes = index(wanted);
+    this.before = covered(workspace);
+  }
+
+  apply(): boolean {
+    const focused = focusedBlock(this.workspace);
+    setVariables(this.workspace, this.wanted.variables);
+    this.removeOld();
+    for (const node of this.nodes.values()) this.makeOrUpdate(node);
+    this.connect();
+    for (const block of this.made) addShadows(block, this.nodes.get(block.id)!.block);
+    removeVariables(this.workspace, this.wanted.variables);
+    if (this.touched) Blockly.renderManagement.triggerQueuedRenders(this.workspace);
+    this.place();
+    if (focused) this.focusAgain(focused);
+    return this.touched;
+  }
+
+  private removeOld(): void {
+    const blocks = this.workspace.getAllBlocks(false).filter((block) => !block.isShadow());
+    this.freeIds(blocks);
+    const old = new Set(blocks.filter((block) => !this.stays(block)));
+    for (const block of blocks) if (!old.has(block)) this.loosen(block, old);
+    // From the end: disposing of a block with a chain below it would recurse.
+    for (const block of [...old].reverse()) if (!goesWithParent(block, old)) block.dispose(false);
+    this.touched ||= old.size > 0;
+  }
+
+  // The id of a former shadow may belong to another block now, and Blockly's ids are unique.
+  private freeIds(blocks: readonly Svg[]): void {
+    const links = shadowLinks(this.nodes);
+    for (const block of blocks) {
+      for (const { connection, name } of block.inputList) {
+        const id = connection && shadowId(connection);
+        if (!id || (!links.has(id) && !this.nodes.has(id))) continue;
+        if (!sameLink({ parent: block.id, input: name }, links.get(id) ?? null)) connection.setShadowState(null);
+      }
+    }
+  }
+
+  private stays(block: Svg): boolean {
+    const node = this.nodes.get(block.id);
+    return !!node && !differsInShape(this.shownOwn(block), node.block);
+  }
+
+  private shownOwn(block: Svg): Block {
+    return this.shown.get(block.id)?.block ?? readOwn(block);
+  }
+
+  private loosen(block: Svg, old: ReadonlySet<Svg>): void {
+    const parent = block.getParent();
+    if (!parent) return;
+    if (!old.has(parent) && sameLink(linkOf(block, parent), this.nodes.get(block.id)!.link)) return;
+    block.unplug(false);
+    this.touched = true;
+  }
+
+  private makeOrUpdate(node: Node): void {
+    const block = this.workspace.getBlockById(node.block.id);
+    if (!block) {
+      this.made.push(build(this.workspace, node));
+      this.touched = true;
+      return;
+    }
+    const own = this.shownOwn(block);
+    if (own === node.block) return;
+    this.touched = update(block, own, node.block) || this.touched;
+  }
+
+  // Parents first: Blockly visits all children of a block whenever it is connected.
+  private connect(): void {
+    for (const { block, link } of this.nodes.values()) {
+      if (link) this.hang(this.workspace.getBlockById(block.id)!, link);
+    }
+  }
+
+  private hang(block: Svg, link: Link): void {
+    const parent = this.workspace.getBlockById(link.parent)!;
+    const connection = link.input ? parent.getInput(link.input)?.connection : parent.nextConnection;
+    const own = block.outputConnection ?? block.previousConnection;
+    if (!connection || !own || connection.targetConnection === own) return;
+    connection.connect(own);
+    this.touched = true;
+  }
+
+  private place(): void {
+    const unplaced: Svg[] = [];
+    for (const [first] of this.wanted.stacks) {
+      const block = this.workspace.getBlockById(first!.id)!;
+      if (first!.x == null || first!.y == null) {
+        if (!this.before.has(block.id)) unplaced.push(block);
+      } else if (this.isElsewhere(first!)) {
+        moveTo(block, first!.x, first!.y);
+      }
+    }
+    if (unplaced.length) placeBelow(this.workspace, unplaced);
+    if (this.touched) makeRoom(this.workspace, this.before);
+  }
+
+  private isElsewhere(first: Block): boolean {
+    const shown = this.shown.get(first.id)?.block;
+    return !this.before.has(first.id) || shown?.x !== first.x || shown?.y !== first.y;
+  }
+
+  private focusAgain(id: string): void {
+    const again = this.made.find((block) => block.id === id);
+    if (again) Blockly.getFocusManager().focusNode(again);
+  }
+}
+
+/** The id of the shadow in an input, also where a block covers it. */
+function shadowId(connection: Blockly.Connection): string | null {
+  const target = connection.targetBlock();
+  return target?.isShadow() ? target.id : (connection.getShadowState()?.id ?? null);
+}
+
+function goesWithParent(block: Svg, old: ReadonlySet<Svg>): boolean {
+  const parent = block.outputConnection && block.getParent();
+  return !!parent && old.has(parent);
+}
+
+function linkOf(block: Svg, parent: Svg): Link {
+  const connection = (block.outputConnection ?? block.previousConnection)?.targetConnection;
+  if (connection === parent.nextConnection) return { parent: parent.id, input: "" };
+  return { parent: parent.id, input: connection?.getParentInput()?.name ?? "" };
+}
+
+function sameLink(one: Link, other: Link | null): boolean {
+  return other !== null && one.parent === other.parent && one.input === other.input;
+}
+
+function focusedBlock(workspace: Blockly.WorkspaceSvg): string | null {
+  const node = Blockly.getFocusManager().getFocusedNode();
+  return node instanceof Blockly.BlockSvg && node.workspace === workspace ? node.id : null;
+}

@@ -1,0 +1,108 @@
+/** The program's output and questions, and the results of runs. */
+
+import "./panel.css";
+import "./console.css";
+
+import { effect } from "@preact/signals";
+import { t } from "../../i18n";
+import type { Context } from "../../model/context";
+import { explained } from "../../model/run-error";
+import { endingAfter } from "../../model/run-result";
+import type { Ended } from "../../protocol/messages";
+import type { Island } from "../../ui/island";
+import { button, element } from "./elements";
+import { Lines } from "./lines";
+import { createQuestion, type Question } from "./question";
+
+export interface ConsoleIsland extends Island {
+  /** Focus the input line while the program asks, or else the output. */
+  focus(): void;
+  resize(): void;
+}
+
+/** Results that are not errors. */
+const WELL = new Set(["finished", "stopped", "time limit"]);
+
+/** How a run ended, in one line. */
+function ending({ ended, message, time = 0 }: Ended): string {
+  const known = endingAfter(ended, time);
+  return message && !WELL.has(ended) ? `${known} ${explained(message)}` : known;
+}
+
+class Console implements ConsoleIsland {
+  readonly dom = element("section", { class: "robot-panel console" });
+  private readonly lines = new Lines();
+  private readonly question: Question;
+  private readonly disposers: (() => void)[];
+
+  constructor(private readonly context: Context) {
+    this.question = createQuestion((text) => this.answer(text));
+    const copy = button("tool", () => void this.copy());
+    const clear = button("tool", () => this.lines.clear());
+    this.dom.append(this.lines.dom, this.question.dom, element("div", { class: "tools" }, copy, clear));
+    this.disposers = [
+      ...this.listen(),
+      effect(() => {
+        copy.textContent = t("page-console-copy");
+        clear.textContent = t("page-console-clear");
+        this.lines.dom.setAttribute("aria-label", t("page-console-lines"));
+      }),
+    ];
+  }
+
+  focus(): void {
+    if (this.question.open) this.question.focus();
+    else this.lines.dom.focus();
+  }
+
+  resize(): void {
+    this.lines.follow();
+  }
+
+  destroy(): void {
+    for (const dispose of this.disposers) dispose();
+    this.lines.destroy();
+    this.question.destroy();
+  }
+
+  private listen(): (() => void)[] {
+    const { connection } = this.context;
+    return [
+      connection.on("Opened", () => this.begin()),
+      connection.on("Printed", ({ text }) => this.lines.print(text)),
+      connection.on("InputWanted", ({ prompt }) => this.question.ask(prompt || t("page-console-asks"))),
+      connection.on("RunState", ({ state }) => {
+        if (state === "starting") this.lines.add(t("page-console-started"), "note");
+      }),
+      connection.on("Ended", (ended) => {
+        this.question.close();
+        this.lines.add(ending(ended), WELL.has(ended.ended) ? "good" : "bad");
+      }),
+    ];
+  }
+
+  /** Start with an empty console whenever a project is opened. */
+  private begin(): void {
+    this.question.close();
+    this.lines.clear();
+  }
+
+  private answer(text: string): void {
+    this.lines.add(`${this.question.prompt} ${text}`, "asked");
+    this.context.connection.send({ kind: "Answer", text });
+  }
+
+  private async copy(): Promise<void> {
+    try {
+      await navigator.clipboard.writeText(this.lines.text());
+    } catch {
+      // The clipboard is not available over plain HTTP from another computer: select the text instead.
+      getSelection()?.selectAllChildren(this.lines.dom);
+    }
+  }
+}
+
+/** The console: output, input line, and results of runs. */
+export function createConsole(context: Context): ConsoleIsland {
+  return new Console(context);
+}

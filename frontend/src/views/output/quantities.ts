@@ -1,0 +1,36 @@
+/** A sensor's identity, its name and how its readings are written. */
+
+import { t } from "../../i18n";
+import type { Sensor } from "../../protocol/messages";
+
+/** Decimals of a reading by the type of its device; the usual number is 1. */
+const DIGITS: Readonly<Record<string, number>> = {
+  DistanceSensors: 0,
+  GroundSensors: 0,
+  Accelerometer: 2,
+  LightSensor: 0,
+  Infrared: 0,
+};
+
+/** What identifies a sensor among those of a robot. */
+export function sensorId({ device, key, place = "", number = 0 }: Sensor): string {
+  return [device, key, place, number].join(":");
+}
+
+/** A sensor's name in the user's language: `Distance front 1`. */
+export function sensorName({ device, place = "", number = 0 }: Sensor): string {
+  return t("page-sensors-name", { device, place: place || "none", number });
+}
+
+/** A value in the unit of a sensor. */
+export function readingText({ device, unit = "" }: Sensor, value: Sensor["value"]): string {
+  if (value === null) return "–";
+  if (typeof value === "boolean") return t(value ? "page-sensors-yes" : "page-sensors-no");
+  return `${value.toFixed(DIGITS[device] ?? 1)} ${unit}`.trim();
+}
+
+/** How far a sensor's reading fills its bar, 0 to 1. */
+export function filling({ value, lowest = 0, highest = 1 }: Sensor): number {
+  const part = (Number(value ?? lowest) - lowest) / (highest - lowest);
+  return Math.min(1, Math.max(0, part));
+}

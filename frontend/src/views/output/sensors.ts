@@ -1,0 +1,179 @@
+/** The robot's sensors: numbers, bars, a plot of the last minute, and export. */
+
+import "./panel.css";
+import "./sensors.css";
+
+import { effect, signal } from "@preact/signals";
+import { language, t } from "../../i18n";
+import type { Context } from "../../model/context";
+import { preferences } from "../../model/preferences";
+import type { Sensor, Telemetry } from "../../protocol/messages";
+import type { Island } from "../../ui/island";
+import { button, download, element } from "./elements";
+import { Plot, SHOWN_SECONDS } from "./plot";
+import { readingText, sensorId, sensorName } from "./quantities";
+import { Readings } from "./readings";
+import { type Reading, Recording } from "./recording";
+import { createTable, type Row } from "./table";
+import { watchVisibility } from "./visibility";
+
+export interface SensorsIsland extends Island {
+  resize(): void;
+}
+
+/** Milliseconds between two drawings. */
+const DRAWING_PERIOD = 66;
+/** Milliseconds between two updates of the summary table. */
+const SUMMARY_PERIOD = 1000;
+/** Types of sensors of which the first is plotted before the user has chosen. */
+const PLOTTED_AT_FIRST = ["DistanceSensors", "GroundSensors", "Gyroscope"];
+
+class Sensors implements SensorsIsland {
+  private readonly nothing = element("p", { class: "nothing" });
+  private readonly readings = new Readings();
+  private readonly picture = element("div", { class: "plot", role: "img" });
+  private readonly summary = createTable();
+  private readonly summaryTitle = element("summary");
+  private readonly save = button("tool", () => this.download());
+  readonly dom = element("section", { class: "robot-panel sensors scroll", tabindex: "0" });
+
+  private readonly recording = new Recording();
+  private readonly plot = new Plot(this.picture);
+  private readonly visibility = watchVisibility(this.dom);
+  /** Every sensor, and the ids of those to plot. */
+  private readonly known = signal<readonly Sensor[]>([]);
+  private readonly chosen = signal<ReadonlySet<string>>(new Set());
+  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
+  private readonly replot = () => {
+    this.outdated = true;
+    this.schedule();
+  };
+  private readonly disposers: (() => void)[];
+  private outdated = true;
+  private frame = 0;
+  private drawn = 0;
+  private summarised = 0;
+
+  constructor(private readonly context: Context) {
+    const details = element("details", {}, this.summaryTitle, this.summary.dom);
+    const tools = element("div", { class: "tools" }, this.save);
+    this.dom.append(this.nothing, this.readings.dom, this.picture, details, tools);
+    this.dark.addEventListener("change", this.replot);
+    this.disposers = [
+      effect(() => this.record(context.running.telemetry.value)),
+      effect(() => this.nameAll()),
+      effect(() => this.followPlot()),
+    ];
+  }
+
+  resize(): void {
+    this.plot.resize();
+  }
+
+  destroy(): void {
+    for (const dispose of this.disposers) dispose();
+    this.dark.removeEventListener("change", this.replot);
+    this.visibility.destroy();
+    cancelAnimationFrame(this.frame);
+    this.plot.destroy();
+  }
+
+  private record(telemetry: Telemetry | null): void {
+    if (!telemetry) return this.recording.clear();
+    this.recording.add(telemetry.time, telemetry.sensors ?? []);
+    this.learn(telemetry.sensors ?? []);
+    this.schedule();
+  }
+
+  /** Handle a robot with other sensors. */
+  private learn(sensors: readonly Sensor[]): void {
+    const ids = sensors.map(sensorId);
+    if (ids.join() === this.known.peek().map(sensorId).join()) return;
+    const kept = [...this.chosen.peek()].filter((id) => ids.includes(id));
+    const first =
+      PLOTTED_AT_FIRST.map((type) => sensors.find(({ device }) => device === type)).find(Boolean) ?? sensors[0];
+    this.chosen.value = new Set(kept.length > 0 || !first ? kept : [sensorId(first)]);
+    this.known.value = sensors;
+  }
+
+  private nameAll(): void {
+    const sensors = this.known.value;
+    this.dom.setAttribute("aria-label", t("page-sensors-title"));
+    this.nothing.textContent = t("page-sensors-nothing");
+    this.nothing.hidden = sensors.length > 0;
+    this.save.textContent = t("page-sensors-save");
+    this.summaryTitle.textContent = t("page-sensors-summary");
+    for (const part of [this.readings.dom, this.save, this.summaryTitle]) part.hidden = sensors.length === 0;
+    this.readings.list(sensors, this.chosen.peek(), (id, on) => this.choose(id, on));
+    this.schedule();
+  }
+
+  private choose(id: string, on: boolean): void {
+    const chosen = new Set(this.chosen.value);
+    if (on) chosen.add(id);
+    else chosen.delete(id);
+    this.chosen.value = chosen;
+  }
+
+  private plotted(): Sensor[] {
+    return this.known.value.filter((sensor) => this.chosen.value.has(sensorId(sensor)));
+  }
+
+  /** Recreate the plot for other sensors, another language or another theme. */
+  private followPlot(): void {
+    void [this.known.value, this.chosen.value, language.value, preferences.value.theme, this.visibility.visible.value];
+    this.replot();
+  }
+
+  private makePlot(sensors: readonly Sensor[]): void {
+    this.outdated = false;
+    this.summarised = 0;
+    this.plot.choose(sensors);
+    this.picture.setAttribute("aria-label", t("page-sensors-plot", { sensors: sensors.map(sensorName).join(", ") }));
+  }
+
+  /** A hidden plot has no size and is not drawn; it is redrawn when it is shown again. */
+  private schedule(): void {
+    if (!this.visibility.visible.peek()) return;
+    this.frame ||= requestAnimationFrame((now) => this.draw(now));
+  }
+
+  private draw(now: number): void {
+    this.frame = 0;
+    if (now - this.drawn < DRAWING_PERIOD) return this.schedule();
+    this.drawn = now;
+    this.readings.show(this.context.running.telemetry.peek()?.sensors ?? []);
+    const plotted = this.plotted();
+    if (this.outdated) this.makePlot(plotted);
+    const { times, readings } = this.recording.last(SHOWN_SECONDS, plotted.map(sensorId));
+    this.plot.draw(times, readings);
+    if (now - this.summarised < SUMMARY_PERIOD) return;
+    this.summarised = now;
+    this.summarise(plotted, readings);
+  }
+
+  /** The plot as a table, for screen readers. */
+  private summarise(sensors: readonly Sensor[], readings: readonly Reading[][]): void {
+    const rows = sensors.map((sensor, index): Row => {
+      const measured = (readings[index] ?? []).filter((value) => value !== null);
+      if (measured.length === 0) return [sensorName(sensor), "–", "–", "–"];
+      const lowest = measured.reduce((a, b) => Math.min(a, b));
+      const highest = measured.reduce((a, b) => Math.max(a, b));
+      const mean = measured.reduce((a, b) => a + b) / measured.length;
+      return [sensorName(sensor), ...[lowest, highest, mean].map((value) => readingText(sensor, value))];
+    });
+    const columns = ["page-sensors-sensor", "page-sensors-lowest", "page-sensors-highest", "page-sensors-mean"].map(
+      (word) => t(word),
+    );
+    this.summary.show(t("page-sensors-summary"), columns, rows, 0);
+  }
+
+  private download(): void {
+    download("sensors.csv", "text/csv", this.recording.csv());
+  }
+}
+
+/** The robot's sensors. */
+export function createSensors(context: Context): SensorsIsland {
+  return new Sensors(context);
+}

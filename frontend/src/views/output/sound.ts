@@ -1,0 +1,100 @@
+/** The robot's speech and sounds. */
+
+import { effect } from "@preact/signals";
+import { language } from "../../i18n";
+import type { Context } from "../../model/context";
+import { preferences } from "../../model/preferences";
+import type { Sound } from "../../protocol/messages";
+import { song, soundNamed } from "./melodies";
+import { Proximity } from "./proximity";
+import { Synthesizer } from "./synthesizer";
+
+const VOLUME = 0.2;
+/** The most sentences that wait; more would not be heard to the end anyway. */
+const MOST_SENTENCES = 8;
+const LONGEST_SENTENCE = 500;
+
+/** The song that the music player will play. */
+class Player {
+  private folder = 1;
+  private number = 1;
+  private volume = 30;
+
+  constructor(private readonly synthesizer: Synthesizer) {}
+
+  obey(action: string, values: readonly unknown[]): void {
+    if (action === "select") [this.folder, this.number] = [Number(values[0]), Number(values[1])];
+    if (action === "volume") this.volume = Number(values[0]);
+    if (action === "action") this.press(String(values[0]).toLowerCase());
+  }
+
+  private press(key: string): void {
+    this.synthesizer.silence();
+    if (!/play|next|prev/.test(key)) return;
+    if (key.startsWith("next")) this.number += 1;
+    if (key.startsWith("prev")) this.number = Math.max(1, this.number - 1);
+    const tones = song(this.folder, this.number, (VOLUME * this.volume) / 100);
+    for (const tone of tones) this.synthesizer.play(tone);
+  }
+}
+
+class Loudspeaker {
+  private readonly synthesizer = new Synthesizer();
+  private readonly player = new Player(this.synthesizer);
+  private readonly proximity = new Proximity(this.synthesizer);
+  private readonly disposers: (() => void)[];
+  private sentences = 0;
+
+  constructor({ connection, running }: Context) {
+    this.disposers = [
+      connection.on("Sound", (sound) => preferences.value.sound && this.hear(sound)),
+      connection.on("Opened", () => this.silence()),
+      connection.on("RunState", ({ state }) => state === "starting" && this.silence()),
+      connection.on("Ended", ({ ended }) => ended === "stopped" && this.silence()),
+      connection.on("Telemetry", (telemetry) => {
+        if (preferences.value.audible) this.proximity.hear(telemetry, performance.now() / 1000);
+      }),
+      effect(() => {
+        if (!preferences.value.sound || running.state.value.state === "paused") this.silence();
+      }),
+    ];
+  }
+
+  destroy(): void {
+    for (const dispose of this.disposers) dispose();
+    this.silence();
+    this.synthesizer.destroy();
+  }
+
+  private hear({ device, action, values }: Sound): void {
+    if (device === "MP3") this.player.obey(action, values);
+    if (device !== "Speaker") return;
+    if (action === "say") this.say(String(values[0]));
+    if (action === "tone") this.tone(Number(values[0]), Number(values[1]) / 1000);
+    if (action === "play") for (const tone of soundNamed(String(values[0]), VOLUME)) this.synthesizer.play(tone);
+  }
+
+  private tone(hertz: number, seconds: number): void {
+    this.synthesizer.play({ hertz, seconds, volume: VOLUME });
+  }
+
+  private say(text: string): void {
+    if (!("speechSynthesis" in window) || this.sentences >= MOST_SENTENCES) return;
+    const sentence = new SpeechSynthesisUtterance(text.slice(0, LONGEST_SENTENCE));
+    sentence.lang = language.value;
+    this.sentences += 1;
+    sentence.onend = sentence.onerror = () => (this.sentences = Math.max(0, this.sentences - 1));
+    speechSynthesis.speak(sentence);
+  }
+
+  private silence(): void {
+    this.synthesizer.silence();
+    this.sentences = 0;
+    if ("speechSynthesis" in window) speechSynthesis.cancel();
+  }
+}
+
+/** Start playing the robot's sounds. */
+export function startSound(context: Context): { destroy(): void } {
+  return new Loudspeaker(context);
+}

@@ -1,0 +1,146 @@
+/** A text view: the program as Block-Text or as Python. */
+
+import "./text.css";
+
+import { Compartment, EditorState } from "@codemirror/state";
+import { EditorView, tooltips } from "@codemirror/view";
+import { computed, effect, type ReadonlySignal } from "@preact/signals";
+
+import type { Context } from "../../model/context";
+import type { ProgramState } from "../../model/program";
+import type { Notation } from "../../protocol/messages";
+import type { Island } from "../../ui/island";
+import { Actions } from "./actions";
+import { showBreakpoints } from "./breakpoints";
+import { extensions } from "./editor";
+import { Outline } from "./outline";
+import { words } from "./phrases";
+import { positionOf, scrollTo, selectAt } from "./places";
+import { showProblems } from "./problems";
+import { Requests } from "./requests";
+import { showRunning } from "./running-line";
+import { showText, tellEdits } from "./sync";
+import { createToolbar } from "./toolbar";
+
+export interface TextIsland extends Island {
+  focus(): void;
+  /** Show a statement: the block's id. */
+  reveal(block: string): void;
+  /** Go to a line and column, from 1; column 0 is the line's first word. */
+  goTo(line: number, column: number): void;
+}
+
+class TextView implements TextIsland {
+  readonly dom = document.createElement("section");
+  /** Tooltips go outside the view, which would clip them. */
+  private readonly boxes = document.createElement("div");
+  private readonly requests: Requests;
+  private readonly outline: ReadonlySignal<Outline>;
+  private readonly actions: Actions;
+  private readonly view: EditorView;
+  private readonly toolbar: Island;
+  private readonly words = new Compartment();
+  private readonly disposers: (() => void)[];
+  private shown: ProgramState | null = null;
+  private hasProblems = false;
+  private hasBreakpoints = false;
+  private runs = false;
+
+  constructor(
+    private readonly context: Context,
+    private readonly notation: Notation,
+  ) {
+    const { program } = context;
+    this.outline = computed(() => new Outline(program.state.value.places, notation));
+    this.requests = new Requests(context, notation);
+    this.actions = new Actions(context, this.requests, this.outline);
+    this.boxes.className = "text-boxes";
+    document.body.append(this.boxes);
+    this.view = new EditorView({ state: this.firstState() });
+    this.toolbar = createToolbar(this.actions, this.view);
+    this.dom.className = "text-view";
+    this.dom.append(this.toolbar.dom, this.view.dom);
+    this.disposers = [
+      effect(() => this.showProgram()),
+      effect(() => this.showProblems()),
+      effect(() => this.showBreakpoints()),
+      effect(() => this.showRunning()),
+      effect(() => this.view.dispatch({ effects: this.words.reconfigure(words(notation)) })),
+    ];
+  }
+
+  focus(): void {
+    this.view.focus();
+  }
+
+  reveal(block: string): void {
+    const lines = this.outline.value.head(block);
+    if (lines) this.goTo(lines.first, 0);
+  }
+
+  goTo(line: number, column: number): void {
+    selectAt(this.view, positionOf(this.view.state, line, column));
+  }
+
+  destroy(): void {
+    for (const dispose of this.disposers) dispose();
+    this.toolbar.destroy();
+    this.requests.destroy();
+    this.view.destroy();
+    this.boxes.remove();
+  }
+
+  private firstState(): EditorState {
+    return EditorState.create({
+      extensions: [
+        this.words.of([]),
+        extensions(this.notation, this.actions, this.requests),
+        tooltips({ parent: this.boxes }),
+        tellEdits(this.context.program, this.notation),
+      ],
+    });
+  }
+
+  /** Start all effects here: line numbers mean nothing before their text is shown. */
+  private showProgram(): void {
+    const state = this.context.program.state.value;
+    if (state === this.shown) return;
+    this.shown = state;
+    showText(this.view, state[this.notation], this.actions.takeRestoring());
+    this.dom.classList.toggle("stale", state.stale.includes(this.notation));
+  }
+
+  private showProblems(): void {
+    this.showProgram();
+    const all = [...this.context.program.state.value.problems, ...this.context.runError.value];
+    const problems = all.filter(({ view }) => view === this.notation);
+    if (problems.length > 0 || this.hasProblems) showProblems(this.view, problems);
+    this.hasProblems = problems.length > 0;
+  }
+
+  private showBreakpoints(): void {
+    this.showProgram();
+    const outline = this.outline.value;
+    const heads = [...this.context.running.breakpoints.value].map((block) => outline.head(block));
+    const lines = heads.flatMap((head) => (head ? [head.first] : []));
+    if (lines.length > 0 || this.hasBreakpoints) showBreakpoints(this.view, lines);
+    this.hasBreakpoints = lines.length > 0;
+  }
+
+  private showRunning(): void {
+    this.showProgram();
+    const { running } = this.context;
+    const block = running.block.value;
+    const lines = block ? this.outline.value.head(block) : null;
+    const held = running.state.value.state === "held";
+    if (lines || this.runs) showRunning(this.view, lines, held);
+    this.runs = lines !== null;
+    // Do not scroll away from where the user is typing while the program runs.
+    if (lines && (held || !this.view.hasFocus)) scrollTo(this.view, positionOf(this.view.state, lines.first, 0));
+  }
+}
+
+/** A view of the program in one notation. */
+export function createText(context: Context, notation: Notation): TextIsland {
+  return new TextView(context, notation);
+}

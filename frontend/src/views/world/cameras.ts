@@ -1,0 +1,239 @@
+/** The cameras: orbiting, from above, or following the robot. */
+
+import { MOUSE, PerspectiveCamera, TOUCH, Vector3 } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+
+import type { XY } from "./scenery/description";
+import { between } from "./scenery/geometry";
+
+export type CameraMode = "orbit" | "follow" | "top";
+
+/** ms of a camera movement. */
+const MOVE = 350;
+const UP = new Vector3(0, 0, 1);
+const FROM_SOUTH = new Vector3(0, -0.8, 1).normalize();
+// Slightly to the south, so that north is up on the screen.
+const FROM_ABOVE = new Vector3(0, -0.001, 1).normalize();
+const STEEPEST = 0.001;
+const FLATTEST = 1.5;
+const FOLLOW_DISTANCE = 900;
+/** The largest share of a small picture's height that buttons cover. */
+const MOST_COVERED = 0.35;
+/** How far in front of the floor's centre the camera may look, as a share of its depth: near things are larger. */
+const SHIFTS = [0, -0.03, -0.06, -0.09, -0.12, -0.15];
+/** The share of the picture that the world fills. */
+const FILLED = 0.94;
+
+interface Look {
+  readonly place: Vector3;
+  readonly target: Vector3;
+}
+
+interface Move {
+  readonly from: Look;
+  readonly to: Look;
+  readonly start: number;
+}
+
+export class Cameras {
+  readonly camera = new PerspectiveCamera(38, 1, 20, 30000);
+  mode: CameraMode = "orbit";
+  private readonly controls: OrbitControls;
+  private readonly calm = matchMedia("(prefers-reduced-motion: reduce)");
+  private floorSize: XY = [2000, 2000];
+  private followed: XY = [0, 0];
+  private move: Move | null = null;
+  /** Whether it shows the whole world, which it then also does after a resize. */
+  private whole = false;
+
+  /** @param changed is called when a redraw is needed. */
+  constructor(
+    canvas: HTMLElement,
+    private readonly changed: () => void,
+  ) {
+    this.camera.up.copy(UP);
+    this.camera.position.copy(FROM_SOUTH).multiplyScalar(3000);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.minDistance = 150;
+    this.controls.maxDistance = 14000;
+    this.controls.addEventListener("change", () => this.changed());
+    this.controls.addEventListener("start", () => this.taken());
+    this.apply("orbit");
+  }
+
+  /**
+   * The picture's size in pixels.
+   *
+   * @param covered by buttons at its upper edge: the view is centred in the rest.
+   */
+  size(width: number, height: number, covered: number): void {
+    const hidden = Math.min(covered, MOST_COVERED * height);
+    this.camera.aspect = width / Math.max(1, height - hidden);
+    this.camera.setViewOffset(width, height - hidden, 0, -hidden, width, height);
+    if (this.whole) this.reset();
+  }
+
+  /** Set the floor's size. */
+  floor(size: XY): void {
+    this.floorSize = size;
+  }
+
+  choose(mode: CameraMode): void {
+    this.apply(mode);
+    if (mode === "follow") this.go(this.behind());
+    else this.showWhole();
+  }
+
+  /** Show the whole world. */
+  showWhole(): void {
+    if (this.mode === "follow") this.apply("orbit");
+    const from = this.mode === "top" ? FROM_ABOVE : FROM_SOUTH;
+    const shifts = this.mode === "top" ? [0] : SHIFTS;
+    const looks = shifts.map((shift) => this.lookFrom(from, new Vector3(0, shift * this.floorSize[1], 0)));
+    this.go(looks.reduce((best, look) => (distance(look) < distance(best) ? look : best)));
+    this.whole = true;
+  }
+
+  /** Like `showWhole`, but without a movement: for the first frame. */
+  reset(): void {
+    this.showWhole();
+    this.arrive();
+  }
+
+  /** Look at a place on the floor. */
+  centre([x, y]: XY): void {
+    const { place, target } = this.now();
+    const shift = new Vector3(x, y, 0).sub(target);
+    this.go({ place: place.add(shift), target: target.add(shift) });
+  }
+
+  /** Zoom in with a factor below 1, out with one above 1. */
+  zoom(factor: number): void {
+    const { place, target } = this.now();
+    const offset = place.sub(target);
+    const distance = between(offset.length() * factor, this.controls.minDistance, this.controls.maxDistance);
+    this.go({ place: offset.setLength(distance).add(target), target });
+  }
+
+  /** Orbit by degrees, to the right and up. */
+  turn(right: number, up: number): void {
+    if (this.mode === "top") return this.slide(right, up);
+    const { place, target } = this.now();
+    const offset = place.sub(target).applyAxisAngle(UP, (right * Math.PI) / 180);
+    const side = new Vector3().crossVectors(UP, offset).normalize();
+    const polar = offset.angleTo(UP);
+    offset.applyAxisAngle(side, between(polar - (up * Math.PI) / 180, 0.05, FLATTEST) - polar);
+    this.go({ place: offset.add(target), target });
+  }
+
+  /** Move a following camera along with the robot. */
+  follow(x: number, y: number): void {
+    const shift = new Vector3(x - this.followed[0], y - this.followed[1], 0);
+    this.followed = [x, y];
+    if (this.mode !== "follow") return;
+    for (const look of this.move ? [this.move.from, this.move.to] : []) {
+      look.place.add(shift);
+      look.target.add(shift);
+    }
+    this.camera.position.add(shift);
+    this.controls.target.add(shift);
+    this.controls.update();
+  }
+
+  /** Continue a movement; return whether it is still moving. */
+  step(now: number): boolean {
+    if (!this.move) return false;
+    const part = between((now - this.move.start) / MOVE, 0, 1);
+    const { from, to } = this.move;
+    const eased = part * part * (3 - 2 * part);
+    this.camera.position.lerpVectors(from.place, to.place, eased);
+    this.controls.target.lerpVectors(from.target, to.target, eased);
+    if (part === 1) this.move = null;
+    this.controls.update();
+    return part < 1;
+  }
+
+  dispose(): void {
+    this.controls.dispose();
+  }
+
+  private apply(mode: CameraMode): void {
+    this.mode = mode;
+    const top = mode === "top";
+    this.controls.minPolarAngle = top ? STEEPEST : 0.02;
+    this.controls.maxPolarAngle = top ? STEEPEST : FLATTEST;
+    this.controls.enableRotate = !top;
+    this.controls.mouseButtons = { LEFT: top ? MOUSE.PAN : MOUSE.ROTATE, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN };
+    this.controls.touches = { ONE: top ? TOUCH.PAN : TOUCH.ROTATE, TWO: TOUCH.DOLLY_PAN };
+  }
+
+  /** Its place, or the goal of its movement. */
+  private now(): Look {
+    const { place, target } = this.move?.to ?? { place: this.camera.position, target: this.controls.target };
+    return { place: place.clone(), target: target.clone() };
+  }
+
+  private go(to: Look): void {
+    const from = { place: this.camera.position.clone(), target: this.controls.target.clone() };
+    this.move = { from, to, start: performance.now() };
+    this.whole = false;
+    if (this.calm.matches) this.arrive();
+    this.changed();
+  }
+
+  /** The user has taken over the camera with the pointer. */
+  private taken(): void {
+    this.move = null;
+    this.whole = false;
+  }
+
+  private arrive(): void {
+    this.step(Number.POSITIVE_INFINITY);
+  }
+
+  private slide(right: number, up: number): void {
+    const { place, target } = this.now();
+    const shift = new Vector3(-right, up, 0).multiplyScalar(place.distanceTo(target) / 150);
+    this.go({ place: place.add(shift), target: target.add(shift) });
+  }
+
+  /** A place close to the robot's face, on the camera's current side. */
+  private behind(): Look {
+    const target = new Vector3(...this.followed, 40);
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const steep = offset.angleTo(UP) < 0.3;
+    return { target, place: (steep ? FROM_SOUTH.clone() : offset).setLength(FOLLOW_DISTANCE).add(target) };
+  }
+
+  /** From the smallest distance that shows the whole floor. */
+  private lookFrom(direction: Vector3, target: Vector3): Look {
+    const eye = this.camera.clone();
+    eye.clearViewOffset();
+    let distance = 300;
+    do {
+      distance *= 1.04;
+      eye.position.copy(direction).multiplyScalar(distance).add(target);
+      eye.lookAt(target);
+      eye.updateMatrixWorld();
+    } while (distance < this.controls.maxDistance && !this.seesFloor(eye));
+    return { place: eye.position.clone(), target };
+  }
+
+  private seesFloor(eye: PerspectiveCamera): boolean {
+    const [x, y] = [this.floorSize[0] / 2, this.floorSize[1] / 2];
+    const corners: XY[] = [
+      [x, y],
+      [x, -y],
+      [-x, y],
+      [-x, -y],
+    ];
+    return corners.every(([east, north]) => {
+      const point = new Vector3(east, north, 0).project(eye);
+      return Math.max(Math.abs(point.x), Math.abs(point.y)) < FILLED;
+    });
+  }
+}
+
+function distance({ place, target }: Look): number {
+  return place.distanceTo(target);
+}

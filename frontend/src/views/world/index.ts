@@ -1,0 +1,30 @@
+/** The world in 3D: its things, the moving robots, and placing the robot. */
+
+import "./world.css";
+
+import { effect } from "@preact/signals";
+
+import { t } from "../../i18n";
+import type { Context } from "../../model/context";
+import { World, type WorldIsland } from "./world";
+
+export type { WorldIsland };
+
+export function createWorld(context: Context): WorldIsland {
+  try {
+    return new World(context);
+  } catch (error) {
+    console.warn(error);
+    return withoutPicture();
+  }
+}
+
+/** The replacement for the world if the browser cannot draw in 3D. */
+function withoutPicture(): WorldIsland {
+  const dom = document.createElement("p");
+  dom.className = "world world-missing";
+  const end = effect(() => {
+    dom.textContent = t("page-world-no3d");
+  });
+  return { dom, framesDrawn: 0, resize: () => undefined, destroy: end };
+}

@@ -1,0 +1,17 @@
+/** The robots' models: built-in robots have their own, others follow their description. */
+
+import type { RobotValues } from "../scenery/description";
+import { cozmo } from "./cozmo";
+import { ebo } from "./ebo";
+import { ev3 } from "./ev3";
+import { type Look, RobotModel } from "./model";
+import { plain } from "./plain";
+import { thymio } from "./thymio";
+
+const LOOKS: Readonly<Record<string, (robot: RobotValues) => Look>> = { ebo, thymio, ev3, cozmo };
+
+export function robotModel(robot: RobotValues): RobotModel {
+  return new RobotModel((LOOKS[robot.name] ?? plain)(robot), robot);
+}
+
+export { RobotModel } from "./model";

@@ -1,0 +1,89 @@
+/** The model of a robot: the parts common to all kinds. */
+
+import { Group, type Mesh, MeshBasicMaterial, type Object3D } from "three";
+import type { Robot } from "../../../protocol/messages";
+import type { RobotValues, XY } from "../scenery/description";
+import { radians, wrapped } from "../scenery/geometry";
+import { shadows } from "../scenery/shadows";
+import { place } from "../scenery/things";
+import type { Face } from "./face";
+import type { Wheel } from "./wheel";
+
+const LED_OFF = "#59606b";
+
+/** The appearance of one kind of robot. Positions are in mm: forward, left, up. */
+export interface Look {
+  /** The parts that neither move nor shine. */
+  readonly body: Object3D;
+  readonly wheels: readonly Wheel[];
+  /** The parts that turn at joints, by the joint's key; up is positive. */
+  readonly joints: Readonly<Record<string, Object3D>>;
+  /** The lights, by the LED's key. */
+  readonly lights: Readonly<Record<string, readonly Mesh[]>>;
+  readonly face: Face | null;
+  /** Its outline on the floor. */
+  readonly outline: readonly XY[];
+}
+
+/** A robot on the floor with the pose and state of telemetry. */
+export class RobotModel {
+  readonly object = new Group();
+  /** The distance from its centre to its farthest point, mm. */
+  readonly reach: number;
+  private last: Robot | null = null;
+
+  constructor(
+    private readonly look: Look,
+    private readonly values: RobotValues,
+  ) {
+    const { body, wheels, joints } = look;
+    const moving = [...wheels.map((wheel) => wheel.object), ...Object.values(joints)];
+    for (const part of [body, shadows([look.outline]), ...moving]) this.object.add(part);
+    this.reach = Math.max(...look.outline.map(([x, y]) => Math.hypot(x, y)));
+    for (const lights of Object.values(look.lights)) {
+      for (const light of lights) light.material = new MeshBasicMaterial({ color: LED_OFF });
+    }
+  }
+
+  /** The state shown last. */
+  get pose(): Robot {
+    return this.last ?? { name: "", x: 0, y: 0, heading: 0 };
+  }
+
+  show(robot: Robot): void {
+    this.roll(robot);
+    this.last = robot;
+    place(this.object, robot);
+    for (const [key, part] of Object.entries(this.look.joints)) {
+      part.rotation.y = -radians(robot.joints?.[key] ?? 0);
+    }
+    this.shine(robot);
+    if (this.look.face) this.look.face.show(robot.emotion ?? "none");
+  }
+
+  dispose(): void {
+    this.look.face?.dispose();
+  }
+
+  /** Turn the wheels by the distance driven. */
+  private roll(robot: Robot): void {
+    if (!this.last) return;
+    const [dx, dy] = [robot.x - this.last.x, robot.y - this.last.y];
+    const heading = radians(robot.heading);
+    const advance = dx * Math.cos(heading) - dy * Math.sin(heading);
+    const turn = radians(wrapped(robot.heading - this.last.heading)) * (this.values.wheels.track / 2);
+    for (const wheel of this.look.wheels) wheel.roll(wheel.left ? advance + turn : advance - turn);
+  }
+
+  private shine(robot: Robot): void {
+    for (const [slot, lights] of Object.entries(this.look.lights)) {
+      const [red, green, blue] = robot.leds?.[slot] ?? [0, 0, 0];
+      const dark = red + green + blue === 0;
+      for (const light of lights) {
+        const { color } = light.material as MeshBasicMaterial;
+        if (dark) color.set(LED_OFF);
+        else color.setStyle(`rgb(${red},${green},${blue})`);
+      }
+    }
+  }
+}

@@ -1,0 +1,197 @@
+/** The things in a world: walls, boxes, cylinders, boards, lamps. */
+
+import { DoubleSide, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial, type Object3D, PlaneGeometry } from "three";
+
+import { css } from "./colours";
+import type { BoardValues, BoxValues, CylinderValues, LampValues, WallValues, WorldValues, XY } from "./description";
+import { forward, headingOf, type Pose, radians } from "./geometry";
+import type { Pictures } from "./pictures";
+import { circle, rectangle, shadows } from "./shadows";
+import { cylinder, Parts, roundedBox, turned } from "./solids";
+
+const BOARD_BACK = "#aa9678";
+const BOARD_THICKNESS = 6;
+
+/** The fixed things, and the movable ones in the order of telemetry. */
+export interface Things {
+  readonly fixed: Object3D;
+  readonly pushed: readonly Object3D[];
+}
+
+export function things(world: WorldValues, pictures: Pictures): Things {
+  const fixed = new Group();
+  fixed.add(standing(world), shadows(outlines(world)));
+  for (const tag of world.tag) fixed.add(poster(tag, `textures/tag/${tag.id}.png`, pictures));
+  for (const face of world.face) fixed.add(poster(face, `textures/face/${face.emotion}.png`, pictures));
+  const boxes = world.box.filter(isPushed).map(loose(solidBox));
+  const cylinders = world.cylinder.filter(isPushed).map(loose(solidCylinder));
+  return { fixed, pushed: [...boxes, ...cylinders] };
+}
+
+function isPushed(thing: { mass: number | null }): boolean {
+  return thing.mass !== null;
+}
+
+function isFixed(thing: { mass: number | null }): boolean {
+  return thing.mass === null;
+}
+
+/** All fixed things, in one mesh. */
+function standing(world: WorldValues): Mesh {
+  const parts = new Parts();
+  for (const wall of world.wall) addWall(parts, wall);
+  for (const box of world.box.filter(isFixed)) addBox(parts, box);
+  for (const thing of world.cylinder.filter(isFixed)) {
+    parts.add(solidCylinder(thing), css(thing.colour), thing.x, thing.y, thing.height / 2);
+  }
+  for (const board of [...world.tag, ...world.face]) addBoard(parts, board);
+  for (const lamp of world.light) addLamp(parts, lamp);
+  return parts.mesh();
+}
+
+function outlines(world: WorldValues): XY[][] {
+  const round = world.cylinder.filter(isFixed).map(({ x, y, radius }) => circle(x, y, radius));
+  const boxes = world.box.filter(isFixed).map((box) => rectangle(box, box.length, box.width));
+  const walls = world.wall.flatMap((wall) =>
+    piecesOf(wall).map(({ pose, length }) => rectangle(pose, length, wall.thickness)),
+  );
+  return [...round, ...boxes, ...walls];
+}
+
+function solidBox(box: BoxValues) {
+  return roundedBox(box.length, box.width, box.height, 5);
+}
+
+function solidCylinder({ radius, height }: CylinderValues) {
+  const edge = Math.min(5, radius / 2, height / 2);
+  const half = height / 2;
+  return turned([
+    [0, -half],
+    [radius, -half],
+    [radius, half - edge],
+    [radius - edge, half],
+    [0, half],
+  ]);
+}
+
+function addBox(parts: Parts, box: BoxValues): void {
+  parts.add(solidBox(box).rotateZ(-radians(box.heading)), css(box.colour), box.x, box.y, box.height / 2);
+}
+
+function loose<T extends { height: number; colour: BoxValues["colour"]; x: number; y: number }>(
+  shape: (thing: T) => ReturnType<typeof solidBox>,
+): (thing: T) => Object3D {
+  return (thing) => {
+    const group = new Group();
+    group.add(new Parts().add(shape(thing), css(thing.colour), 0, 0, thing.height / 2).mesh());
+    group.add(shadows([footprint(thing)]));
+    place(group, { x: thing.x, y: thing.y, heading: "heading" in thing ? Number(thing.heading) : 0 });
+    return group;
+  };
+}
+
+function footprint(thing: object): XY[] {
+  if ("radius" in thing) return circle(0, 0, Number(thing.radius));
+  const { length, width } = thing as BoxValues;
+  return rectangle({ x: 0, y: 0, heading: 0 }, length, width);
+}
+
+/** Move an object on the floor. */
+export function place(object: Object3D, { x, y, heading }: Pose): void {
+  object.position.set(x, y, 0);
+  object.rotation.z = -radians(heading);
+}
+
+function addWall(parts: Parts, wall: WallValues): void {
+  for (const { pose, length } of piecesOf(wall)) {
+    const piece = roundedBox(length, wall.thickness, wall.height, 2).rotateZ(-radians(pose.heading));
+    parts.add(piece, css(wall.colour), pose.x, pose.y, wall.height / 2);
+  }
+}
+
+/** Each end is extended by half of the thickness, which closes the corners. */
+function piecesOf({ points, thickness }: WallValues): { pose: Pose; length: number }[] {
+  return points.slice(1).flatMap((end, i) => {
+    const start = points[i] ?? end;
+    const [dx, dy] = [end[0] - start[0], end[1] - start[1]];
+    if (dx === 0 && dy === 0) return [];
+    const pose = { x: start[0] + dx / 2, y: start[1] + dy / 2, heading: headingOf(dx, dy) };
+    return [{ pose, length: Math.hypot(dx, dy) + thickness }];
+  });
+}
+
+/** A board with a foot; its picture is drawn just in front of it. */
+function addBoard(parts: Parts, board: BoardValues): void {
+  const turn = -radians(board.heading);
+  const [x, y] = forward(board.heading);
+  const behind = BOARD_THICKNESS / 2 + 1;
+  const back = roundedBox(BOARD_THICKNESS, board.size + 6, board.size + 6, 2).rotateZ(turn);
+  parts.add(back, BOARD_BACK, board.x - behind * x, board.y - behind * y, board.z);
+  const bottom = board.z - board.size / 2;
+  if (bottom <= 0) return;
+  const post = roundedBox(BOARD_THICKNESS, board.size / 5, bottom, 1).rotateZ(turn);
+  parts.add(post, BOARD_BACK, board.x - behind * x, board.y - behind * y, bottom / 2);
+}
+
+function poster(board: BoardValues, address: string, pictures: Pictures): Mesh {
+  const material = new MeshLambertMaterial({ color: "#f4f4f4" });
+  pictures.on(material, address);
+  // A plane lies on the floor with its picture's top to the north: raise it and turn it to face ahead.
+  const shape = new PlaneGeometry(board.size, board.size).rotateX(Math.PI / 2).rotateZ(Math.PI / 2);
+  const mesh = new Mesh(shape, material);
+  place(mesh, board);
+  mesh.position.z = board.z;
+  return mesh;
+}
+
+/** A street lamp over its place, thin enough to hide nothing. */
+function addLamp(parts: Parts, { x, y, z }: LampValues): void {
+  parts.add(
+    turned(
+      [
+        [0, 6],
+        [22, 0],
+        [26, 0],
+        [14, 14],
+        [0, 18],
+      ],
+      24,
+    ),
+    "#5b6472",
+    x,
+    y,
+    z,
+  );
+  parts.add(
+    turned(
+      [
+        [0, -20],
+        [10, -16],
+        [17, -6],
+        [14, 2],
+        [0, 4],
+      ],
+      20,
+    ),
+    "#ffe58a",
+    x,
+    y,
+    z,
+  );
+}
+
+/** The light of a lamp on the floor. */
+export function glow({ x, y, z, brightness }: LampValues): Mesh {
+  const radius = Math.min(600, z * 0.9);
+  const material = new MeshBasicMaterial({
+    color: "#ffd34d",
+    transparent: true,
+    opacity: 0.28 * Math.min(1, brightness / 600),
+    depthWrite: false,
+    side: DoubleSide,
+  });
+  const mesh = new Mesh(cylinder(radius, 0.1), material);
+  mesh.position.set(x, y, 1);
+  mesh.renderOrder = 2;
+  return mesh;
+}

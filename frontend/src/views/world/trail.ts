@@ -1,0 +1,85 @@
+/** The robot's trail: a ribbon on the floor. */
+
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, MeshBasicMaterial } from "three";
+
+import { MARKS } from "./scenery/colours";
+import type { XY } from "./scenery/description";
+
+/** mm between two points. */
+const STEP = 8;
+const HALF_WIDTH = 5;
+const HEIGHT = 1.6;
+/** At this many points every second one is dropped, so a long run keeps its whole trail. */
+const MOST_POINTS = 4000;
+const CORNERS = 6;
+
+export class Trail {
+  readonly mesh: Mesh;
+  private points: XY[] = [];
+  private readonly places = new BufferAttribute(new Float32Array(MOST_POINTS * CORNERS * 3), 3);
+
+  constructor() {
+    this.places.setUsage(DynamicDrawUsage);
+    const geometry = new BufferGeometry().setAttribute("position", this.places);
+    const material = new MeshBasicMaterial({
+      color: MARKS.trail,
+      depthWrite: false,
+      polygonOffset: true,
+      polygonOffsetFactor: -4,
+    });
+    this.mesh = new Mesh(geometry, material);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = 4;
+    this.clear();
+  }
+
+  clear(): void {
+    this.points = [];
+    this.mesh.geometry.setDrawRange(0, 0);
+  }
+
+  /** Extend the trail to the robot. */
+  extend(x: number, y: number): void {
+    const last = this.points.at(-1);
+    if (last && Math.hypot(x - last[0], y - last[1]) < STEP) return;
+    this.points.push([x, y]);
+    if (this.points.length > MOST_POINTS) this.thin();
+    else this.write(this.points.length - 1);
+  }
+
+  private thin(): void {
+    this.points = this.points.filter((_, i) => i % 2 === 0);
+    this.points.forEach((_, i) => this.write(i));
+  }
+
+  /** Write the piece that ends at a point. */
+  private write(i: number): void {
+    const [start, end] = [this.points[i - 1], this.points[i]];
+    if (!start || !end) return;
+    const length = Math.hypot(end[0] - start[0], end[1] - start[1]);
+    const sideX = (-HALF_WIDTH * (end[1] - start[1])) / length;
+    const sideY = (HALF_WIDTH * (end[0] - start[0])) / length;
+    // A piece starts at the end of the previous one, which avoids gaps at the outer side.
+    const [a, b] = this.endOf(i - 1) ?? [
+      [start[0] - sideX, start[1] - sideY],
+      [start[0] + sideX, start[1] + sideY],
+    ];
+    const [c, d]: [XY, XY] = [
+      [end[0] + sideX, end[1] + sideY],
+      [end[0] - sideX, end[1] - sideY],
+    ];
+    [a, d, c, a, c, b].forEach(([x, y], k) => this.places.setXYZ((i - 1) * CORNERS + k, x, y, HEIGHT));
+    this.places.addUpdateRange((i - 1) * CORNERS * 3, CORNERS * 3);
+    this.places.needsUpdate = true;
+    this.mesh.geometry.setDrawRange(0, i * CORNERS);
+  }
+
+  private endOf(i: number): [XY, XY] | null {
+    if (i < 1) return null;
+    const at = (corner: number): XY => {
+      const index = (i - 1) * CORNERS + corner;
+      return [this.places.getX(index), this.places.getY(index)];
+    };
+    return [at(1), at(2)];
+  }
+}

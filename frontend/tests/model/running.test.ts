@@ -1,0 +1,66 @@
+import { expect, test } from "vitest";
+
+import { Running } from "../../src/model/running";
+import { FakeConnection } from "../fake-connection";
+
+function running(): [Running, FakeConnection] {
+  const connection = new FakeConnection();
+  return [new Running(connection.real), connection];
+}
+
+test.each([
+  ["idle", false],
+  ["starting", true],
+  ["running", true],
+  ["paused", true],
+  ["held", true],
+  ["ended", false],
+])("a run that is %s is active: %s", (state, active) => {
+  const [run, connection] = running();
+  connection.tell({ kind: "RunState", state });
+  expect(run.active.value).toBe(active);
+});
+
+test("no block runs once the run has ended", () => {
+  const [run, connection] = running();
+  connection.tell({ kind: "RunState", state: "paused", block: "b1" });
+  expect(run.block.value).toBe("b1");
+  connection.tell({ kind: "RunState", state: "ended", block: "b1" });
+  expect(run.block.value).toBeNull();
+});
+
+test("a start clears the variables and the end of the run before", () => {
+  const [run, connection] = running();
+  connection.tell({ kind: "Ended", ended: "finished" });
+  connection.tell({ kind: "Variables" });
+  connection.tell({ kind: "RunState", state: "starting" });
+  expect([run.ended.value, run.variables.value]).toEqual([null, null]);
+});
+
+test("a custom block that was tried does not count as a run", () => {
+  const [run, connection] = running();
+  connection.tell({ kind: "Ended", ended: "finished", tried: true });
+  expect(run.ended.value).toBeNull();
+});
+
+test("toggling a breakpoint twice leaves none and tells the server each time", () => {
+  const [run, connection] = running();
+  run.toggleBreakpoint("b1");
+  expect([...run.breakpoints.value]).toEqual(["b1"]);
+  run.toggleBreakpoint("b1");
+  expect([...run.breakpoints.value]).toEqual([]);
+  expect(connection.sent).toEqual([
+    { kind: "SetBreakpoints", blocks: ["b1"] },
+    { kind: "SetBreakpoints", blocks: [] },
+  ]);
+});
+
+test("a project that opens brings its robot, world and breakpoints", () => {
+  const [run, connection] = running();
+  connection.tell({ kind: "RunState", state: "running" });
+  connection.tell({ kind: "Opened", name: "square", robot: "sim-ev3", world: "line", breakpoints: ["b2"] });
+  expect(run.robot.value).toBe("sim-ev3");
+  expect(run.world.value).toBe("line");
+  expect([...run.breakpoints.value]).toEqual(["b2"]);
+  expect(run.active.value).toBe(false);
+});

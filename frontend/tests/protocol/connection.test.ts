@@ -1,0 +1,177 @@
+import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
+
+import { Connection } from "../../src/protocol/connection";
+import type { ToPage } from "../../src/protocol/messages";
+
+/** A socket whose other end is the test. */
+class FakeSocket {
+  static readonly OPEN = 1;
+  static made: FakeSocket[] = [];
+  readyState = 0;
+  readonly sent: unknown[] = [];
+  onopen = () => {};
+  onmessage = (_event: { data: unknown }) => {};
+  onclose = (_event: { code: number }) => {};
+
+  constructor(
+    readonly address: URL,
+    readonly protocols: string[],
+  ) {
+    FakeSocket.made.push(this);
+  }
+
+  send(text: string): void {
+    this.sent.push(JSON.parse(text));
+  }
+
+  accept(): void {
+    this.readyState = FakeSocket.OPEN;
+    this.onopen();
+  }
+
+  close(code = 1006): void {
+    this.readyState = 3;
+    this.onclose({ code });
+  }
+
+  tell(message: ToPage): void {
+    this.onmessage({ data: JSON.stringify(message) });
+  }
+}
+
+beforeEach(() => {
+  FakeSocket.made = [];
+  vi.stubGlobal("WebSocket", FakeSocket);
+  vi.useFakeTimers();
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
+  vi.useRealTimers();
+});
+
+function newest(): FakeSocket {
+  return FakeSocket.made.at(-1) as FakeSocket;
+}
+
+function opened(): [Connection, FakeSocket] {
+  const connection = new Connection(new URL("ws://robot.test/ws"), "secret");
+  connection.open();
+  newest().accept();
+  return [connection, newest()];
+}
+
+describe("the token", () => {
+  test("travels as a subprotocol and never in the address", () => {
+    const [, socket] = opened();
+    expect(socket.protocols).toEqual(["learnblock", "secret"]);
+    expect(String(socket.address)).not.toContain("secret");
+  });
+});
+
+describe("sending", () => {
+  test("writes JSON", () => {
+    const [connection, socket] = opened();
+    expect(connection.send({ kind: "Stop" })).toBe(true);
+    expect(socket.sent).toEqual([{ kind: "Stop" }]);
+  });
+
+  test("drops a message while there is no connection", () => {
+    const [connection, socket] = opened();
+    socket.close();
+    expect(connection.send({ kind: "Stop" })).toBe(false);
+    expect(socket.sent).toEqual([]);
+  });
+});
+
+describe("listening", () => {
+  test("receives messages of its kind only", () => {
+    const [connection, socket] = opened();
+    const printed = vi.fn();
+    connection.on("Printed", printed);
+    socket.tell({ kind: "Printed", text: "hello" });
+    socket.tell({ kind: "InputWanted", prompt: "?" });
+    expect(printed.mock.calls).toEqual([[{ kind: "Printed", text: "hello" }]]);
+  });
+
+  test("ends with the call of what `on` returns", () => {
+    const [connection, socket] = opened();
+    const printed = vi.fn();
+    connection.on("Printed", printed)();
+    socket.tell({ kind: "Printed", text: "hello" });
+    expect(printed).not.toHaveBeenCalled();
+  });
+
+  test("hears of a refusal only for its own requests", () => {
+    const [connection, socket] = opened();
+    const refused = vi.fn();
+    connection.onRefused(["SaveTags"], refused);
+    socket.tell({ kind: "Failed", message: { code: "server-other", values: {} }, request: "Step" });
+    const full = { code: "file-disk-full", values: {} };
+    socket.tell({ kind: "Failed", message: full, request: "SaveTags" });
+    expect(refused.mock.calls).toEqual([[full]]);
+  });
+
+  test("receives pictures as they come", () => {
+    const [connection, socket] = opened();
+    const frame = vi.fn();
+    connection.onFrame(frame);
+    const picture = new Blob(["jpeg"]);
+    socket.onmessage({ data: picture });
+    expect(frame).toHaveBeenCalledExactlyOnceWith(picture);
+  });
+});
+
+describe("reconnecting", () => {
+  function delay(): number {
+    const count = FakeSocket.made.length;
+    const start = Date.now();
+    while (FakeSocket.made.length === count) vi.advanceTimersToNextTimer();
+    return Date.now() - start;
+  }
+
+  test("waits twice as long each time, up to 4 seconds", () => {
+    opened();
+    const delays = Array.from({ length: 6 }, () => {
+      newest().close();
+      return delay();
+    });
+    expect(delays).toEqual([250, 500, 1000, 2000, 4000, 4000]);
+  });
+
+  test("begins with the shortest delay again after a success", () => {
+    opened();
+    newest().close();
+    delay();
+    newest().accept();
+    newest().close();
+    expect(delay()).toBe(250);
+  });
+
+  test("keeps listeners", () => {
+    const [connection] = opened();
+    const printed = vi.fn();
+    connection.on("Printed", printed);
+    newest().close();
+    delay();
+    newest().tell({ kind: "Printed", text: "again" });
+    expect(printed).toHaveBeenCalledOnce();
+  });
+
+  test("shows its state", () => {
+    const connection = new Connection(new URL("ws://robot.test/ws"), "secret");
+    const states = [connection.state.value];
+    connection.open();
+    newest().accept();
+    states.push(connection.state.value);
+    newest().close();
+    states.push(connection.state.value);
+    expect(states).toEqual(["connecting", "open", "lost"]);
+  });
+
+  test("is not tried when the server refuses the token", () => {
+    const [connection, socket] = opened();
+    socket.close(4403);
+    expect(connection.state.value).toBe("refused");
+    expect(vi.getTimerCount()).toBe(0);
+  });
+});

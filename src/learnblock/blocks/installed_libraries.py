@@ -1,0 +1,130 @@
+"""The blocks of libraries, read from the files of each without running any."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+from learnblock.blocks.importable import Importable
+from learnblock.blocks.schema.configuration import BlockConfiguration
+from learnblock.blocks.schema.loading import load_configurations
+from learnblock.blocks.source.derivation import derived, fitted
+from learnblock.blocks.source.signature import Signature, signatures
+from learnblock.errors import LearnBlockError, LibraryError
+from learnblock.storage import skill_files, toml_source
+from learnblock.storage.home import home
+
+#: A folder with this file is a library.
+MANIFEST = "library.toml"
+#: The configurations of a library's blocks.
+CONFIGURATIONS = "blocks.json"
+
+
+def installed() -> Mapping[str, Path]:
+    """The folders of the libraries that are installed in `home`, by name."""
+    return _in_folder(home() / "libraries")
+
+
+def installed_blocks() -> Iterator[BlockConfiguration]:
+    """The blocks of all installed libraries that can be read."""
+    for name, folder in installed().items():
+        try:
+            yield from blocks(name, texts(folder))
+        except (LearnBlockError, OSError):
+            # `learnblock library list` reports the error; all other blocks keep working.
+            continue
+
+
+def importable(beside: Path | None = None, modules: frozenset[str] = frozenset()) -> Importable:
+    """The modules that a program can import.
+
+    Args:
+        beside: the program's folder.
+        modules: those that it imports; they may be in folders inside that one.
+    """
+    libraries = frozenset(installed())
+    if beside is None:
+        return Importable(libraries)
+    files = {path.stem for path in beside.glob("*.py")}
+    files |= {module for module in modules if _file(beside, module)}
+    nearby = frozenset(_in_folder(beside))
+    return Importable(libraries | nearby - files, frozenset(files - nearby))
+
+
+def blocks_beside(folder: Path, modules: frozenset[str]) -> Iterator[BlockConfiguration]:
+    """The blocks of the libraries and files beside a program that it imports.
+
+    Raises:
+        LearnBlockError: one of them is wrong.
+        OSError: one of them cannot be read.
+    """
+    nearby = _in_folder(folder)
+    for module in sorted(modules):
+        file = _file(folder, module)
+        if file is not None:
+            yield from blocks(module, {file.name: skill_files.read(file)})
+        elif module in nearby:
+            yield from blocks(module, texts(nearby[module]))
+
+
+def blocks(name: str, files: Mapping[str, str]) -> tuple[BlockConfiguration, ...]:
+    """The blocks of a library, or of a Python file that is imported like one.
+
+    Args:
+        name: that programs import.
+        files: the text of each by its name.
+
+    Raises:
+        LearnBlockError: one of them is wrong.
+    """
+    titles = _titles(files.get(MANIFEST, ""))
+    category = titles.get("EN") or name.replace("_", " ").capitalize()
+    skills = {one.name: one for file, text in files.items() for one in skills_in(file, text)}
+    found = {name: replace(derived(one, ""), category=category) for name, one in skills.items()}
+    for block in load_configurations(files[CONFIGURATIONS]) if CONFIGURATIONS in files else ():
+        if block.name in found:
+            found[block.name] = fitted(block, skills[block.name], found[block.name])
+    return tuple(replace(block, library=name, titles=titles) for block in found.values())
+
+
+def skills_in(filename: str, source: str) -> tuple[Signature, ...]:
+    """The skills in a file that programs import; it may have other functions, too.
+
+    Raises:
+        ProgramError: it is not valid Python.
+    """
+    if not filename.endswith(".py"):
+        return ()
+    return tuple(one for one in signatures(source, filename) if one.robot == "robot")
+
+
+def texts(folder: Path) -> dict[str, str]:
+    """The texts of a library's files, by their names.
+
+    Raises:
+        LearnBlockError: one of them is too large.
+        OSError: one of them cannot be read.
+    """
+    names = (MANIFEST, CONFIGURATIONS)
+    files = [*sorted(folder.glob("*.py")), *filter(Path.is_file, map(folder.joinpath, names))]
+    return {file.name: skill_files.read(file) for file in files}
+
+
+def _in_folder(folder: Path) -> Mapping[str, Path]:
+    found = sorted(folder.glob(f"*/{MANIFEST}"))
+    return {path.parent.name: path.parent for path in found if path.parent.name.isidentifier()}
+
+
+def _file(folder: Path, module: str) -> Path | None:
+    """The Python file of a module, if there is one."""
+    path = folder.joinpath(*module.split(".")).with_suffix(".py")
+    return path if path.is_file() else None
+
+
+def _titles(manifest: str) -> dict[str, str]:
+    """The library's title by upper-case language code; empty if it cannot be read."""
+    try:
+        title = toml_source.parse(manifest, MANIFEST, LibraryError).get("title", {})
+    except LibraryError:
+        return {}
+    pairs = title.items() if isinstance(title, dict) else ()
+    return {str(code).upper(): text for code, text in pairs if isinstance(text, str) and text}

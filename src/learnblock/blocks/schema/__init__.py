@@ -1,0 +1,1 @@
+"""Block configurations: their types, and how they are read from JSON and written to it."""

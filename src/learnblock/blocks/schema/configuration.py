@@ -1,0 +1,138 @@
+"""The values that a block configuration (JSON) describes."""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from learnblock.errors import LearnBlockError
+from learnblock.fields import Range
+from learnblock.i18n import Phrase
+
+ParameterType = Literal[
+    "float", "int", "string", "boolean", "list", "apriltext", "choice", "colour", "angle"
+]
+#: The types that are numbers, and can have a range.
+NUMBERS: tuple[ParameterType, ...] = ("float", "int", "angle")
+
+_COLOUR = re.compile(r"#[0-9a-fA-F]{6}")
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """One parameter of a skill.
+
+    Args:
+        name: the parameter's name in the function.
+        type: the kind of values that the field accepts.
+        default: a float, int, str, bool, list or None of that type; see `required`.
+        required: whether there is no default, so that every call must give a value.
+        translations: the name for readers, by upper-case language code.
+        range: of a number, if it is limited.
+        choices: the texts of the type ``choice``.
+        choice_names: translations of the choices, by the choice and then by upper-case language
+            code; programs contain the choice itself.
+    """
+
+    name: str
+    type: ParameterType
+    default: object = None
+    required: bool = False
+    translations: Mapping[str, str] = field(default_factory=dict)
+    range: Range | None = None
+    choices: tuple[str, ...] = ()
+    choice_names: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+
+    def objection(self, value: object) -> Phrase | None:
+        """A suggestion for a number or text that the field does not offer; None if it does.
+
+        >>> str(Parameter("speed", "float", range=Range(0, 100)).objection(120))
+        'Choose a number from 0 to 100.'
+        """
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        if self.range and is_number and not self.range.holds(value):  # type: ignore[arg-type]
+            return Phrase("block-expects-range", least=self.range.least, most=self.range.most)
+        if self.type == "choice" and value not in self.choices:
+            return Phrase("block-expects-choice", choices=tuple(map(repr, self.choices)))
+        if self.type == "colour" and not is_colour(value):
+            return Phrase("block-expects-colour")
+        return None
+
+
+def is_colour(value: object) -> bool:
+    """Whether it is a text such as ``#ff8800``."""
+    return isinstance(value, str) and bool(_COLOUR.fullmatch(value))
+
+
+@dataclass(frozen=True, slots=True)
+class BlockConfiguration:
+    """One skill as a block.
+
+    Args:
+        type: motor, perceptual, proprioceptive, express, control, operator or others: the colour.
+        category: the tab of the palette.
+        name: the function's name, as programs write it.
+        parameters: in the order of the function.
+        shapes: ``blockVertical`` is a statement, ``blockLeft`` and ``blockBoth`` are values.
+        languages: the label, by upper-case language code; see `learnblock.blocks.labels`.
+        tooltip: a sentence of help, by upper-case language code.
+        needs: the devices without which it has no effect: ``Base``, or ``JointMotor:CAMERA`` for
+            the device with that key.
+        library: the library that a program must import, if any.
+        titles: the name of the tab of a library, by upper-case language code.
+    """
+
+    type: str
+    category: str
+    name: str
+    parameters: tuple[Parameter, ...] = ()
+    shapes: tuple[str, ...] = ("blockVertical",)
+    languages: Mapping[str, str] = field(default_factory=dict)
+    tooltip: Mapping[str, str] = field(default_factory=dict)
+    needs: tuple[str, ...] = ()
+    library: str = ""
+    titles: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def returns_value(self) -> bool:
+        """True for a question or a measure, False for a statement."""
+        return "blockVertical" not in self.shapes
+
+    def lacks(self, devices: frozenset[str]) -> tuple[str, ...]:
+        """The needed devices that a robot with `devices` (``Type:KEY`` strings) lacks."""
+        types = {device.partition(":")[0] for device in devices}
+        return tuple(need for need in self.needs if need not in devices and need not in types)
+
+
+class Configurations(Mapping[str, BlockConfiguration]):
+    """Blocks by name, and the mistakes in the files of others.
+
+    Args:
+        blocks: by name.
+        broken: the reasons why skills of a broken file cannot be used, by name.
+        problems: the errors of broken files.
+    """
+
+    def __init__(
+        self,
+        blocks: Mapping[str, BlockConfiguration],
+        broken: Mapping[str, Phrase],
+        problems: tuple[LearnBlockError, ...],
+    ) -> None:
+        self._blocks = blocks
+        self.broken = broken
+        self.problems = problems
+
+    def __getitem__(self, name: str) -> BlockConfiguration:
+        return self._blocks[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._blocks)
+
+    def __len__(self) -> int:
+        return len(self._blocks)
+
+    def extended(self, more: Mapping[str, BlockConfiguration]) -> "Configurations":
+        """These blocks and some more, which replace those of the same name."""
+        broken = {name: why for name, why in self.broken.items() if name not in more}
+        return Configurations({**self._blocks, **more}, broken, self.problems)

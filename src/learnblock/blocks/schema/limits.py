@@ -1,0 +1,27 @@
+"""Limits of what the field of a parameter can offer: its range and its choices."""
+
+import math
+from typing import TypeGuard
+
+from learnblock.fields import Range
+from learnblock.i18n import Phrase
+
+MOST_CHOICES = 100
+LONGEST_CHOICE = 100
+
+
+def range_problem(found: Range) -> Phrase | None:
+    """The mistake in a range, or None if there is none."""
+    numbers = [found.least, found.most, 1 if found.step is None else found.step]
+    if not all(math.isfinite(one) and abs(one) <= 1e15 for one in numbers):
+        return Phrase("block-range-ends")
+    if not found.least < found.most:
+        return Phrase("block-range-order")
+    if found.step is not None and not 0 < found.step <= found.most - found.least:
+        return Phrase("block-range-step")
+    return None
+
+
+def is_choice(value: object) -> TypeGuard[str]:
+    """Whether a value can be a choice: a short text in one line."""
+    return isinstance(value, str) and value.isprintable() and 0 < len(value) <= LONGEST_CHOICE

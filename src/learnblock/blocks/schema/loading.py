@@ -1,0 +1,129 @@
+"""Block configurations from JSON: the built-in ones, and files of users and libraries."""
+
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
+from learnblock.errors import BlockConfigurationError, Diagnostic
+from learnblock.i18n import Phrase
+
+#: The built-in configurations: one file per tab, in the order of the palette.
+TABS = (
+    "base",
+    "motor",
+    "distances",
+    "ground",
+    "camera",
+    "light",
+    "infrared",
+    "controller",
+    "emotion",
+    "speaker",
+    "led",
+    "matrix",
+    "mp3",
+    "cozmo",
+    "others",
+)
+
+
+def load_configurations(source: Path | str) -> tuple[BlockConfiguration, ...]:
+    """The block configurations in a file or a text, which holds one or a list of them.
+
+        >>> load_configurations('''{"type": "motor", "category": "Dance", "name": "waltz",
+        ...                         "shape": ["blockVertical"], "languages": {"EN": "waltz"}}''')
+        (BlockConfiguration(type='motor', category='Dance', name='waltz', ...),)
+
+    Args:
+        source: a path is read as UTF-8; a string is the JSON itself.
+
+    Raises:
+        BlockConfigurationError: there are mistakes; the error lists all of them.
+        OSError: the file cannot be read.
+    """
+    if isinstance(source, Path):
+        return _parse(_read(source), str(source))
+    return _parse(source, "<text>")
+
+
+@cache
+def builtin() -> Mapping[str, BlockConfiguration]:
+    """The built-in blocks by name, in the order of the palette."""
+    # The tests check them, so that they can be loaded quickly here.
+    blocks = [_trusted(raw) for tab in TABS for raw in _built_in(tab)]
+    return MappingProxyType({block.name: block for block in blocks})
+
+
+def _read(path: Path) -> str:
+    data = path.read_bytes()
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        diagnostic = Diagnostic("not-utf-8", Phrase("block-not-utf-8"), line)
+        raise BlockConfigurationError(str(path), [diagnostic]) from None
+
+
+def _parse(text: str, filename: str) -> tuple[BlockConfiguration, ...]:
+    from learnblock.blocks.schema.reading import read  # noqa: PLC0415 - not needed to start
+    from learnblock.storage.json_source import parse  # noqa: PLC0415 - not needed to start
+
+    blocks, problems = read(parse(text, filename))
+    if problems:
+        raise BlockConfigurationError(filename, problems, text)
+    return blocks
+
+
+def _built_in(tab: str) -> Iterator[dict[str, Any]]:
+    path = Path(__file__).parents[1] / "configurations" / f"{tab}.json"
+    yield from json.loads(path.read_bytes())
+
+
+def _trusted(raw: dict[str, Any]) -> BlockConfiguration:
+    return BlockConfiguration(
+        type=raw["type"],
+        category=raw["category"],
+        name=raw["name"],
+        parameters=tuple(map(_trusted_parameter, raw.get("variables", ()))),
+        shapes=tuple(raw["shape"]),
+        languages=raw["languages"],
+        tooltip=raw["tooltip"],
+        needs=tuple(raw.get("needs", ())),
+    )
+
+
+def _trusted_parameter(raw: dict[str, Any]) -> Parameter:
+    return Parameter(
+        name=raw["name"],
+        type=raw["type"],
+        default=raw.get("default"),
+        required="default" not in raw,
+        translations=raw["translate"],
+        choices=tuple(raw.get("choices", ())),
+        choice_names=raw.get("choiceNames", {}),
+    )
+
+
+def completed(block: BlockConfiguration, known: BlockConfiguration) -> BlockConfiguration:
+    """`block`, completed by the configuration that was known before."""
+    same = {parameter.name: parameter for parameter in known.parameters}
+    parameters = tuple(
+        replace(one, translations={**same[one.name].translations, **one.translations})
+        if one.name in same
+        else one
+        for one in block.parameters
+    )
+    return replace(
+        block,
+        parameters=parameters or known.parameters,
+        languages={**known.languages, **block.languages},
+        tooltip={**known.tooltip, **block.tooltip},
+        needs=block.needs or known.needs,
+        library=known.library,
+        titles=known.titles,
+    )

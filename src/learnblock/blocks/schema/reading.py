@@ -1,0 +1,381 @@
+"""Block configurations from JSON values, with all their mistakes."""
+
+import json
+import keyword
+import re
+from collections.abc import Collection, Mapping, Sequence
+from typing import Any, TypeVar, get_args
+
+from learnblock.blocks.schema.configuration import (
+    NUMBERS,
+    BlockConfiguration,
+    Parameter,
+    ParameterType,
+)
+from learnblock.blocks.schema.defaults import DEFAULTS
+from learnblock.blocks.schema.limits import MOST_CHOICES, is_choice, range_problem
+from learnblock.errors import Diagnostic, nearest
+from learnblock.fields import Range
+from learnblock.i18n import Phrase
+from learnblock.storage.json_source import Document, Path, Place
+
+T = TypeVar("T", bound=str)
+
+TYPES = ("motor", "perceptual", "proprioceptive", "express", "control", "operator", "others")
+SHAPES = ("blockVertical", "blockLeft", "blockBoth")
+PARAMETER_TYPES: tuple[ParameterType, ...] = get_args(ParameterType)
+
+# Each key, and whether it is required.
+_BLOCK_KEYS = {
+    "type": True,
+    "category": True,
+    "name": True,
+    "variables": False,
+    "shape": True,
+    "languages": False,
+    "tooltip": False,
+    "needs": False,
+}
+_PARAMETER_KEYS = {
+    "type": True,
+    "name": True,
+    "default": False,
+    "translate": False,
+    "range": False,
+    "choices": False,
+    "choiceNames": False,
+}
+# More of them at once are of no use.
+_MOST_PROBLEMS = 100
+_LANGUAGE = re.compile(r"[A-Z]{2,3}(-[A-Z0-9]{2,8})*")
+_DEVICE = re.compile(r"[A-Za-z]\w*(:\w+)?")
+
+
+def read(document: Document) -> tuple[tuple[BlockConfiguration, ...], tuple[Diagnostic, ...]]:
+    """The configurations in a document that holds one or a list of them, and its mistakes."""
+    reader = _Reader(document)
+    return tuple(reader.blocks()), tuple(
+        sorted(reader.problems, key=lambda problem: (problem.line, problem.column))
+    )
+
+
+class _Reader:
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self.problems: list[Diagnostic] = []
+
+    def blocks(self) -> list[BlockConfiguration]:
+        for name, place in self._document.repeated:
+            self._note("duplicate-key", Phrase("block-duplicate-key", key=name), place)
+        value = self._document.value
+        items = value if isinstance(value, list) else [value]
+        paths: list[Path] = [(i,) for i in range(len(items))] if isinstance(value, list) else [()]
+        blocks = [self._block(item, path) for item, path in zip(items, paths, strict=True)]
+        self._refuse_repeated([block.name for block in blocks], paths, None)
+        return blocks
+
+    # Blocks and parameters. A mistake is noted and replaced, so that all mistakes are found.
+
+    def _block(self, value: object, path: Path) -> BlockConfiguration:
+        who = _block_name(value)
+        fields = self._fields(value, path, who, _BLOCK_KEYS)
+        return BlockConfiguration(
+            type=self._choice(fields, "type", path, who, TYPES),
+            category=self._text(fields, "category", path, who),
+            name=self._name(fields, path),
+            parameters=self._parameters(fields, path, who),
+            shapes=self._shapes(fields, path, who),
+            languages=self._languages(fields, "languages", path, who),
+            tooltip=self._languages(fields, "tooltip", path, who),
+            needs=self._needs(fields, path, who),
+        )
+
+    def _parameters(
+        self, fields: Mapping[str, Any], path: Path, who: Phrase
+    ) -> tuple[Parameter, ...]:
+        items = self._list(fields, "variables", path, who, '[{"type": "float", ...}]')
+        paths: list[Path] = [(*path, "variables", i) for i in range(len(items))]
+        parameters = [self._parameter(item, at, who) for item, at in zip(items, paths, strict=True)]
+        self._refuse_repeated([one.name for one in parameters], paths, who)
+        self._refuse_late_requirements(parameters, paths, who)
+        return tuple(parameters)
+
+    def _parameter(self, value: object, path: Path, block: Phrase) -> Parameter:
+        who = _parameter_name(value, block)
+        fields = self._fields(value, path, who, _PARAMETER_KEYS)
+        kind = self._choice(fields, "type", path, who, PARAMETER_TYPES)
+        choices = self._choices(fields, kind, path, who)
+        return Parameter(
+            name=self._name(fields, path),
+            type=kind,
+            default=self._default(fields, kind, path, who),
+            required="default" not in fields,
+            translations=self._languages(fields, "translate", path, who),
+            range=self._range(fields, kind, path, who),
+            choices=choices,
+            choice_names=self._choice_names(fields, choices, path, who),
+        )
+
+    # Their parts.
+
+    def _fields(
+        self, value: object, path: Path, who: Phrase, known: Mapping[str, bool]
+    ) -> dict[str, Any]:
+        if not isinstance(value, dict):
+            message = Phrase("block-not-object", where=who, value=_shown(value))
+            self._wrong("wrong-type", path, message)
+            return {}
+        for key in value.keys() - known:
+            place = self._document.keys.get((*path, key), Place())
+            self._note("unknown-key", _unknown_key(key, who, known), place)
+        for key in (key for key, required in known.items() if required and key not in value):
+            self._wrong("missing-key", path, Phrase("block-missing-key", where=who, key=key))
+        return {key: value[key] for key in known if key in value}
+
+    def _choice(
+        self, fields: Mapping[str, Any], key: str, path: Path, who: Phrase, known: Sequence[T]
+    ) -> T:
+        if key not in fields:
+            return known[0]
+        return self._one_of(known, fields[key], (*path, key), who, key)
+
+    def _one_of(self, known: Sequence[T], value: object, path: Path, who: Phrase, key: str) -> T:
+        for choice in known:
+            if value == choice:
+                return choice
+        self._wrong("unknown-value", path, _unknown_value(value, known, who, key))
+        return known[0]
+
+    def _text(self, fields: Mapping[str, Any], key: str, path: Path, who: Phrase) -> str:
+        if key not in fields:
+            return ""
+        return self._words(fields[key], (*path, key), who, key)
+
+    def _words(self, value: object, path: Path, who: Phrase, key: str) -> str:
+        """A text in one line; line breaks become spaces."""
+        if isinstance(value, str) and value.strip():
+            return " ".join(value.split())
+        message = Phrase("block-not-text", where=who, key=key, value=_shown(value))
+        self._wrong("wrong-type", path, message)
+        return ""
+
+    def _name(self, fields: Mapping[str, Any], path: Path) -> str:
+        name = fields.get("name", "")
+        if "name" in fields and not _is_python_name(name):
+            message = Phrase("block-bad-name", value=_shown(name).strip('"'))
+            self._wrong("bad-name", (*path, "name"), message)
+        return name if isinstance(name, str) else ""
+
+    def _shapes(self, fields: Mapping[str, Any], path: Path, who: Phrase) -> tuple[str, ...]:
+        items = self._list(fields, "shape", path, who, '["blockVertical"]')
+        at: Path = (*path, "shape")
+        shapes = tuple(
+            self._one_of(SHAPES, item, (*at, i), who, "shape") for i, item in enumerate(items)
+        )
+        if fields.get("shape") == []:
+            self._wrong("bad-shape", at, Phrase("block-empty-shape", where=who))
+        elif "blockVertical" in shapes and len(set(shapes)) > 1:
+            self._wrong("bad-shape", at, Phrase("block-two-shapes", where=who))
+        return shapes
+
+    def _languages(
+        self, fields: Mapping[str, Any], key: str, path: Path, who: Phrase
+    ) -> dict[str, str]:
+        value, at = fields.get(key, {}), (*path, key)
+        if not isinstance(value, dict):
+            message = Phrase("block-not-translations", where=who, key=key, value=_shown(value))
+            self._wrong("wrong-type", at, message)
+            return {}
+        texts: dict[str, str] = {}
+        for code, text in value.items():
+            self._check_language(code, texts, (*at, code), who)
+            texts[code.upper()] = self._words(text, (*at, code), who, f"{key}.{code}")
+        return texts
+
+    def _check_language(self, code: str, known: Collection[str], path: Path, who: Phrase) -> None:
+        place, key = self._document.keys.get(path, Place()), str(path[-2])
+        if not _LANGUAGE.fullmatch(code.upper()):
+            message = Phrase("block-bad-language", where=who, key=key, value=_shown(code))
+            self._note("bad-language", message, place)
+        elif code.upper() in known:
+            message = Phrase("block-duplicate-language", where=who, key=key, language=code.upper())
+            self._note("duplicate-key", message, place)
+
+    def _needs(self, fields: Mapping[str, Any], path: Path, who: Phrase) -> tuple[str, ...]:
+        items = self._list(fields, "needs", path, who, '["Base"]')
+        for i, item in enumerate(items):
+            if not (isinstance(item, str) and _DEVICE.fullmatch(item)):
+                message = Phrase("block-bad-need", where=who, value=_shown(item))
+                self._wrong("unknown-value", (*path, "needs", i), message)
+        return tuple(item for item in items if isinstance(item, str))
+
+    def _list(
+        self, fields: Mapping[str, Any], key: str, path: Path, who: Phrase, example: str
+    ) -> list[Any]:
+        value = fields.get(key, [])
+        if isinstance(value, list):
+            return value
+        message = Phrase("block-not-list", where=who, key=key, value=_shown(value), example=example)
+        self._wrong("wrong-type", (*path, key), message)
+        return []
+
+    def _default(
+        self, fields: Mapping[str, Any], kind: ParameterType, path: Path, who: Phrase
+    ) -> object:
+        value = fields.get("default")
+        if value is None or value == "None":
+            return None
+        try:
+            return DEFAULTS[kind](value)
+        except (ValueError, TypeError, LookupError, OverflowError, RecursionError):
+            message = Phrase("block-bad-default", where=who, value=_shown(value), type=kind)
+            self._wrong("bad-default", (*path, "default"), message)
+            return None
+
+    def _range(
+        self, fields: Mapping[str, Any], kind: ParameterType, path: Path, who: Phrase
+    ) -> Range | None:
+        value = fields.get("range")
+        if value is None:
+            return None
+        found = _to_range(value)
+        wrong = Phrase("block-range-form") if found is None else range_problem(found)
+        if kind not in NUMBERS:
+            wrong = Phrase("block-range-not-number")
+        if wrong is not None:
+            message = Phrase("block-bad-range", where=who, value=_shown(value), problem=wrong)
+            self._wrong("bad-range", (*path, "range"), message)
+            return None
+        return found
+
+    def _choices(
+        self, fields: Mapping[str, Any], kind: ParameterType, path: Path, who: Phrase
+    ) -> tuple[str, ...]:
+        items = self._list(fields, "choices", path, who, '["slow", "fast"]')
+        found = tuple(dict.fromkeys(item for item in items if is_choice(item)))
+        if kind != "choice" and not items:
+            return ()
+        if kind != "choice":
+            message = Phrase("block-choices-type", where=who)
+        elif len(found) == len(items) and 0 < len(found) <= MOST_CHOICES:
+            return found
+        else:
+            shown = _shown(items)
+            message = Phrase("block-bad-choices", where=who, value=shown, most=MOST_CHOICES)
+        at: Path = (*path, "choices") if "choices" in fields else path
+        self._wrong("bad-choices", at, message)
+        return ()
+
+    def _choice_names(
+        self, fields: Mapping[str, Any], choices: tuple[str, ...], path: Path, who: Phrase
+    ) -> dict[str, dict[str, str]]:
+        value, at = fields.get("choiceNames", {}), (*path, "choiceNames")
+        if not isinstance(value, dict):
+            message = Phrase("block-not-choice-names", where=who, value=_shown(value))
+            self._wrong("wrong-type", at, message)
+            return {}
+        for name in value.keys() - set(choices):
+            place = self._document.keys.get((*at, name), Place())
+            self._note("unknown-key", _unknown_choice(name, choices, who), place)
+        return {name: self._languages(value, name, at, who) for name in choices if name in value}
+
+    # Names that must differ, and parameters without a default after those with one.
+
+    def _refuse_repeated(
+        self, names: Sequence[str], paths: Sequence[Path], who: Phrase | None
+    ) -> None:
+        """Refuse names that are there twice: of blocks, or of the parameters of one block."""
+        seen: set[str] = set()
+        for name, path in zip(names, paths, strict=True):
+            if name and name in seen:
+                message = (
+                    Phrase("block-duplicate-block", name=name)
+                    if who is None
+                    else Phrase("block-duplicate-parameter", name=name, where=who)
+                )
+                self._wrong("duplicate-name", (*path, "name"), message)
+            seen.add(name)
+
+    def _refuse_late_requirements(
+        self, parameters: Sequence[Parameter], paths: Sequence[Path], who: Phrase
+    ) -> None:
+        optional = ""
+        for parameter, path in zip(parameters, paths, strict=True):
+            if not parameter.required:
+                optional = optional or parameter.name
+            elif optional:
+                message = Phrase(
+                    "block-missing-default", where=who, name=parameter.name, optional=optional
+                )
+                self._wrong("missing-default", path, message)
+
+    def _wrong(self, code: str, path: Path, message: Phrase) -> None:
+        self._note(code, message, self._document.values.get(path, Place()))
+
+    def _note(self, code: str, message: Phrase, place: Place) -> None:
+        if len(self.problems) == _MOST_PROBLEMS:
+            return
+        self.problems.append(Diagnostic(code, message, place.line, place.column, place.end_column))
+
+
+def _block_name(value: object) -> Phrase:
+    name = _name_of(value)
+    if name:
+        return Phrase("block-where-block", name=name)
+    return Phrase("block-where-nameless-block")
+
+
+def _parameter_name(value: object, block: Phrase) -> Phrase:
+    name = _name_of(value)
+    if name:
+        return Phrase("block-where-parameter", name=name, block=block)
+    return Phrase("block-where-nameless-parameter", block=block)
+
+
+def _name_of(value: object) -> str:
+    """The name of a block or parameter; empty if it has none."""
+    name = value.get("name") if isinstance(value, dict) else None
+    return name if isinstance(name, str) else ""
+
+
+def _unknown_key(key: str, who: Phrase, known: Mapping[str, bool]) -> Phrase:
+    near = nearest(key, known)
+    if near is None:
+        return Phrase("block-unknown-key", where=who, key=key, known=tuple(known))
+    return Phrase("block-unknown-key-like", where=who, key=key, suggestion=near)
+
+
+def _unknown_value(value: object, known: Sequence[str], who: Phrase, key: str) -> Phrase:
+    shown, near = _shown(value), nearest(str(value), known)
+    if near is None:
+        return Phrase("block-unknown-value", where=who, key=key, value=shown, known=tuple(known))
+    return Phrase("block-unknown-value-like", where=who, key=key, value=shown, suggestion=near)
+
+
+def _unknown_choice(name: str, choices: Sequence[str], who: Phrase) -> Phrase:
+    near = nearest(name, choices)
+    if near is None:
+        return Phrase("block-unknown-choice", where=who, value=_shown(name))
+    return Phrase("block-unknown-choice-like", where=who, value=_shown(name), suggestion=near)
+
+
+def _shown(value: object) -> str:
+    """A value as JSON, cut if it is long."""
+    return _shorten(json.dumps(value, ensure_ascii=False))
+
+
+def _shorten(text: str) -> str:
+    return text if len(text) <= 40 else f"{text[:37]}..."
+
+
+def _is_python_name(name: object) -> bool:
+    return isinstance(name, str) and name.isidentifier() and not keyword.iskeyword(name)
+
+
+def _to_range(value: object) -> Range | None:
+    """A range written as a list of two or three numbers."""
+    if not isinstance(value, list) or not 2 <= len(value) <= 3:
+        return None
+    if any(isinstance(one, bool) or not isinstance(one, int | float) for one in value):
+        return None
+    return Range(*value)

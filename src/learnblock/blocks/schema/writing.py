@@ -1,0 +1,48 @@
+"""Block configurations as the JSON that `load_configurations` reads."""
+
+import json
+from collections.abc import Iterable
+from typing import Any
+
+from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
+from learnblock.fields import Range
+
+
+def written(configurations: Iterable[BlockConfiguration]) -> str:
+    """The text of a file of configurations."""
+    return json.dumps(list(map(_block, configurations)), indent=2, ensure_ascii=False) + "\n"
+
+
+def _block(block: BlockConfiguration) -> dict[str, Any]:
+    return {
+        "type": block.type,
+        "category": block.category,
+        "name": block.name,
+        "variables": list(map(_parameter, block.parameters)),
+        "shape": list(block.shapes),
+        "languages": dict(block.languages),
+        "tooltip": dict(block.tooltip),
+        **({"needs": list(block.needs)} if block.needs else {}),
+    }
+
+
+def _parameter(parameter: Parameter) -> dict[str, Any]:
+    return {
+        "type": parameter.type,
+        "name": parameter.name,
+        **({} if parameter.required else {"default": parameter.default}),
+        **({"range": _range(parameter.range)} if parameter.range else {}),
+        **({"choices": list(parameter.choices)} if parameter.choices else {}),
+        **_choice_names(parameter),
+        "translate": dict(parameter.translations),
+    }
+
+
+def _choice_names(parameter: Parameter) -> dict[str, Any]:
+    names = {choice: dict(names) for choice, names in parameter.choice_names.items()}
+    return {"choiceNames": names} if names else {}
+
+
+def _range(found: Range) -> list[float]:
+    step = () if found.step is None else (found.step,)
+    return [found.least, found.most, *step]

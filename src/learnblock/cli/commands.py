@@ -1,0 +1,110 @@
+"""The group of all commands: each is imported when it is called, and its errors are reported."""
+
+import importlib
+from typing import Any, NamedTuple
+
+import click
+
+from learnblock.cli.console import ExitCode, print_diagnostics, say, text
+from learnblock.cli.help_texts import Context, translated
+from learnblock.cli.language import LANGUAGES, language
+
+
+class Place(NamedTuple):
+    """The location of a command.
+
+    Args:
+        module: in this package.
+        name: of the command in its module.
+        summary: the first sentence of its help, so that the list of all commands imports none.
+    """
+
+    module: str
+    name: str
+    summary: str
+
+
+COMMANDS = {
+    "blocks": Place("blocks", "blocks_group", "List, check, export or import custom blocks"),
+    "check": Place("programs", "check", "Check programs for mistakes without running them"),
+    "component": Place("perception", "component_command", "Serve our detector to RoboComp"),
+    "convert": Place("programs", "convert", "Convert a program between Block-Text and Python"),
+    "demo": Place("programs", "demo", "Run a demonstration in the simulator, and draw it"),
+    "dev": Place("page", "dev", "Serve the page with hot reload, for its developers"),
+    "emulate": Place("robots", "emulate_command", "Emulate a robot to try its driver"),
+    "format": Place("programs", "format_command", "Format Block-Text programs"),
+    "library": Place("libraries", "library_group", "Make, install or remove libraries of skills"),
+    "new": Place("new", "new_group", "Create the files of a new robot, skill or world"),
+    "open": Place("page", "open_command", "Open a program (.learnblock, .bt or .py) in the page"),
+    "perception": Place("perception", "perception_group", "Show or change camera recognition"),
+    "robots": Place("robots", "robots_group", "List robots; configure, find or test real ones"),
+    "run": Place("programs", "run", "Run a program (.bt or .py) on a robot"),
+    "sets": Place("sets", "sets_command", "List the block sets"),
+    "skills": Place("listing", "skills", "List the skills, or describe one"),
+    "tags": Place("tags", "tags_group", "List, change, import, export or print tag names"),
+    "worlds": Place("listing", "worlds", "List the worlds of the simulator"),
+}
+
+
+class Commands(click.Group):
+    """All commands; an error of ours becomes a message and an exit code, never a traceback."""
+
+    context_class = Context
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - as click calls it
+        return sorted(COMMANDS)
+
+    def get_command(self, ctx: click.Context, name: str) -> click.Command | None:  # noqa: ARG002
+        command = load(name)
+        if command is None or language() == LANGUAGES[0]:
+            return command
+        return translated(command, (name,))
+
+    def format_help(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        shown = self if language() == LANGUAGES[0] else translated(self, ())
+        click.Group.format_help(shown, ctx, formatter)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        if language() != LANGUAGES[0]:
+            super().format_commands(ctx, formatter)
+            return
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, COMMANDS[name].summary) for name in sorted(COMMANDS)])
+
+    def invoke(self, ctx: click.Context) -> Any:
+        from learnblock.errors import FileError, LearnBlockError  # noqa: PLC0415 - `--help`
+
+        try:
+            return super().invoke(ctx)
+        except FileError as error:
+            print_diagnostics(error.filename, error.diagnostics, error.source, err=True)
+            ctx.exit(ExitCode.MISTAKES)
+        except BrokenPipeError:
+            # `learnblock skills | head`: click knows how to end quietly.
+            raise
+        except LearnBlockError as error:
+            click.echo(f"learnblock: {text(error.phrase)}", err=True)
+            ctx.exit(ExitCode.USAGE)
+        except OSError as error:
+            _report_system_error(error)
+            ctx.exit(ExitCode.USAGE)
+        except KeyboardInterrupt:
+            ctx.exit(ExitCode.INTERRUPTED)
+
+
+def load(name: str) -> click.Command | None:
+    """A command by its name, or None if there is no such command."""
+    if name not in COMMANDS:
+        return None
+    place = COMMANDS[name]
+    module = importlib.import_module(f"learnblock.cli.{place.module}")
+    command: click.Command = getattr(module, place.name)
+    return command
+
+
+def _report_system_error(error: OSError) -> None:
+    reason = error.strerror or str(error)
+    if error.filename is None:
+        say("cli-system-error", reason=reason, err=True)
+    else:
+        say("cli-file-error", file=str(error.filename), reason=reason, err=True)

@@ -1,0 +1,117 @@
+"""Helpers of all commands: exit codes, words in the reader's language, and JSON for tools."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import fields, is_dataclass
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from learnblock.cli.language import language
+
+if TYPE_CHECKING:
+    from learnblock.errors import Diagnostic
+    from learnblock.i18n import Phrase
+    from learnblock.storage.settings import Described
+
+json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON, for tools.")
+
+
+class ExitCode(IntEnum):
+    """The exit code of a command, for scripts."""
+
+    WELL = 0
+    #: A file has mistakes, or a check failed.
+    MISTAKES = 1
+    #: The command was wrong: an option, or a file, robot or world that is not there.
+    USAGE = 2
+    #: The program ended with an error.
+    PROGRAM_FAILED = 3
+    #: The program had to be stopped, or was killed.
+    PROGRAM_STOPPED = 4
+    #: Ctrl-C.
+    INTERRUPTED = 130
+
+
+def text(phrase: "Phrase | str") -> str:
+    """A phrase in the reader's language; other text as it is."""
+    from learnblock.i18n import Phrase, translate  # noqa: PLC0415 - `--help` needs none of it
+
+    return translate(phrase, language()) if isinstance(phrase, Phrase) else phrase
+
+
+def say(code: str, /, *, err: bool = False, **values: Any) -> None:
+    """Print a phrase in the reader's language.
+
+    Args:
+        code: of the phrase.
+        err: print it to standard error.
+        values: of the phrase, by name.
+    """
+    from learnblock.i18n import Phrase  # noqa: PLC0415 - `--help` needs none of it
+
+    click.echo(text(Phrase(code, **values)), err=err)
+
+
+def usage_error(code: str, /, **values: Any) -> click.UsageError:
+    """An error of how a command was called, to be raised."""
+    from learnblock.i18n import Phrase  # noqa: PLC0415 - `--help` needs none of it
+
+    return click.UsageError(text(Phrase(code, **values)))
+
+
+def print_json(value: object) -> None:
+    """Print a value as indented JSON; phrases in it are English."""
+    import msgspec  # noqa: PLC0415 - `--help` needs none of it
+
+    click.echo(msgspec.json.format(msgspec.json.encode(_with_texts(value)), indent=2))
+
+
+def _with_texts(value: object) -> object:
+    """A value in which each phrase is its English text."""
+    from learnblock.i18n import Phrase  # noqa: PLC0415 - as above
+
+    match value:
+        case Phrase():
+            return str(value)
+        case dict():
+            return {name: _with_texts(one) for name, one in value.items()}
+        case list() | tuple():
+            return [_with_texts(one) for one in value]
+        case _ if is_dataclass(value):
+            return {one.name: _with_texts(getattr(value, one.name)) for one in fields(value)}
+    return value
+
+
+def print_settings(settings: "Sequence[Described]", *, as_json: bool) -> None:
+    """Print settings, one a line, with the values that each accepts."""
+    from learnblock.i18n import Phrase  # noqa: PLC0415 - `--help` needs none of it
+
+    if as_json:
+        print_json(settings)
+        return
+    width = max(len(one.name) for one in settings) + 1
+    for one in settings:
+        default = text(Phrase("cli-default", value=typed(one.default)))
+        mark = "" if one.value == one.default else f"  [{default}]"
+        click.echo(f"{one.name:<{width}} {typed(one.value):<22} {text(one.allowed)}{mark}")
+
+
+def print_diagnostics(
+    filename: str, diagnostics: "Iterable[Diagnostic]", source: str, *, err: bool = False
+) -> None:
+    """Print diagnostics, each with the line that it is about and a caret."""
+    for diagnostic in diagnostics:
+        click.echo(located(filename, diagnostic), err=err)
+        if pointed := diagnostic.pointed(source):
+            click.echo("    " + pointed.replace("\n", "\n    "), err=err)
+
+
+def located(filename: str, one: "Diagnostic") -> str:
+    """``FILE:LINE:COLUMN: code message``, the message in the reader's language."""
+    return f"{filename}:{one.line}:{one.column}: {one.code} {text(one.message)}"
+
+
+def typed(value: Any) -> str:
+    """A setting's value as it is typed."""
+    return value if isinstance(value, str) and value else repr(value)

@@ -1,0 +1,129 @@
+"""The commands that create files: `learnblock new robot`, `skill` and `world`."""
+
+import shlex
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from learnblock.cli.console import say
+
+if TYPE_CHECKING:
+    from learnblock.new.robot_plan import RobotPlan
+
+_FORCE = click.option("--force", is_flag=True, help="Replace existing files.")
+_FOLDER = click.option(
+    "--folder",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Write to this folder instead of your LearnBlock folder.",
+)
+
+
+@click.group("new")
+def new_group() -> None:
+    """Create the files of a new robot, skill or world.
+
+    \b
+    learnblock new robot
+    learnblock new robot pathfinder --from pathfinder.toml
+    learnblock new skill waltz
+    learnblock new world garden
+    """  # noqa: D301 - click wants the character itself
+
+
+@new_group.command()
+@click.argument("name", required=False)
+@click.option(
+    "--from",
+    "description",
+    type=click.Path(path_type=Path, exists=True, dir_okay=False),
+    help="Read the robot's description from this TOML file (docs/new.md) instead of asking.",
+)
+@click.option(
+    "--folder",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Write a separate package there, to be installed with pip.",
+)
+@_FORCE
+def robot(
+    name: str | None,
+    description: Path | None,
+    folder: Path | None,
+    force: bool,  # noqa: FBT001 - a flag of click
+) -> None:
+    """Create a robot's client, its twin for the simulator, and a test of both.
+
+    The twin works at once. In the client, you fill in the functions that talk to the hardware;
+    each one describes what it must do.
+    """
+    from learnblock.new.robot import files_at_home, files_of_package  # noqa: PLC0415
+    from learnblock.storage.home import home  # noqa: PLC0415 - `--help` needs none of it
+
+    plan = _plan(name, description)
+    files = files_of_package(plan, folder) if folder else files_at_home(plan, home())
+    _write(files, force=force)
+    test = next(path for path in files if path.name.startswith("test_"))
+    say("cli-new-next")
+    if folder:
+        click.echo(f"    pip install -e {shlex.quote(f'{folder}[test]')}")
+    click.echo(f"    learnblock run PROGRAM --robot sim-{plan.name}")
+    click.echo(f"    pytest -rs {shlex.quote(str(test))}")
+    say("cli-new-robot-test")
+
+
+@new_group.command()
+@click.argument("name")
+@_FOLDER
+@_FORCE
+def skill(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 - a flag of click
+    """Create a skill with a test.
+
+    The skill is a block at once.
+    """
+    from learnblock.new.skill import skill_files  # noqa: PLC0415
+    from learnblock.storage.home import home  # noqa: PLC0415
+
+    files = skill_files(name, folder or home())
+    _write(files, force=force)
+    say("cli-new-skill", call=f"function.{name}()")
+
+
+@new_group.command()
+@click.argument("name")
+@_FOLDER
+@_FORCE
+def world(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 - a flag of click
+    """Create a world for the simulator, with one object of each kind."""
+    from learnblock.new.world import world_files  # noqa: PLC0415
+    from learnblock.storage.home import home  # noqa: PLC0415
+
+    files = world_files(name, folder or home())
+    _write(files, force=force)
+    given = name if folder is None else str(next(iter(files)))
+    say("cli-new-next")
+    click.echo(f"    learnblock run PROGRAM --world {shlex.quote(given)}")
+
+
+def _plan(name: str | None, description: Path | None) -> "RobotPlan":
+    """The plan of the robot, from a file or from the user's answers."""
+    from learnblock.cli.robot_questions import ask_plan  # noqa: PLC0415
+    from learnblock.new.names import check_robot_name  # noqa: PLC0415
+    from learnblock.new.robot_plan import named, read_plan  # noqa: PLC0415
+
+    if name is not None:
+        check_robot_name(name)
+    if description is None:
+        return ask_plan(name)
+    plan = read_plan(description)
+    plan = named(plan, name or plan.name or description.stem)
+    check_robot_name(plan.name)
+    return plan
+
+
+def _write(files: Mapping[Path, str], *, force: bool) -> None:
+    from learnblock.new.files import write_new  # noqa: PLC0415 - `--help` needs none of it
+
+    write_new(files, force=force)
+    for path in files:
+        say("cli-wrote", file=str(path))

@@ -1,0 +1,184 @@
+"""The commands for programs: run, demo, check, format and convert."""
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import click
+
+from learnblock.cli.console import (
+    ExitCode,
+    json_option,
+    print_diagnostics,
+    print_json,
+    say,
+)
+from learnblock.errors import Diagnostic, FileError, LearnBlockError
+
+_FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
+_NEW_FILE = click.Path(path_type=Path, dir_okay=False)
+_PROGRAM = click.argument("file", type=_FILE)
+_ROBOT = click.option("--robot", metavar="NAME", help="The robot: see learnblock robots.")
+
+
+@click.command()
+@_PROGRAM
+@_ROBOT
+@click.option("--world", metavar="NAME", help="The world's name or file.")
+@click.option("--seed", type=int, help="Seed of all noise; the same seed gives the same run.")
+@click.option(
+    "--pace",
+    metavar="free|real|FACTOR",
+    help="Speed: as fast as possible (default), real time, or this many times faster.",
+)
+@click.option(
+    "--for",
+    "seconds",
+    type=click.FloatRange(min=0, min_open=True),
+    help="Stop after this many seconds of the robot's time  [default: 300 at pace free]",
+)
+@click.option("--trace", type=_NEW_FILE, help="Write the trace as JSON Lines.")
+@click.option("--picture", type=_NEW_FILE, help="Draw the world and the path as .png or .svg.")
+@click.option("--anyway", is_flag=True, help="Run even if the robot lacks a device it needs.")
+@json_option
+def run(file: Path, as_json: bool, **choices: Any) -> None:  # noqa: FBT001 - a flag of click
+    """Run a program (.bt or .py) on a robot.
+
+    \b
+    learnblock run examples/square.bt --robot sim-ev3 --picture square.png
+    learnblock run examples/line-states.bt --world line --for 60 --pace 5
+    """  # noqa: D301 - click wants the character itself
+    from learnblock.cli.reporting import run_and_report  # noqa: PLC0415 - `--help` needs none of it
+
+    sys.exit(run_and_report(file, as_json=as_json, **choices))
+
+
+@click.command()
+@click.option("--picture", type=_NEW_FILE, help="The file of the drawing.")
+def demo(picture: Path | None) -> None:
+    """Run a demonstration in the simulator, and draw it.
+
+    A simulated EBO looks for tags, drives up to each one and shows a feeling.
+    """
+    from learnblock.cli.reporting import demonstrate  # noqa: PLC0415
+
+    sys.exit(demonstrate(picture or Path("learnblock-demo.png")))
+
+
+@click.command()
+@click.argument("files", nargs=-1, required=True, type=_FILE, metavar="FILE...")
+@_ROBOT
+@json_option
+def check(files: tuple[Path, ...], robot: str | None, as_json: bool) -> None:  # noqa: FBT001
+    """Check programs for mistakes without running them.
+
+    With --robot, also lists the devices that this robot lacks. The exit code is 1 if there are
+    errors; warnings do not change it.
+    """
+    found = {file: _diagnose(file, robot) for file in files}
+    if as_json:
+        print_json([_as_object(file, one) for file, (all_, _) in found.items() for one in all_])
+    else:
+        for file, (diagnostics, text) in found.items():
+            print_diagnostics(str(file), diagnostics, text)
+    errors = [one for all_, _ in found.values() for one in all_ if one.severity == "error"]
+    sys.exit(ExitCode.MISTAKES if errors else ExitCode.WELL)
+
+
+@click.command("format")
+@click.argument("files", nargs=-1, required=True, type=_FILE, metavar="FILE.bt...")
+@click.option("--check", "only_check", is_flag=True, help="Change nothing; exit 1 if it would.")
+@click.option("--stdout", "to_stdout", is_flag=True, help="Print the result; change nothing.")
+@json_option
+def format_command(
+    files: tuple[Path, ...],
+    only_check: bool,  # noqa: FBT001 - a flag of click
+    to_stdout: bool,  # noqa: FBT001
+    as_json: bool,  # noqa: FBT001
+) -> None:
+    """Format Block-Text programs.
+
+    The form is fixed: four spaces for each level, and one space where spaces belong.
+    """
+    changed = [file for file in files if _format(file, only_check=only_check, to_stdout=to_stdout)]
+    if as_json:
+        print_json({"changed": [str(file) for file in changed]})
+    elif not to_stdout:
+        for file in changed:
+            say("cli-would-change" if only_check else "cli-formatted", file=str(file))
+    sys.exit(ExitCode.MISTAKES if only_check and changed else ExitCode.WELL)
+
+
+@click.command()
+@_PROGRAM
+@click.option(
+    "--to",
+    "notation",
+    required=True,
+    type=click.Choice(["python", "block-text"]),
+    help="The notation to convert to.",
+)
+@_ROBOT
+@json_option
+def convert(file: Path, notation: str, robot: str | None, as_json: bool) -> None:  # noqa: FBT001
+    """Convert a program between Block-Text and Python.
+
+    The result goes to standard output.
+
+    \b
+    learnblock convert square.bt --to python --robot ev3 > square.py
+    """  # noqa: D301 - click wants the character itself
+    from learnblock import language, robots, running  # noqa: PLC0415
+
+    source = running.read(file)
+    if notation == "block-text":
+        text = language.format(source.tree)
+    else:
+        chosen = robots.module_of(robot or running.DEFAULT_ROBOT)
+        module = None if source.is_python and not robot else chosen
+        text = language.to_python(source.tree, module).text
+    if as_json:
+        print_json({"file": str(file), "to": notation, "text": text})
+    else:
+        click.echo(text, nl=False)
+
+
+def _diagnose(file: Path, robot: str | None) -> tuple[list[Diagnostic], str]:
+    """A program's diagnostics, and its text for the caret."""
+    from learnblock import robots, running  # noqa: PLC0415
+
+    entry = robots.find(robot) if robot else None
+    try:
+        source = running.read(file)
+    except FileError as error:
+        return list(error.diagnostics), error.source
+    return running.check(source, entry), source.text
+
+
+def _format(file: Path, *, only_check: bool, to_stdout: bool) -> bool:
+    """Format one file; return whether that changes it."""
+    from learnblock import language, running  # noqa: PLC0415
+    from learnblock.storage.files import save  # noqa: PLC0415
+
+    if file.suffix != ".bt":
+        raise LearnBlockError("cli-format-only-block-text", file=str(file))
+    source = running.read(file)
+    text = language.format(source.tree)
+    changed = text != source.text
+    if to_stdout:
+        click.echo(text, nl=False)
+    elif changed and not only_check:
+        save(file, text.encode())
+    return changed
+
+
+def _as_object(file: Path, diagnostic: Diagnostic) -> dict[str, object]:
+    return {
+        "file": str(file),
+        "line": diagnostic.line,
+        "column": diagnostic.column,
+        "end_column": diagnostic.end_column,
+        "severity": diagnostic.severity,
+        "code": diagnostic.code,
+        "message": str(diagnostic.message),
+    }

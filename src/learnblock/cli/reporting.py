@@ -1,0 +1,278 @@
+"""A run on the command line: a live status line, and a report at the end."""
+
+import signal
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, nullcontext
+from pathlib import Path
+from time import monotonic
+from types import FrameType
+from typing import BinaryIO
+
+import click
+
+from learnblock import running
+from learnblock.cli.console import ExitCode, located, print_json, say, text
+from learnblock.client import Goal
+from learnblock.devices import DEFAULT_KEY
+from learnblock.errors import Diagnostic, LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.robots import RobotEntry
+from learnblock.running import Options, ProgramRun, Report, Source
+from learnblock.runtime.ending import How
+from learnblock.runtime.watcher import Watcher
+
+#: A program that never ends, at full speed, needs an end: seconds of the robot's time.
+DEFAULT_SECONDS = 300.0
+#: Seconds of the wall clock between two states of the status line.
+STATUS_PERIOD = 0.1
+
+#: Characters of the longest label of the report, and what begins a further line of a value.
+_LABEL = 10
+_NEW_LINE = "\n" + " " * (_LABEL + 1)
+#: How a run ended, by the names in the words of the report.
+_HOW = {How.FINISHED: "finished", How.STOPPED: "stopped"}
+
+_EXIT_CODES = {
+    How.ERROR: ExitCode.PROGRAM_FAILED,
+    How.NO_CALL: ExitCode.PROGRAM_STOPPED,
+    How.OUTPUT_LIMIT: ExitCode.PROGRAM_STOPPED,
+    How.KILLED: ExitCode.PROGRAM_STOPPED,
+    # Only a signal, such as that of Ctrl-C, stops a run from here.
+    How.STOPPED: ExitCode.INTERRUPTED,
+}
+
+
+def run_and_report(
+    file: Path,
+    *,
+    robot: str | None,
+    world: str | None,
+    seed: int | None,
+    pace: str | None,
+    seconds: float | None,
+    trace: Path | None,
+    picture: Path | None,
+    anyway: bool,
+    as_json: bool,
+) -> int:
+    """Run a program, print the report, and return the exit code."""
+    source = running.read(file)
+    entry = running.choose_robot(source, robot)
+    if _refused(source, entry, anyway=anyway, as_json=as_json):
+        return ExitCode.MISTAKES
+    if picture and picture.suffix not in {".png", ".svg"}:
+        raise LearnBlockError("report-picture-format", file=str(picture))
+    options = Options(world, seed, pace, _time_limit(pace, seconds))
+    entry.load().check_wishes(options.wishes)
+    with _opened(trace) as trace_file:
+        terminal = None if as_json else _Terminal()
+        session = ProgramRun(
+            running.program(source, entry), entry, options, trace=trace_file, watcher=terminal
+        )
+        if terminal:
+            terminal.session = session
+        report = _run(session)
+        if terminal:
+            terminal.clear()
+    _print(report, session, as_json=as_json)
+    if picture:
+        _draw(session, picture)
+        _print_row("report-label-picture", str(picture))
+    return _EXIT_CODES.get(How(report.ended), ExitCode.WELL)
+
+
+def demonstrate(picture: Path) -> int:
+    """Run the demonstration, and return the exit code."""
+    say("report-demo")
+    click.echo()
+    return run_and_report(
+        running.example("tags.bt"),
+        robot="sim-ebo",
+        world="tags",
+        seed=0,
+        pace="free",
+        seconds=62,
+        trace=None,
+        picture=picture,
+        anyway=False,
+        as_json=False,
+    )
+
+
+class _Terminal(Watcher):
+    """A listener that shows prints at once, and on a terminal a line with the state of the run."""
+
+    #: The run whose state is shown.
+    session: ProgramRun | None = None
+
+    def __init__(self) -> None:
+        self._drawn = monotonic()
+        self._started = self._drawn
+        self._live = sys.stderr.isatty()
+
+    def printed(self, text: str) -> None:
+        self.clear()
+        click.echo(text, nl=False)
+
+    def input(self, prompt: str) -> str | None:
+        self.clear()
+        click.echo(prompt, nl=False)
+        line = sys.stdin.readline()
+        return line.removesuffix("\n") if line else None
+
+    def tick(self) -> None:
+        now = monotonic()
+        if self._live and self.session and now - self._drawn > STATUS_PERIOD:
+            self._drawn = now
+            click.echo(f"\r\x1b[K{self._status(self.session, now)}", nl=False, err=True)
+
+    def clear(self) -> None:
+        if self._live:
+            click.echo("\r\x1b[K", nl=False, err=True)
+
+    def _status(self, session: ProgramRun, now: float) -> str:
+        recorder, client = session.recorder, session.client
+        if recorder is None or client is None:
+            return text(Phrase("report-connecting"))
+        parts = [f"{recorder.time():7.1f} s"]
+        if pose := client.where():
+            parts.append("({:.0f}, {:.0f}) mm  {:.0f}°".format(*pose))
+        if recorder.emotions:
+            parts.append(recorder.emotions[-1])
+        speed = recorder.time() / max(now - self._started, 0.001)
+        parts.append(text(Phrase("report-speed", factor=round(speed, 1))))
+        return "  ".join(parts)
+
+
+def _refused(source: Source, entry: RobotEntry, *, anyway: bool, as_json: bool) -> bool:
+    """Print the diagnostics of the check; return whether the program cannot be run."""
+    diagnostics = running.check(source, entry)
+    errors = [
+        one
+        for one in diagnostics
+        if one.severity == "error" and not (anyway and one.code == "missing-device")
+    ]
+    if as_json and errors:
+        refused = Report(ended="refused", error=_refusal(str(source.path), errors))
+        print_json(refused)
+    elif not as_json:
+        for one in diagnostics:
+            click.echo(located(str(source.path), one), err=True)
+    return bool(errors)
+
+
+def _refusal(filename: str, errors: list[Diagnostic]) -> dict[str, object]:
+    first = errors[0]
+    return {
+        "message": str(first.message),
+        "code": first.code,
+        "file": filename,
+        "line": first.line,
+        "all": [one.located(filename) for one in errors],
+    }
+
+
+def _time_limit(pace: str | None, seconds: float | None) -> float | None:
+    if seconds is not None:
+        return seconds
+    return DEFAULT_SECONDS if pace in (None, "free") else None
+
+
+@contextmanager
+def _opened(path: Path | None) -> Iterator[BinaryIO | None]:
+    with path.open("wb") if path else nullcontext() as file:
+        yield file
+
+
+def _run(session: ProgramRun) -> Report:
+    """Run, and write a report even after Ctrl-C or SIGTERM."""
+
+    def stop(number: int, frame: FrameType | None) -> None:  # noqa: ARG001
+        session.stop()
+
+    before = {number: signal.signal(number, stop) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        return session.run()
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _draw(session: ProgramRun, path: Path) -> None:
+    if session.client is None or session.recorder is None:
+        raise LearnBlockError("report-no-picture")
+    from learnblock.robots.simulated import draw  # noqa: PLC0415 - only a simulated world is drawn
+
+    conditions = session.client.conditions()
+    title = (
+        f"{session.program.name} on {session.robot.name},"
+        f" world {conditions['world']}, seed {conditions['seed']}"
+    )
+    draw(session.client, session.recorder, path, title)
+
+
+def _print(report: Report, session: ProgramRun, *, as_json: bool) -> None:
+    if as_json:
+        print_json(report)
+        return
+    for label, value in _rows(report, session):
+        _print_row(label, value)
+
+
+def _print_row(label: str, value: str) -> None:
+    click.echo(f"{text(Phrase(label)):<{_LABEL}} {value}", err=True)
+
+
+def _rows(report: Report, session: ProgramRun) -> Iterator[tuple[str, str]]:
+    """The rows of the report: the code of the label, and the value."""
+    yield "report-label-ended", _ending(report, session)
+    yield "report-label-time", f"{report.time:.2f} s"
+    if report.distance is not None:
+        yield "report-label-driven", f"{report.distance:.0f} mm"
+    for goal in report.goals:
+        yield "report-label-goal", _goal(goal)
+    if report.emotions:
+        yield "report-label-shown", ", ".join(report.emotions)
+    for missed in report.no_effect:
+        reason = _reason(session.robot.name, str(missed["device"]))
+        yield "report-label-no-effect", f"{missed['skill']}: {text(reason)}"
+    yield "report-label-trace", report.trace_sha256
+
+
+def _goal(goal: Goal) -> str:
+    if goal.time is None:
+        return text(Phrase("report-goal", name=goal.name, state=goal.state))
+    time = round(goal.time, 1)
+    return text(Phrase("report-goal-at", name=goal.name, state=goal.state, time=time))
+
+
+def _reason(robot: str, device: str) -> Phrase:
+    """The reason why a skill that needs the device had no effect."""
+    if device == "Detector:emotions":
+        return Phrase("report-emotions-off", robot=robot)
+    return Phrase("report-no-device", robot=robot, device=device.removesuffix(f":{DEFAULT_KEY}"))
+
+
+def _ending(report: Report, session: ProgramRun) -> str:
+    error = report.error
+    if error is None:
+        limit = session.options.seconds
+        if report.ended == How.TIME_LIMIT and limit is not None:
+            return text(Phrase("report-ended-time-limit", seconds=limit))
+        return text(Phrase("report-ended", how=_HOW.get(How(report.ended), "other")))
+    place = f"{error['file']}:{error['line']}: " if error["line"] else ""
+    message = error["message"]
+    shown = text(message) if isinstance(message, Phrase) else str(message)
+    return f"{place}{shown}{_quoted(error)}{_within(error.get('within'))}"
+
+
+def _within(place: object) -> str:
+    """The position in a file of the user's folder, below the line of the program."""
+    if not isinstance(place, Mapping):
+        return ""
+    return f"{_NEW_LINE}{place['file']}:{place['line']}{_quoted(place)}"
+
+
+def _quoted(place: Mapping[str, object]) -> str:
+    return f"{_NEW_LINE}{place['text']}" if place["text"] else ""

@@ -1,0 +1,194 @@
+"""The commands for robots: list, settings, search, test, setup and emulators."""
+
+import sys
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import click
+
+from learnblock.cli.console import (
+    ExitCode,
+    json_option,
+    print_json,
+    print_settings,
+    say,
+    text,
+    typed,
+    usage_error,
+)
+from learnblock.errors import LearnBlockError, UnknownNameError
+from learnblock.i18n import Phrase
+
+_NAME = click.argument("name", metavar="ROBOT")
+_VERDICTS = {
+    True: Phrase("cli-device-works"),
+    False: Phrase("cli-device-fails"),
+    None: Phrase("cli-device-skipped"),
+}
+
+
+@click.group("robots", invoke_without_command=True)
+@json_option
+@click.pass_context
+def robots_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+    """List robots; configure, find or test real ones.
+
+    \b
+    learnblock robots scan
+    learnblock robots set cozmo address 192.168.1.20
+    learnblock robots test cozmo
+    """  # noqa: D301 - click wants the character itself
+    if ctx.invoked_subcommand is None:
+        from learnblock.cli.listing import robot_list  # noqa: PLC0415 - `--help` needs none of it
+
+        robot_list(as_json=as_json)
+
+
+@robots_group.command("set")
+@_NAME
+@click.argument("setting", required=False)
+@click.argument("value", required=False)
+@click.option("--default", is_flag=True, help="Restore the default.")
+@json_option
+def set_command(
+    name: str,
+    setting: str | None,
+    value: str | None,
+    default: bool,  # noqa: FBT001 - a flag of click
+    as_json: bool,  # noqa: FBT001
+) -> None:
+    """Show or change the settings of a real robot.
+
+    \b
+    learnblock robots set ev3
+    learnblock robots set ev3 wheel_radius 28
+    learnblock robots set ev3 wheel_radius --default
+    """  # noqa: D301 - click wants the character itself
+    from learnblock.robots import settings  # noqa: PLC0415
+
+    robot = _real(name)
+    if default and (setting is None or value is not None):
+        raise usage_error("cli-default-without-value")
+    if setting is not None and (value is not None or default):
+        settings.change(robot.name(), robot.settings_type, setting, value)
+    known = {one.name: one for one in settings.describe(robot.name(), robot.settings_type)}
+    if setting is not None and setting not in known:
+        raise UnknownNameError("setting", setting, known)
+    print_settings([known[setting]] if setting else list(known.values()), as_json=as_json)
+
+
+@robots_group.command()
+@click.argument("names", metavar="[ROBOT]...", nargs=-1)
+@click.option(
+    "--seconds",
+    type=click.FloatRange(0.1, 60),
+    default=3.0,
+    show_default=True,
+    help="How long to search for each kind of robot.",
+)
+@json_option
+def scan(names: tuple[str, ...], seconds: float, as_json: bool) -> None:  # noqa: FBT001
+    """Find real robots on serial ports, on the network and on this computer."""
+    found = [{"robot": name, "settings": dict(one)} for name, one in _scan(names, seconds)]
+    if as_json:
+        print_json(found)
+    for one in found if not as_json else ():
+        click.echo(f"{one['robot']:<12} {_spelled(one['settings'])}")
+    if not found and not as_json:
+        say("cli-no-robot-found")
+
+
+@robots_group.command()
+@_NAME
+@click.option("--yes", is_flag=True, help="Do not ask; the robot drives at once.")
+def test(name: str, yes: bool) -> None:  # noqa: FBT001 - a flag of click
+    """Test every device of a robot, one after the other."""
+    from learnblock.robots import find  # noqa: PLC0415
+    from learnblock.testing.trial import try_out  # noqa: PLC0415
+
+    works = True
+    with find(name).load()() as robot:
+        for tried in try_out(robot, _agree if yes else _ask):
+            works = works and tried.works is not False
+            verdict = text(_VERDICTS[tried.works])
+            click.echo(f"{verdict:<9} {tried.what:<24} {text(tried.detail)}")
+    sys.exit(ExitCode.WELL if works else ExitCode.MISTAKES)
+
+
+def _ask(question: Phrase) -> bool:
+    return click.confirm(text(question))
+
+
+def _agree(question: Phrase) -> bool:
+    """Answer yes without asking."""
+    del question
+    return True
+
+
+@robots_group.command()
+@_NAME
+def setup(name: str) -> None:
+    """Prepare a robot: copy our agent to an EV3 brick, or our scripts into a scene."""
+    from learnblock.robots import settings  # noqa: PLC0415
+
+    robot = _real(name)
+    robot.set_up(settings.load(robot.name(), robot.settings_type), _report)
+
+
+def _report(step: Phrase) -> None:
+    click.echo(text(step))
+
+
+@click.command("emulate")
+@_NAME
+@click.option("--world", metavar="NAME", help="The world's name or file.")
+@click.option("--seed", type=int, default=0, help="Seed of all noise.")
+def emulate_command(name: str, world: str | None, seed: int) -> None:
+    """Emulate a robot to try its driver.
+
+    The driver then moves a simulated robot. Stop with Ctrl-C.
+
+    \b
+    learnblock emulate cozmo --world tags
+    """  # noqa: D301 - click wants the character itself
+    from learnblock import emulators  # noqa: PLC0415
+
+    with emulators.emulate(name, world, seed=seed) as emulation:
+        say("cli-emulating", robot=name)
+        for setting, value in emulation.settings.items():
+            click.echo(f"    learnblock robots set {name} {setting} {typed(value)}")
+        click.echo(f"    learnblock run PROGRAM --robot {name}")
+        if emulation.note:
+            click.echo(text(emulation.note))
+        say("cli-stop-with-ctrl-c")
+        emulation.wait()
+
+
+def _real(name: str) -> Any:
+    """The class of a robot that has settings."""
+    from learnblock.robots import find  # noqa: PLC0415
+    from learnblock.robots.real import RealRobot  # noqa: PLC0415
+
+    robot = find(name).load()
+    if not issubclass(robot, RealRobot):
+        raise LearnBlockError("cli-robot-without-settings", robot=name)
+    return robot
+
+
+def _scan(names: tuple[str, ...], seconds: float) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    """Every robot that answers; all kinds are searched for at the same time."""
+    from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415
+
+    from learnblock.robots import entries  # noqa: PLC0415
+    from learnblock.robots.real import RealRobot  # noqa: PLC0415
+
+    kinds = [entry.load() for entry in entries().values() if not entry.name.startswith("sim-")]
+    wanted = [_real(name) for name in names] or [one for one in kinds if issubclass(one, RealRobot)]
+    with ThreadPoolExecutor(max(1, len(wanted))) as pool:
+        looks = [(one.name(), pool.submit(list, one.scan(seconds))) for one in wanted]
+        for name, look in looks:
+            yield from ((name, found) for found in look.result())
+
+
+def _spelled(chosen: Any) -> str:
+    return "  ".join(f"{name}={typed(value)}" for name, value in chosen.items())

@@ -1,0 +1,31 @@
+"""The command that lists the block sets."""
+
+import click
+
+from learnblock.cli.console import json_option, print_diagnostics, print_json
+from learnblock.cli.language import language
+
+
+@click.command("sets")
+@json_option
+def sets_command(as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+    """List the block sets.
+
+    These are the built-in sets and your own sets.
+    """
+    from learnblock.blocks import block_sets  # noqa: PLC0415 - `--help` needs none of it
+
+    own, wrong = block_sets.own()
+    found = (*block_sets.built_in().values(), *own)
+    if as_json:
+        print_json(found)
+        return
+    for one in found:
+        about = _in_language(one.description) or _in_language(one.title)
+        click.echo(f"{one.name:<20} {about}".rstrip())
+    for error in wrong:
+        print_diagnostics(error.filename, error.diagnostics, "", err=True)
+
+
+def _in_language(texts: dict[str, str]) -> str:
+    return texts.get(language()) or texts.get("en", "")

@@ -1,0 +1,7 @@
+"""The generic client, which every robot is built on."""
+
+from learnblock.client.client import Client, State
+from learnblock.client.observers import Goal, Observer, Outcome, Witness
+from learnblock.client.status import RobotStatus
+
+__all__ = ["Client", "Goal", "Observer", "Outcome", "RobotStatus", "State", "Witness"]

@@ -1,0 +1,421 @@
+"""The generic client: base class of every robot."""
+
+import threading
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import AbstractContextManager, ExitStack
+from enum import Enum, auto
+from types import TracebackType
+from typing import Any, ClassVar, Self, TypeVar
+
+from learnblock.client import endings
+from learnblock.client import skills as skill_registry
+from learnblock.client.clock import Clock, WallClock
+from learnblock.client.events import Events
+from learnblock.client.observers import Observer, Outcome, Witness
+from learnblock.client.readings import SENSORS, Glance, PolledReadings, Readings
+from learnblock.client.status import RobotStatus
+from learnblock.devices import DEFAULT_KEY, Base, Camera, Device, Pose, Reading, Sensor
+from learnblock.errors import (
+    KeyTakenError,
+    RobotAttributeError,
+    RobotConnectionError,
+    RobotStoppedError,
+    SettingsError,
+    nearest,
+)
+
+D = TypeVar("D", bound=Device)
+
+
+class State(Enum):
+    """The state of a client."""
+
+    CONNECTING = auto()
+    CONNECTED = auto()
+    STOPPED = auto()
+
+
+class Client(Events):
+    """A robot as programs see it: its skills are methods, and its hardware is hidden.
+
+    A new robot is a subclass that connects, disconnects and adds its devices:
+
+        class Robot(Client):
+            def connect(self):
+                self.port = open_port("/dev/ttyUSB0")
+                self.add(Base(move=self.port.drive))
+
+            def disconnect(self):
+                self.port.close()
+
+    The constructor connects the robot. It is disconnected exactly once, after its motors have
+    stopped: by `stop`, at the end of a ``with``, or when the program ends, even after an error,
+    Ctrl-C or SIGTERM.
+
+    Args:
+        skills: the names of the skills the program uses; None stands for all skills.
+        clock: the robot's time; the wall clock by default.
+        observer: records calls, and skills without effect.
+
+    Raises:
+        RobotConnectionError: the robot cannot be reached.
+    """
+
+    #: Whether the robot's world waits for the program; True for simulated robots only.
+    lockstep: ClassVar[bool] = False
+    #: Seconds between two readings of a sensor in use; None reads whenever the program asks.
+    sensing_period: ClassVar[float | None] = 0.02
+    #: Whether the robot gets the camera that the user's settings add to every robot.
+    has_extra_camera: ClassVar[bool] = True
+    #: The simulated robot that it looks like, for drawing it, such as ``ebo``; "" for a plain one.
+    model: ClassVar[str] = ""
+
+    def __init__(
+        self,
+        *,
+        skills: Collection[str] | None = None,
+        clock: Clock | None = None,
+        observer: Observer | None = None,
+    ) -> None:
+        super().__init__()
+        self.clock: Clock = clock or WallClock()
+        self.observer = observer
+        self._devices: dict[type[Device], dict[str, Device]] = {}
+        self._skill: str | None = None
+        #: The skill in use with its arguments.
+        self._question: tuple[object, ...] | None = None
+        self._noted: set[str] = set()
+        self._state = State.CONNECTING
+        self._stopping = threading.Lock()
+        #: Why the robot can no longer be reached; None while it can.
+        self.link_error: RobotConnectionError | None = None
+        self._readings = self._make_readings()
+        self._glance = Glance(self.clock)
+        self._attach(skills)
+        self._connect()
+
+    # For subclasses to override.
+
+    def connect(self) -> None:
+        """Connect to the robot and `add` its devices."""
+
+    def disconnect(self) -> None:
+        """Disconnect from the robot, whose motors have already stopped."""
+
+    @classmethod
+    def device_names(cls) -> frozenset[str] | None:
+        """The devices of every such robot as ``Type:KEY``; None if known only once connected."""
+        return None
+
+    @classmethod
+    def known_devices(cls) -> frozenset[str] | None:
+        """`device_names` plus the camera that the user's settings add."""
+        names = cls.device_names()
+        if names is None or not cls.has_extra_camera:
+            return names
+        from learnblock.client.extra_camera import extra_devices  # noqa: PLC0415 - it loads what few need
+
+        try:
+            return names | extra_devices(names)
+        except SettingsError:
+            # The error is raised when the robot is connected.
+            return names
+
+    @classmethod
+    def check_wishes(cls, wishes: Mapping[str, Any]) -> None:
+        """Check the wishes for `hosted` before a program is started.
+
+        Raises:
+            LearnBlockError: one of them cannot be fulfilled.
+        """
+
+    @classmethod
+    def hosted(cls, arguments: Mapping[str, Any], wishes: Mapping[str, Any]) -> Self:
+        """Make the robot for a host that runs the program in another process.
+
+        Args:
+            arguments: the program's arguments to ``Robot(...)``.
+            wishes: world, seed and pace as chosen outside the program; only simulated robots use
+                them.
+        """
+        del wishes
+        return cls(**arguments)
+
+    def conditions(self) -> dict[str, object]:
+        """Everything a run depends on besides its program, for the first line of a trace."""
+        from learnblock.perception.sources import TABLE  # noqa: PLC0415 - it loads what few need
+
+        # Names only: a trace must not reveal addresses and paths.
+        chosen = [one.name for one in TABLE.describe() if one.value != one.default]
+        robot = type(self).__module__.rpartition(".")[2].replace("_", "-")
+        return {"robot": robot, **({"perception": chosen} if chosen else {})}
+
+    def where(self) -> Pose | None:
+        """The robot's true pose (x mm, y mm, heading in degrees); only a simulator knows it."""
+        return None
+
+    def observe(self, witness: Witness) -> None:
+        """Report what happens to the robot to a witness; only simulated robots can."""
+
+    def check_link(self) -> None:
+        """Check that the robot can still be reached; called several times a second.
+
+        Raises:
+            RobotConnectionError: the link to the robot broke.
+        """
+
+    def require_link(self) -> None:
+        """Call `check_link`, and keep its error for observers of the robot.
+
+        Raises:
+            RobotConnectionError: the link to the robot broke.
+        """
+        try:
+            self.check_link()
+        except RobotConnectionError as error:
+            self.link_error = error
+            raise
+
+    def status(self) -> RobotStatus:
+        """Battery and link as last reported; asking costs no access to the robot."""
+        return RobotStatus()
+
+    @property
+    def readings(self) -> Readings:
+        """The latest readings of its sensors."""
+        return self._readings
+
+    def outcome(self) -> Outcome:
+        """The result of the run so far."""
+        return Outcome()
+
+    # Devices.
+
+    def add(self, device: Device, key: str = DEFAULT_KEY) -> None:
+        """Add a device to the robot.
+
+        Raises:
+            KeyTakenError: there is already one of the same type with the same key.
+        """
+        same = self._devices.setdefault(type(device), {})
+        if key in same:
+            raise KeyTakenError("robot-key-taken", device=type(device).__name__, key=key)
+        same[key] = device
+
+    def devices(self) -> Iterator[tuple[str, Device]]:
+        """Every device with its key."""
+        for same in self._devices.values():
+            yield from same.items()
+
+    def device(self, kind: type[D], key: str = DEFAULT_KEY) -> D | None:
+        """The device of this type and key, or None if the robot lacks it.
+
+        A missing device is reported to the observer once for each call of a skill.
+
+        Raises:
+            RobotStoppedError: the robot is disconnected.
+        """
+        if self._state is State.STOPPED:
+            raise RobotStoppedError("robot-stopped")
+        if not self._readings.frozen:
+            self.clock.charge()
+        try:
+            return self._devices[kind][key]  # type: ignore[return-value] # filed under its type
+        except KeyError:
+            self._note_missing(f"{kind.__name__}:{key}")
+            return None
+
+    def read(self, kind: "type[Sensor[Reading]]", key: str = DEFAULT_KEY) -> Reading | None:
+        """The latest reading of a sensor, or None on a robot without it."""
+        sensor = self.device(kind, key)
+        if sensor is None:
+            return None
+        reading: Reading = self._readings.latest((kind, key), sensor.read, _pace(kind, key))
+        return reading
+
+    def detect(self, name: str, key: str = DEFAULT_KEY) -> Any:
+        """The result of the detector `name` for the camera's latest frame.
+
+        None without a camera, before the first frame, or if there is no such detector.
+        """
+        camera = self.device(Camera, key)
+        if camera is None:
+            return None
+        found = self._seen((Camera, key, name), lambda: camera.detect(name))
+        if found is None:
+            self._note_missing(f"Detector:{name}")
+        return found
+
+    def forget_readings(self) -> None:
+        """Read the sensors again at the next question, for example after a gyroscope reset."""
+        self._readings.forget()
+
+    # Skills.
+
+    def learn(self, function: Callable[..., Any]) -> None:
+        """Add a function of the program, whose first argument is the robot, as a skill.
+
+            def waltz(robot, times=3): ...
+
+            robot.learn(waltz)
+            robot.waltz(2)
+
+        Raises:
+            KeyTakenError: every robot already has an attribute with this name.
+        """
+        name = function.__name__
+        if hasattr(Client, name):
+            raise KeyTakenError("robot-skill-name-taken", name=name)
+        setattr(self, name, self._method(name, function))
+
+    # Time.
+
+    def time(self) -> float:
+        """Seconds since the robot was connected, in the robot's time."""
+        self.clock.charge()
+        return self.clock.time()
+
+    # The end.
+
+    @property
+    def stopped(self) -> bool:
+        return self._state is State.STOPPED
+
+    def stop(self) -> None:
+        """Stop the motors and disconnect; calling it twice is harmless."""
+        # Everything on the stack runs, the last entry first, even if one fails or is interrupted.
+        with ExitStack() as ending, self._stopping:
+            if self._state is State.STOPPED:
+                return
+            ending.callback(self._close_cameras)
+            ending.callback(self.disconnect)
+            ending.callback(self._readings.close)
+            ending.callback(endings.forget, self.stop)
+            if self._state is State.CONNECTED:
+                ending.callback(self._stop_motors)
+            self._state = State.STOPPED
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.stop()
+
+    def __repr__(self) -> str:
+        names = ", ".join(f"{type(device).__name__}:{key}" for key, device in self.devices())
+        return (
+            f"<{type(self).__module__}.{type(self).__name__} {self._state.name.lower()}: {names}>"
+        )
+
+    def __getattr__(self, name: str) -> Any:
+        # Reached only for names that are neither methods nor skills in use: a skill may call
+        # another skill that its program does not mention.
+        if name.startswith("_"):
+            raise AttributeError(name)
+        self._attach({name})
+        if name in vars(self):
+            return vars(self)[name]
+        suggestion = nearest(name, [known for known in dir(self) if not known.startswith("_")])
+        if suggestion is None:
+            raise RobotAttributeError("robot-unknown-skill", name=name)
+        raise RobotAttributeError("robot-unknown-skill-like", name=name, suggestion=suggestion)
+
+    # Helpers of the methods above.
+
+    def _make_readings(self) -> Readings:
+        if self.sensing_period is None or self.clock.instant is not None:
+            return Readings(self.clock)
+        return PolledReadings(self.clock, self.sensing_period)
+
+    def _connect(self) -> None:
+        endings.call_at_end(self.stop)
+        try:
+            self.connect()
+            if self.has_extra_camera:
+                self._add_extra_camera()
+        except BaseException as error:
+            self._give_up(error)
+            raise
+        self._state = State.CONNECTED
+
+    def _give_up(self, error: BaseException) -> None:
+        """Disconnect a half-connected robot without hiding the error that interrupted `connect`."""
+        try:
+            self.stop()
+        except Exception as another:  # noqa: BLE001 - a `disconnect` may need parts never made
+            error.add_note(f"Disconnecting failed too: {type(another).__name__}: {another}")
+
+    def _stop_motors(self) -> None:
+        """Stop every base, even after one of them fails."""
+        with ExitStack() as stack:
+            for _, device in self.devices():
+                if isinstance(device, Base):
+                    stack.callback(device.stop)
+
+    def _add_extra_camera(self) -> None:
+        from learnblock.client.extra_camera import WEBCAM, extra_source  # noqa: PLC0415 - it loads what few need
+
+        source = extra_source(self.clock.time)
+        if source is not None:
+            camera = Camera(read=source.read, close=source.close)
+            self.add(camera, WEBCAM)
+            # On a robot without a built-in camera it is also the default camera.
+            self._devices[Camera].setdefault(DEFAULT_KEY, camera)
+
+    def _close_cameras(self) -> None:
+        for _, device in self.devices():
+            if isinstance(device, Camera):
+                device.close()
+
+    def _attach(self, names: Collection[str] | None) -> None:
+        for name, function in skill_registry.find(names).items():
+            # Skills of users and plugins do not hide the methods of every robot; the check warns
+            # their authors.
+            if not hasattr(Client, name) and name not in vars(self):
+                setattr(self, name, self._method(name, function))
+
+    def _method(self, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+        def skill(*args: Any, **kwargs: Any) -> Any:
+            if self._skill is not None:
+                return function(self, *args, **kwargs)
+            self._skill, self._question = name, (name, args, kwargs)
+            self._noted.clear()
+            try:
+                if self.observer:
+                    self.observer.called(name, args, kwargs)
+                return function(self, *args, **kwargs)
+            finally:
+                self._skill = self._question = None
+
+        skill.__name__ = skill.__qualname__ = name
+        skill.__doc__ = function.__doc__
+        return skill
+
+    def _seen(self, key: tuple[object, ...], detect: Callable[[], Any]) -> Any:
+        """The detector's result for the newest picture, or the one of the question before."""
+
+        def look() -> Any:
+            return self._readings.latest(key, detect, _pace(Camera, key[1]))
+
+        if self.clock.instant is not None or self._readings.frozen:
+            return look()
+        # As text, since a skill's arguments may not be comparable.
+        return self._glance.see(repr(self._question or key), key, look)
+
+    def _note_missing(self, device: str) -> None:
+        if self.observer and self._skill and device not in self._noted:
+            self._noted.add(device)
+            self.observer.missing(self._skill, device)
+
+    def _snapshot(self) -> AbstractContextManager[None]:
+        return self._readings.snapshot()
+
+
+def _pace(kind: type[Device], key: object) -> str:
+    """The pace of a sensor: cameras have their own, since detecting in pictures is slow."""
+    return f"camera {key}" if kind is Camera else SENSORS

@@ -1,0 +1,55 @@
+"""Reports about a robot while its program runs: calls, poses, goals, the outcome."""
+
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from learnblock.devices import Pose
+
+
+class Observer(Protocol):
+    """Records what a program does with its robot, for example to write a trace."""
+
+    def called(self, skill: str, args: tuple[Any, ...], kwargs: dict[str, Any]) -> None:
+        """Record that the program called a skill."""
+
+    def missing(self, skill: str, device: str) -> None:
+        """Record that a skill had no effect because the robot lacks a device (``Type:KEY``)."""
+
+
+class Witness(Protocol):
+    """Records what happens to a robot in its world."""
+
+    def pose(self, time: float, pose: Pose) -> None:
+        """Record the robot's pose; called every 0.1 s."""
+
+    def placed(self, time: float, pose: Pose) -> None:
+        """Record that a person lifted the robot and put it down at this pose."""
+
+    def goal(self, time: float, name: str, state: str) -> None:
+        """Record that a goal of the world was ``reached`` or ``failed``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """One of a world's goals.
+
+    Args:
+        name: the goal's name in the world.
+        kind: region, line, tag.
+        state: ``open``, ``reached`` or ``failed``.
+        time: seconds after which it was decided; None while it is open.
+    """
+
+    name: str
+    kind: str
+    state: str
+    time: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """The result of a run: pose and mm driven where they are known, and the world's goals."""
+
+    pose: Pose | None = None
+    distance: float | None = None
+    goals: tuple[Goal, ...] = ()

@@ -1,0 +1,18 @@
+"""The status that a robot reports: its battery and its link."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class RobotStatus:
+    """Battery and link of a robot; None where its protocol does not report a value.
+
+    Args:
+        battery: the battery's voltage, V.
+        link_quality: the share of the robot's regular messages that arrive, 0 to 1.
+        silence: seconds since the robot's last message.
+    """
+
+    battery: float | None = None
+    link_quality: float | None = None
+    silence: float | None = None

@@ -1,1 +1,0 @@
-"""The command line's parts: a module for each group of commands that `learnblock.cli` has."""

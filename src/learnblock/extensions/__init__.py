@@ -1,0 +1,1 @@
+"""Custom blocks and libraries: made, checked, saved and installed; none of their code is run."""

@@ -1,0 +1,84 @@
+"""The check of a custom block before it is saved; none of its code is run."""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from learnblock.blocks import BlockConfiguration
+from learnblock.blocks.source.signature import Signature, signatures
+from learnblock.errors import CustomBlockError, Diagnostic, ProgramError
+from learnblock.extensions.custom_blocks import chosen as choices
+from learnblock.extensions.custom_blocks.clashes import taken_names
+from learnblock.extensions.custom_blocks.custom_block import Checked, Part, Problem, checked_name
+from learnblock.extensions.custom_blocks.source_check import bad_default, wrong_source
+from learnblock.i18n import Phrase
+
+
+def check(
+    source: str,
+    configuration: str = "",
+    *,
+    name: str = "",
+    replaces: str = "",
+    others: Mapping[str, Phrase] | None = None,
+) -> Checked:
+    """Check a custom block.
+
+    Args:
+        source: the Python of its functions.
+        configuration: of its blocks, as JSON; empty for the defaults.
+        name: to save it under; empty if it has none yet.
+        replaces: the name it is saved under now, if any.
+        others: the result of `others_names`, if it is already known.
+    """
+    filename = f"{name or 'block'}.py"
+    taken = taken_names(but=replaces, others=others)
+    problems = [
+        *_problems("name", _wrong_name(name, replaces)),
+        *_problems("source", wrong_source(source, filename, taken)),
+    ]
+    chosen, wrong = choices.read(configuration)
+    problems += _problems("configuration", wrong)
+    try:
+        found = signatures(source, filename)
+    except ProgramError:
+        # It is among the problems of the source.
+        return Checked(tuple(problems), chosen=configuration)
+    if not name and found:
+        # The page calls a new file after its first function.
+        filename = f"{found[0].name}.py"
+    followed = {one.name: one for one in choices.followed(chosen, found)}
+    stale = choices.out_of_date(followed, {one.name: one for one in found})
+    blocks = choices.complete(found, followed, filename)
+    problems += _problems("configuration", map(_warning, stale))
+    problems += _problems("configuration", _wrong_defaults(blocks, found))
+    return Checked(tuple(problems), blocks, choices.apart(blocks, found))
+
+
+def _wrong_defaults(
+    blocks: Iterable[BlockConfiguration], found: Iterable[Signature]
+) -> Iterator[Diagnostic]:
+    """Report defaults that the configuration does not allow."""
+    for block, signature in zip(blocks, found, strict=True):
+        for one, argument in zip(block.parameters, signature.arguments, strict=True):
+            by_hint = one.type == argument.field.type and one.range == argument.field.range
+            if by_hint or one.default is None or not (why := one.objection(one.default)):
+                continue
+            message = bad_default(one.name, block.name, one.default, why)
+            yield Diagnostic("bad-default", message)
+
+
+def _wrong_name(name: str, replaces: str) -> Iterable[Diagnostic]:
+    if not name or name == replaces:
+        return ()
+    try:
+        checked_name(name)
+    except CustomBlockError as error:
+        return error.diagnostics
+    return ()
+
+
+def _problems(part: Part, diagnostics: Iterable[Diagnostic]) -> list[Problem]:
+    return [Problem(part, one) for one in diagnostics]
+
+
+def _warning(message: Phrase) -> Diagnostic:
+    return Diagnostic("stale-configuration", message, severity="warning")

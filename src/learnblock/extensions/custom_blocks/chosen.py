@@ -1,0 +1,122 @@
+"""The configuration of custom blocks: joined with their source, and separated from it."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+from learnblock.blocks import BlockConfiguration, Parameter, load_configurations
+from learnblock.blocks.schema.writing import written
+from learnblock.blocks.source.derivation import derived, fitted, may_be
+from learnblock.blocks.source.hints import FieldType
+from learnblock.blocks.source.signature import Signature
+from learnblock.errors import BlockConfigurationError, Diagnostic
+from learnblock.i18n import Phrase
+
+
+def read(text: str) -> tuple[tuple[BlockConfiguration, ...], tuple[Diagnostic, ...]]:
+    """The configurations in a text, or its mistakes; an empty text has no configurations."""
+    if not text.strip():
+        return (), ()
+    try:
+        return load_configurations(text), ()
+    except BlockConfigurationError as error:
+        return (), error.diagnostics
+
+
+def followed(
+    chosen: Iterable[BlockConfiguration], signatures: Iterable[Signature]
+) -> tuple[BlockConfiguration, ...]:
+    """The configurations, one of which may follow a renamed function.
+
+    If only one function and only one configuration have no partner, the function was renamed: it
+    keeps its colour and its words in other languages.
+    """
+    blocks, names = list(chosen), [one.name for one in signatures]
+    without_function = [one for one in blocks if one.name not in names]
+    known = {one.name for one in blocks}
+    without_choice = [name for name in names if name not in known]
+    if len(without_function) != 1 or len(without_choice) != 1:
+        return tuple(blocks)
+    (old,), (new,) = without_function, without_choice
+    # The English label is most likely the function's old name in words.
+    words = {code: text for code, text in old.languages.items() if code != "EN"}
+    renamed = replace(old, name=new, languages=words)
+    return tuple(renamed if one is old else one for one in blocks)
+
+
+def complete(
+    signatures: Iterable[Signature], chosen: Mapping[str, BlockConfiguration], filename: str
+) -> tuple[BlockConfiguration, ...]:
+    """The blocks of a file, from its source and their configurations."""
+    return tuple(
+        fitted(chosen[one.name], one, derived(one, filename))
+        if one.name in chosen
+        else derived(one, filename)
+        for one in signatures
+    )
+
+
+def apart(blocks: Iterable[BlockConfiguration], signatures: Iterable[Signature]) -> str:
+    """The configuration to save: without the words that the source says itself.
+
+    Otherwise, a later change of a docstring would never be shown.
+    """
+    pairs = zip(blocks, signatures, strict=True)
+    return written(_without(block, derived(one, "")) for block, one in pairs)
+
+
+def _without(block: BlockConfiguration, known: BlockConfiguration) -> BlockConfiguration:
+    pairs = zip(block.parameters, known.parameters, strict=True)
+    return replace(
+        block,
+        languages=_differing(block.languages, known.languages),
+        tooltip=_differing(block.tooltip, known.tooltip),
+        parameters=tuple(
+            replace(one, translations=_differing(one.translations, other.translations))
+            for one, other in pairs
+        ),
+    )
+
+
+def _differing(texts: Mapping[str, str], known: Mapping[str, str]) -> dict[str, str]:
+    return {code: text for code, text in texts.items() if known.get(code) != text}
+
+
+def out_of_date(
+    chosen: Mapping[str, BlockConfiguration], signatures: Mapping[str, Signature]
+) -> Iterator[Phrase]:
+    """The parts of configurations that contradict their functions, a message each."""
+    for name, block in chosen.items():
+        if name not in signatures:
+            yield Phrase("custom-stale-function", name=name)
+        else:
+            yield from _differences(block, signatures[name])
+
+
+def _differences(block: BlockConfiguration, signature: Signature) -> Iterator[Phrase]:
+    arguments = {argument.name: argument for argument in signature.arguments}
+    for one in block.parameters:
+        argument = arguments.get(one.name)
+        if argument is None:
+            yield Phrase("custom-stale-parameter", block=block.name, parameter=one.name)
+        elif not may_be(argument, _field(one)):
+            yield Phrase(
+                "custom-stale-type",
+                block=block.name,
+                parameter=one.name,
+                actual=_described(argument.field),
+                chosen=_described(_field(one)),
+            )
+    if signature.is_said and block.returns_value != signature.answers:
+        kind = "value" if signature.answers else "statement"
+        yield Phrase("custom-stale-shape", block=block.name, kind=kind)
+
+
+def _field(parameter: Parameter) -> FieldType:
+    return FieldType(parameter.type, parameter.range, parameter.choices)
+
+
+def _described(field: FieldType) -> Phrase:
+    if field.range is None:
+        return Phrase("block-type", type=field.type)
+    least, most = field.range.least, field.range.most
+    return Phrase("block-type-with-range", type=field.type, least=least, most=most)

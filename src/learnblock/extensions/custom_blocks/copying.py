@@ -1,0 +1,48 @@
+"""A copy of a custom block; its functions get new names, because skills cannot share one."""
+
+import re
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+
+from learnblock.blocks.schema.writing import written
+from learnblock.extensions.custom_blocks import chosen as choices
+from learnblock.extensions.skill_names import places, replaced
+from learnblock.storage import skill_files
+
+
+def new_names(functions: Collection[str], wish: str, taken: Collection[str]) -> Mapping[str, str]:
+    """A free name for each function; if there is only one, the name of the copy if possible."""
+    plain = re.sub(r"\W+", "_", wish).strip("_")
+    wishes = {name: name for name in functions}
+    if len(functions) == 1 and plain.isidentifier() and not re.match(r"\d", plain):
+        wishes = dict.fromkeys(functions, plain)
+    used = {*taken, *functions}
+    found: dict[str, str] = {}
+    for name, wished in wishes.items():
+        found[name] = _free(wished, used)
+        used.add(found[name])
+    return found
+
+
+def _free(wish: str, used: Collection[str]) -> str:
+    numbered = (f"{wish}_{number}" for number in range(2, len(used) + 3))
+    return next(name for name in (wish, *numbered) if name not in used)
+
+
+def renamed_source(source: str, names: Mapping[str, str]) -> str:
+    """A source with its functions renamed, also in calls.
+
+    Raises:
+        ProgramError: it is not valid Python.
+    """
+    tree = skill_files.parse(source, "block.py")
+    # A name written in an unusual way is not renamed; the check of the copy reports it.
+    return replaced(source, (one for one in places(tree, source, names) if one.is_plain), names)
+
+
+def renamed_configuration(configuration: str, names: Mapping[str, str]) -> str:
+    """A configuration with the functions renamed; a wrong one is returned as it is."""
+    blocks, wrong = choices.read(configuration)
+    if wrong or not blocks:
+        return configuration
+    return written(replace(one, name=names.get(one.name, one.name)) for one in blocks)

@@ -1,0 +1,160 @@
+"""The check of the source of custom blocks, which is not run."""
+
+import ast
+import warnings
+from collections.abc import Iterator, Mapping
+
+from learnblock.blocks import NUMBERS, Parameter
+from learnblock.blocks.source.signature import Argument, Place, Signature, signature
+from learnblock.errors import Diagnostic, ProgramError, Severity
+from learnblock.extensions.custom_blocks.imports_check import wrong_imports
+from learnblock.i18n import Phrase
+from learnblock.language.blocktext.names import attribute_to_python
+from learnblock.storage import skill_files
+
+_ROBOT = "robot"
+
+
+def wrong_source(source: str, filename: str, taken: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
+    """Check a Python file of skills.
+
+    Args:
+        source: its text.
+        filename: for Python's own messages.
+        taken: names that its functions cannot have, each with the reason.
+    """
+    try:
+        tree = _compiled(source, filename)
+    except ProgramError as error:
+        yield from error.diagnostics
+        return
+    functions = list(skill_files.functions(tree))
+    heads = list(_wrong_heads(tree))
+    yield from heads
+    if not functions and not any(one.severity == "error" for one in heads):
+        yield Diagnostic("no-function", Phrase("custom-no-function"))
+    yield from _repeated(functions)
+    for one in functions:
+        yield from _wrong_function(signature(one), taken)
+    yield from wrong_imports(tree)
+
+
+def _compiled(source: str, filename: str) -> ast.Module:
+    """The syntax tree of a source that also compiles, which finds more mistakes.
+
+    Raises:
+        ProgramError: it is not valid Python.
+    """
+    if len(source) > skill_files.LARGEST:
+        message = Phrase("custom-source-too-large", limit=skill_files.LARGEST)
+        raise ProgramError(filename, [Diagnostic("too-large", message)])
+    tree = skill_files.parse(source, filename)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            compile(source, filename, "exec", dont_inherit=True)
+    except SyntaxError as error:
+        place = (error.lineno or 0, error.offset or 0)
+        message = Phrase("custom-not-python", reason=error.msg)
+        raise ProgramError(filename, [Diagnostic("syntax-error", message, *place)]) from None
+    except (ValueError, RecursionError, MemoryError, OverflowError) as error:
+        message = Phrase("custom-not-python", reason=str(error))
+        raise ProgramError(filename, [Diagnostic("syntax-error", message)]) from None
+    return tree
+
+
+def _wrong_heads(tree: ast.Module) -> Iterator[Diagnostic]:
+    """Report public functions that cannot be blocks."""
+    for one in tree.body:
+        if not isinstance(one, ast.FunctionDef | ast.AsyncFunctionDef) or one.name.startswith("_"):
+            continue
+        start = one.col_offset + (len("async def ") if _is_async(one) else len("def "))
+        place = Place(one.lineno, start + 1, start + 1 + len(one.name))
+        if _is_async(one):
+            yield _at(place, "async-function", Phrase("custom-async", name=one.name))
+        elif not (one.args.posonlyargs or one.args.args):
+            yield _at(place, "no-robot", Phrase("custom-no-robot", name=one.name), "warning")
+
+
+def _is_async(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
+    return isinstance(function, ast.AsyncFunctionDef)
+
+
+def _repeated(functions: list[ast.FunctionDef]) -> Iterator[Diagnostic]:
+    seen: dict[str, int] = {}
+    for one in functions:
+        if one.name in seen:
+            line = str(seen[one.name])
+            message = Phrase("custom-duplicate-function", name=one.name, line=line)
+            yield _at(signature(one).place, "duplicate-name", message)
+        seen[one.name] = one.lineno
+
+
+def _wrong_function(one: Signature, taken: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
+    if one.name in taken:
+        yield _at(one.place, "name-taken", taken[one.name])
+    yield from _wrong_spelling(one.name, one.place)
+    if one.robot != _ROBOT:
+        message = Phrase("custom-first-parameter", name=one.name, parameter=one.robot)
+        yield _at(one.place, "no-robot", message)
+    for name in one.unfit:
+        message = Phrase("custom-unfit-parameter", name=one.name, parameter=name)
+        yield _at(one.place, "unfit-parameter", message)
+    for argument in one.arguments:
+        yield from _wrong_spelling(argument.name, argument.place)
+        yield from _wrong_argument(one.name, argument)
+
+
+def _wrong_spelling(name: str, place: Place) -> Iterator[Diagnostic]:
+    """Report a name that Block-Text uses for a Python keyword, such as ``class_``."""
+    plain = name.rstrip("_")
+    if attribute_to_python(name) != name:
+        yield _at(place, "bad-name", Phrase("custom-python-word", name=name, plain=plain))
+
+
+def _wrong_argument(function: str, one: Argument) -> Iterator[Diagnostic]:
+    if one.wrong:
+        message = Phrase(
+            "custom-bad-hint", parameter=one.name, function=function, problem=one.wrong
+        )
+        yield _at(one.place, "bad-hint", message)
+    elif one.default is not None and (why := _objection(one)):
+        message = bad_default(one.name, function, one.default, why)
+        yield _at(one.place, "bad-default", message)
+
+
+def bad_default(parameter: str, function: str, default: object, expected: Phrase) -> Phrase:
+    """The message about a default that does not fit its parameter."""
+    return Phrase(
+        "custom-bad-default",
+        parameter=parameter,
+        function=function,
+        default=f"{default!r:.40}",
+        expected=expected,
+    )
+
+
+def _objection(one: Argument) -> Phrase | None:
+    """The values that the default of a parameter should have, or None if it fits the hint."""
+    kind, default = one.field.type, one.default
+    is_number = isinstance(default, int | float) and not isinstance(default, bool)
+    fits = {
+        **dict.fromkeys(NUMBERS, (is_number, Phrase("block-expects-number"))),
+        "string": (isinstance(default, str), Phrase("block-expects-text")),
+        "boolean": (isinstance(default, bool), Phrase("block-expects-truth")),
+        "list": (isinstance(default, list), Phrase("block-expects-list")),
+        "apriltext": (
+            isinstance(default, str) or (is_number and isinstance(default, int)),
+            Phrase("block-expects-tag"),
+        ),
+    }
+    fit, expected = fits.get(kind, (True, None))
+    if not fit:
+        return expected
+    field = one.field
+    parameter = Parameter(one.name, kind, range=field.range, choices=field.choices)
+    return parameter.objection(default)
+
+
+def _at(place: Place, code: str, message: Phrase, severity: Severity = "error") -> Diagnostic:
+    return Diagnostic(code, message, place.line, place.column, place.end_column, severity)

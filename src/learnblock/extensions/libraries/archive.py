@@ -1,0 +1,118 @@
+"""A library as one file, a zip ``NAME.lblib``, or as a folder."""
+
+import io
+import stat
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path, PurePosixPath
+
+from learnblock.errors import Diagnostic, LibraryError
+from learnblock.extensions.libraries.contents import LARGEST, MOST_FILES, Library, from_files
+from learnblock.i18n import Phrase
+
+ENDING = ".lblib"
+#: The time of every file in it, so that the same library always has the same bytes.
+_TIME = (1980, 1, 1, 0, 0, 0)
+_METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
+#: Names of files and folders that Python creates.
+_IGNORED = {"__pycache__"}
+
+
+def pack(library: Library) -> bytes:
+    """The bytes of a library as one file."""
+    target = io.BytesIO()
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, text in library.files.items():
+            archive.writestr(zipfile.ZipInfo(name, _TIME), text, zipfile.ZIP_DEFLATED)
+    return target.getvalue()
+
+
+def unpack(content: bytes, where: str) -> Library:
+    """The library in a file's bytes.
+
+    Raises:
+        LibraryError: they are not a library in one file.
+        ProgramError: a file in it is not valid Python or Block-Text.
+        BlockConfigurationError: ``blocks.json`` is wrong.
+    """
+    if len(content) > LARGEST:
+        raise _wrong(where, "too-large", Phrase("library-file-too-large", limit=LARGEST))
+    return from_files(_unzipped(content, where), where)
+
+
+def read(path: Path) -> Library:
+    """The library in a file or a folder.
+
+    Raises:
+        LibraryError: it is not a library.
+        ProgramError: a file in it is not valid Python or Block-Text.
+        BlockConfigurationError: ``blocks.json`` is wrong.
+        OSError: it cannot be read.
+    """
+    if path.is_dir():
+        return from_files(dict(_files(path)), str(path))
+    with path.open("rb") as file:
+        return unpack(file.read(LARGEST + 1), path.name)
+
+
+def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
+    found = [path for path in sorted(folder.iterdir()) if path.name not in _IGNORED]
+    if len(found) > MOST_FILES:
+        raise _too_many(str(folder))
+    for path in found:
+        if path.is_symlink() or not path.is_file():
+            message = Phrase("library-not-plain-file", file=path.name)
+            raise _wrong(str(folder), "unknown-file", message)
+        with path.open("rb") as file:
+            yield path.name, file.read(LARGEST + 1)
+
+
+def _unzipped(content: bytes, where: str) -> dict[str, bytes]:
+    found: dict[str, bytes] = {}
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            for name, unpacked in _entries(archive, where):
+                if name in found:
+                    raise _wrong(where, "two-files", Phrase("library-two-files", file=name))
+                found[name] = unpacked
+    except LibraryError:
+        raise
+    except Exception as error:
+        raise _wrong(where, "no-zip", Phrase("library-not-zip")) from error
+    return found
+
+
+def _entries(archive: zipfile.ZipFile, where: str) -> Iterator[tuple[str, bytes]]:
+    """The files of a zip; they may be in one folder, as when a folder was packed."""
+    entries = [entry for entry in archive.infolist() if not entry.is_dir()]
+    if len(entries) > MOST_FILES:
+        raise _too_many(where)
+    left = LARGEST
+    for entry in entries:
+        name = _name(entry, where)
+        # The sizes in the zip may be false, so no more is unpacked than the limit.
+        with archive.open(entry) as file:
+            content = file.read(left + 1)
+        left -= len(content)
+        if left < 0:
+            raise _wrong(where, "too-large", Phrase("library-too-large", limit=LARGEST))
+        yield name, content
+
+
+def _name(entry: zipfile.ZipInfo, where: str) -> str:
+    path = PurePosixPath(entry.filename.replace("\\", "/"))
+    if path.is_absolute() or ".." in path.parts or len(path.parts) > 2:
+        raise _wrong(where, "unknown-file", Phrase("library-file-outside", file=entry.filename))
+    if stat.S_ISLNK(entry.external_attr >> 16):
+        raise _wrong(where, "unknown-file", Phrase("library-link", file=entry.filename))
+    if entry.flag_bits & 1 or entry.compress_type not in _METHODS:
+        raise _wrong(where, "unknown-zip", Phrase("library-encrypted", file=entry.filename))
+    return path.name
+
+
+def _too_many(where: str) -> LibraryError:
+    return _wrong(where, "too-large", Phrase("library-too-many-files", most=MOST_FILES))
+
+
+def _wrong(where: str, code: str, message: Phrase) -> LibraryError:
+    return LibraryError(where, [Diagnostic(code, message)])

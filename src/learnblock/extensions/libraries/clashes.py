@@ -1,0 +1,80 @@
+"""Names of a library's skills that are already taken."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from learnblock.blocks import builtin
+from learnblock.blocks.installed_libraries import installed_blocks
+from learnblock.blocks.known import all_configurations
+from learnblock.blocks.reserved import RESERVED
+from learnblock.errors import Diagnostic, LibraryError
+from learnblock.extensions.libraries.contents import Library
+from learnblock.extensions.libraries.making import own_skills
+from learnblock.i18n import Phrase
+
+
+@dataclass(frozen=True, slots=True)
+class Clash:
+    """A name that two skills have.
+
+    Args:
+        skill: the name.
+        library: the library that is to be installed.
+        place: where the other skill is, such as ``the library songs``.
+    """
+
+    skill: str
+    library: str
+    place: Phrase
+
+    @property
+    def phrase(self) -> Phrase:
+        """The message about it."""
+        return Phrase("library-clash", skill=self.skill, library=self.library, place=self.place)
+
+
+def clashes(libraries: Iterable[Library]) -> tuple[Clash, ...]:
+    """The taken names in libraries that are to be installed together."""
+    libraries = tuple(libraries)
+    taken = {**_others({one.name for one in libraries})}
+    found: list[Clash] = []
+    for library in libraries:
+        found += [
+            Clash(name, library.name, taken[name]) for name in library.skills if name in taken
+        ]
+        for name in library.skills:
+            taken.setdefault(name, Phrase("library-place-library", library=library.name))
+    return tuple(found)
+
+
+def refuse_clashes(libraries: Iterable[Library]) -> None:
+    """Refuse libraries whose skills have taken names.
+
+    Raises:
+        LibraryError: with every clash.
+    """
+    found = clashes(libraries)
+    if found:
+        problems = [Diagnostic("name-clash", one.phrase) for one in found]
+        raise LibraryError(found[0].library, problems)
+
+
+def _others(coming: Iterable[str]) -> Mapping[str, Phrase]:
+    """The taken names with their places, without those of the libraries to be installed."""
+    found = {
+        name: Phrase("library-place-plugin")
+        for name, one in all_configurations().items()
+        if not one.library
+    }
+    found |= {
+        one.name: Phrase("library-place-library", library=one.library)
+        for one in installed_blocks()
+        if one.library not in coming
+    }
+    found |= {
+        skill: Phrase("library-place-block", block=stem)
+        for stem, skills in own_skills().items()
+        for skill in skills
+    }
+    found |= dict.fromkeys(builtin(), Phrase("library-place-learnblock"))
+    return found | dict.fromkeys(RESERVED, Phrase("library-place-robot"))

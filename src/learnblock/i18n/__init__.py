@@ -1,0 +1,14 @@
+"""What a person may read: phrases by code, and their words in each language.
+
+A phrase is a code with named values. Its words are in ``i18n/LANGUAGE/AREA.ftl``, where the area
+is what the code begins with: ``check-unknown-skill`` is in ``check.ftl``. The page uses the same
+files.
+
+    >>> str(Phrase("file-too-large", name="square.bt", limit=4))
+    'square.bt is too large: the limit is 4 MB.'
+"""
+
+from learnblock.i18n.phrase import Phrase, Value, translate
+from learnblock.i18n.words import ENGLISH, languages
+
+__all__ = ["ENGLISH", "Phrase", "Value", "languages", "translate"]

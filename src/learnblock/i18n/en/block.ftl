@@ -1,0 +1,85 @@
+# Blocks: values of their fields, type hints and block configurations.
+
+# What to write instead of a wrong value; shown behind a sentence that names the value.
+block-expects-number = Write a number.
+block-expects-text = Write a text in quotes.
+block-expects-truth = Write True or False.
+block-expects-list = Write a list.
+block-expects-tag = Write the number or the name of a tag.
+block-expects-colour = Write a colour such as "#ff8800".
+block-expects-range = Choose a number from { $least } to { $most }.
+block-expects-choice = Choose one of: { $choices }.
+
+# A field's type, such as float.
+block-type = { $type }
+block-type-with-range = { $type } from { $least } to { $most }
+
+# Mistakes in a range; shown behind the range.
+block-range-ends = The ends of a range must be numbers.
+block-range-order = The first number must be smaller than the second.
+block-range-step = The step must be above zero and fit into the range.
+
+# Type hints.
+block-unknown-hint = { $hint } has no field on a block. Write float, int, str, bool, list, Colour, Angle, TagName, Annotated[float, Range(0, 100)] or Literal["a", "b"].
+block-hint-range-not-number = { $hint } has a range, but only numbers have ranges.
+block-hint-range-form = { $hint } is not a range. Write Range(0, 100) or Range(0, 10, step=1).
+# $problem is a whole sentence.
+block-hint-range = { $hint } is wrong. { $problem }
+block-hint-range-number = { $hint } in a Range is not a number.
+block-hint-choices = Literal[{ $hint }] is wrong. Write at most { $most } different texts of one line, such as Literal["slow", "fast"].
+
+# Files in the blocks and skills folders, and plugins. $reason is the operating system's.
+block-file-unreadable = { $file } cannot be read: { $reason }
+block-plugin-unreadable = The plugin '{ $plugin }' cannot be read: { $reason }
+block-plugin-missing = The module { $module } of the plugin '{ $plugin }' is not installed as Python source. Reinstall the plugin.
+# $reason is a whole sentence.
+block-broken-file = { $file }, line { $line }: { $reason }
+
+# Block configurations (JSON). $where names the block or parameter.
+block-not-utf-8 = This file is not UTF-8. Save it as UTF-8.
+block-where-block = the block '{ $name }'
+block-where-nameless-block = the block
+block-where-parameter = the parameter '{ $name }' of { $block }
+block-where-nameless-parameter = a parameter of { $block }
+block-duplicate-key = The key '{ $key }' is here twice. Keep one.
+block-not-object = { $value } must be an object {"{...}"}, because it describes { $where }.
+block-unknown-key = There is no key '{ $key }' for { $where }. Known keys: { $known }.
+block-unknown-key-like = There is no key '{ $key }' for { $where }. Did you mean '{ $suggestion }'?
+block-missing-key = The key '{ $key }' is missing for { $where }. { $key ->
+    [type] It is the kind of the block or of the parameter, such as "motor" or "float".
+    [category] It is the tab of the palette, such as "Base".
+    [name] It is the name of the Python function or of its parameter.
+   *[shape] Write ["blockVertical"] for a statement, or ["blockLeft"] for a value.
+}
+block-unknown-value = '{ $key }' of { $where } is { $value }. Write one of: { $known }.
+block-unknown-value-like = '{ $key }' of { $where } is { $value }. Did you mean '{ $suggestion }'?
+block-not-text = '{ $key }' of { $where } is { $value }. Write a text in double quotes that is not empty.
+block-bad-name = Python cannot use the name '{ $value }'. Use letters, digits and _, such as turn_left.
+block-empty-shape = 'shape' of { $where } is empty. Write ["blockVertical"] for a statement, or ["blockLeft"] for a value.
+block-two-shapes = 'shape' of { $where } is both a statement and a value. Write ["blockVertical"] for a statement, or ["blockLeft"] for a value.
+block-not-translations = '{ $key }' of { $where } is { $value }. Write {"{\"EN\": \"...\", \"ES\": \"...\"}"}.
+block-bad-language = { $value } in '{ $key }' of { $where } is not a language. Write a code such as EN, ES or PT-BR.
+block-duplicate-language = The language { $language } is in '{ $key }' of { $where } twice. Keep one.
+block-bad-need = { $value } in 'needs' of { $where } is not a device. Write a device such as Base, or one with its key, such as JointMotor:CAMERA.
+block-not-list = '{ $key }' of { $where } is { $value }. Write a list, such as { $example }.
+block-bad-default = The default { $value } of { $where } does not fit the type { $type }. { $type ->
+    [float] Write a number, such as 0.5.
+    [int] Write a whole number, such as 3.
+    [boolean] Write true or false.
+    [list] Write a list, such as [1, 2].
+    [colour] Write a colour, such as "#ff8800".
+    [angle] Write degrees, such as 90.
+    [apriltext] Write a tag's number, such as 8, or its name, such as "ball".
+   *[other] Write a text in double quotes, such as "Up".
+}
+block-bad-range = 'range' of { $where } is { $value }. { $problem }
+block-range-form = Write [0, 100], or [0, 10, 1] with a step.
+block-range-not-number = Only numbers have a range.
+block-choices-type = 'choices' of { $where } needs the type "choice".
+block-bad-choices = 'choices' of { $where } is { $value }. Write at most { $most } different texts of one line, such as ["slow", "fast"].
+block-unknown-choice = 'choiceNames' of { $where } translates { $value }, which is not one of its choices.
+block-unknown-choice-like = 'choiceNames' of { $where } translates { $value }, which is not one of its choices. Did you mean '{ $suggestion }'?
+block-not-choice-names = 'choiceNames' of { $where } is { $value }. Write {"{\"slow\": {\"ES\": \"lento\"}}"}.
+block-duplicate-block = There is already a block '{ $name }' above. Choose another name.
+block-duplicate-parameter = There is already a parameter '{ $name }' of { $where } above. Choose another name.
+block-missing-default = '{ $name }' of { $where } needs a default, because '{ $optional }' before it has one.

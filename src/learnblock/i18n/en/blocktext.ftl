@@ -1,0 +1,122 @@
+# Errors in Block-Text: what cannot be read, and what to write instead.
+# They appear under the line that they are about, on the page and in "learnblock check".
+
+## A whole program
+
+blocktext-too-long = The program has { $characters } characters, which is too long. The limit is { $limit }.
+# $number: such as U+0000
+blocktext-forbidden-character = The character { $number } is not allowed in a program. Remove it.
+blocktext-second-main = A program can only have one 'main'. Join the two.
+
+## What was expected: $wanted and $found are noun phrases from the messages below
+
+blocktext-expected = Expected { $wanted }, not { $found }.
+blocktext-no-statement = A statement can't begin with { $found }.
+# $text: a word or symbol of the program
+blocktext-token = '{ $text }'
+blocktext-end-of-line = the end of the line
+blocktext-end-of-program = the end of the program
+blocktext-wanted-value = a value
+blocktext-wanted-value-after = a value after '{ $word }'
+blocktext-wanted-operator = an operator
+blocktext-wanted-either = '{ $first }' or '{ $second }'
+blocktext-wanted-dot-and-skill = '.' and the name of a skill after 'function'
+blocktext-wanted-skill = the name of a skill after 'function.'
+# $word: the word that begins the block
+blocktext-wanted-colon = ':' to end the '{ $word }' line
+# $word: activate or deactivate
+blocktext-wanted-when = the name of a 'when' after '{ $word }'
+blocktext-wanted-when-name = a name after 'when', as in 'when seen = condition:'
+blocktext-wanted-loop-variable = the name of a variable after 'for'
+blocktext-wanted-in-or-from = 'in' and a list, or 'from' and a number
+blocktext-wanted-to = 'to' and the last number
+blocktext-wanted-library = the name of a library in quotes, as in 'import "dance"'
+blocktext-wanted-function-name = the name of the function after 'def'
+blocktext-wanted-parameters = '(' after 'def { $name }'
+blocktext-wanted-parameter = the name of a parameter or ')'
+
+## Words and symbols
+
+blocktext-write-instead = Write '{ $instead }' instead of '{ $found }'.
+# $quote: " or '
+blocktext-straight-quote = Write a straight quote { $quote } instead of { $found }.
+blocktext-semicolon = Remove ';' and write each statement on its own line.
+blocktext-braces = Block-Text has no braces: a block begins with ':' and closes with 'end'. Write other Python between backticks or in a 'python:' block.
+blocktext-meaningless = '{ $found }' has no meaning in Block-Text. Remove it.
+blocktext-reserved-word = '{ $word }' is a word of the language. Choose another name.
+blocktext-unknown-word = No statement begins with '{ $word }'. Check its spelling.
+blocktext-unknown-word-near = No statement begins with '{ $word }'. Did you mean '{ $near }'?
+blocktext-switch = Block-Text has no 'switch'. Use 'if' and 'elif'.
+# $word: var or let
+blocktext-declaration = Block-Text has no '{ $word }'. Write only the name, '=' and the value.
+blocktext-loop = Block-Text has no 'loop'. Write 'repeat 10:' or 'while True:'.
+blocktext-foreach = Block-Text has no 'foreach'. Write 'for x in values:'.
+blocktext-from = Block-Text has no 'from'. Write 'import "name"' to import a library.
+# $word: a word of Python, such as class
+blocktext-python-only = Block-Text has no '{ $word }'. Use a 'python:' block.
+blocktext-global = Remove 'global': all variables are global.
+blocktext-is = Write '==' to compare. Block-Text has no 'is'.
+
+## Values
+
+blocktext-assignment-in-condition = Write '==' to compare. '=' sets a variable.
+blocktext-not-needs-brackets = Put 'not' and what follows it in brackets, as in '(not x)'.
+blocktext-without-space = Write '{ $operator }' without a space.
+blocktext-slice = Write 'sublist(values, from, to)' for a part of a list.
+blocktext-unclosed-bracket = This '{ $opening }' is never closed. Write '{ $closing }' where it ends.
+blocktext-too-deep = This is nested too deeply. Store a part of it in a variable.
+blocktext-number-too-long = A number of { $digits } digits is too long. It must have fewer than { $limit }.
+blocktext-bad-number = '{ $text }' is not a number. Write one such as 40 or 0.5.
+# $text: such as 3m
+blocktext-number-with-letters = '{ $text }' is neither a number nor a name. Write numbers without a unit, and begin names with a letter.
+
+## Texts
+
+# $quote: the character that opens the text
+blocktext-missing-quote = There is no closing { $quote } on this line. Write { $quote } where the text ends.
+blocktext-triple-quote = Write one quote on each side of a text. '\n' in it begins a new line.
+blocktext-join-texts = Join two texts with '+'.
+# $prefix: a letter such as f
+blocktext-string-prefix = Block-Text has no '{ $prefix }' before a text. Join texts with '+' and 'str(...)'.
+# $escape: such as \u
+blocktext-escape-without-number = '{ $escape }' needs the number of a character after it. Write '\\' for a backslash.
+blocktext-no-character-number = There is no character with the number { $number }. Write '\\' for a backslash.
+blocktext-no-character-name = There is no character named '{ $name }'. Write '\\' for a backslash.
+
+## Names and calls
+
+blocktext-comparison-as-statement = Write '{ $name } = ...' to set '{ $name }'. '==' compares.
+blocktext-count = Write '{ $name } { $operator }= 1' to count.
+blocktext-name-alone = '{ $name }' does nothing by itself. Write '{ $name }()' to call it.
+blocktext-call-or-assignment = Write '(' after '{ $name }' to call it, or '=' to set it.
+blocktext-skill-of-robot = Write 'function.{ $skill }(...)' to use this skill.
+# $name: with a dot, such as values.append
+blocktext-dot = Block-Text has no '{ $name }': call functions without a dot, as in 'append(values, 1)' or 'sqrt(9)'. Write other Python between backticks or in a 'python:' block.
+blocktext-call-needs-brackets = Write 'function.{ $skill }()'. A call needs its brackets.
+blocktext-missing-brackets = Write the arguments of '{ $name }' in brackets: '{ $name }(...)'.
+blocktext-duplicate-argument = The argument '{ $name }' is given twice. Remove one.
+blocktext-argument-order = Write arguments without a name before '{ $name }='.
+blocktext-unused-value = This value is not used. Set a variable with it.
+blocktext-unused-result = This value is not used. Set a variable with it, or write only the call.
+blocktext-call-as-target = A call can't be set. Write a variable before '='.
+blocktext-second-assignment = Set one variable per line, with one '='.
+blocktext-duplicate-parameter = Two parameters are called '{ $name }'. Rename one.
+# $example: the name of a library
+blocktext-import-name = Write only the name of the library, as in 'import "{ $example }"', without a folder or '.py'.
+
+## Lines and blocks
+
+blocktext-two-statements = Start a new line before '{ $word }'. Each statement needs its own line.
+# $word: the word that begins the block, here and below
+blocktext-missing-colon = Write ':' at the end of this '{ $word }' line.
+blocktext-empty-block = This '{ $word }' is empty. Write 'pass' if it should do nothing.
+blocktext-missing-end = This '{ $word }' has no 'end'. Write 'end' on its own line below the block.
+blocktext-python-without-end = This 'python:' has no 'end'. Write 'end' on its own line below the Python code.
+blocktext-stray-end = This 'end' closes nothing. Remove it, or check the block above.
+# $word: elif or else
+blocktext-stray-branch = This '{ $word }' has no 'if'. Remove it, or check the 'end' lines above.
+# $word: elif or else
+blocktext-after-else = This '{ $word }' comes after 'else'. Move 'else' to the end.
+blocktext-nested = '{ $word }' can't be inside '{ $opener }'. Move it to the top level.
+blocktext-too-many-blocks = More than { $limit } blocks are nested here. Move some of them into a function.
+blocktext-for-equals = Write 'for { $name } from 1 to 10:', without '='.

@@ -1,0 +1,117 @@
+# Errors and warnings in a program that can be parsed: names, arguments, devices, likely mistakes.
+
+## Names
+
+check-unknown-name = '{ $name }' has no value. Set it first: '{ $name } = ...'.
+check-unknown-name-near = '{ $name }' has no value. Did you mean '{ $near }'?
+check-read-before-set = '{ $name }' is used here before it is set. Write '{ $name } = ...' above.
+check-when-as-variable = '{ $name }' is a 'when'. Write 'state_{ $name }' to check whether it is active.
+check-function-as-variable = '{ $name }' is a function. Write '{ $name }(...)' to call it.
+check-skill-as-name = '{ $name }' is a skill of the robot. Write 'function.{ $name }(...)' to use it.
+check-unknown-function = There is no function '{ $name }'. Define it with 'def { $name }(...)', or check the name.
+check-unknown-function-near = There is no function '{ $name }'. Did you mean '{ $near }'?
+check-robot-not-first = 'robot(...)' must come before everything else. Move it to the top.
+check-unknown-skill = There is no skill '{ $name }'. The palette shows all skills.
+check-unknown-skill-near = There is no skill '{ $name }'. Did you mean '{ $near }'?
+check-function-as-skill = '{ $name }' is your own function. Call it without 'function.'.
+# $reason: file, line and message
+check-skill-with-error = The skill '{ $name }' can't be used because of an error in its file. { $reason }
+check-unknown-when = There is no 'when { $name }'. Write one, or check the name.
+check-unknown-when-near = There is no 'when { $name }'. Did you mean '{ $near }'?
+# $word: def or when
+check-defined-twice = There is another '{ $word } { $name }' in line { $line }. Rename one or join them.
+check-function-and-variable = '{ $name }' is both a function and a variable. Rename one.
+
+## Libraries
+
+check-unknown-library = There is no library '{ $name }', only: { $known }. Import its file with 'learnblock library import', or put { $name }.py next to the program.
+check-unknown-library-near = There is no library '{ $name }'. Did you mean '{ $near }'?
+check-no-libraries = There is no library '{ $name }'. Import its file with 'learnblock library import', or put { $name }.py next to the program.
+check-not-imported = The skill '{ $skill }' belongs to the library '{ $library }'. Write 'import "{ $library }"' at the top of the program.
+
+## Arguments. $call: such as function.turn
+
+check-no-arguments = '{ $call }' takes no arguments. Leave its brackets empty.
+# $parameters: their names
+check-too-many-arguments = { $most ->
+    [0] '{ $call }' takes no arguments. Leave its brackets empty.
+    [one] '{ $call }' takes 1 argument ({ $parameters }), not { $given }.
+   *[other] '{ $call }' takes { $most } arguments ({ $parameters }), not { $given }.
+}
+check-argument-count = { $count ->
+    [0] '{ $call }' takes no arguments. Leave its brackets empty.
+    [one] '{ $call }' takes 1 argument, not { $given }.
+   *[other] '{ $call }' takes { $count } arguments, not { $given }.
+}
+check-argument-range = '{ $call }' takes { $least } to { $most } arguments, not { $given }.
+check-too-few-arguments = { $least ->
+    [one] '{ $call }' takes at least 1 argument, not { $given }.
+   *[other] '{ $call }' takes at least { $least } arguments, not { $given }.
+}
+# $names: of the missing arguments
+check-missing-argument = { $count ->
+    [one] '{ $call }' needs a value for '{ $names }'.
+   *[other] '{ $call }' needs values for: { $names }.
+}
+check-unknown-argument = '{ $call }' has no argument '{ $name }', only: { $known }.
+check-unknown-argument-near = '{ $call }' has no argument '{ $name }'. Did you mean '{ $near }'?
+check-no-named-arguments = '{ $call }' has no argument '{ $name }'. Give its arguments without names.
+check-number-expected = '{ $parameter }' of '{ $call }' must be a number, not a text.
+check-number-in-quotes = '{ $parameter }' of '{ $call }' must be a number, not a text. Write { $number } without quotes.
+# $value, $choices: as written in the program
+check-outside-range = '{ $parameter }' of '{ $call }' is { $value } here. It goes from { $least } to { $most }.
+check-unknown-choice = '{ $parameter }' of '{ $call }' is { $value } here. The choices are: { $choices }.
+check-not-a-colour = '{ $parameter }' of '{ $call }' is { $value } here. Write a colour such as "#ff8800".
+check-whole-number = 'for ... from ... to' counts in whole numbers, not { $number }.
+check-text-for-number = This is a text, but it must be a number.
+check-step-zero = With 'step 0' the loop would never end. Write another step.
+
+## Devices
+
+# $devices: noun phrases from check-device
+check-skill-without-answer = This robot has no { $devices }: it can't answer 'function.{ $skill }'.
+check-skill-without-base = This robot has no { $devices }: it can't do 'function.{ $skill }'.
+check-skill-without-effect = This robot has no { $devices }: 'function.{ $skill }' does nothing.
+# $kind: the type of the device. $key: the name of one of several such devices, or empty
+check-device = { $kind ->
+    [Accelerometer] accelerometer
+    [Animator] animations
+    [Base] wheels
+    [Bumper] bumper
+    [Camera] camera
+    [Controller] controller
+    [Display] screen
+    [DistanceSensors] distance sensors
+    [GroundSensors] ground sensors
+    [Gyroscope] gyroscope
+    [Infrared] infrared receiver
+    [JointMotor] { $key ->
+        [CAMERA] motor for its camera
+       *[other] motor { $key }
+    }
+    [Led] light
+    [LightSensor] light sensor
+    [MP3] music player
+    [Matrix] matrix of lights
+    [RGBLed] coloured light
+    [Speaker] speaker
+   *[other] { $kind } { $key }
+}
+
+## Structure
+
+check-too-many-blocks = More than { $limit } blocks are nested here, which is too deep for Python. Move some of them into a function.
+check-too-many-loops = More than { $limit } loops are nested here, which is too deep for Python. Move some of them into a function.
+# $word: break or continue
+check-outside-loop = '{ $word }' only works inside a loop.
+check-outside-function = 'return' only works inside a 'def'.
+# $word: break, continue or return
+check-unreachable-after-jump = This is never reached because of '{ $word }' in line { $line }.
+check-unreachable-after-loop = This is never reached because the 'while True' loop in line { $line } never ends.
+check-unreachable-after-branches = This is never reached because no branch of the 'if' in line { $line } continues here.
+check-sensor-outside-loop = 'function.{ $skill }' is checked only once, when the program gets here. Put the 'if' inside 'while True:' to keep checking, or use a 'when'.
+
+## A program that can't run. $problem: a message from above, or from another file
+
+check-program-error = The program has an error. { $problem }
+check-program-error-in-line = The program has an error in line { $line }. { $problem }

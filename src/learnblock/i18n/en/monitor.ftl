@@ -1,0 +1,5 @@
+# What the page cannot do with the robot it watches.
+
+monitor-program-running = A program is running. Stop it first.
+monitor-drive-real = Only a simulated robot can be driven by hand. Choose one from the list of robots.
+monitor-place-real = Only a simulated robot can be placed by hand. Pick up the real one and put it down yourself.

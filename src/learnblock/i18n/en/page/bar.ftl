@@ -1,0 +1,33 @@
+# The bar at the top of the page.
+
+page-bar-run = Run
+page-bar-stop = Stop
+page-bar-pause = Pause
+page-bar-resume = Resume
+page-bar-pause-or-resume = Pause or resume
+page-bar-step = Step
+page-bar-step-over = Step over functions
+page-bar-restart = Restart
+page-bar-running = Run controls
+page-bar-undo = Undo
+page-bar-redo = Redo
+page-bar-speed = Speed
+page-bar-slow = Slow motion { $factor }×
+page-bar-times = { $factor }×
+page-bar-free = Fastest
+page-bar-robot = Robot
+page-bar-world = World
+page-bar-worlds = Worlds
+page-bar-own-worlds = My worlds
+page-bar-edit-world = Edit world
+page-bar-language = Language
+page-bar-theme = Theme
+page-bar-help = Help and settings
+page-bar-more = Speed, robot and world
+page-bar-state-idle = Ready
+page-bar-state-starting = Starting
+page-bar-state-running = Running
+page-bar-state-paused = Paused
+page-bar-state-held = Paused at breakpoint
+page-bar-state-input = Waiting for your answer
+page-bar-state-ended = Ended

@@ -1,0 +1,25 @@
+# The robot's camera and display.
+
+page-camera-camera = Robot camera
+page-camera-picture = Camera picture; what is recognised is listed below
+page-camera-found = Recognised in the picture
+page-camera-no-camera = This robot has no camera.
+page-camera-tag = Tag
+page-camera-face = Face
+page-camera-feeling-face = Face: { $emotion }
+page-camera-line = Line
+page-camera-lamps = Lamps
+page-camera-off = off
+page-camera-fear = afraid
+page-camera-surprise = surprised
+page-camera-anger = angry
+page-camera-sadness = sad
+page-camera-disgust = disgusted
+page-camera-joy = happy
+page-camera-neutral = calm
+page-camera-black = black
+page-camera-red = red
+page-camera-blue = blue
+page-camera-left = left
+page-camera-center = middle
+page-camera-right = right

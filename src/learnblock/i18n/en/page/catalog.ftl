@@ -1,0 +1,67 @@
+# Our examples and worlds; codes end with their names.
+
+page-catalog-example-square = Square
+page-catalog-example-text-square = Drives in a square.
+page-catalog-example-dance = Dance
+page-catalog-example-text-dance = Dances and shows feelings.
+page-catalog-example-polygons = Polygons
+page-catalog-example-text-polygons = Drives polygons, with functions, parameters and lists.
+page-catalog-example-avoid = Avoid obstacles
+page-catalog-example-text-avoid = Drives around and avoids obstacles.
+page-catalog-example-wall = Follow a wall
+page-catalog-example-text-wall = Keeps the wall on its right.
+page-catalog-example-labyrinth = Labyrinth
+page-catalog-example-text-labyrinth = Finds its way through a labyrinth.
+page-catalog-example-line-ebo = Line with camera
+page-catalog-example-text-line-ebo = Follows a line with the camera.
+page-catalog-example-line-thymio = Line with ground sensors
+page-catalog-example-text-line-thymio = Follows a line with the ground sensors.
+page-catalog-example-line-states = Line with states
+page-catalog-example-text-line-states = Follows a line with states, and looks for it when lost.
+page-catalog-example-tags = React to tags
+page-catalog-example-text-tags = Looks for tags and shows a feeling for each.
+page-catalog-example-imitate = Imitate feelings
+page-catalog-example-text-imitate = Approaches faces and imitates their feelings.
+page-catalog-example-tag-tour = Tag tour
+page-catalog-example-text-tag-tour = Visits three tags in order, with a function and a list.
+page-catalog-example-patrol = Patrol
+page-catalog-example-text-patrol = Patrols for a minute and reports.
+page-catalog-example-watch-out = Watch out
+page-catalog-example-text-watch-out = Stops where the ground ends.
+page-catalog-world-empty = Empty floor
+page-catalog-world-faces = Faces
+page-catalog-world-labyrinth = Labyrinth
+page-catalog-world-line-and-box = Line with a box
+page-catalog-world-line = Line
+page-catalog-world-lines = Coloured lines
+page-catalog-world-obstacles = Obstacles
+page-catalog-world-tags = Three tags
+page-catalog-world-walls = Walls
+
+# Titles and goals in our worlds. Codes with name- end with the English name.
+
+page-catalog-name-an-empty-floor = An empty floor
+page-catalog-name-seven-faces-with-different-emotions = Seven faces with different emotions
+page-catalog-name-labyrinth-find-the-way-to-the-green-corner = Labyrinth: find the way to the green corner
+page-catalog-name-a-black-line-with-a-box-on-it = A black line with a box on it
+page-catalog-name-a-closed-black-line-with-left-and-right-curves = A closed black line with left and right curves
+page-catalog-name-black-red-and-blue-lines = Black, red and blue lines
+page-catalog-name-boxes-and-cylinders-some-can-be-pushed = Boxes and cylinders; some can be pushed
+page-catalog-name-three-tags-to-find-one-after-another-by-turning-right = Three tags to find one after another by turning right
+page-catalog-name-walls-to-follow = Walls to follow
+page-catalog-name-the-green-corner = the green corner
+page-catalog-name-a-lap-round-the-box = a lap round the box
+page-catalog-name-a-lap = a lap
+page-catalog-name-along-the-black-line = along the black line
+page-catalog-name-along-the-red-line = along the red line
+page-catalog-name-along-the-blue-line = along the blue line
+page-catalog-name-the-east-side = the east side
+page-catalog-goal-tag = tag { $number }
+page-catalog-name-joy = joy
+page-catalog-name-sadness = sadness
+page-catalog-name-anger = anger
+page-catalog-name-surprise = surprise
+page-catalog-name-fear = fear
+page-catalog-name-disgust = disgust
+page-catalog-name-neutral = neutral
+page-catalog-name-behind-the-corner = behind the corner

@@ -1,0 +1,15 @@
+# The console. $seconds is how long a run took.
+
+page-console-lines = Program output
+page-console-copy = Copy
+page-console-clear = Clear
+page-console-asks = The program asks:
+page-console-answer = Answer
+page-console-started = Started
+page-console-finished = Finished after { $seconds } s.
+page-console-stopped = Stopped after { $seconds } s.
+page-console-time-limit = Time limit reached after { $seconds } s.
+page-console-error = Stopped by an error after { $seconds } s.
+page-console-no-call = Stopped after { $seconds } s: the program did not use the robot for too long.
+page-console-output-limit = Stopped after { $seconds } s: the program printed too much.
+page-console-killed = Ended from outside after { $seconds } s.

@@ -1,0 +1,17 @@
+# Versions and runs of a project.
+
+page-history-title = History
+page-history-versions = Versions
+page-history-runs = Runs
+page-history-no-versions = No versions yet. LearnBlock keeps one with every run.
+page-history-no-runs = The program has not been run yet.
+page-history-restore = Restore
+page-history-restore-of = Restore the version of { $date }
+page-history-lines = { $lines ->
+    [one] 1 line
+   *[other] { $lines } lines
+    }
+page-history-reason-run = Before a run
+page-history-reason-time = Saved automatically
+page-history-reason-restored = Before restoring
+page-history-reason-opened = When opened

@@ -1,0 +1,37 @@
+# Projects: menu and dialogs.
+
+page-project-menu = Project
+page-project-new = New
+page-project-new-name = program
+page-project-open = Open…
+page-project-examples = Examples…
+page-project-save-as = Save as…
+page-project-history = History…
+page-project-upload = Upload a file…
+page-project-download-learnblock = Download project (.learnblock)
+page-project-download-bt = Download Block-Text (.bt)
+page-project-download-py = Download Python (.py)
+page-project-delete = Delete…
+page-project-saved = Saved
+page-project-saving = Saving…
+page-project-saves-itself = Your project is saved automatically.
+page-project-recovered = Back online. Nothing was lost.
+page-project-drop = Drop the file to open it
+page-project-wrong-file = LearnBlock can't open this type of file: { $name }. Choose a .learnblock, .bt or .py file.
+page-project-large-file = { $name } is too large. A program has at most a million characters.
+page-project-open-title = Open a project
+page-project-search = Search
+page-project-none-found = No matching projects
+page-project-is-open = open
+page-project-delete-named = Delete { $name }?
+page-project-delete-one = Delete { $name }
+page-project-delete-help = You can restore it from the trash folder of your projects.
+page-project-delete-now = Delete
+page-project-examples-title = Examples
+page-project-examples-help = Each example opens as a new project. Change whatever you like.
+page-project-on-in = { $robot } in { $world }
+page-project-save-as-title = Save as
+page-project-name = Name
+page-project-copy-of = { $name } copy
+page-project-save-as-help = You continue with the copy. The original project stays as it is.
+page-project-save-copy = Save copy

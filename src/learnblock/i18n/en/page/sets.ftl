@@ -1,0 +1,33 @@
+# The dialog for choosing which blocks the palette shows.
+
+page-sets-title = Choose blocks
+page-sets-menu = Choose blocks…
+page-sets-button = Blocks: { $title }
+page-sets-ours = For lessons
+page-sets-carried = In this project
+page-sets-own = My sets
+page-sets-search = Search for blocks
+page-sets-count = { $shown } of { $all } blocks shown
+page-sets-is-changed = changed, not saved
+page-sets-all = Show all
+page-sets-none = Show none
+page-sets-blocks = Blocks
+page-sets-blocks-of = Blocks in { $tab }
+page-sets-later = Also show blocks added later
+page-sets-absent = Not installed here
+page-sets-empty = Tick at least one block.
+page-sets-load = Import set…
+page-sets-download = Export set
+page-sets-delete = Delete
+page-sets-save-as = Save as…
+page-sets-show = Show these blocks
+page-sets-name = Name
+page-sets-my-blocks = my blocks
+page-sets-save-help = The set appears under My sets in every project.
+page-sets-replaces = You already have a set with this name. Saving replaces it.
+page-sets-save = Save
+page-sets-changed = { $title } (changed)
+page-sets-undo = Undo
+page-sets-shown-now = Now showing: { $title }. Blocks in the program stay as they are.
+page-sets-deleted = { $title } deleted.
+page-sets-large = { $name } is too large for a block set.

@@ -1,0 +1,35 @@
+# Settings of the page, and the table of keyboard shortcuts.
+
+page-settings-title = Settings
+page-settings-theme-system = Same as device
+page-settings-theme-light = Light
+page-settings-theme-dark = Dark
+page-settings-theme-contrast = High contrast
+page-settings-sound = Robot sounds
+page-settings-audible = Sounds for distances and collisions
+page-settings-about = LearnBlock { $version }. Your projects are in { $folder }.
+page-settings-shortcuts = Keyboard shortcuts
+page-settings-page = Page
+page-settings-everywhere = All views
+page-settings-texts = Block-Text and Python
+page-settings-next-region = Next part of the page
+page-settings-previous-region = Previous part of the page
+page-settings-saves = Nothing: projects are saved automatically
+page-settings-breakpoint = Set or remove a breakpoint
+page-settings-closes = Close a dialog or a menu
+page-settings-toolbox = Go to the list of blocks
+page-settings-workspace = Go to the program
+page-settings-move-cursor = Move between blocks
+page-settings-edit-block = Insert or edit
+page-settings-move-block = Move with the arrow keys
+page-settings-duplicate = Duplicate
+page-settings-delete = Delete
+page-settings-search = Search
+page-settings-complete = Show suggestions
+page-settings-describe = Explain the word at the cursor
+page-settings-next-problem = Go to the next problem
+page-settings-rename = Rename everywhere
+page-settings-definition = Go to the definition
+page-settings-format = Tidy up the code
+page-settings-reveal = Show this statement in the other views
+page-settings-leaves = Leave the editor

@@ -1,0 +1,34 @@
+# The parts of the page, and messages for the page as a whole.
+
+page-shell-blocks = Blocks
+page-shell-blocktext = Block-Text
+page-shell-python = Python
+page-shell-world = World
+page-shell-panel = Output
+page-shell-shown = Views
+page-shell-console = Console
+page-shell-variables = Variables
+page-shell-sensors = Sensors
+page-shell-problems = Problems
+page-shell-result = Result
+page-shell-camera = Robot camera
+page-shell-drive = Manual drive
+page-shell-reset-world = Reset world
+page-shell-skip = Skip links
+page-shell-skip-run = Go to the Run button
+page-shell-skip-blocks = Go to the blocks
+page-shell-skip-blocktext = Go to the Block-Text
+page-shell-skip-python = Go to the Python
+page-shell-skip-world = Go to the world
+page-shell-skip-panel = Go to the output
+page-shell-divider-columns = Divider between program and world
+page-shell-divider-rows = Divider between world and output
+page-shell-divider-views = Divider between { $before } and { $after }
+page-shell-close = Close
+page-shell-cancel = Cancel
+page-shell-dismiss = Dismiss
+page-shell-notes = Notifications
+page-shell-part-failed = This part of the page could not be loaded. Reload the page; if that does not help, restart LearnBlock.
+page-shell-lost = Connection lost. Keep working: your changes are sent when LearnBlock is back.
+page-shell-refused = LearnBlock restarted. Open the address that it shows now.
+page-shell-goal-reached = Goal reached: { $goal }

@@ -1,0 +1,29 @@
+# Names of tags.
+
+page-tags-title = Tag names
+page-tags-menu = Tag names…
+page-tags-help = A program can look for a tag by name: is_tag("ball"). Your tag names work in every project.
+page-tags-none = No tag has a name yet.
+page-tags-picture = Tag
+page-tags-picture-of = Picture of tag { $tag }
+page-tags-name = Name
+page-tags-nameless = unnamed tag
+page-tags-number = Number
+page-tags-number-of = Number of { $name }
+page-tags-remove = Remove
+page-tags-remove-one = Remove { $name }
+page-tags-add = Add a name
+page-tags-import = Add names from a file…
+page-tags-export-toml = Download (TOML)
+page-tags-export-csv = Download (CSV)
+page-tags-export-html = Print tags
+page-tags-save = Save
+page-tags-saved = Saved
+page-tags-unsaved = Not saved yet
+page-tags-saved-in-passing = Tag names saved.
+page-tags-undo = Undo
+page-tags-no-name = Enter a name.
+page-tags-is-number = A name needs at least one letter.
+page-tags-twice = This name is already used.
+page-tags-no-tag = Enter a whole number from 0 to { $last }.
+page-tags-large = { $name } is too large for a list of tag names.

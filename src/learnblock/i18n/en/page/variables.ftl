@@ -1,0 +1,13 @@
+# The table of variables and events.
+
+page-variables-title = Program variables
+page-variables-name = Name
+page-variables-value = Value
+page-variables-local = In this function
+page-variables-shared = Global
+page-variables-whens = Event
+page-variables-state = State
+page-variables-time = Active for
+page-variables-active = ● active
+page-variables-inactive = ○ waiting
+page-variables-nothing = Run a program to see its variables.

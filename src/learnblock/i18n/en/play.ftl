@@ -1,0 +1,22 @@
+# Running a program from the page, and moving its robot by hand.
+
+play-robot-moves = The robot is moving. Pause or stop the program before you place it.
+play-program-running = A program is running. Stop it first.
+play-no-question = The program is not waiting for an answer.
+play-no-robot = No robot is ready. Choose a robot in the bar.
+# $reason is the text of an unexpected error of a driver.
+play-not-started = The program could not be run: { $reason }
+
+# A custom block that is tried; $function is its name.
+play-no-function = This block has no function that takes the robot. Write one first.
+play-wrong-count =
+    { $most ->
+        [0] The function '{ $function }' takes no values, but got { $count }.
+       *[other]
+            { $least ->
+                [one] The function '{ $function }' takes at least 1 value and at most { $most }, but got { $count }.
+               *[other] The function '{ $function }' takes { $least } to { $most } values, but got { $count }.
+            }
+    }
+play-bad-number = { $value } is not a number that a block can pass on.
+play-bad-value = A block can pass on numbers, texts, lists, true and false only.

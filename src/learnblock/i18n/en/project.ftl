@@ -1,0 +1,58 @@
+# Projects: their files, names and folder, and what a page does with an open project.
+
+## Names and files
+
+project-name-wrong = A project can't be called '{ $name }'. Use up to { $limit } letters, digits, spaces, '-', '_' and '.', and start with a letter or a digit.
+project-name-device = Windows reserves the name '{ $name }' for a device. Choose another name.
+# $code is the character's number, such as D800.
+project-character = The character U+{ $code } can't be saved. Remove it from the program.
+project-too-large = The project has { $size } bytes, but a project can have at most { $limit }.
+project-type = LearnBlock can't open this type of file. Choose a .bt, .py or .learnblock file.
+# $start is how the file of a project starts.
+project-none = This file is damaged or not a LearnBlock project. The file of a project starts with { $start }.
+project-not-utf-8 = This file is damaged or not a LearnBlock project: the byte { $byte } is not UTF-8.
+# $reason is a technical text in English.
+project-damaged = This file is damaged or not a LearnBlock project: { $reason }. Use an older copy of the file.
+project-too-deep = The brackets in this file are nested too deeply for a project.
+project-version = This project has version { $version } of the format, but this LearnBlock reads version { $known }. Open it with a newer LearnBlock.
+# $kind is robot or world; $value is what the file says.
+project-path = { $kind ->
+        [robot] The robot is { $value }, but a project can only name a robot, such as '{ $example }'.
+       *[world] The world is { $value }, but a project can only name a world, such as '{ $example }'.
+    }
+# $place is where in the file; $expected is one of the sentences below.
+project-value = { $place } is { $value }. { $expected }
+project-value-wrong = { $place } is wrong. { $expected }
+project-expects-blocktext = It must be the list of the program's lines.
+project-expects-python = It must be the list of the lines of Python.
+project-expects-robot = It must be the name of a robot, such as 'sim-ebo'.
+project-expects-world = It must be the name of a world, such as 'line'.
+project-expects-breakpoints = It must be a list of the ids of at most { $limit } blocks.
+project-expects-shown = It must be the name of a block set, such as 'first-steps'.
+project-expects-block-sets = It must be a list of at most { $limit } block sets.
+# $example is JSON.
+project-expects-libraries = It must give the version of each library, such as { $example }.
+project-expects-workspace = Remove the workspace from the file, and the blocks are laid out again.
+
+## Folder
+
+# $reason is the system's text.
+project-no-access = { $action ->
+        [read] The project can't be read from { $folder }: { $reason }
+        [save] The project can't be saved in { $folder }: { $reason }
+        [delete] The project can't be deleted from { $folder }: { $reason }
+        [keep-version] The version can't be saved in { $folder }: { $reason }
+        [read-version] The version can't be read from { $folder }: { $reason }
+        [keep-run] The run can't be saved in { $folder }: { $reason }
+       *[read-runs] The list of runs can't be read from { $folder }: { $reason }
+    }
+project-in-use = The project '{ $name }' is open. Close its pages first.
+
+## Opening
+
+# $problem is a sentence.
+project-robot-replaced = { $problem } The project now uses the robot '{ $robot }'.
+project-world-replaced = { $problem } The project now uses the world '{ $world }'.
+project-blocks-replaced = { $problem } The project now shows all blocks.
+project-library-missing = This program was made with version { $version } of the library '{ $library }', which is not installed. Import the library.
+project-library-older = This program was made with version { $version } of the library '{ $library }', but version { $installed } is installed. Import the newer version.

@@ -1,0 +1,23 @@
+# Errors in Python: in a Python program, or in a part of a program that is Python.
+
+python-too-deep = This Python is nested too deeply. Store a part of it in a variable.
+# Any other error. $reason: the message of Python, in English
+python-syntax = This is not valid Python: { $reason }.
+python-invalid-syntax = Python does not understand this. Check for typos and for missing symbols.
+python-missing-comma = Python does not understand this. Is a comma missing?
+python-comparison = Write '==' to compare. '=' sets a variable.
+python-expected = Write '{ $symbol }' here.
+python-missing-block = Indent this line. It belongs to the ':' line above.
+python-unexpected-indent = Remove the spaces at the beginning of this line. It is indented too far.
+python-uneven-indent = Indent this line exactly like one of the lines above.
+python-tabs-and-spaces = Indent with spaces only. The lines here mix tabs and spaces.
+python-never-closed = This '{ $symbol }' is never closed.
+python-unmatched = This '{ $symbol }' closes nothing. Remove it, or write the opening bracket.
+python-wrong-bracket = This '{ $closing }' does not match the opening '{ $opening }'.
+python-missing-quote = This text has no closing quote. Write one where the text ends.
+python-unexpected-end = The program ends too early. Check for a missing bracket or line.
+python-bad-number = This is neither a number nor a name. Begin names with a letter.
+python-bad-character = The character { $character } is not allowed here. Remove it, or write a plain one.
+python-bad-target = Write the name of a variable before '='.
+python-after-backslash = Nothing can follow '\' on its line. Remove it.
+python-call-without-brackets = Write the arguments of '{ $function }' in brackets: '{ $function }(...)'.

@@ -1,0 +1,79 @@
+# Robots of any kind: their class, their devices and skills, their settings.
+
+# $device is the type of device in the programming interface, such as Base.
+robot-key-taken = This robot already has a device of the type { $device } with the key '{ $key }'. Give the second one a different key.
+robot-stopped = The robot has been stopped, so it can't be used any more. Run the program again.
+robot-skill-name-taken = A skill can't be called '{ $name }', because every robot already has that name. Choose another name.
+robot-unknown-skill = This robot has no skill '{ $name }'.
+robot-unknown-skill-like = { robot-unknown-skill } Did you mean '{ $suggestion }'?
+
+# The class of a robot. $module is the module's name in Python.
+robot-no-class = The robot's file { $module } needs a class 'Robot' that inherits from 'Client'.
+# $reason is the error of the robot's file, in English.
+robot-not-loaded = The robot '{ $name }' can't be loaded ({ $reason }).
+robot-needs-no-setup = The robot '{ $name }' needs no setup.
+robot-missing-package = The robot '{ $robot }' needs the package { $package }. Install it with: pip install 'learnblock-studio[{ $robot }]'
+# A function that the author of a new robot has to write; $task is its docstring.
+robot-not-written = { $file }, line { $line }: '{ $call }' still has to be written. { $task }
+
+# The components of EBO and RCIS. $place is an address with a port.
+robot-part-unreachable = { $robot ->
+    [rcis] Can't reach the { $part ->
+        [base] wheels
+        [joint] camera tilt
+        [laser] distance sensors
+        [face] face
+        [screen] screen
+       *[camera] camera
+    } in RCIS at { $place }. Is RCIS running, with all its components?
+   *[ebo] Can't reach EBO's { $part ->
+        [base] wheels
+        [joint] camera tilt
+        [laser] distance sensors
+        [face] face
+        [screen] screen
+       *[camera] camera
+    } at { $place }. Is EBO on, and is this computer on its Wi-Fi?
+}
+robot-part-layout = { $robot ->
+    [rcis] RCIS
+   *[ebo] EBO
+} at { $place } uses a different message layout. Choose another 'layout' in the robot settings.
+# $reason is the component's own message.
+robot-part-refused = { $robot ->
+    [rcis] RCIS
+   *[ebo] EBO
+} at { $place } can't do that ({ $reason }).
+robot-unknown-layout = { $robot ->
+    [rcis] RCIS
+   *[ebo] EBO
+} at { $address } uses a message layout that LearnBlock doesn't know. Update its components or LearnBlock.
+
+# What a setting means, shown below its field and on the command line.
+robot-setting-patience = timeout in seconds
+robot-setting-address = network name or number
+robot-setting-port = network port
+robot-setting-serial-port = serial port, such as /dev/ttyUSB0 or COM3
+robot-setting-baud = bits per second
+robot-setting-length = mm
+robot-setting-speed = mm/s
+robot-setting-voice = voice of espeak-ng
+robot-setting-colour = colour pictures at half the width; otherwise grey
+robot-setting-stop-at-cliff = stop where the floor ends
+robot-setting-volume = volume in percent
+robot-setting-camera-port = network port; 0 for no camera
+robot-setting-layout = message layout of the components; auto detects it
+robot-setting-connection = agent or rpyc on ev3dev, direct for LEGO's firmware; auto tries them in turn
+robot-setting-device = LEGO's firmware by USB or Bluetooth: a device such as /dev/hidraw0
+robot-setting-token = secret shared with the agent, made by setup
+robot-setting-user = user name on ev3dev
+robot-setting-password = password of that user
+robot-setting-full-speed = degrees/s of a wheel's motor at 100 %
+robot-setting-thymio-connection = auto uses Thymio Suite if it is running, else a cable, else tcp
+robot-setting-thymio-device = serial port; empty for the first Thymio found
+robot-setting-track = distance between the wheels in mm
+robot-setting-speed-unit = mm/s of a wheel at motor speed 1
+robot-setting-scene = LearnBlock's script, the paper's scene, or a robot by the names of its parts
+robot-setting-script = object with the script; empty for the default
+robot-setting-object = path of an object in the scene, such as /Robot/sonar
+robot-setting-sensors = distance sensors, from left to right

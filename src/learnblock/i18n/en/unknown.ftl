@@ -1,0 +1,44 @@
+# Names that do not exist: of robots, worlds, skills, settings and so on.
+# $kind is a short name of what was looked for; $name is the unknown name.
+
+unknown-name =
+    There is { $kind ->
+        [behaviour] no behaviour
+        [block] no custom block
+        [block-set] no block set
+        [button] no button
+        [camera] no camera
+        [colour] no colour
+        [component] no component
+        [connection] no connection
+        [deleted-block] no deleted block
+        [detector] no detector
+        [device] no device
+        [device-function] no device function
+        [emotion] no emotion
+        [emulator] no emulator
+        [event] no event
+        [example] no example
+        [function] no function
+        [joint] no joint
+        [led] no LED
+        [library] no library
+        [line] no line
+        [project] no project
+        [robot] no robot
+        [setting] no setting
+        [simulated-robot] no simulated robot
+        [skill] no skill
+        [start-pose] no start pose
+        [tag] no tag
+        [variable] no variable
+        [version] no version
+        [world] no world
+       *[other] no
+    } '{ $name }'.
+# $known lists the names that exist.
+unknown-name-of =
+    { unknown-name } Known names: { $known }.
+# $suggestion is the most similar name that exists.
+unknown-name-like =
+    { unknown-name } Did you mean '{ $suggestion }'?

@@ -1,0 +1,51 @@
+# Simulated worlds and robots: their files, their pictures and the options of a run in them.
+
+# Files of worlds. $place is the place of a value in the file, such as box[2].
+
+world-off-floor = '{ $place }' is at ({ $x }, { $y }), outside the floor. On this floor, x goes from { $west } to { $east } and y from { $south } to { $north }.
+# $group is the list in the file.
+world-name-taken =
+    { $group ->
+        [line] Two lines are called '{ $name }'. Give each its own name.
+        [start] Two starts are called '{ $name }'. Give each its own name.
+       *[goal] Two goals are called '{ $name }'. Give each its own name.
+    }
+world-path-part = Write each part of a path as {"{"} forward = 300 {"}"} or as {"{"} turn = 90, radius = 300 {"}"}.
+world-line-shape = A line needs either 'points' (two or more) or 'start' and 'path'.
+world-line-empty = A line needs a length, but this one ends where it starts.
+world-line-open = The closed line '{ $name }' has to end where it starts, at ({ $start_x }, { $start_y }). It ends at ({ $x }, { $y }).
+world-picture-outside = The floor picture '{ $picture }' has to be in the same folder as the world's file.
+world-picture-missing = There is no floor picture '{ $picture }' in the folder of the world's file.
+world-picture-too-large = The floor picture '{ $picture }' is larger than { $limit } MB.
+world-picture-not-png = The floor picture '{ $picture }' is not a PNG picture. Save it as PNG.
+world-picture-too-many-pixels = The floor picture '{ $picture }' has { $width } by { $height } pixels. At most { $limit } pixels a side are allowed.
+world-picture-damaged = The floor picture '{ $picture }' is damaged.
+world-bad-name = A world cannot be called '{ $name }'. Use up to 40 letters, digits, hyphens, underscores and spaces.
+
+# Files of simulated robots.
+
+world-disc-without-radius = A disc needs a 'radius'.
+world-box-without-size = A box needs 'length' and 'width'.
+# $place is the place of a sensor or a joint in the file, such as joint[1].
+world-range-reversed = The 'minimum' of '{ $place }' is { $minimum }. It has to be less than its 'maximum', { $maximum }.
+# $group is the list in the file.
+world-key-taken =
+    { $group ->
+        [camera] Two cameras have the key '{ $key }'. Give each its own key.
+        [joint] Two joints have the key '{ $key }'. Give each its own key.
+        [led] Two LEDs have the slot '{ $key }'. Give each its own slot.
+       *[ground] Two ground sensors have the side '{ $key }'. Give each its own side.
+    }
+
+# A run in a world.
+
+world-no-room = The world '{ $world }' has no free floor for another robot.
+world-robot-taken = The world already has a robot called '{ $name }'. Choose another name.
+world-bad-pace = The pace has to be free, real or a positive number such as 5, not '{ $pace }'.
+world-bad-seed = The seed has to be a whole number, not '{ $seed }'.
+world-bad-start = The start has to be three numbers (x, y, heading), not '{ $start }'.
+world-not-drawable = LearnBlock can draw a run only if its robot is simulated.
+# AprilTags.
+world-no-tag = There is no tag { $number }. The tags of the family 36h11 have the numbers 0 to { $last }.
+# The title of a page with tags to print.
+world-tag-sheet = LearnBlock tags

@@ -1,0 +1,122 @@
+# Errors in Block-Text: what cannot be read, and what to write instead.
+# They appear under the line that they are about, on the page and in "learnblock check".
+
+## A whole program
+
+blocktext-too-long = El programa tiene { $characters } caracteres y es demasiado largo. El límite es { $limit }.
+# $number: such as U+0000
+blocktext-forbidden-character = El carácter { $number } no puede estar en un programa. Quítalo.
+blocktext-second-main = Un programa solo puede tener un 'main'. Une los dos.
+
+## What was expected: $wanted and $found are noun phrases from the messages below
+
+blocktext-expected = Aquí hace falta { $wanted }, no { $found }.
+blocktext-no-statement = Una instrucción no puede empezar con { $found }.
+# $text: a word or symbol of the program
+blocktext-token = '{ $text }'
+blocktext-end-of-line = el final de la línea
+blocktext-end-of-program = el final del programa
+blocktext-wanted-value = un valor
+blocktext-wanted-value-after = un valor después de '{ $word }'
+blocktext-wanted-operator = un operador
+blocktext-wanted-either = '{ $first }' o '{ $second }'
+blocktext-wanted-dot-and-skill = '.' y el nombre de una habilidad después de 'function'
+blocktext-wanted-skill = el nombre de una habilidad después de 'function.'
+# $word: the word that begins the block
+blocktext-wanted-colon = ':' para terminar la línea de '{ $word }'
+# $word: activate or deactivate
+blocktext-wanted-when = el nombre de un 'when' después de '{ $word }'
+blocktext-wanted-when-name = un nombre después de 'when', como en 'when seen = condition:'
+blocktext-wanted-loop-variable = el nombre de una variable después de 'for'
+blocktext-wanted-in-or-from = 'in' y una lista, o 'from' y un número
+blocktext-wanted-to = 'to' y el último número
+blocktext-wanted-library = el nombre de una biblioteca entre comillas, como en 'import "dance"'
+blocktext-wanted-function-name = el nombre de la función después de 'def'
+blocktext-wanted-parameters = '(' después de 'def { $name }'
+blocktext-wanted-parameter = el nombre de un parámetro o ')'
+
+## Words and symbols
+
+blocktext-write-instead = Escribe '{ $instead }' en lugar de '{ $found }'.
+# $quote: " or '
+blocktext-straight-quote = Escribe una comilla recta { $quote } en lugar de { $found }.
+blocktext-semicolon = Quita ';' y escribe cada instrucción en su propia línea.
+blocktext-braces = En Block-Text no hay llaves: un bloque empieza con ':' y se cierra con 'end'. Escribe otro código de Python entre acentos graves o en un bloque 'python:'.
+blocktext-meaningless = '{ $found }' no significa nada en Block-Text. Quítalo.
+blocktext-reserved-word = '{ $word }' es una palabra del lenguaje. Elige otro nombre.
+blocktext-unknown-word = Ninguna instrucción empieza con '{ $word }'. Revisa cómo está escrito.
+blocktext-unknown-word-near = Ninguna instrucción empieza con '{ $word }'. ¿Querías decir '{ $near }'?
+blocktext-switch = En Block-Text no hay 'switch'. Usa 'if' y 'elif'.
+# $word: var or let
+blocktext-declaration = En Block-Text no hay '{ $word }'. Escribe solo el nombre, '=' y el valor.
+blocktext-loop = En Block-Text no hay 'loop'. Escribe 'repeat 10:' o 'while True:'.
+blocktext-foreach = En Block-Text no hay 'foreach'. Escribe 'for x in values:'.
+blocktext-from = En Block-Text no hay 'from'. Escribe 'import "name"' para importar una biblioteca.
+# $word: a word of Python, such as class
+blocktext-python-only = En Block-Text no hay '{ $word }'. Usa un bloque 'python:'.
+blocktext-global = Quita 'global': todas las variables son globales.
+blocktext-is = Escribe '==' para comparar. En Block-Text no hay 'is'.
+
+## Values
+
+blocktext-assignment-in-condition = Escribe '==' para comparar. '=' da valor a una variable.
+blocktext-not-needs-brackets = Pon 'not' y lo que le sigue entre paréntesis, como en '(not x)'.
+blocktext-without-space = Escribe '{ $operator }' sin espacio.
+blocktext-slice = Escribe 'sublist(values, from, to)' para una parte de una lista.
+blocktext-unclosed-bracket = Este '{ $opening }' no se cierra. Escribe '{ $closing }' donde termina.
+blocktext-too-deep = Aquí hay demasiadas cosas unas dentro de otras. Guarda una parte en una variable.
+blocktext-number-too-long = Un número de { $digits } cifras es demasiado largo. Debe tener menos de { $limit }.
+blocktext-bad-number = '{ $text }' no es un número. Escribe uno, como 40 o 0.5.
+# $text: such as 3m
+blocktext-number-with-letters = '{ $text }' no es ni un número ni un nombre. Escribe los números sin unidad y empieza los nombres con una letra.
+
+## Texts
+
+# $quote: the character that opens the text
+blocktext-missing-quote = En esta línea falta { $quote } para cerrar. Escribe { $quote } donde termina el texto.
+blocktext-triple-quote = Escribe una sola comilla a cada lado de un texto. '\n' empieza una línea nueva dentro de él.
+blocktext-join-texts = Une dos textos con '+'.
+# $prefix: a letter such as f
+blocktext-string-prefix = En Block-Text no hay '{ $prefix }' delante de un texto. Une textos con '+' y 'str(...)'.
+# $escape: such as \u
+blocktext-escape-without-number = Después de '{ $escape }' va el número de un carácter. Para una barra inversa, escribe '\\'.
+blocktext-no-character-number = No hay ningún carácter con el número { $number }. Para una barra inversa, escribe '\\'.
+blocktext-no-character-name = No hay ningún carácter que se llame '{ $name }'. Para una barra inversa, escribe '\\'.
+
+## Names and calls
+
+blocktext-comparison-as-statement = Escribe '{ $name } = ...' para dar valor a '{ $name }'. '==' compara.
+blocktext-count = Escribe '{ $name } { $operator }= 1' para contar.
+blocktext-name-alone = '{ $name }' no hace nada por sí solo. Escribe '{ $name }()' para llamarlo.
+blocktext-call-or-assignment = Escribe '(' después de '{ $name }' para llamarlo, o '=' para darle un valor.
+blocktext-skill-of-robot = Escribe 'function.{ $skill }(...)' para usar esta habilidad.
+# $name: with a dot, such as values.append
+blocktext-dot = En Block-Text no hay '{ $name }': las funciones se llaman sin punto, como en 'append(values, 1)' o 'sqrt(9)'. Escribe otro código de Python entre acentos graves o en un bloque 'python:'.
+blocktext-call-needs-brackets = Escribe 'function.{ $skill }()'. Una llamada lleva paréntesis.
+blocktext-missing-brackets = Escribe los argumentos de '{ $name }' entre paréntesis: '{ $name }(...)'.
+blocktext-duplicate-argument = El argumento '{ $name }' está dos veces. Quita uno.
+blocktext-argument-order = Escribe los argumentos sin nombre antes de '{ $name }='.
+blocktext-unused-value = Este valor no se usa. Dáselo a una variable.
+blocktext-unused-result = Este valor no se usa. Dáselo a una variable, o escribe solo la llamada.
+blocktext-call-as-target = A una llamada no se le puede dar un valor. Escribe una variable antes de '='.
+blocktext-second-assignment = Da valor a una sola variable por línea, con un solo '='.
+blocktext-duplicate-parameter = Dos parámetros se llaman '{ $name }'. Cambia el nombre de uno.
+# $example: the name of a library
+blocktext-import-name = Escribe solo el nombre de la biblioteca, como en 'import "{ $example }"', sin carpeta y sin '.py'.
+
+## Lines and blocks
+
+blocktext-two-statements = Empieza una línea nueva antes de '{ $word }'. Cada instrucción va en su propia línea.
+# $word: the word that begins the block, here and below
+blocktext-missing-colon = Escribe ':' al final de esta línea de '{ $word }'.
+blocktext-empty-block = Este '{ $word }' está vacío. Escribe 'pass' si no debe hacer nada.
+blocktext-missing-end = A este '{ $word }' le falta el 'end'. Escribe 'end' en su propia línea, debajo del bloque.
+blocktext-python-without-end = A este 'python:' le falta el 'end'. Escribe 'end' en su propia línea, debajo del código de Python.
+blocktext-stray-end = Este 'end' no cierra nada. Quítalo, o revisa el bloque de arriba.
+# $word: elif or else
+blocktext-stray-branch = A este '{ $word }' le falta su 'if'. Quítalo, o revisa las líneas 'end' de arriba.
+# $word: elif or else
+blocktext-after-else = Este '{ $word }' va después de 'else'. Mueve 'else' al final.
+blocktext-nested = '{ $word }' no puede ir dentro de '{ $opener }'. Muévelo fuera de todos los bloques.
+blocktext-too-many-blocks = Aquí hay más de { $limit } bloques unos dentro de otros. Mueve algunos a una función.
+blocktext-for-equals = Escribe 'for { $name } from 1 to 10:', sin '='.

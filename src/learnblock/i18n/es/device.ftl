@@ -1,0 +1,7 @@
+# Un valor que un programa ha dado a un dispositivo, como la velocidad de las ruedas.
+# $name es el parámetro, $value el valor como lo escribe Python.
+
+device-not-number = '{ $name }' tiene que ser un número, no { $value }.
+device-not-finite = '{ $name }' tiene que ser un número finito, no { $value }.
+device-unknown-emotion = { $emotion } no es una emoción. Usa una de estas: { $known }.
+device-unknown-emotion-like = { $emotion } no es una emoción. ¿Querías decir '{ $suggestion }'?

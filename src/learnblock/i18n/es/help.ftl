@@ -1,0 +1,208 @@
+# La ayuda de las órdenes: help-ORDEN es el texto de una orden, y help-ORDEN-with-OPCIÓN el de una
+# de sus opciones. El inglés está en el código de las órdenes, en learnblock.cli.
+
+help-word-usage = Uso
+help-word-options = Opciones
+help-word-commands = Órdenes
+help-word-options-metavar = [OPCIONES]
+help-word-command-metavar = ORDEN [ARGUMENTOS]...
+help-word-epilog = Empieza con: learnblock. O mira lo que hace sin la página: learnblock demo
+help-word-help = Muestra esta ayuda y termina.
+
+help-learnblock =
+    Programa cualquier robot con bloques, Block-Text o Python, y pruébalo en un mundo simulado.
+
+    Sin ninguna orden abre la página. Su dirección lleva una clave para que no entre nadie más.
+help-learnblock-with-language = Idioma de la salida  [por defecto: LEARNBLOCK_LANGUAGE o el idioma del sistema]
+help-learnblock-with-version = Muestra la versión y termina.
+help-learnblock-with-port = Puerto en el que escucha  [por defecto: 8421, o uno libre si está ocupado]
+help-learnblock-with-host = Dirección en la que escucha  [por defecto: 127.0.0.1]
+help-learnblock-with-no-browser = Solo muestra la dirección de la página.
+help-learnblock-with-window = Muestra la página en una ventana aparte.
+help-learnblock-with-base-url = Ruta de la página detrás de un proxy.
+help-learnblock-with-allow-host = Nombre con el que un proxy o la red llama a este ordenador.
+help-learnblock-with-unix-socket = Escucha en este socket, para un proxy.
+help-learnblock-with-projects = Carpeta de los proyectos.
+
+help-blocks = Muestra, comprueba, exporta o importa bloques propios.
+help-blocks-with-json = Muestra JSON, para otras herramientas.
+help-blocks-check =
+    Comprueba un archivo de Python con bloques propios sin ejecutarlo.
+
+    El código de salida es 1 si hay errores; los avisos no lo cambian.
+help-blocks-check-with-configuration = Configuración de sus bloques: JSON como en blocks/.
+help-blocks-check-with-json = { help-blocks-with-json }
+help-blocks-export = Exporta un bloque propio a un archivo, para compartirlo.
+help-blocks-import = Importa un bloque propio de un archivo exportado, sin ejecutarlo.
+help-blocks-import-with-replace = Sustituye tu bloque del mismo nombre.
+
+help-check =
+    Busca errores en programas sin ejecutarlos.
+
+    Con --robot muestra también los dispositivos que le faltan a ese robot. El código de salida es 1 si hay errores; los avisos no lo cambian.
+help-check-with-robot = El robot: mira learnblock robots.
+help-check-with-json = { help-blocks-with-json }
+
+help-component =
+    Ofrece nuestro detector a RoboComp.
+
+    Los componentes de RoboComp lo llaman por Ice. Termina con Ctrl-C.
+help-component-with-port = Puerto en el que escucha  [por defecto: 25000 para apriltag, 10006 para emotionrecognition]
+help-component-with-host = Dirección en la que escucha.
+help-component-with-layout = Lo que contiene el ancho de una imagen; los clientes de RoboComp envían las filas.
+help-component-with-only-drawn-faces = Confirma que solo verá caras dibujadas y simuladas.
+
+help-convert =
+    Convierte un programa entre Block-Text y Python.
+
+    El resultado va a la salida estándar.
+help-convert-with-to = Notación a la que se convierte.
+help-convert-with-robot = { help-check-with-robot }
+help-convert-with-json = { help-blocks-with-json }
+
+help-demo =
+    Ejecuta una demostración en el simulador y la dibuja.
+
+    Un EBO simulado busca etiquetas, se acerca a cada una y muestra un sentimiento.
+help-demo-with-picture = Archivo del dibujo.
+
+help-dev =
+    Sirve la página con recarga automática, para quienes la desarrollan.
+
+    Necesita el código fuente y Node.js.
+help-dev-with-port = Puerto del servidor Vite.
+
+help-emulate =
+    Emula un robot para probar su controlador.
+
+    El controlador mueve entonces un robot simulado. Termina con Ctrl-C.
+help-emulate-with-world = Nombre o archivo del mundo.
+help-emulate-with-seed = Semilla de todo el ruido.
+
+help-format =
+    Da formato a programas de Block-Text.
+
+    La forma es fija: cuatro espacios por nivel, y un espacio donde hace falta.
+help-format-with-check = No cambia nada; sale con 1 si cambiaría algo.
+help-format-with-stdout = Muestra el resultado sin cambiar nada.
+help-format-with-json = { help-blocks-with-json }
+
+help-library = Crea, instala o quita bibliotecas de habilidades.
+help-library-list = Muestra las bibliotecas instaladas.
+help-library-list-with-json = { help-blocks-with-json }
+help-library-show = Muestra una biblioteca: instalada, o en un archivo o una carpeta.
+help-library-show-with-json = { help-blocks-with-json }
+help-library-export =
+    Crea una biblioteca con funciones de un programa y bloques propios.
+
+    Se añaden también las funciones que llaman esas funciones. La biblioteca se escribe en la carpeta actual.
+help-library-export-with-functions = Funciones del programa en FILE.
+help-library-export-with-blocks = Bloques propios.
+help-library-export-with-name = Nombre con el que la importan los programas.
+help-library-export-with-version = De uno a tres números.
+help-library-export-with-title = Nombre de la pestaña de la paleta, en inglés.
+help-library-export-with-as = Si se escribe un archivo o una carpeta.
+help-library-export-with-replace = Sustituye una biblioteca que ya existe.
+help-library-import =
+    Instala bibliotecas sin ejecutarlas.
+
+    LIBRARY es un archivo, una carpeta, una dirección file:// o un nombre en la carpeta actual. Si una no se puede instalar, no se instala ninguna.
+help-library-import-with-rename = Cambia el nombre de una habilidad si ya está ocupado.
+help-library-import-with-replace = { help-library-export-with-replace }
+help-library-remove =
+    Quita una biblioteca instalada.
+
+    Se mueve a la carpeta libraries/.trash.
+
+help-new = Crea los archivos de un robot, una habilidad o un mundo nuevos.
+help-new-robot =
+    Crea el cliente de un robot, su gemelo para el simulador y una prueba de los dos.
+
+    El gemelo funciona enseguida. En el cliente rellenas las funciones que hablan con el robot; cada una describe lo que tiene que hacer.
+help-new-robot-with-from = Lee la descripción del robot de este archivo TOML (docs/new.md) en vez de preguntar.
+help-new-robot-with-folder = Escribe ahí un paquete aparte, para instalarlo con pip.
+help-new-robot-with-force = Sustituye archivos que ya existen.
+help-new-skill =
+    Crea una habilidad con una prueba.
+
+    La habilidad es un bloque enseguida.
+help-new-skill-with-folder = Escribe en esta carpeta en vez de en tu carpeta de LearnBlock.
+help-new-skill-with-force = { help-new-robot-with-force }
+help-new-world = Crea un mundo para el simulador, con un objeto de cada tipo.
+help-new-world-with-folder = { help-new-skill-with-folder }
+help-new-world-with-force = { help-new-robot-with-force }
+
+help-open =
+    Abre un programa (.learnblock, .bt o .py) en la página.
+
+    Un archivo de otro sitio se convierte en un proyecto de la carpeta de proyectos; el archivo no cambia.
+help-open-with-port = { help-learnblock-with-port }
+help-open-with-host = { help-learnblock-with-host }
+help-open-with-no-browser = { help-learnblock-with-no-browser }
+help-open-with-window = { help-learnblock-with-window }
+help-open-with-base-url = { help-learnblock-with-base-url }
+help-open-with-allow-host = { help-learnblock-with-allow-host }
+help-open-with-unix-socket = { help-learnblock-with-unix-socket }
+help-open-with-projects = { help-learnblock-with-projects }
+
+help-perception = Muestra o cambia el reconocimiento con la cámara.
+help-perception-with-json = { help-blocks-with-json }
+help-perception-set = Cambia un ajuste del reconocimiento con la cámara.
+help-perception-set-with-default = Vuelve al valor por defecto.
+help-perception-set-with-yes = No pregunta.
+help-perception-set-with-json = { help-blocks-with-json }
+
+help-robots = Muestra los robots; configura, busca o prueba los reales.
+help-robots-with-json = { help-blocks-with-json }
+help-robots-set = Muestra o cambia los ajustes de un robot real.
+help-robots-set-with-default = { help-perception-set-with-default }
+help-robots-set-with-json = { help-blocks-with-json }
+help-robots-scan = Busca robots reales en puertos serie, en la red y en este ordenador.
+help-robots-scan-with-seconds = Cuánto tiempo busca cada tipo de robot.
+help-robots-scan-with-json = { help-blocks-with-json }
+help-robots-test = Prueba todos los dispositivos de un robot, uno tras otro.
+help-robots-test-with-yes = No pregunta; el robot se mueve enseguida.
+help-robots-setup = Prepara un robot: copia nuestro agente a un EV3 o nuestros scripts a una escena.
+
+help-run = Ejecuta un programa (.bt o .py) en un robot.
+help-run-with-robot = { help-check-with-robot }
+help-run-with-world = { help-emulate-with-world }
+help-run-with-seed = Semilla de todo el ruido; la misma semilla da la misma ejecución.
+help-run-with-pace = Velocidad: la máxima (por defecto), tiempo real o tantas veces más rápido.
+help-run-with-for = Para tras estos segundos del tiempo del robot  [por defecto: 300 a velocidad free]
+help-run-with-trace = Escribe la traza como JSON Lines.
+help-run-with-picture = Dibuja el mundo y el recorrido como .png o .svg.
+help-run-with-anyway = Ejecuta aunque al robot le falte un dispositivo que necesita.
+help-run-with-json = { help-blocks-with-json }
+
+help-sets =
+    Muestra los conjuntos de bloques.
+
+    Son los incluidos y los tuyos.
+help-sets-with-json = { help-blocks-with-json }
+
+help-skills =
+    Muestra las habilidades, o describe una.
+
+    Dice qué hace cada una y qué dispositivos necesita.
+help-skills-with-json = { help-blocks-with-json }
+
+help-tags = Muestra, cambia, importa, exporta o imprime nombres de etiquetas.
+help-tags-with-json = { help-blocks-with-json }
+help-tags-set = Da un nombre (NAME) a la etiqueta con este número (NUMBER).
+help-tags-remove = Quita un nombre (NAME).
+help-tags-import =
+    Importa los nombres de un archivo (FILE).
+
+    El archivo es TOML con líneas como ball = 3, o CSV con un nombre y un número por línea.
+help-tags-import-with-replace = Quita todos los demás nombres.
+help-tags-export = Exporta los nombres a un archivo (FILE): CSV si acaba en .csv, y si no TOML.
+help-tags-print =
+    Crea una página de etiquetas para imprimir con un navegador: todas las que tienen nombre, o las indicadas.
+
+    Imprime la página al 100 % y deja el margen blanco de cada etiqueta.
+help-tags-print-with-side = Lado del cuadrado negro en mm.
+help-tags-print-with-output = Archivo que se escribe.
+
+help-worlds = Muestra los mundos del simulador.
+help-worlds-with-json = { help-blocks-with-json }

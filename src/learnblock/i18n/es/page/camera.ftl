@@ -1,0 +1,25 @@
+# La cámara y la pantalla del robot.
+
+page-camera-camera = Cámara del robot
+page-camera-picture = Imagen de la cámara; lo que reconoce está en la lista de abajo
+page-camera-found = Reconocido en la imagen
+page-camera-no-camera = Este robot no tiene cámara.
+page-camera-tag = Etiqueta
+page-camera-face = Cara
+page-camera-feeling-face = Cara: { $emotion }
+page-camera-line = Línea
+page-camera-lamps = Luces
+page-camera-off = apagada
+page-camera-fear = miedo
+page-camera-surprise = sorpresa
+page-camera-anger = enfado
+page-camera-sadness = tristeza
+page-camera-disgust = asco
+page-camera-joy = alegría
+page-camera-neutral = calma
+page-camera-black = negra
+page-camera-red = roja
+page-camera-blue = azul
+page-camera-left = izquierda
+page-camera-center = centro
+page-camera-right = derecha

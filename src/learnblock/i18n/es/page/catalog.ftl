@@ -1,0 +1,67 @@
+# Nuestros ejemplos y mundos.
+
+page-catalog-example-square = Cuadrado
+page-catalog-example-text-square = Recorre un cuadrado.
+page-catalog-example-dance = Baile
+page-catalog-example-text-dance = Baila y muestra emociones.
+page-catalog-example-polygons = Polígonos
+page-catalog-example-text-polygons = Recorre polígonos, con funciones, parámetros y listas.
+page-catalog-example-avoid = Esquivar obstáculos
+page-catalog-example-text-avoid = Se mueve y esquiva los obstáculos.
+page-catalog-example-wall = Seguir una pared
+page-catalog-example-text-wall = Avanza con la pared a su derecha.
+page-catalog-example-labyrinth = Laberinto
+page-catalog-example-text-labyrinth = Encuentra el camino en un laberinto.
+page-catalog-example-line-ebo = Línea con cámara
+page-catalog-example-text-line-ebo = Sigue una línea con la cámara.
+page-catalog-example-line-thymio = Línea con sensores de suelo
+page-catalog-example-text-line-thymio = Sigue una línea con los sensores de suelo.
+page-catalog-example-line-states = Línea con estados
+page-catalog-example-text-line-states = Sigue una línea con estados y la busca si la pierde.
+page-catalog-example-tags = Reaccionar a etiquetas
+page-catalog-example-text-tags = Busca etiquetas y muestra una emoción con cada una.
+page-catalog-example-imitate = Imitar emociones
+page-catalog-example-text-imitate = Se acerca a las caras e imita sus emociones.
+page-catalog-example-tag-tour = Recorrido de etiquetas
+page-catalog-example-text-tag-tour = Visita tres etiquetas en orden, con una función y una lista.
+page-catalog-example-patrol = Patrulla
+page-catalog-example-text-patrol = Patrulla durante un minuto e informa.
+page-catalog-example-watch-out = Cuidado
+page-catalog-example-text-watch-out = Se para donde se acaba el suelo.
+page-catalog-world-empty = Suelo vacío
+page-catalog-world-faces = Caras
+page-catalog-world-labyrinth = Laberinto
+page-catalog-world-line-and-box = Línea con una caja
+page-catalog-world-line = Línea
+page-catalog-world-lines = Líneas de colores
+page-catalog-world-obstacles = Obstáculos
+page-catalog-world-tags = Tres etiquetas
+page-catalog-world-walls = Paredes
+
+# Títulos y objetivos de nuestros mundos.
+
+page-catalog-name-an-empty-floor = Un suelo vacío
+page-catalog-name-seven-faces-with-different-emotions = Siete caras con emociones distintas
+page-catalog-name-labyrinth-find-the-way-to-the-green-corner = Laberinto: encuentra el camino hasta la esquina verde
+page-catalog-name-a-black-line-with-a-box-on-it = Una línea negra con una caja encima
+page-catalog-name-a-closed-black-line-with-left-and-right-curves = Una línea negra cerrada con curvas a la izquierda y a la derecha
+page-catalog-name-black-red-and-blue-lines = Líneas negra, roja y azul
+page-catalog-name-boxes-and-cylinders-some-can-be-pushed = Cajas y cilindros; algunos se pueden empujar
+page-catalog-name-three-tags-to-find-one-after-another-by-turning-right = Tres etiquetas que se encuentran una tras otra girando a la derecha
+page-catalog-name-walls-to-follow = Paredes para seguir
+page-catalog-name-the-green-corner = la esquina verde
+page-catalog-name-a-lap-round-the-box = una vuelta rodeando la caja
+page-catalog-name-a-lap = una vuelta
+page-catalog-name-along-the-black-line = por la línea negra
+page-catalog-name-along-the-red-line = por la línea roja
+page-catalog-name-along-the-blue-line = por la línea azul
+page-catalog-name-the-east-side = el lado este
+page-catalog-goal-tag = etiqueta { $number }
+page-catalog-name-joy = alegría
+page-catalog-name-sadness = tristeza
+page-catalog-name-anger = enfado
+page-catalog-name-surprise = sorpresa
+page-catalog-name-fear = miedo
+page-catalog-name-disgust = asco
+page-catalog-name-neutral = neutral
+page-catalog-name-behind-the-corner = detrás de la esquina

@@ -1,0 +1,15 @@
+# La consola.
+
+page-console-lines = Salida del programa
+page-console-copy = Copiar
+page-console-clear = Vaciar
+page-console-asks = El programa pregunta:
+page-console-answer = Responder
+page-console-started = Iniciado
+page-console-finished = Terminado a los { $seconds } s.
+page-console-stopped = Parado a los { $seconds } s.
+page-console-time-limit = Tiempo límite alcanzado a los { $seconds } s.
+page-console-error = Detenido por un error a los { $seconds } s.
+page-console-no-call = Detenido a los { $seconds } s: el programa llevaba demasiado tiempo sin usar el robot.
+page-console-output-limit = Detenido a los { $seconds } s: el programa ha escrito demasiado.
+page-console-killed = Terminado desde fuera a los { $seconds } s.

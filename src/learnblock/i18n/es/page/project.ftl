@@ -1,0 +1,37 @@
+# Proyectos: menú y diálogos.
+
+page-project-menu = Proyecto
+page-project-new = Nuevo
+page-project-new-name = programa
+page-project-open = Abrir…
+page-project-examples = Ejemplos…
+page-project-save-as = Guardar como…
+page-project-history = Historial…
+page-project-upload = Subir un archivo…
+page-project-download-learnblock = Descargar el proyecto (.learnblock)
+page-project-download-bt = Descargar el Block-Text (.bt)
+page-project-download-py = Descargar el Python (.py)
+page-project-delete = Borrar…
+page-project-saved = Guardado
+page-project-saving = Guardando…
+page-project-saves-itself = Tu proyecto se guarda automáticamente.
+page-project-recovered = Conexión recuperada. No se ha perdido nada.
+page-project-drop = Suelta el archivo para abrirlo
+page-project-wrong-file = LearnBlock no puede abrir este tipo de archivo: { $name }. Elige un archivo .learnblock, .bt o .py.
+page-project-large-file = { $name } es demasiado grande. Un programa tiene como máximo un millón de caracteres.
+page-project-open-title = Abrir un proyecto
+page-project-search = Buscar
+page-project-none-found = No hay proyectos que coincidan
+page-project-is-open = abierto
+page-project-delete-named = ¿Borrar { $name }?
+page-project-delete-one = Borrar { $name }
+page-project-delete-help = Puedes recuperarlo de la papelera de tu carpeta de proyectos.
+page-project-delete-now = Borrar
+page-project-examples-title = Ejemplos
+page-project-examples-help = Cada ejemplo se abre como un proyecto nuevo. Cambia lo que quieras.
+page-project-on-in = { $robot } en { $world }
+page-project-save-as-title = Guardar como
+page-project-name = Nombre
+page-project-copy-of = { $name } copia
+page-project-save-as-help = Sigues con la copia. El proyecto original no cambia.
+page-project-save-copy = Guardar copia

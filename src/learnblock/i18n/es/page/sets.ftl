@@ -1,0 +1,33 @@
+# El diálogo que elige los bloques visibles.
+
+page-sets-title = Elegir bloques
+page-sets-menu = Elegir bloques…
+page-sets-button = Bloques: { $title }
+page-sets-ours = Para las clases
+page-sets-carried = En este proyecto
+page-sets-own = Mis conjuntos
+page-sets-search = Buscar bloques
+page-sets-count = { $shown } de { $all } bloques visibles
+page-sets-is-changed = cambiado, sin guardar
+page-sets-all = Mostrar todos
+page-sets-none = No mostrar ninguno
+page-sets-blocks = Bloques
+page-sets-blocks-of = Bloques de { $tab }
+page-sets-later = Mostrar también los bloques que se añadan más tarde
+page-sets-absent = No están instalados aquí
+page-sets-empty = Marca al menos un bloque.
+page-sets-load = Importar conjunto…
+page-sets-download = Exportar conjunto
+page-sets-delete = Borrar
+page-sets-save-as = Guardar como…
+page-sets-show = Mostrar estos bloques
+page-sets-name = Nombre
+page-sets-my-blocks = mis bloques
+page-sets-save-help = El conjunto aparece en «Mis conjuntos» en todos los proyectos.
+page-sets-replaces = Ya tienes un conjunto con este nombre. Al guardar, se reemplaza.
+page-sets-save = Guardar
+page-sets-changed = { $title } (cambiado)
+page-sets-undo = Deshacer
+page-sets-shown-now = Se muestran: { $title }. Los bloques del programa no cambian.
+page-sets-deleted = { $title } se ha borrado.
+page-sets-large = { $name } es demasiado grande para un conjunto de bloques.

@@ -1,0 +1,35 @@
+# Ajustes de la página y atajos de teclado.
+
+page-settings-title = Ajustes
+page-settings-theme-system = Igual que el dispositivo
+page-settings-theme-light = Claro
+page-settings-theme-dark = Oscuro
+page-settings-theme-contrast = Alto contraste
+page-settings-sound = Sonidos del robot
+page-settings-audible = Sonidos para distancias y choques
+page-settings-about = LearnBlock { $version }. Tus proyectos están en { $folder }.
+page-settings-shortcuts = Atajos de teclado
+page-settings-page = Página
+page-settings-everywhere = Todas las vistas
+page-settings-texts = Block-Text y Python
+page-settings-next-region = Siguiente parte de la página
+page-settings-previous-region = Parte anterior de la página
+page-settings-saves = Nada: los proyectos se guardan automáticamente
+page-settings-breakpoint = Poner o quitar un punto de interrupción
+page-settings-closes = Cerrar un diálogo o un menú
+page-settings-toolbox = Ir a la lista de bloques
+page-settings-workspace = Ir al programa
+page-settings-move-cursor = Moverse entre bloques
+page-settings-edit-block = Insertar o editar
+page-settings-move-block = Mover con las flechas
+page-settings-duplicate = Duplicar
+page-settings-delete = Borrar
+page-settings-search = Buscar
+page-settings-complete = Mostrar sugerencias
+page-settings-describe = Explicar la palabra bajo el cursor
+page-settings-next-problem = Ir al siguiente problema
+page-settings-rename = Cambiar el nombre en todas partes
+page-settings-definition = Ir a la definición
+page-settings-format = Ordenar el código
+page-settings-reveal = Mostrar esta instrucción en las otras vistas
+page-settings-leaves = Salir del editor

@@ -1,0 +1,34 @@
+# Las partes de la página.
+
+page-shell-blocks = Bloques
+page-shell-blocktext = Block-Text
+page-shell-python = Python
+page-shell-world = Mundo
+page-shell-panel = Salida
+page-shell-shown = Vistas
+page-shell-console = Consola
+page-shell-variables = Variables
+page-shell-sensors = Sensores
+page-shell-problems = Problemas
+page-shell-result = Resultado
+page-shell-camera = Cámara del robot
+page-shell-drive = Conducción manual
+page-shell-reset-world = Restablecer el mundo
+page-shell-skip = Saltar a
+page-shell-skip-run = Ir al botón Ejecutar
+page-shell-skip-blocks = Ir a los bloques
+page-shell-skip-blocktext = Ir al Block-Text
+page-shell-skip-python = Ir al Python
+page-shell-skip-world = Ir al mundo
+page-shell-skip-panel = Ir a la salida
+page-shell-divider-columns = Divisor entre programa y mundo
+page-shell-divider-rows = Divisor entre mundo y salida
+page-shell-divider-views = Divisor entre { $before } y { $after }
+page-shell-close = Cerrar
+page-shell-cancel = Cancelar
+page-shell-dismiss = Cerrar
+page-shell-notes = Notificaciones
+page-shell-part-failed = No se ha podido cargar esta parte de la página. Recarga la página; si no funciona, reinicia LearnBlock.
+page-shell-lost = Se ha perdido la conexión. Sigue trabajando: tus cambios se envían cuando LearnBlock vuelva.
+page-shell-refused = LearnBlock se ha reiniciado. Abre la dirección que muestra ahora.
+page-shell-goal-reached = Objetivo alcanzado: { $goal }

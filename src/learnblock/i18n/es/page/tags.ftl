@@ -1,0 +1,29 @@
+# Nombres de etiquetas.
+
+page-tags-title = Nombres de etiquetas
+page-tags-menu = Nombres de etiquetas…
+page-tags-help = Un programa puede buscar una etiqueta por su nombre: is_tag("pelota"). Tus nombres valen en todos los proyectos.
+page-tags-none = Ninguna etiqueta tiene nombre todavía.
+page-tags-picture = Etiqueta
+page-tags-picture-of = Imagen de la etiqueta { $tag }
+page-tags-name = Nombre
+page-tags-nameless = etiqueta sin nombre
+page-tags-number = Número
+page-tags-number-of = Número de { $name }
+page-tags-remove = Quitar
+page-tags-remove-one = Quitar { $name }
+page-tags-add = Añadir un nombre
+page-tags-import = Añadir nombres de un archivo…
+page-tags-export-toml = Descargar (TOML)
+page-tags-export-csv = Descargar (CSV)
+page-tags-export-html = Imprimir etiquetas
+page-tags-save = Guardar
+page-tags-saved = Guardado
+page-tags-unsaved = Sin guardar
+page-tags-saved-in-passing = Los nombres de las etiquetas se han guardado.
+page-tags-undo = Deshacer
+page-tags-no-name = Escribe un nombre.
+page-tags-is-number = Un nombre necesita al menos una letra.
+page-tags-twice = Este nombre ya está en uso.
+page-tags-no-tag = Escribe un número entero de 0 a { $last }.
+page-tags-large = { $name } es demasiado grande para una lista de nombres de etiquetas.

@@ -1,0 +1,13 @@
+# La tabla de variables y eventos.
+
+page-variables-title = Variables del programa
+page-variables-name = Nombre
+page-variables-value = Valor
+page-variables-local = En esta función
+page-variables-shared = Globales
+page-variables-whens = Evento
+page-variables-state = Estado
+page-variables-time = Activo desde hace
+page-variables-active = ● activo
+page-variables-inactive = ○ en espera
+page-variables-nothing = Ejecuta un programa para ver sus variables.

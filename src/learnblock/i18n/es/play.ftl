@@ -1,0 +1,20 @@
+# Ejecutar un programa desde la página y mover su robot a mano.
+
+play-robot-moves = El robot se está moviendo. Pausa o para el programa antes de colocarlo.
+play-program-running = Hay un programa en marcha. Páralo primero.
+play-no-question = El programa no espera ninguna respuesta.
+play-no-robot = No hay ningún robot listo. Elige uno en la barra.
+play-not-started = No se ha podido ejecutar el programa: { $reason }
+
+play-no-function = Este bloque no tiene ninguna función que reciba el robot. Escribe una primero.
+play-wrong-count =
+    { $most ->
+        [0] La función «{ $function }» no recibe ningún valor, pero se le han dado { $count }.
+       *[other]
+            { $least ->
+                [one] La función «{ $function }» recibe al menos 1 valor y como mucho { $most }, pero se le han dado { $count }.
+               *[other] La función «{ $function }» recibe de { $least } a { $most } valores, pero se le han dado { $count }.
+            }
+    }
+play-bad-number = { $value } no es un número que un bloque pueda dar.
+play-bad-value = Un bloque solo puede dar números, textos, listas, verdadero y falso.

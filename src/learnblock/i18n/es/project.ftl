@@ -1,0 +1,50 @@
+# Projects: their files, names and folder, and what a page does with an open project.
+
+## Names and files
+
+project-name-wrong = Un proyecto no puede llamarse '{ $name }'. Usa hasta { $limit } letras, cifras, espacios, '-', '_' y '.', y empieza por una letra o una cifra.
+project-name-device = Windows reserva el nombre '{ $name }' para un dispositivo. Elige otro nombre.
+project-character = El carácter U+{ $code } no se puede guardar. Quítalo del programa.
+project-too-large = El proyecto tiene { $size } bytes, pero un proyecto puede tener como máximo { $limit }.
+project-type = LearnBlock no puede abrir este tipo de archivo. Elige un archivo .bt, .py o .learnblock.
+project-none = Este archivo está dañado o no es un proyecto de LearnBlock. El archivo de un proyecto empieza por { $start }.
+project-not-utf-8 = Este archivo está dañado o no es un proyecto de LearnBlock: el byte { $byte } no es UTF-8.
+project-damaged = Este archivo está dañado o no es un proyecto de LearnBlock: { $reason }. Usa una copia anterior del archivo.
+project-too-deep = Este archivo tiene demasiados paréntesis unos dentro de otros para ser un proyecto.
+project-version = Este proyecto tiene la versión { $version } del formato, pero este LearnBlock lee la versión { $known }. Ábrelo con un LearnBlock más nuevo.
+project-path = { $kind ->
+        [robot] El robot es { $value }, pero un proyecto solo puede nombrar un robot, como '{ $example }'.
+       *[world] El mundo es { $value }, pero un proyecto solo puede nombrar un mundo, como '{ $example }'.
+    }
+project-value = { $place } es { $value }. { $expected }
+project-value-wrong = { $place } está mal. { $expected }
+project-expects-blocktext = Debe ser la lista de las líneas del programa.
+project-expects-python = Debe ser la lista de las líneas de Python.
+project-expects-robot = Debe ser el nombre de un robot, como 'sim-ebo'.
+project-expects-world = Debe ser el nombre de un mundo, como 'line'.
+project-expects-breakpoints = Debe ser una lista con los identificadores de { $limit } bloques como máximo.
+project-expects-shown = Debe ser el nombre de un conjunto de bloques, como 'first-steps'.
+project-expects-block-sets = Debe ser una lista de { $limit } conjuntos de bloques como máximo.
+project-expects-libraries = Debe dar la versión de cada biblioteca, como { $example }.
+project-expects-workspace = Quita el espacio de trabajo del archivo y los bloques se colocarán de nuevo.
+
+## Folder
+
+project-no-access = { $action ->
+        [read] No se puede leer el proyecto en { $folder }: { $reason }
+        [save] No se puede guardar el proyecto en { $folder }: { $reason }
+        [delete] No se puede borrar el proyecto en { $folder }: { $reason }
+        [keep-version] No se puede guardar la versión en { $folder }: { $reason }
+        [read-version] No se puede leer la versión en { $folder }: { $reason }
+        [keep-run] No se puede guardar la ejecución en { $folder }: { $reason }
+       *[read-runs] No se puede leer la lista de ejecuciones en { $folder }: { $reason }
+    }
+project-in-use = El proyecto '{ $name }' está abierto. Cierra antes sus páginas.
+
+## Opening
+
+project-robot-replaced = { $problem } El proyecto usa ahora el robot '{ $robot }'.
+project-world-replaced = { $problem } El proyecto usa ahora el mundo '{ $world }'.
+project-blocks-replaced = { $problem } El proyecto muestra ahora todos los bloques.
+project-library-missing = Este programa se hizo con la versión { $version } de la biblioteca '{ $library }', que no está instalada. Importa la biblioteca.
+project-library-older = Este programa se hizo con la versión { $version } de la biblioteca '{ $library }', pero está instalada la versión { $installed }. Importa la versión más nueva.

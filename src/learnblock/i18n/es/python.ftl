@@ -1,0 +1,23 @@
+# Errors in Python: in a Python program, or in a part of a program that is Python.
+
+python-too-deep = En este código de Python hay demasiadas cosas unas dentro de otras. Guarda una parte en una variable.
+# Any other error. $reason: the message of Python, in English
+python-syntax = Esto no es Python válido: { $reason }.
+python-invalid-syntax = Python no entiende esto. Revisa si hay erratas o si falta algún símbolo.
+python-missing-comma = Python no entiende esto. ¿Falta una coma?
+python-comparison = Escribe '==' para comparar. '=' da valor a una variable.
+python-expected = Escribe '{ $symbol }' aquí.
+python-missing-block = Añade sangría a esta línea. Pertenece a la línea con ':' de arriba.
+python-unexpected-indent = Quita los espacios del principio de esta línea. Tiene demasiada sangría.
+python-uneven-indent = Pon en esta línea la misma sangría que en una de las líneas de arriba.
+python-tabs-and-spaces = Usa solo espacios para la sangría. Aquí se mezclan tabuladores y espacios.
+python-never-closed = Este '{ $symbol }' no se cierra nunca.
+python-unmatched = Este '{ $symbol }' no cierra nada. Quítalo, o escribe el paréntesis que lo abre.
+python-wrong-bracket = Este '{ $closing }' no corresponde al '{ $opening }' que está abierto.
+python-missing-quote = A este texto le faltan las comillas de cierre. Escríbelas donde termina el texto.
+python-unexpected-end = El programa se acaba antes de tiempo. Revisa si falta un paréntesis o una línea.
+python-bad-number = Esto no es ni un número ni un nombre. Empieza los nombres con una letra.
+python-bad-character = El carácter { $character } no puede estar aquí. Quítalo, o escribe uno normal.
+python-bad-target = Escribe el nombre de una variable antes de '='.
+python-after-backslash = Después de '\' no puede haber nada en su línea. Quítalo.
+python-call-without-brackets = Escribe los argumentos de '{ $function }' entre paréntesis: '{ $function }(...)'.

@@ -1,0 +1,75 @@
+# Robots de cualquier tipo: su clase, sus dispositivos y habilidades, sus ajustes.
+
+robot-key-taken = Este robot ya tiene un dispositivo del tipo { $device } con la clave '{ $key }'. Dale otra clave al segundo.
+robot-stopped = El robot se ha parado y ya no se puede usar. Ejecuta el programa otra vez.
+robot-skill-name-taken = Una habilidad no se puede llamar '{ $name }', porque todos los robots ya tienen ese nombre. Elige otro nombre.
+robot-unknown-skill = Este robot no tiene ninguna habilidad '{ $name }'.
+robot-unknown-skill-like = { robot-unknown-skill } ¿Querías decir '{ $suggestion }'?
+
+# La clase de un robot. $module es el nombre del módulo en Python.
+robot-no-class = El archivo del robot { $module } necesita una clase 'Robot' que herede de 'Client'.
+robot-not-loaded = No se puede cargar el robot '{ $name }' ({ $reason }).
+robot-needs-no-setup = El robot '{ $name }' no necesita preparación.
+robot-missing-package = El robot '{ $robot }' necesita el paquete { $package }. Instálalo con: pip install 'learnblock-studio[{ $robot }]'
+robot-not-written = { $file }, línea { $line }: falta escribir '{ $call }'. { $task }
+
+# Los componentes de EBO y de RCIS.
+robot-part-unreachable = { $robot ->
+    [rcis] RCIS no responde en { $place } ({ $part ->
+        [base] las ruedas
+        [joint] la inclinación de la cámara
+        [laser] los sensores de distancia
+        [face] la cara
+        [screen] la pantalla
+       *[camera] la cámara
+    }). ¿Está en marcha, con todos sus componentes?
+   *[ebo] EBO no responde en { $place } ({ $part ->
+        [base] las ruedas
+        [joint] la inclinación de la cámara
+        [laser] los sensores de distancia
+        [face] la cara
+        [screen] la pantalla
+       *[camera] la cámara
+    }). ¿Está encendido y este ordenador está en su wifi?
+}
+robot-part-layout = { $robot ->
+    [rcis] RCIS
+   *[ebo] EBO
+} en { $place } usa otro formato de mensajes. Elige otro 'layout' en los ajustes del robot.
+robot-part-refused = { $robot ->
+    [rcis] RCIS
+   *[ebo] EBO
+} en { $place } no puede hacer eso ({ $reason }).
+robot-unknown-layout = { $robot ->
+    [rcis] RCIS
+   *[ebo] EBO
+} en { $address } usa un formato de mensajes que LearnBlock no conoce. Actualiza sus componentes o LearnBlock.
+
+# Qué significa un ajuste; aparece debajo de su campo y en la línea de órdenes.
+robot-setting-patience = tiempo máximo de espera en segundos
+robot-setting-address = nombre o número en la red
+robot-setting-port = puerto de red
+robot-setting-serial-port = puerto serie, como /dev/ttyUSB0 o COM3
+robot-setting-baud = bits por segundo
+robot-setting-length = mm
+robot-setting-speed = mm/s
+robot-setting-voice = voz de espeak-ng
+robot-setting-colour = imágenes en color con la mitad de ancho; si no, en gris
+robot-setting-stop-at-cliff = parar donde acaba el suelo
+robot-setting-volume = volumen en tanto por ciento
+robot-setting-camera-port = puerto de red; 0 sin cámara
+robot-setting-layout = formato de mensajes de los componentes; auto lo averigua
+robot-setting-connection = agent o rpyc con ev3dev, direct con el firmware de LEGO; auto los prueba por orden
+robot-setting-device = firmware de LEGO por USB o Bluetooth: un dispositivo como /dev/hidraw0
+robot-setting-token = secreto compartido con el agente, lo crea setup
+robot-setting-user = nombre de usuario en ev3dev
+robot-setting-password = contraseña de ese usuario
+robot-setting-full-speed = grados/s del motor de una rueda al 100 %
+robot-setting-thymio-connection = auto usa Thymio Suite si está en marcha; si no, un cable; si no, tcp
+robot-setting-thymio-device = puerto serie; vacío para el primer Thymio que se encuentre
+robot-setting-track = distancia entre las ruedas en mm
+robot-setting-speed-unit = mm/s de una rueda con velocidad de motor 1
+robot-setting-scene = el script de LearnBlock, la escena del artículo o un robot por los nombres de sus partes
+robot-setting-script = objeto con el script; vacío para el habitual
+robot-setting-object = ruta de un objeto en la escena, como /Robot/sonar
+robot-setting-sensors = sensores de distancia, de izquierda a derecha

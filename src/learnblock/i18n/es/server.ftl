@@ -1,0 +1,39 @@
+# The server: where it listens, who may use it, and messages from pages that it can't carry out.
+
+## Starting
+
+server-started =
+    LearnBlock está en marcha en { $address }
+    Pulsa Ctrl-C para pararlo.
+server-cannot-listen = LearnBlock no puede escuchar en { $host }, puerto { $port }: { $reason }. Elige otro con --port.
+server-cannot-listen-socket = LearnBlock no puede escuchar en { $path }: { $reason }.
+server-already-listening = Otro LearnBlock está escuchando en { $path }.
+server-token-wrong = { $variable } solo puede contener letras, cifras, '-', '_', '.' y '~'.
+server-no-window = Una ventana necesita pywebview. Ejecuta pip install 'learnblock-studio[window]', o quita --window y usa el navegador.
+
+## Answers to a browser
+
+server-incomplete-address-title = Esta dirección está incompleta
+server-incomplete-address = Abre la dirección completa que LearnBlock mostró al empezar. Termina en ?token= y una palabra larga, y cada vez es distinta.
+server-wrong-address = LearnBlock no responde en esta dirección ni a esta página. Abre la dirección que LearnBlock mostró; detrás de un proxy, inicia LearnBlock con --allow-host NOMBRE.
+server-not-built-title = La página no está construida
+server-not-built = Este LearnBlock se ejecuta desde sus fuentes, sin una página construida. Construye la página con Node.js y vuelve a cargar:
+server-no-floor-picture = El suelo de este mundo no tiene ninguna imagen.
+
+## Messages from a page
+
+server-mistake = Algo ha fallado en LearnBlock: { $reason }
+server-no-project = No hay ningún proyecto abierto. Abre antes un proyecto.
+server-too-deep = Esto tiene demasiados niveles, unos dentro de otros.
+server-message-too-long = Un mensaje de { $count } caracteres es demasiado largo.
+server-message-unknown = LearnBlock no conoce este mensaje: { $reason }
+server-message-broken = Este mensaje tiene demasiados niveles, o no es texto.
+server-block-set-file = El archivo '{ $name }' no es un conjunto de bloques. { $problem }
+server-world-exists = Ya tienes un mundo '{ $name }'. Elige otro nombre, o guarda otra vez para sustituirlo.
+
+## For contributors: learnblock dev
+
+server-dev-no-watchfiles = learnblock dev necesita watchfiles. Ejecuta pip install -e '.[dev]'.
+server-dev-no-checkout = learnblock dev necesita las fuentes de LearnBlock, con la carpeta frontend. Para usar la página, ejecuta learnblock.
+server-dev-no-node = learnblock dev necesita Node.js { $version } o más nuevo.
+server-dev-started = La página, que se recarga sola: { $address }

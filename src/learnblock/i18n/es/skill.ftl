@@ -1,0 +1,6 @@
+# Habilidades que fallan, y archivos de habilidades que no se pueden cargar. $file es como skills/dance.py.
+
+skill-not-function = En { $file }, '{ $name }' ya no es una función cuando el archivo ha terminado. Ponle otro nombre al otro valor.
+skill-file-syntax = No se puede cargar { $file } por un error en la línea { $line }: { $reason }.
+skill-file-broken = No se puede cargar { $file } ({ $reason }). Corrige el archivo y ejecuta el programa otra vez.
+skill-still-turning = El robot solo ha girado { $turned } de { $angle } grados en { $seconds } segundos. ¿Está atascado o levantado del suelo?

@@ -1,0 +1,44 @@
+# Nombres que no existen: de robots, mundos, habilidades, ajustes, etc.
+# $kind es un nombre corto de lo que se buscaba; $name es el nombre desconocido.
+
+unknown-name =
+    No hay { $kind ->
+        [behaviour] ningún comportamiento
+        [block] ningún bloque propio
+        [block-set] ningún conjunto de bloques
+        [button] ningún botón
+        [camera] ninguna cámara
+        [colour] ningún color
+        [component] ningún componente
+        [connection] ninguna conexión
+        [deleted-block] ningún bloque borrado
+        [detector] ningún detector
+        [device] ningún dispositivo
+        [device-function] ninguna función de dispositivo
+        [emotion] ninguna emoción
+        [emulator] ningún emulador
+        [event] ningún evento
+        [example] ningún ejemplo
+        [function] ninguna función
+        [joint] ninguna articulación
+        [led] ningún LED
+        [library] ninguna biblioteca
+        [line] ninguna línea
+        [project] ningún proyecto
+        [robot] ningún robot
+        [setting] ningún ajuste
+        [simulated-robot] ningún robot simulado
+        [skill] ninguna habilidad
+        [start-pose] ninguna posición inicial
+        [tag] ninguna etiqueta
+        [variable] ninguna variable
+        [version] ninguna versión
+        [world] ningún mundo
+       *[other] nada llamado
+    } '{ $name }'.
+# $known es la lista de los nombres que existen.
+unknown-name-of =
+    { unknown-name } Nombres conocidos: { $known }.
+# $suggestion es el nombre existente más parecido.
+unknown-name-like =
+    { unknown-name } ¿Querías decir '{ $suggestion }'?

@@ -1,0 +1,71 @@
+"""Something to say to a person: a code and named values."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Union
+
+from learnblock.i18n.words import ENGLISH, is_code, words
+
+#: What a phrase's words may show. Numbers follow the reader's language, so a number that is a name
+#: (a port, an identifier) is given as a string; a tuple is shown as a list with commas.
+Value = Union[str, int, float, "Phrase", tuple[Union[str, "Phrase"], ...]]
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class Phrase:
+    """Something to say to a person.
+
+    ``str(phrase)`` is the English text; `learnblock.i18n.translate` gives it in another language.
+
+    Args:
+        code: names the words, such as ``check-unknown-skill``. Text that is not a code, such as
+            the message of a library's exception, is shown as it is.
+        values: what the words show, by name.
+    """
+
+    code: str
+    values: Mapping[str, Value]
+
+    def __init__(self, code: str, /, **values: Value) -> None:
+        object.__setattr__(self, "code", code)
+        object.__setattr__(self, "values", values)
+
+    def __hash__(self) -> int:
+        # A mapping has no hash, and diagnostics are compared in sets.
+        return hash((self.code, frozenset(self.values.items())))
+
+    def __str__(self) -> str:
+        return translate(self, ENGLISH)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _phrase, (self.code, dict(self.values))
+
+
+def _phrase(code: str, values: Mapping[str, Value]) -> Phrase:
+    return Phrase(code, **values)
+
+
+def translate(phrase: Phrase, language: str) -> str:
+    """A phrase's text in a language; in English where that language has no words for it.
+
+    Text that is not a code of ours is returned as it is.
+
+    Raises:
+        ValueError: the words of a phrase are wrong, such as a value that is missing.
+    """
+    if not is_code(phrase.code):
+        return phrase.code
+    for candidate in dict.fromkeys((language, ENGLISH)):
+        values = {name: _shown(value, candidate) for name, value in phrase.values.items()}
+        text = words(phrase.code, values, candidate)
+        if text is not None:
+            return text
+    return phrase.code
+
+
+def _shown(value: Value, language: str) -> str | int | float:
+    if isinstance(value, Phrase):
+        return translate(value, language)
+    if isinstance(value, tuple):
+        return ", ".join(str(_shown(one, language)) for one in value)
+    return value

@@ -1,0 +1,63 @@
+"""The words of codes: Fluent files, one for each language and area, read when first needed."""
+
+import re
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from fluent.runtime import FluentBundle
+
+ENGLISH = "en"
+
+# Not importlib.resources, whose import would add to the start of every program.
+_FOLDER = Path(__file__).parent
+_CODE = re.compile(r"[a-z][a-z0-9]*(?:-[a-z0-9]+)+")
+
+
+@cache
+def languages() -> tuple[str, ...]:
+    """The codes of the languages there are, English first."""
+    found = sorted(one.name for one in _FOLDER.iterdir() if _is_language(one))
+    return (ENGLISH, *(name for name in found if name != ENGLISH))
+
+
+def is_code(text: str) -> bool:
+    """Whether a text has the form of a code, such as ``check-unknown-skill``."""
+    return _CODE.fullmatch(text) is not None
+
+
+def words(code: str, values: dict[str, str | int | float], language: str) -> str | None:
+    """The words of a code in exactly that language, or None if it has none.
+
+    Raises:
+        ValueError: the words are wrong, or a value that they show is missing.
+    """
+    bundle = _bundle(language, code.partition("-")[0])
+    if bundle is None or not bundle.has_message(code):
+        return None
+    pattern = bundle.get_message(code).value
+    if pattern is None:
+        return None
+    text, errors = bundle.format_pattern(pattern, values)
+    if errors:
+        raise ValueError(f"{code} in {language}: {errors[0]}")
+    return str(text)
+
+
+@cache
+def _bundle(language: str, area: str) -> "FluentBundle | None":
+    """The words of one area, or None where the language has none."""
+    file = _FOLDER / language / f"{area}.ftl"
+    if not file.is_file():
+        return None
+    # Imported late: Fluent takes a tenth of a second, and `--help` needs no phrase.
+    from fluent.runtime import FluentBundle, FluentResource  # noqa: PLC0415
+
+    bundle = FluentBundle([language], use_isolating=False)
+    bundle.add_resource(FluentResource(file.read_text("utf-8")))
+    return bundle
+
+
+def _is_language(folder: Path) -> bool:
+    return folder.is_dir() and any(one.name.endswith(".ftl") for one in folder.iterdir())

@@ -1,0 +1,371 @@
+"""Parse expressions of Block-Text by precedence climbing, with the precedence of Python."""
+
+import re
+from collections.abc import Callable
+
+from learnblock.errors import EscapeError
+from learnblock.i18n import Phrase
+from learnblock.language.blocktext import slips
+from learnblock.language.blocktext.lexer import KEYWORDS, Token, Tokens
+from learnblock.language.blocktext.slips import Slip, symbol, write_instead
+from learnblock.language.blocktext.token_reader import TokenReader, new
+from learnblock.language.tree.nodes import (
+    Binary,
+    Call,
+    Compare,
+    Constant,
+    Expression,
+    Index,
+    Keyword,
+    List,
+    Name,
+    Number,
+    RawExpression,
+    SkillCall,
+    Span,
+    String,
+    Unary,
+)
+from learnblock.language.tree.strings import unquote
+
+# Writing a deeper tree would overflow the stack of Python.
+MAX_HEIGHT = 200
+MAX_DIGITS = 1000
+
+_LEVELS = {
+    "or": 1,
+    "and": 2,
+    "not": 4,  # of `not in`
+    "in": 4,
+    "==": 4,
+    "!=": 4,
+    "<": 4,
+    ">": 4,
+    "<=": 4,
+    ">=": 4,
+    "+": 5,
+    "-": 5,
+    "*": 6,
+    "/": 6,
+    "//": 6,
+    "%": 6,
+    "**": 8,
+}
+OPERATORS = frozenset(_LEVELS)
+_NOT, _COMPARE, _SIGN, _POWER = 3, 4, 7, 8
+_CONSTANTS = {"True": True, "False": False, "None": None}
+NUMBER = re.compile(
+    r"0[xX](?:_?[0-9a-fA-F])+|0[bB](?:_?[01])+|0[oO](?:_?[0-7])+"
+    r"|0(?:_?0)*|[1-9](?:_?[0-9])*"
+    r"|(?:[0-9](?:_?[0-9])*)?\.[0-9](?:_?[0-9])*(?:[eE][-+]?[0-9](?:_?[0-9])*)?"
+    r"|[0-9](?:_?[0-9])*\.(?:[eE][-+]?[0-9](?:_?[0-9])*)?"
+    r"|[0-9](?:_?[0-9])*[eE][-+]?[0-9](?:_?[0-9])*"
+)
+_AFTER_NAME = frozenset((".", "string"))
+_SQUARE_BRACKET = symbol("]")
+_DOT_AND_SKILL = Phrase("blocktext-wanted-dot-and-skill")
+
+
+class ExpressionParser(TokenReader):
+    """Reads expressions; `height` is the height of the last tree."""
+
+    def __init__(self, tokens: Tokens) -> None:
+        super().__init__(tokens)
+        self.height = 0
+        self.nesting = 0  # of brackets
+
+    def expression(self, level: int = 1) -> Expression:
+        kinds = self.kinds
+        kind = kinds[self.index]
+        atom = _ATOMS.get(kind)
+        if atom is None:
+            left = self.prefixed(kind, level)
+        else:
+            left = atom(self, self.tokens[self.index])
+            if kinds[self.index] == "[":
+                left = self.indexed(left)
+        while True:
+            operator = kinds[self.index]
+            binding = _LEVELS.get(operator)
+            if binding is None or binding < level:
+                return left
+            if binding == _COMPARE:
+                if operator == "not" and kinds[self.index + 1] != "in":
+                    return left
+                left = self.comparison(left)
+                continue
+            height = self.height
+            self.index += 1
+            right = self.exponent() if binding == _POWER else self.expression(binding + 1)
+            self.grow(height)
+            left = Binary(operator, left, right, _joined(left.span, right.span))
+
+    def exponent(self) -> Expression:
+        self.nest()
+        exponent = self.expression(_SIGN)
+        self.nesting -= 1
+        return exponent
+
+    def grow(self, height: int) -> None:
+        """Join the last tree and one of `height` into a tree that is higher than both."""
+        self.height = max(height, self.height) + 1
+        if self.height > MAX_HEIGHT:
+            raise slips.too_deep(self.before)
+
+    def prefixed(self, kind: str, level: int) -> Expression:
+        token = self.tokens[self.index]
+        if kind not in {"-", "+", "not"}:
+            raise slips.no_value(token, self.before, OPERATORS)
+        if kind == "not" and level > _NOT:
+            raise self.slip("not-needs-brackets", Phrase("blocktext-not-needs-brackets"))
+        self.index += 1
+        self.nest()
+        operand = self.expression(_NOT if kind == "not" else _SIGN)
+        self.nesting -= 1
+        self.grow(0)
+        last = operand.span
+        span = Span(token.line, token.column, last.end_line, last.end_column)
+        return Unary(kind, operand, span)
+
+    def nest(self) -> None:
+        self.nesting += 1
+        if self.nesting > MAX_HEIGHT:
+            raise slips.too_deep(self.token)
+
+    def comparison(self, left: Expression) -> Compare:
+        operators: list[str] = []
+        operands = [left]
+        while True:
+            operator = self.kinds[self.index]
+            if operator == "not" and self.kinds[self.index + 1] == "in":
+                self.index += 1
+                operator = "not in"
+            elif _LEVELS.get(operator) != _COMPARE or operator == "not":
+                break
+            height = self.height
+            self.index += 1
+            operators.append(operator)
+            operands.append(self.expression(_COMPARE + 1))
+            self.height = max(height, self.height)
+        self.grow(0)
+        span = _joined(left.span, operands[-1].span)
+        return Compare(tuple(operators), tuple(operands), span)
+
+    def postfix(self, token: Token) -> Expression:
+        value = self.skill_call(token) if token.kind == "function" else self.name(token)
+        return self.indexed(value) if self.kinds[self.index] == "[" else value
+
+    def indexed(self, value: Expression) -> Expression:
+        while self.kinds[self.index] == "[":
+            height = self.height
+            self.index += 1
+            self.nest()
+            index = self.expression()
+            self.nesting -= 1
+            if self.kinds[self.index] == ":":
+                raise self.slip("slice", Phrase("blocktext-slice"))
+            close = self.expect("]", _SQUARE_BRACKET)
+            self.grow(height)
+            first = value.span
+            value = Index(
+                value, index, Span(first.line, first.column, close.line, close.column + 1)
+            )
+        return value
+
+    def name(self, token: Token) -> Expression:
+        _, text, line, column = token
+        self.index += 1
+        if self.kinds[self.index] != "(":
+            self.height = 1
+            if self.kinds[self.index] in _AFTER_NAME:
+                raise slips.odd_name(token, self.token, self.tokens[self.index + 1])
+            return name_of(token)
+        arguments, keywords = self.arguments()
+        close = self.tokens[self.index - 1]
+        return Call(
+            text, arguments, keywords, new(Span, (line, column, close.line, close.column + 1))
+        )
+
+    def skill_call(self, token: Token) -> Call | SkillCall:
+        self.index += 1
+        self.expect(".", _DOT_AND_SKILL)
+        name = self.token
+        if name.kind != "name" and name.kind not in KEYWORDS:
+            raise self.unexpected(Phrase("blocktext-wanted-skill"))
+        self.index += 1
+        if self.kinds[self.index] != "(":
+            message = Phrase("blocktext-call-needs-brackets", skill=name.text)
+            raise self.slip("missing-brackets", message, name)
+        arguments, keywords = self.arguments()
+        close = self.tokens[self.index - 1]
+        span = new(Span, (token.line, token.column, close.line, close.column + 1))
+        # elapsedTime belongs to the language, but is a method of the robot in Python.
+        node = Call if name.text == "elapsedTime" else SkillCall
+        return node(name.text, arguments, keywords, span)
+
+    def arguments(self) -> tuple[tuple[Expression, ...], tuple[Keyword, ...]]:
+        opening = self.token
+        self.index += 1
+        if self.kinds[self.index] == ")":
+            self.index += 1
+            self.height = 1
+            return (), ()
+        self.nest()
+        arguments: list[Expression] = []
+        keywords: list[Keyword] = []
+        height = 0
+        while True:
+            self.argument(arguments, keywords)
+            height = max(height, self.height)
+            if not self.another(opening, ")"):
+                break
+        self.nesting -= 1
+        self.height = height
+        self.grow(0)
+        return tuple(arguments), tuple(keywords)
+
+    def argument(self, arguments: list[Expression], keywords: list[Keyword]) -> None:
+        token = self.tokens[self.index]
+        if self.kinds[self.index + 1] == "=" and (token.kind == "name" or token.kind in KEYWORDS):
+            self.index += 2
+            if any(keyword.name == token.text for keyword in keywords):
+                message = Phrase("blocktext-duplicate-argument", name=token.text)
+                raise self.slip("duplicate-argument", message, token)
+            value = self.expression()
+            last = value.span
+            span = Span(token.line, token.column, last.end_line, last.end_column)
+            keywords.append(Keyword(token.text, value, span))
+            return
+        if keywords:
+            message = Phrase("blocktext-argument-order", name=keywords[0].name)
+            raise self.slip("argument-order", message, token)
+        arguments.append(self.expression())
+
+    def another(self, opening: Token, closing: str) -> bool:
+        """Whether another value follows in a list of values; if not, read the closing bracket."""
+        kind = self.kinds[self.index]
+        if kind == ",":
+            self.index += 1
+            if self.kinds[self.index] != closing:
+                return True
+            kind = closing
+        if kind != closing:
+            either = Phrase("blocktext-wanted-either", first=",", second=closing)
+            raise self.unclosed_bracket(opening, closing, either)
+        self.index += 1
+        return False
+
+    def unclosed_bracket(self, opening: Token, closing: str, wanted: Phrase) -> Slip:
+        if self.kinds[self.index] in {"newline", "comment", "eof", ":"}:
+            message = Phrase("blocktext-unclosed-bracket", opening=opening.text, closing=closing)
+            return self.slip("unclosed-bracket", message, opening)
+        return self.unexpected(wanted)
+
+    def parenthesized(self, token: Token) -> Expression:
+        self.index += 1
+        self.nest()
+        value = self.expression()
+        self.nesting -= 1
+        if self.kinds[self.index] != ")":
+            raise self.unclosed_bracket(token, ")", symbol(")"))
+        self.index += 1
+        return value
+
+    def list(self, token: Token) -> List:
+        self.index += 1
+        items: list[Expression] = []
+        height = 0
+        self.nest()
+        if self.kinds[self.index] == "]":
+            self.index += 1
+        else:
+            items.append(self.expression())
+            height = self.height
+            while self.another(token, "]"):
+                items.append(self.expression())
+                height = max(height, self.height)
+        self.nesting -= 1
+        self.height = height
+        self.grow(0)
+        close = self.tokens[self.index - 1]
+        span = Span(token.line, token.column, close.line, close.column + 1)
+        return List(tuple(items), span)
+
+    def constant(self, token: Token) -> Constant:
+        kind, _, line, column = token
+        self.index += 1
+        self.height = 1
+        return Constant(_CONSTANTS[kind], new(Span, (line, column, line, column + len(kind))))
+
+    def number(self, token: Token) -> Number:
+        _, text, line, column = token
+        self.index += 1
+        self.height = 1
+        if not (text.isdecimal() and text[0] != "0" and len(text) < MAX_DIGITS):
+            self.check_number(token)
+        if self.kinds[self.index] == "name":
+            self.check_unit(token, self.token)
+        return Number(text, new(Span, (line, column, line, column + len(text))))
+
+    def check_number(self, token: Token) -> None:
+        text = token.text
+        if len(text) >= MAX_DIGITS:
+            message = Phrase("blocktext-number-too-long", digits=len(text), limit=MAX_DIGITS)
+            raise self.slip("bad-number", message, token)
+        if not NUMBER.fullmatch(text):
+            plain = text.lstrip("0_")
+            if text[0] == "0" and plain.isdecimal():
+                raise self.slip("bad-number", write_instead(text, plain), token)
+            raise self.slip("bad-number", Phrase("blocktext-bad-number", text=text), token)
+
+    def check_unit(self, number: Token, name: Token) -> None:
+        if name.line == number.line and name.column == number.column + len(number.text):
+            message = Phrase("blocktext-number-with-letters", text=number.text + name.text)
+            raise self.slip("bad-number", message, number)
+
+    def string(self, token: Token) -> String:
+        _, text, line, column = token
+        self.index += 1
+        self.height = 1
+        if self.kinds[self.index] == "string":
+            raise slips.two_strings(token, self.token)
+        span = new(Span, (line, column, line, column + len(text)))
+        return String(self.unquoted(token), span)
+
+    def unquoted(self, token: Token) -> str:
+        try:
+            return unquote(token.text)
+        except EscapeError as error:
+            raise self.slip("bad-escape", error.phrase, token) from None
+
+    def raw_expression(self, token: Token) -> RawExpression:
+        self.index += 1
+        self.height = 1
+        text = token.text[1:-1].replace("``", "`")
+        span = Span(token.line, token.column, token.line, token.column + len(token.text))
+        return RawExpression(text, span)
+
+
+# How an expression is read, by the kind of its first token.
+_ATOMS: dict[str, Callable[[ExpressionParser, Token], Expression]] = {
+    "number": ExpressionParser.number,
+    "string": ExpressionParser.string,
+    "name": ExpressionParser.name,
+    "function": ExpressionParser.skill_call,
+    "True": ExpressionParser.constant,
+    "False": ExpressionParser.constant,
+    "None": ExpressionParser.constant,
+    "(": ExpressionParser.parenthesized,
+    "[": ExpressionParser.list,
+    "raw": ExpressionParser.raw_expression,
+}
+
+
+def name_of(token: Token) -> Name:
+    """The variable with the name in a token."""
+    _, text, line, column = token
+    return Name(text, new(Span, (line, column, line, column + len(text))))
+
+
+def _joined(first: Span, last: Span) -> Span:
+    return new(Span, (first.line, first.column, last.end_line, last.end_column))

@@ -1,0 +1,1 @@
+"""Check a program for errors and likely mistakes."""

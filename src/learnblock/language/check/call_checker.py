@@ -1,0 +1,287 @@
+"""Check calls: whether the function exists, fits the arguments, and works on the robot."""
+
+from collections.abc import Iterable
+
+from learnblock.blocks import NUMBERS, BlockConfiguration, Parameter
+from learnblock.errors import Severity, nearest
+from learnblock.i18n import Phrase
+from learnblock.language.blocktext.names import state_of
+from learnblock.language.check.findings import Findings, python_error, unknown_when
+from learnblock.language.python.syntax_errors import syntax_message
+from learnblock.language.tree.builtins import BUILTINS, FUNCTIONS, TEMPLATES
+from learnblock.language.tree.nodes import (
+    Call,
+    Def,
+    Expression,
+    Import,
+    Item,
+    Name,
+    Number,
+    RawExpression,
+    SkillCall,
+    String,
+    Unary,
+)
+from learnblock.language.tree.traversal import expressions, within
+from learnblock.language.workspace.literals import value_of
+
+_OPEN_ENDED = frozenset(name for name, (_, most) in BUILTINS.items() if most is None)
+
+
+class CallChecker:
+    """Checks each expression by itself."""
+
+    def __init__(self, findings: Findings) -> None:
+        self.findings = findings
+        self.report = findings.report
+        self.parameters: frozenset[str] = frozenset()  # of the function being checked
+
+    def own_expressions(self, item: Item) -> None:
+        """Check the expressions of a statement, without those of the bodies inside it."""
+        for expression in expressions(item):
+            for node in within(expression):
+                self.expression(node)
+
+    def expression(self, node: Expression) -> None:
+        if isinstance(node, SkillCall):
+            self.skill_call(node)
+        elif isinstance(node, Call):
+            self.call(node)
+        elif isinstance(node, Name):
+            self.state(node)
+        elif isinstance(node, RawExpression):
+            error = python_error(node.text.strip(), "eval")
+            if error is not None:
+                self.report("invalid-python", syntax_message(error), node.span)
+
+    def state(self, node: Name) -> None:
+        """Report ``state_X`` and ``time_X`` of a ``when`` that does not exist."""
+        prefix, _, name = node.name.partition("_")
+        if prefix not in {"state", "time"} or not name or self.is_known(node.name):
+            return
+        if state_of(node.name, self.findings.whens.keys()) is None:
+            self.report("unknown-when", unknown_when(name, self.findings.whens), node.span)
+
+    def is_known(self, name: str) -> bool:
+        return name in self.findings.assigned or name in self.parameters
+
+    def imported(self, node: Import) -> None:
+        """Report an ``import`` of a library that does not exist."""
+        importable = self.findings.importable
+        if importable is None or node.module in importable:
+            return
+        name, known = node.module, tuple(importable.names)
+        near = nearest(name, known)
+        if near is not None:
+            message = Phrase("check-unknown-library-near", name=name, near=near)
+        elif known:
+            message = Phrase("check-unknown-library", name=name, known=known)
+        else:
+            message = Phrase("check-no-libraries", name=name)
+        self.report("unknown-library", message, node.span)
+
+    def skill_call(self, node: SkillCall) -> None:
+        skill = self.findings.skills.get(node.name)
+        if skill is None:
+            self.unknown_skill(node)
+            return
+        if skill.library and skill.library not in self.findings.imported:
+            self.not_imported(node, skill)
+        self.arguments(node, skill)
+        if self.findings.devices is not None and (missing := skill.lacks(self.findings.devices)):
+            self.missing_devices(node, skill, missing)
+
+    def not_imported(self, node: SkillCall, skill: BlockConfiguration) -> None:
+        message = Phrase("check-not-imported", skill=node.name, library=skill.library)
+        self.report("not-imported", message, node.span)
+
+    def unknown_skill(self, node: SkillCall) -> None:
+        self.report("unknown-skill", self.unknown_skill_message(node.name), node.span)
+
+    def unknown_skill_message(self, name: str) -> Phrase:
+        if name in self.findings.functions:
+            return Phrase("check-function-as-skill", name=name)
+        if reason := self.findings.broken.get(name):
+            return Phrase("check-skill-with-error", name=name, reason=reason)
+        near = nearest(name, self.findings.skills)
+        if near is None:
+            return Phrase("check-unknown-skill", name=name)
+        return Phrase("check-unknown-skill-near", name=name, near=near)
+
+    def missing_devices(
+        self, node: SkillCall, skill: BlockConfiguration, missing: tuple[str, ...]
+    ) -> None:
+        devices = tuple(map(_device, missing))
+        severity: Severity = "error"
+        if skill.returns_value:
+            message = Phrase("check-skill-without-answer", skill=node.name, devices=devices)
+        elif "Base" in missing:
+            message = Phrase("check-skill-without-base", skill=node.name, devices=devices)
+        else:
+            message = Phrase("check-skill-without-effect", skill=node.name, devices=devices)
+            severity = "warning"
+        self.report("missing-device", message, node.span, severity)
+
+    def arguments(self, node: SkillCall, skill: BlockConfiguration) -> None:
+        parameters = skill.parameters
+        call = f"function.{node.name}"
+        self.too_many(node, call, tuple(parameter.name for parameter in parameters))
+        given = {parameter.name for parameter in parameters[: len(node.arguments)]}
+        known = {parameter.name: parameter for parameter in parameters}
+        self.keywords(node, call, given, known.keys())
+        given |= {keyword.name for keyword in node.keywords}
+        missing = [one.name for one in parameters if one.required and one.name not in given]
+        self.missing(node, call, missing)
+        for parameter, value in zip(parameters, node.arguments, strict=False):
+            self.type_of(call, parameter, value)
+        for keyword in node.keywords:
+            if keyword.name in known:
+                self.type_of(call, known[keyword.name], keyword.value)
+
+    def too_many(self, node: Call | SkillCall, call: str, parameters: tuple[str, ...]) -> None:
+        if len(node.arguments) > len(parameters):
+            message = Phrase(
+                "check-too-many-arguments",
+                call=call,
+                most=len(parameters),
+                parameters=parameters,
+                given=len(node.arguments),
+            )
+            self.report("argument-count", message, node.arguments[len(parameters)].span)
+
+    def keywords(
+        self, node: Call | SkillCall, call: str, given: set[str], known: Iterable[str]
+    ) -> None:
+        for keyword in node.keywords:
+            if keyword.name not in known:
+                message = _unknown_argument(call, keyword.name, tuple(known))
+                self.report("unknown-argument", message, keyword.span)
+            elif keyword.name in given:
+                message = Phrase("blocktext-duplicate-argument", name=keyword.name)
+                self.report("duplicate-argument", message, keyword.span)
+
+    def missing(self, node: Call | SkillCall, call: str, names: list[str]) -> None:
+        if names:
+            message = Phrase(
+                "check-missing-argument", call=call, count=len(names), names=tuple(names)
+            )
+            self.report("missing-argument", message, node.span)
+
+    def type_of(self, call: str, parameter: Parameter, value: Expression) -> None:
+        if parameter.type in NUMBERS and isinstance(value, String):
+            message = Phrase("check-number-expected", call=call, parameter=parameter.name)
+            plain = value.value.strip()
+            if plain.replace(".", "", 1).lstrip("-").isdecimal():
+                message = Phrase(
+                    "check-number-in-quotes", call=call, parameter=parameter.name, number=plain
+                )
+            self.report("wrong-type", message, value.span)
+            return
+        constant = _constant(value)
+        if constant is not None and parameter.objection(constant):
+            message = _unusual_value(call, parameter, repr(constant).removesuffix(".0"))
+            self.report("unusual-value", message, value.span, "warning")
+
+    def call(self, node: Call) -> None:
+        function = self.findings.functions.get(node.name)
+        if function is not None:
+            self.own_call(node, function)
+        elif node.name in FUNCTIONS:
+            self.library_call(node)
+        elif not self.findings.imports and not self.is_known(node.name):
+            self.unknown_function(node)
+
+    def own_call(self, node: Call, function: Def) -> None:
+        self.too_many(node, node.name, function.parameters)
+        given = set(function.parameters[: len(node.arguments)])
+        self.keywords(node, node.name, given, function.parameters)
+        given |= {keyword.name for keyword in node.keywords}
+        self.missing(node, node.name, [one for one in function.parameters if one not in given])
+
+    def library_call(self, node: Call) -> None:
+        counts = _argument_counts(node.name)
+        number = len(node.arguments)
+        most = None if node.name in _OPEN_ENDED else max(counts)
+        if number < min(counts) or (most is not None and number > most):
+            message = _argument_count(node.name, min(counts), most, number)
+            self.report("argument-count", message, node.span)
+        elif node.keywords and node.name not in BUILTINS:
+            message = Phrase("check-no-named-arguments", call=node.name, name=node.keywords[0].name)
+            self.report("unknown-argument", message, node.keywords[0].span)
+
+    def unknown_function(self, node: Call) -> None:
+        self.report("unknown-function", self.unknown_function_message(node.name), node.span)
+
+    def unknown_function_message(self, name: str) -> Phrase:
+        if name in self.findings.skills:
+            return Phrase("check-skill-as-name", name=name)
+        if name == "robot":
+            return Phrase("check-robot-not-first")
+        near = nearest(name, [*self.findings.functions, *FUNCTIONS])
+        if near is None and (skill := nearest(name, self.findings.skills)) is not None:
+            near = f"function.{skill}"
+        if near is None:
+            return Phrase("check-unknown-function", name=name)
+        return Phrase("check-unknown-function-near", name=name, near=near)
+
+
+def _constant(node: Expression) -> float | str | None:
+    """The value of a literal number or text."""
+    match node:
+        case String(value=text):
+            return text
+        case Number(text=spelled):
+            return value_of(spelled)
+        case Unary(operator="-", operand=Number(text=spelled)):
+            value = value_of(spelled)
+            return None if value is None else -value
+    return None
+
+
+def _argument_counts(name: str) -> list[int]:
+    if name == "elapsedTime":
+        return [1]
+    if name in BUILTINS:
+        least, most = BUILTINS[name]
+        return [least, least if most is None else most]
+    return [count for known, count in TEMPLATES if known == name]
+
+
+def _argument_count(call: str, least: int, most: int | None, given: int) -> Phrase:
+    """The message about a call with too few or too many arguments."""
+    if most is None:
+        return Phrase("check-too-few-arguments", call=call, least=least, given=given)
+    if least == most:
+        return Phrase("check-argument-count", call=call, count=least, given=given)
+    return Phrase("check-argument-range", call=call, least=least, most=most, given=given)
+
+
+def _unknown_argument(call: str, name: str, known: tuple[str, ...]) -> Phrase:
+    near = nearest(name, known)
+    if near is not None:
+        return Phrase("check-unknown-argument-near", call=call, name=name, near=near)
+    if known:
+        return Phrase("check-unknown-argument", call=call, name=name, known=known)
+    return Phrase("check-no-arguments", call=call)
+
+
+def _unusual_value(call: str, parameter: Parameter, value: str) -> Phrase:
+    """The message about a constant that the field of a parameter does not offer."""
+    name = parameter.name
+    if parameter.type == "choice":
+        choices = tuple(map(repr, parameter.choices))
+        return Phrase(
+            "check-unknown-choice", call=call, parameter=name, value=value, choices=choices
+        )
+    if parameter.range is None:
+        return Phrase("check-not-a-colour", call=call, parameter=name, value=value)
+    least, most = parameter.range.least, parameter.range.most
+    return Phrase(
+        "check-outside-range", call=call, parameter=name, value=value, least=least, most=most
+    )
+
+
+def _device(need: str) -> Phrase:
+    """A device that a skill needs, ``Type`` or ``Type:KEY``, as a noun phrase."""
+    kind, _, key = need.partition(":")
+    return Phrase("check-device", kind=kind, key=key)

@@ -1,0 +1,97 @@
+"""The facts about a program that all checks share, and the diagnostics that they find."""
+
+import ast
+import warnings
+from collections.abc import Iterable, Mapping
+
+from learnblock.blocks import BlockConfiguration, Configurations
+from learnblock.blocks.importable import Importable
+from learnblock.errors import Diagnostic, Severity, nearest
+from learnblock.i18n import Phrase
+from learnblock.language.tree import markers
+from learnblock.language.tree.nodes import Body, Def, Import, Program, Raw, Span, When
+from learnblock.language.tree.traversal import set_by, statements
+
+
+class Findings:
+    """The facts about a program, and the diagnostics found so far.
+
+    Args:
+        program: the tree.
+        skills: the skills of the robot, by name.
+        devices: those of the chosen robot; None if no robot is chosen.
+        importable: what an ``import`` can name; None if that is unknown.
+    """
+
+    def __init__(
+        self,
+        program: Program,
+        skills: Mapping[str, BlockConfiguration],
+        devices: frozenset[str] | None,
+        importable: Importable | None = None,
+    ) -> None:
+        self.program, self.skills, self.devices = program, skills, devices
+        self.importable = importable
+        self.broken = skills.broken if isinstance(skills, Configurations) else {}
+        self.diagnostics: list[Diagnostic] = []
+        self.functions = program.functions
+        self.whens = program.whens
+        self.top = tuple(item for item in program.items if not isinstance(item, Def | When))
+        self.main: Body = () if program.main is None else program.main.body
+        self.everything = list(statements(program.items + self.main))
+        self.imported = {item.module for item in program.items if isinstance(item, Import)}
+        self.raw_names = self.names_in_raw()
+        self.assigned = self.raw_names.union(filter(None, map(set_by, self.everything)))
+
+    @property
+    def imports(self) -> bool:
+        """Whether an import may define any name; a library defines only its skills."""
+        known = self.importable.libraries if self.importable else frozenset()
+        return bool(self.imported - known) or "*" in self.raw_names
+
+    def names_in_raw(self) -> set[str]:
+        found: set[str] = set()
+        for item in self.everything:
+            if isinstance(item, Raw):
+                found |= markers.raw_names(item.text) | defined_names(item.text)
+        return found
+
+    def report(self, code: str, message: Phrase, span: Span, severity: Severity = "error") -> None:
+        end = span.end_column if span.end_line == span.line else 0
+        self.diagnostics.append(Diagnostic(code, message, span.line, span.column, end, severity))
+
+
+def unknown_when(name: str, whens: Iterable[str]) -> Phrase:
+    """The message about a ``when`` that does not exist."""
+    near = nearest(name, whens)
+    if near is None:
+        return Phrase("check-unknown-when", name=name)
+    return Phrase("check-unknown-when-near", name=name, near=near)
+
+
+def python_error(text: str, mode: str) -> SyntaxError | None:
+    """The syntax error in a text; `mode` is ``exec`` for statements, ``eval`` for an expression."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            compile(text, "", mode, ast.PyCF_ONLY_AST)
+    except SyntaxError as error:
+        return error
+    except (ValueError, RecursionError, MemoryError) as error:
+        return SyntaxError(str(error))
+    return None
+
+
+def defined_names(text: str) -> set[str]:
+    """The names that raw Python imports and defines."""
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return set()
+    found: set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+            found.add(node.name)
+        elif isinstance(node, ast.alias):
+            found.add((node.asname or node.name).partition(".")[0])
+    return found

@@ -1,0 +1,1 @@
+"""Edit programs: rename, add imports, extract functions."""

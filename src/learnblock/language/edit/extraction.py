@@ -1,0 +1,233 @@
+"""Extract functions from a program for a library, with everything that they need."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from learnblock.errors import Diagnostic, LibraryError, UnknownNameError
+from learnblock.i18n import Phrase
+from learnblock.language.blocktext.format import format as format_program
+from learnblock.language.blocktext.names import state_of
+from learnblock.language.edit.symbols import Symbols
+from learnblock.language.edit.uses import called_by, expressions_in, names_in, set_by_python
+from learnblock.language.tree.builtins import FUNCTIONS
+from learnblock.language.tree.markers import raw_names
+from learnblock.language.tree.nodes import (
+    Activate,
+    Assign,
+    Call,
+    Comment,
+    Deactivate,
+    Def,
+    Expression,
+    Item,
+    Name,
+    Program,
+    Raw,
+    SkillCall,
+    Span,
+)
+from learnblock.language.tree.traversal import set_by, statements, within
+
+
+def with_needed(program: Program, names: Iterable[str]) -> tuple[str, ...]:
+    """The names of functions and of those that they call, in the order of the program.
+
+    Raises:
+        UnknownNameError: the program has no such function.
+    """
+    functions = program.functions
+    ahead, found = list(names), set[str]()
+    while ahead:
+        name = ahead.pop()
+        if name not in functions:
+            raise UnknownNameError("function", name, functions)
+        if name not in found:
+            found.add(name)
+            ahead += [call for call in called_by(functions[name]) if call in functions]
+    return tuple(name for name in functions if name in found)
+
+
+def extracted(program: Program, names: Iterable[str], filename: str) -> str:
+    """Extract functions as Block-Text, with those that they call and the variables they share.
+
+    Args:
+        program: the program that defines them.
+        names: the names of the functions.
+        filename: the name of the program, for errors.
+
+    Raises:
+        UnknownNameError: the program has no such function.
+        LibraryError: they do not work without the rest of the program.
+    """
+    return format_program(
+        Program(_Extraction(program, with_needed(program, names)).items(filename))
+    )
+
+
+@dataclass(frozen=True)
+class _Extraction:
+    """The part of a program to extract.
+
+    Args:
+        program: the whole program.
+        names: the names of all functions to extract.
+    """
+
+    program: Program
+    names: tuple[str, ...]
+
+    def items(self, filename: str) -> tuple[Item, ...]:
+        problems = list(self.problems())
+        if problems:
+            raise LibraryError(filename, problems)
+        return tuple(self.kept())
+
+    @cached_property
+    def functions(self) -> tuple[Def, ...]:
+        return tuple(self.symbols.functions[name] for name in self.names)
+
+    @cached_property
+    def symbols(self) -> Symbols:
+        return Symbols(self.program)
+
+    @cached_property
+    def beginnings(self) -> dict[str, Assign]:
+        """The first assignment of each variable at the top level."""
+        found: dict[str, Assign] = {}
+        for item in self.program.items:
+            if isinstance(item, Assign) and isinstance(item.target, Name) and item.operator == "=":
+                found.setdefault(item.target.name, item)
+        return found
+
+    @cached_property
+    def shared(self) -> dict[str, Span]:
+        """The variables that the functions share with the program, and where each is first used."""
+        found: dict[str, Span] = {}
+        ahead = [(name, span) for one in self.functions for name, span in self.used(one)]
+        for name, span in ahead:
+            if name not in found:
+                found[name] = span
+                if name in self.beginnings:
+                    ahead += self.used(self.beginnings[name])
+        return found
+
+    def used(self, item: Item) -> Iterator[tuple[str, Span]]:
+        """The variables of the whole program that an item uses."""
+        own = self.symbols.own(item)
+        for statement in statements((item,)):
+            for node, used in names_in(statement):
+                if used not in own and used in self.symbols.variables:
+                    yield used, node.span
+
+    def kept(self) -> Iterator[Item]:
+        """The functions, the assignments of the variables, and the comments directly above them."""
+        chosen = {id(one) for one in self.functions}
+        chosen |= {id(self.beginnings[name]) for name in self.shared if name in self.beginnings}
+        comments: list[Comment] = []
+        for item in self.program.items:
+            if isinstance(item, Comment):
+                comments.append(item)
+                continue
+            if id(item) in chosen:
+                yield from comments
+                yield item
+            comments.clear()
+
+    # Why they may not work without the rest.
+
+    def problems(self) -> Iterator[Diagnostic]:
+        for function in self.functions:
+            yield from self.events(function)
+            yield from self.calls(function)
+            yield from self.python(function)
+        for name, span in self.shared.items():
+            yield from self.variable(name, span)
+
+    def events(self, function: Def) -> Iterator[Diagnostic]:
+        for statement in statements((function,)):
+            used = [(name, one.span) for one, name in names_in(statement) if self.is_state(name)]
+            if isinstance(statement, Activate | Deactivate):
+                used.append((statement.name, statement.span))
+            for name, span in used:
+                message = Phrase("edit-event-in-library", function=function.name, name=name)
+                yield _problem("event-in-library", message, span)
+
+    def is_state(self, name: str) -> bool:
+        return state_of(name, self.symbols.whens.keys()) is not None
+
+    def calls(self, function: Def) -> Iterator[Diagnostic]:
+        for statement in statements((function,)):
+            for node in expressions_in(statement):
+                if isinstance(node, Call) and not self.is_known(node.name):
+                    message = Phrase("edit-call-in-library", function=function.name, name=node.name)
+                    yield _problem("unknown-function", message, node.span)
+
+    def is_known(self, function: str) -> bool:
+        return function in self.symbols.functions or function in FUNCTIONS
+
+    def python(self, function: Def) -> Iterator[Diagnostic]:
+        """Report raw Python that would have to pass the robot on, or needs other raw Python."""
+        own = self.symbols.own(function)
+        for statement in statements((function,)):
+            for node, name in names_in(statement):
+                if name in own:
+                    continue
+                if name in self.symbols.functions:
+                    message = Phrase(
+                        "edit-function-without-call", function=function.name, name=name
+                    )
+                    yield _problem("python-in-library", message, node.span)
+                elif name in self.set_in_python and not isinstance(node, Name):
+                    message = Phrase("edit-set-in-python", function=function.name, name=name)
+                    yield _problem("python-in-library", message, node.span)
+
+    @cached_property
+    def set_in_python(self) -> set[str]:
+        """The names that raw Python outside of functions sets, defines and imports."""
+        outside = (one for one in self.symbols.items if not isinstance(one, Def))
+        found = (one.text for one in statements(tuple(outside)) if isinstance(one, Raw))
+        return {name for text in found for name in set_by_python(text)}
+
+    def variable(self, name: str, span: Span) -> Iterator[Diagnostic]:
+        elsewhere = self.set_elsewhere.get(name)
+        if elsewhere is not None:
+            message = Phrase("edit-shared-variable", name=name, line=str(elsewhere.line))
+            yield _problem("shared-variable", message, span)
+        beginning = self.beginnings.get(name)
+        if beginning is not None and any(map(self.asks, within(beginning.value))):
+            message = Phrase("edit-variable-from-robot", name=name)
+            yield _problem("shared-variable", message, beginning.span)
+
+    def asks(self, node: Expression) -> bool:
+        """Whether a value needs the robot or another function."""
+        return isinstance(node, SkillCall) or (
+            isinstance(node, Call)
+            and (node.name in {"elapsedTime", "input"} or node.name not in FUNCTIONS)
+        )
+
+    @cached_property
+    def set_elsewhere(self) -> dict[str, Span]:
+        """Where the rest of the program first sets each variable, unnoticed by a library."""
+        taken = {id(one) for one in (*self.functions, *self.beginnings.values())}
+        found: dict[str, Span] = {}
+        for item in self.symbols.items:
+            if id(item) in taken:
+                continue
+            own = self.symbols.own(item)
+            for statement in statements((item,)):
+                for name in _set_in(statement):
+                    if name not in own:
+                        found.setdefault(name, statement.span)
+        return found
+
+
+def _set_in(statement: Item) -> Iterator[str]:
+    if isinstance(statement, Raw):
+        yield from raw_names(statement.text)
+    elif name := set_by(statement):
+        yield name
+
+
+def _problem(code: str, message: Phrase, span: Span) -> Diagnostic:
+    return Diagnostic(code, message, span.line, span.column)

@@ -1,0 +1,45 @@
+"""Find the libraries that a program imports and uses, and add imports."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from learnblock.blocks import BlockConfiguration
+from learnblock.language.tree.layout import prologue_length
+from learnblock.language.tree.nodes import Blank, Import, Program, SkillCall
+from learnblock.language.tree.traversal import expressions, statements, within
+
+
+def with_import(program: Program, module: str) -> Program:
+    """Add the import of a library below the other imports."""
+    if module in imported(program):
+        return program
+    items = program.items
+    place = prologue_length(items)
+    if place and isinstance(items[place - 1], Import):
+        found = (*items[:place], Import(module), *items[place:])
+    else:
+        heading = items[: place + 1] if items[place : place + 1] == (Blank(),) else items[:place]
+        found = (*heading, Import(module), *items[len(heading) :])
+    return replace(program, items=found, python=None)
+
+
+def imported(program: Program) -> frozenset[str]:
+    """The libraries that a program imports."""
+    return frozenset(one.module for one in program.items if isinstance(one, Import))
+
+
+def libraries_used(
+    program: Program, configurations: Mapping[str, BlockConfiguration]
+) -> frozenset[str]:
+    """The libraries whose skills a program calls, whether it imports them or not."""
+    found = (configurations.get(name) for name in _skills(program))
+    return frozenset(one.library for one in found if one is not None and one.library)
+
+
+def _skills(program: Program) -> Iterator[str]:
+    main = program.main.body if program.main else ()
+    for statement in statements((*program.items, *main)):
+        for expression in expressions(statement):
+            for node in within(expression):
+                if isinstance(node, SkillCall):
+                    yield node.name

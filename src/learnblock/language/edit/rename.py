@@ -1,0 +1,256 @@
+"""Rename a variable, a function or a ``when`` everywhere in a program."""
+
+import ast
+import unicodedata
+from collections.abc import Callable, Iterable
+from dataclasses import fields, replace
+from typing import Any, Literal
+
+from learnblock.errors import LearnBlockError, UnknownNameError
+from learnblock.language.blocktext import names
+from learnblock.language.blocktext.lexer import KEYWORDS
+from learnblock.language.blocktext.names import state_of
+from learnblock.language.edit.symbols import Symbols
+from learnblock.language.tree.builtins import FUNCTIONS
+from learnblock.language.tree.markers import raw_names
+from learnblock.language.tree.nodes import (
+    Activate,
+    Call,
+    Deactivate,
+    Def,
+    Item,
+    Main,
+    Name,
+    Program,
+    Raw,
+    RawExpression,
+    SkillCall,
+    Span,
+    When,
+)
+
+Sort = Literal["variable", "function", "when"]
+LONGEST_NAME = 100
+
+#: Returns a node with the new name, or unchanged.
+Change = Callable[[Any], Any]
+
+
+def rename(program: Program, sort: Sort, name: str, new: str) -> Program:
+    """Rename a variable, a function or a ``when``.
+
+    Args:
+        program: the tree; the spans of the result are those of the old names.
+        sort: the kind of name.
+        name: the old name; ``function.variable`` for a local variable of one function.
+        new: the new name.
+
+    Raises:
+        UnknownNameError: the old name does not exist.
+        LearnBlockError: the new name is taken or not valid.
+    """
+    new = unicodedata.normalize("NFKC", new.strip())
+    if new == name.rpartition(".")[2]:
+        return program
+    symbols = Symbols(program)
+    _check_name(new)
+    rename_ = {"variable": _variable, "function": _function, "when": _when}[sort]
+    return replace(rename_(symbols, name, new), python=None)
+
+
+def rename_skill(program: Program, name: str, new: str) -> Program:
+    """Rename the calls of a skill, to ``function.NEW(...)``."""
+
+    def change(node: Any) -> Any:
+        if isinstance(node, SkillCall) and node.name == name:
+            return replace(node, name=new)
+        return node
+
+    return replace(_everywhere(program, change), python=None)
+
+
+def _check_name(new: str) -> None:
+    if not new.isidentifier() or len(new) > LONGEST_NAME:
+        raise LearnBlockError("edit-bad-name", name=new[:LONGEST_NAME])
+    if new in KEYWORDS:
+        raise LearnBlockError("blocktext-reserved-word", word=new)
+
+
+# Variables.
+
+
+def _variable(symbols: Symbols, name: str, new: str) -> Program:
+    scope, _, plain = name.rpartition(".")
+    items = _scopes_of(symbols, scope, plain)
+    _refuse_taken(symbols, new)
+    program = _mapped(symbols.program, items, _variable_change(plain, new))
+    for item in items:
+        if isinstance(item, Def) and plain in item.parameters:
+            program = _everywhere(program, _parameter_change(item.name, plain, new))
+    return program
+
+
+def _scopes_of(symbols: Symbols, scope: str, name: str) -> tuple[Item, ...]:
+    """The items of the top level in which `name` is this variable."""
+    owners = tuple(item for item in symbols.items if name in symbols.own(item))
+    if scope:
+        owners = tuple(item for item in owners if getattr(item, "name", "") == scope)
+    elif name in symbols.variables:
+        return tuple(item for item in symbols.items if name not in symbols.own(item))
+    if not owners:
+        raise UnknownNameError("variable", name, symbols.variables)
+    return owners
+
+
+def _refuse_taken(symbols: Symbols, new: str) -> None:
+    own = {name for item in symbols.items for name in symbols.own(item)}
+    if new in symbols.variables or new in own or new in symbols.in_python:
+        raise LearnBlockError("edit-variable-exists", name=new)
+    if new in symbols.functions:
+        raise LearnBlockError("edit-function-exists", name=new)
+    if state := state_of(new, symbols.whens.keys()):
+        raise LearnBlockError("edit-name-of-state", name=new, when=state[0])
+
+
+def _variable_change(name: str, new: str) -> Change:
+    def change(node: Any) -> Any:
+        if isinstance(node, Name) and node.name == name:
+            return replace(node, name=new)
+        if isinstance(node, Def) and name in node.parameters:
+            parameters = tuple(new if one == name else one for one in node.parameters)
+            return replace(node, parameters=parameters)
+        return _in_python(node, name, new)
+
+    return change
+
+
+def _parameter_change(function: str, name: str, new: str) -> Change:
+    def change(node: Any) -> Any:
+        if isinstance(node, Call) and node.name == function:
+            keywords = tuple(
+                replace(one, name=new) if one.name == name else one for one in node.keywords
+            )
+            return replace(node, keywords=keywords)
+        return node
+
+    return change
+
+
+# Functions and `when`s.
+
+
+def _function(symbols: Symbols, name: str, new: str) -> Program:
+    if name not in symbols.functions:
+        raise UnknownNameError("function", name, symbols.functions)
+    if new in FUNCTIONS:
+        raise LearnBlockError("edit-language-function", name=new)
+    _refuse_taken(symbols, new)
+
+    def change(node: Any) -> Any:
+        if isinstance(node, Def | Call) and node.name == name:
+            return replace(node, name=new)
+        return _in_python(node, name, new)
+
+    return _everywhere(symbols.program, change)
+
+
+def _when(symbols: Symbols, name: str, new: str) -> Program:
+    if name not in symbols.whens:
+        raise UnknownNameError("event", name, symbols.whens)
+    if new in symbols.whens:
+        raise LearnBlockError("edit-when-exists", name=new)
+    if "start" in (name, new):
+        raise LearnBlockError("edit-when-start")
+    for state in (f"state_{new}", f"time_{new}"):
+        if state in symbols.variables:
+            raise LearnBlockError("edit-variable-exists", name=state)
+
+    def change(node: Any) -> Any:
+        if isinstance(node, When | Activate | Deactivate) and node.name == name:
+            return replace(node, name=new)
+        if isinstance(node, Name) and (state := state_of(node.name, {name})):
+            return replace(node, name=node.name.removesuffix(state[0]) + new)
+        return _in_python(node, name, new)
+
+    return _everywhere(symbols.program, change)
+
+
+# Raw Python.
+
+
+def _in_python(node: Any, name: str, new: str) -> Any:
+    if not isinstance(node, Raw | RawExpression):
+        return node
+    old = names.to_python(name)
+    if old not in raw_names(node.text if isinstance(node, Raw) else node.text.strip()):
+        return node
+    text = _renamed_in(node.text, old, names.to_python(new))
+    if text is None:
+        if node.span.line:
+            raise LearnBlockError("edit-used-in-line", name=name, line=str(node.span.line))
+        raise LearnBlockError("edit-used-in-python", name=name)
+    return replace(node, text=text)
+
+
+def _renamed_in(text: str, old: str, new: str) -> str | None:
+    """Rename a variable in Python; None if it is used in a way that is not supported."""
+    places: list[tuple[int, int]] = []
+    indent = len(text) - len(text.lstrip()) if "\n" not in text else 0
+    for node in ast.walk(ast.parse(text.strip() if indent else text)):
+        match node:
+            case ast.Name(id=name) | ast.arg(arg=name) if name == old:
+                places.append((node.lineno, node.col_offset + indent))
+            case ast.Global(names=found) | ast.Nonlocal(names=found) if old in found:
+                return None
+            case ast.FunctionDef(name=name) | ast.ClassDef(name=name) if name == old:
+                return None
+            case ast.alias() if old in (node.asname, node.name):
+                return None
+    lines = [line.encode("utf-8", "surrogatepass") for line in text.split("\n")]
+    for line, column in sorted(places, reverse=True):
+        written = lines[line - 1]
+        end = column + len(old.encode())
+        if written[column:end] != old.encode():
+            return None
+        lines[line - 1] = written[:column] + new.encode() + written[end:]
+    return b"\n".join(lines).decode("utf-8", "surrogatepass")
+
+
+# Trees.
+
+
+def _everywhere(program: Program, change: Change) -> Program:
+    symbols = Symbols(program)
+    return _mapped(program, symbols.items, change)
+
+
+def _mapped(program: Program, items: Iterable[Item], change: Change) -> Program:
+    """Apply `change` to some items of the top level and of `main`."""
+    chosen = {id(item) for item in items}
+
+    def each(body: tuple[Item, ...]) -> tuple[Any, ...]:
+        return tuple(_rewritten(item, change) if id(item) in chosen else item for item in body)
+
+    main = program.main and Main(each(program.main.body), program.main.span)
+    return replace(program, items=each(program.items), main=main)
+
+
+def _rewritten(node: Any, change: Change) -> Any:
+    """Apply `change` to all nodes inside a node, and then to itself."""
+    changed = {}
+    for one in fields(node):
+        value = getattr(node, one.name)
+        other = _rewritten_value(value, change)
+        if other is not value:
+            changed[one.name] = other
+    return change(replace(node, **changed) if changed else node)
+
+
+def _rewritten_value(value: Any, change: Change) -> Any:
+    if isinstance(value, Span):
+        return value
+    if isinstance(value, tuple):
+        mapped = tuple(_rewritten_value(one, change) for one in value)
+        same = all(one is other for one, other in zip(mapped, value, strict=True))
+        return value if same else mapped
+    return _rewritten(value, change) if hasattr(value, "__dataclass_fields__") else value

@@ -1,0 +1,102 @@
+"""The names that a program defines, and where."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from learnblock.language.blocktext.names import state_of
+from learnblock.language.tree.markers import raw_names
+from learnblock.language.tree.nodes import (
+    Def,
+    ForEach,
+    ForRange,
+    Item,
+    Main,
+    Name,
+    Program,
+    Raw,
+    Span,
+    When,
+)
+from learnblock.language.tree.traversal import expressions, statements, within
+
+
+@dataclass(frozen=True)
+class Symbols:
+    """The names of a program.
+
+    Variables belong to the whole program, except for the parameters of a function and the loop
+    variables of ``for`` in a function or a ``when``.
+
+    Args:
+        program: the tree.
+    """
+
+    program: Program
+
+    @cached_property
+    def functions(self) -> dict[str, Def]:
+        """The user's functions."""
+        return self.program.functions
+
+    @cached_property
+    def whens(self) -> dict[str, When]:
+        """The ``when``s."""
+        return self.program.whens
+
+    @cached_property
+    def variables(self) -> dict[str, Span]:
+        """The variables of the whole program, and where each is first set, or else first read."""
+        read: dict[str, Span] = {}
+        written: dict[str, Span] = {}
+        for item in self.items:
+            own = self.own(item)
+            for name in names_in(item):
+                if name.name not in own and state_of(name.name, self.whens.keys()) is None:
+                    read.setdefault(name.name, name.span)
+            for name in _targets(item):
+                if name.name not in own:
+                    written.setdefault(name.name, name.span)
+        return {name: written.get(name, span) for name, span in read.items()}
+
+    @cached_property
+    def in_python(self) -> set[str]:
+        """The names that raw Python uses."""
+        raw = (node.text for node in statements(self.items) if isinstance(node, Raw))
+        return {name for text in raw for name in raw_names(text)}
+
+    @cached_property
+    def items(self) -> tuple[Item, ...]:
+        """The items of the top level, followed by the statements of `main`."""
+        return self.program.items + (self.program.main.body if self.program.main else ())
+
+    def own(self, item: Item | Main) -> dict[str, Span]:
+        """The local variables of a function or a ``when``, and where each is defined."""
+        if not isinstance(item, Def | When):
+            return {}
+        found = dict.fromkeys(item.parameters, item.span) if isinstance(item, Def) else {}
+        for node in statements(item.body):
+            if isinstance(node, ForEach | ForRange):
+                found.setdefault(node.target.name, node.target.span)
+        return found
+
+    def owner(self, line: int) -> Def | When | None:
+        """The function or ``when`` at a line of the text."""
+        for item in self.program.items:
+            if isinstance(item, Def | When) and item.span.line <= line <= item.span.end_line:
+                return item
+        return None
+
+
+def names_in(item: Item) -> Iterator[Name]:
+    """Every variable that is set or read in an item of the top level."""
+    for node in statements((item,)):
+        for expression in expressions(node):
+            yield from (one for one in within(expression) if isinstance(one, Name))
+
+
+def _targets(item: Item) -> Iterator[Name]:
+    for node in statements((item,)):
+        target = getattr(node, "target", None)
+        if isinstance(target, Name):
+            yield target

@@ -1,0 +1,1 @@
+"""Read and write Python, with ast and tokenize of the standard library."""

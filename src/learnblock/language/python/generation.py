@@ -1,0 +1,98 @@
+"""Generate Python from a tree: plain teaching code, with the source of each line."""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from learnblock.language.python.source_map import SourceMap
+from learnblock.language.python.writer import PythonWriter
+from learnblock.language.tree.extents import Extent, every
+from learnblock.language.tree.nodes import If, Node, Program, Raw
+from learnblock.language.tree.traversal import statements
+
+DEFAULT_ROBOT = "learnblock.robots.sim_ebo"
+ROBOT_IMPORT = re.compile(r"^from[ \t]+([\w.]+)[ \t]+import[ \t]+Robot\b", re.MULTILINE)
+
+
+@dataclass(frozen=True, slots=True)
+class PythonText:
+    """A Python program and the source of each of its lines.
+
+    Args:
+        text: the program.
+        source_map: maps its lines to those of the source.
+        extents: the lines of each statement, by the `id()` of its node.
+    """
+
+    text: str
+    source_map: SourceMap
+    extents: Mapping[int, Extent]
+
+
+def to_python(program: Program, robot_module: str | None = DEFAULT_ROBOT) -> PythonText:
+    """Write a program as Python, for one robot.
+
+    Args:
+        program: one that was read from Python keeps its text, except for the robot's import.
+        robot_module: the module from which ``Robot`` is imported: the only difference between
+            robots. None keeps the one in the text.
+    """
+    if program.python is not None:
+        return _kept(program, program.python, robot_module)
+    if _is_raw(program):
+        return _kept(program, program.items[0].text, None)  # type: ignore[union-attr]
+    return canonical(program, robot_module or DEFAULT_ROBOT)
+
+
+def canonical(program: Program, robot_module: str) -> PythonText:
+    """Write a program as Python in its canonical form, even if it was read from other Python."""
+    writer = PythonWriter(program, frozenset())
+    text = writer.program(robot_module)
+    if writer.clashes:
+        writer = PythonWriter(program, frozenset(writer.clashes))
+        text = writer.program(robot_module)
+    source_map = SourceMap(tuple(writer.sources), tuple(writer.nodes))
+    return PythonText(text, source_map, writer.extents)
+
+
+def _is_raw(program: Program) -> bool:
+    return len(program.items) == 1 and program.main is None and isinstance(program.items[0], Raw)
+
+
+def _kept(program: Program, text: str, robot_module: str | None) -> PythonText:
+    if robot_module is not None:
+        text = ROBOT_IMPORT.sub(
+            lambda match: match[0].replace(match[1], robot_module, 1), text, count=1
+        )
+    lines = text.count("\n") + (not text.endswith("\n"))
+    sources: list[int] = [0] * lines
+    nodes: list[Node | None] = [None] * lines
+    raw_only = _is_raw(program) and program.python is None
+    for line, source, node in _raw_lines(program) if raw_only else _read_lines(program):
+        if line <= lines and not sources[line - 1]:
+            sources[line - 1], nodes[line - 1] = source, node
+    written = {id(node): (node.span.line, node.span.end_line) for node in every(program)}
+    if raw_only:
+        written = {id(program.items[0]): (1, text.count("\n") + 1)}
+    return PythonText(text, SourceMap(tuple(sources), tuple(nodes)), written)
+
+
+def _raw_lines(program: Program) -> Iterator[tuple[int, int, Node]]:
+    """The lines of a program that consists of raw Python: the first is below ``python:``."""
+    node = program.items[0]
+    assert isinstance(node, Raw)  # noqa: S101 - checked by the caller
+    below = node.span.line + (1 if node.span.line else 0)
+    from_python = node.span.end_column == 0
+    for index in range(node.text.count("\n") + 1):
+        yield index + 1, (index + 1 if from_python else below + index), node
+
+
+def _read_lines(program: Program) -> Iterator[tuple[int, int, Node]]:
+    """The lines of a program that was read from Python, from its spans."""
+    for statement in statements(program.items + (program.main.body if program.main else ())):
+        for line in range(statement.span.line, statement.span.end_line + 1):
+            yield line, line, statement
+        if isinstance(statement, If):
+            for part in (*statement.branches, statement.otherwise):
+                if part is not None:
+                    yield part.span.line, part.span.line, statement

@@ -1,0 +1,394 @@
+"""Read Python as a tree: generated Python and ordinary variants of it; the rest as raw Python.
+
+This module reads the file as a whole; statements and expressions have their own modules.
+"""
+
+import ast
+import bisect
+import re
+import warnings
+from dataclasses import replace
+
+from learnblock.errors import Diagnostic, ProgramError
+from learnblock.i18n import Phrase
+from learnblock.language.blocktext import names
+from learnblock.language.blocktext.lexer import MAX_CHARACTERS, too_long
+from learnblock.language.python import imports
+from learnblock.language.python.expression_reader import (
+    Unlike,
+    end_of,
+    span_of,
+    start_of,
+)
+from learnblock.language.python.generation import DEFAULT_ROBOT, ROBOT_IMPORT, canonical
+from learnblock.language.python.scopes import Scopes, stored_names
+from learnblock.language.python.skeleton import Skeleton, is_when, skeleton_of, unusual
+from learnblock.language.python.statement_reader import StatementReader, acts, stripped
+from learnblock.language.python.syntax_errors import syntax_message
+from learnblock.language.python.writer import global_names
+from learnblock.language.tree import markers
+from learnblock.language.tree.builtins import MODULES
+from learnblock.language.tree.layout import normalized, prologue_length
+from learnblock.language.tree.nodes import (
+    Blank,
+    Body,
+    Comment,
+    Def,
+    Expression,
+    Import,
+    Item,
+    Main,
+    Pass,
+    Program,
+    Raw,
+    Setup,
+    Span,
+    When,
+)
+from learnblock.language.tree.traversal import statements
+
+
+def from_python(text: str, filename: str = "program.py") -> Program:
+    """Read a program in Python.
+
+    A file that does not create a robot as generated programs do becomes one block of raw Python.
+    `to_python` returns every file byte for byte.
+
+    Raises:
+        ProgramError: it is not valid Python.
+    """
+    tree = _parsed(text, filename)
+    try:
+        program = _read(text, tree)
+    except (Unlike, RecursionError):
+        program = None
+    if program is None:
+        return Program((Raw(text, Span(1, 1, text.count("\n") + 1, 0)),))
+    written = canonical(program, DEFAULT_ROBOT).text
+    return program if written == text else replace(program, python=text)
+
+
+def _parsed(text: str, filename: str) -> ast.Module:
+    if len(text) > MAX_CHARACTERS:
+        raise ProgramError(filename, [Diagnostic("too-long", too_long(text))])
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(text.removeprefix("\ufeff"))
+    except SyntaxError as error:
+        raise ProgramError(filename, [_syntax_error(error)], text) from None
+    except (RecursionError, MemoryError):
+        too_deep = Diagnostic("too-deep", Phrase("python-too-deep"))
+        raise ProgramError(filename, [too_deep], text) from None
+    except (ValueError, OverflowError) as error:
+        message = Phrase("python-syntax", reason=str(error))
+        raise ProgramError(filename, [Diagnostic("python-syntax", message)]) from None
+
+
+def _syntax_error(error: SyntaxError) -> Diagnostic:
+    end = (error.end_offset or 0) if error.end_lineno == error.lineno else 0
+    line, column = error.lineno or 0, error.offset or 0
+    return Diagnostic("python-syntax", syntax_message(error), line, column, max(end, 0))
+
+
+def _read(text: str, tree: ast.Module) -> Program | None:
+    skeleton = skeleton_of(tree)
+    if skeleton is None or "\r" in text.replace("\r\n", ""):
+        return None
+    if any(isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in tree.body):
+        return None
+    plain = text.replace("\r\n", "\n") if text.count("\r\n") == text.count("\n") else text
+    plain = plain.removeprefix("\ufeff")
+    line = plain.count("\n", 0, match.start()) + 1 if (match := ROBOT_IMPORT.search(plain)) else 0
+    notes = markers.notes(plain)
+    if line != skeleton.importing.lineno or notes is None:
+        return None
+    whens = frozenset(
+        node.name for node in skeleton.rest if isinstance(node, ast.FunctionDef) and is_when(node)
+    )
+    while True:
+        reader = _Reader(plain, tree, skeleton, notes, whens)
+        program = reader.program()
+        kept = frozenset(name for name, plain in reader.whens.items() if plain in program.whens)
+        if kept == whens:
+            return program
+        # If a `when` stays raw Python, the rest of the program must not use it as a `when`.
+        whens = kept
+
+
+class _Reader(StatementReader):
+    """Reads a whole file; the functions named in `whens` are ``when``s."""
+
+    def __init__(
+        self,
+        text: str,
+        tree: ast.Module,
+        skeleton: Skeleton,
+        notes: markers.Notes,
+        whens: frozenset[str],
+    ) -> None:
+        clashes = names.clashes(_variables(tree, whens))
+        functions = [node for node in skeleton.rest if isinstance(node, ast.FunctionDef)]
+        super().__init__(
+            text.removesuffix("\n").split("\n"),
+            notes,
+            _declared_whens(whens, clashes),
+            {names.from_python(node.name) or "" for node in functions if not node.decorator_list},
+        )
+        self.skeleton = skeleton
+        if self.raw_ends:
+            begins = _begins(tree, sorted(self.raw_ends.values()))
+            # A marker that was moved into a statement by hand has no meaning.
+            self.raw_ends = {
+                line: end for line, end in self.raw_ends.items() if begins.get(end, 0) < line
+            }
+        self.raw_lines = self.found_raw_lines()
+        self.modules: set[str] = set()
+        self.scopes = Scopes(tree)
+
+    def program(self) -> Program:
+        head = self.head()
+        rest = list(self.skeleton.rest)
+        while rest and self.is_own_import(rest[0]):
+            del rest[0]
+        self.remove_run(rest)
+        main_line = self.main_marker()
+        end_line = self.end_marker(rest) if main_line else 0
+        top = [node for node in rest if not main_line or node.lineno < main_line]
+        items = self.block(top, 0, main_line or len(self.lines) + 1, top_level=True)
+        main, late = self.main(rest, main_line, end_line)
+        whole = self.with_imports((*head, *items, *late), main)
+        arranged = normalized([*whole, *([main] if main else [])])
+        kept = tuple(item for item in arranged if not isinstance(item, Main))
+        return Program(kept, main, self.ending(end_line), span=self.span())
+
+    def span(self) -> Span:
+        return Span(1, 1, len(self.lines), len(self.lines[-1]) + 1 if self.lines else 1)
+
+    def main(
+        self, rest: list[ast.stmt], main_line: int, end_line: int
+    ) -> tuple[Main | None, list[Item]]:
+        """`main`, and the items below its marker that belong to the top level."""
+        if not main_line:
+            return None, []
+        self.line = main_line + 1
+        nodes = [node for node in rest if node.lineno > main_line]
+        read = self.block(nodes, 0, end_line or len(self.lines) + 1, top_level=True)
+        late: list[Item] = [item for item in read if isinstance(item, Def | When | Import)]
+        body = tuple(item for item in read if not isinstance(item, Def | When | Import | Setup))
+        body = stripped(body)
+        span = Span(main_line, 1, self.line - 1, 1)
+        return Main(body if any(map(acts, body)) else (*body, Pass()), span), late
+
+    def ending(self, end_line: int) -> tuple[Comment | Blank, ...]:
+        if not end_line:
+            return ()
+        self.line = end_line + 1
+        read = normalized(self.block([], 0, len(self.lines) + 1))
+        return tuple(item for item in read if isinstance(item, Comment | Blank))
+
+    def remove_run(self, rest: list[ast.stmt]) -> None:
+        """Remove ``robot.run()`` at the end of a program with ``when``s: Block-Text implies it."""
+        if self.whens and rest:
+            match rest[-1]:
+                case (
+                    ast.Expr(
+                        value=ast.Call(
+                            func=ast.Attribute(value=ast.Name(id="robot"), attr="run"),
+                            args=[],
+                            keywords=[],
+                        )
+                    ) as run
+                ):
+                    self.blank_lines(run)
+                    rest.pop()
+
+    def blank_lines(self, node: ast.stmt) -> None:
+        for number in range(node.lineno, end_of(node) + 1):
+            self.lines[number - 1] = ""
+
+    def main_marker(self) -> int:
+        """The line of the comment that marks `main`, or 0."""
+        rest = self.skeleton.rest
+        starts = [start_of(node) for node in rest]
+        for line, comment in sorted(self.comments.items()):
+            if comment[:3] != (0, markers.MAIN, True) or line in self.raw_lines:
+                continue
+            before = bisect.bisect(starts, line) - 1
+            inside = before >= 0 and line <= end_of(rest[before])
+            if line > self.skeleton.creating.lineno and not inside:
+                return line
+        return 0
+
+    def end_marker(self, rest: list[ast.stmt]) -> int:
+        """The line of the comment that marks the end of `main`, or 0."""
+        last = max([end_of(node) for node in rest], default=self.skeleton.creating.lineno)
+        after = [
+            line
+            for line, comment in self.comments.items()
+            if line > last and comment[:3] == (0, markers.END, True) and line not in self.raw_lines
+        ]
+        return min(after, default=0)
+
+    def found_raw_lines(self) -> set[int]:
+        """The lines of the unindented blocks of raw Python, without the first of each."""
+        found: set[int] = set()
+        last = 0
+        for line, end in sorted(self.raw_ends.items()):
+            if line > last and self.comments[line].column == 0:
+                found.update(range(line + 1, end + 1))
+                last = end
+        return found
+
+    def head(self) -> list[Item]:
+        """The items above the line that creates the robot, and a `Setup` if that line needs one."""
+        skeleton = self.skeleton
+        others = [node for node in skeleton.head if not self.is_own_import(node)]
+        line = skeleton.importing.lineno
+        above = self.head_part([node for node in others if node.lineno < line], line)
+        if above and not isinstance(above[-1], Import):
+            above.append(Blank())
+        self.line = end_of(skeleton.importing) + 1
+        below = [node for node in others if node.lineno > line]
+        below_items = self.head_part(below, skeleton.creating.lineno)
+        self.line = end_of(skeleton.creating) + 1
+        return self.with_setup([*above, *below_items])
+
+    def is_own_import(self, node: ast.stmt) -> bool:
+        """Whether a statement is an import that generated Python adds by itself; if so, note it."""
+        if node.lineno in self.raw_lines:
+            return False
+        match node:
+            case ast.Import(names=[ast.alias(name=module, asname=None)]) if module in MODULES:
+                if self.lines[node.lineno - 1].strip() == f"import {module}":
+                    self.modules.add(module)
+                    self.lines[node.lineno - 1] = ""
+                    return True
+        return False
+
+    def head_part(self, nodes: list[ast.stmt], limit: int) -> list[Item]:
+        return self.block(nodes, 0, limit, top_level=True)
+
+    def with_setup(self, items: list[Item]) -> list[Item]:
+        """Insert the robot's setup above everything except comments and imports."""
+        plain = [item for item in items if isinstance(item, Comment | Blank | Import)]
+        others = [item for item in items if not isinstance(item, Comment | Blank | Import)]
+        setup = self.setup()
+        described = bool(plain) and isinstance(plain[-1], Comment)
+        if setup.arguments or setup.keywords or setup.comment is not None or described:
+            return [*plain, setup, *others]
+        return [*plain, *others]
+
+    def setup(self) -> Setup:
+        node = self.skeleton.creation
+        arguments, keywords = self.arguments(node, names.attribute_from_python)
+        creating = self.skeleton.creating
+        return Setup(arguments, keywords, self.comment_of(end_of(creating)), span_of(creating))
+
+    def with_imports(self, items: tuple[Item, ...], main: Main | None) -> tuple[Item, ...]:
+        """The items, with imports that only raw Python can need as raw Python."""
+        text = canonical(Program(items, main), DEFAULT_ROBOT).text if self.modules else ""
+        unused = [
+            module
+            for module in MODULES
+            if module in self.modules and not re.search(rf"^import {module}$", text, re.MULTILINE)
+        ]
+        if not unused:
+            return items
+        raw = Raw("".join(f"import {module}\n" for module in unused))
+        setup = next((i + 1 for i, item in enumerate(items) if isinstance(item, Setup)), 0)
+        place = setup or prologue_length(items)
+        return (*items[:place], raw, *items[place:])
+
+    # Items.
+
+    def item(self, node: ast.stmt) -> Item:
+        match node:
+            case ast.ImportFrom(module=str(), names=[ast.alias(name="*")], level=0):
+                return self.import_(node)
+            case ast.FunctionDef():
+                return self.function(node)
+            case _:
+                return self.statement(node)
+
+    def import_(self, node: ast.ImportFrom) -> Import:
+        module = imports.from_python(node.module or "")
+        if module is None:
+            raise Unlike
+        return Import(module, self.comment_of(end_of(node)), span_of(node))
+
+    def function(self, node: ast.FunctionDef) -> Def | When:
+        arguments = node.args
+        if node.returns or getattr(node, "type_params", None) or unusual(arguments):
+            raise Unlike
+        comment = self.header_comment(node.lineno, node.body)
+        if node.decorator_list:
+            return self.when(node, comment)
+        name = names.from_python(node.name)
+        parameters = tuple(self.called(argument.arg) for argument in arguments.args)
+        if name is None:
+            raise Unlike
+        body = self.function_body(node, parameters)
+        return Def(name, parameters, body, comment, span_of(node))
+
+    def when(self, node: ast.FunctionDef, comment: str | None) -> When:
+        name = self.whens.get(node.name)
+        if name is None or node.args.args:
+            raise Unlike
+        condition: Expression | None = None
+        match node.decorator_list[0]:
+            case ast.Call(args=[ast.Lambda(body=test)]):
+                condition = self.expression(test)
+            case ast.Attribute(attr="when_start") if name != "start":
+                raise Unlike
+            case ast.Attribute(attr="when") if name == "start":
+                raise Unlike
+        body = self.function_body(node, ())
+        return When(name, condition, body, comment, span_of(node))
+
+    def function_body(self, node: ast.FunctionDef, parameters: tuple[str, ...]) -> Body:
+        body = self.body(node.lineno, node.body, end_of(node) + 1)
+        body = self.trailing(body, node)
+        if not self.shares_enough(node, body, parameters):
+            raise Unlike
+        return body if any(map(acts, body)) else (*body, Pass())
+
+    def shares_enough(self, node: ast.FunctionDef, body: Body, parameters: tuple[str, ...]) -> bool:
+        """Whether a function means the same where it shares all variables that it sets."""
+        declared: set[str] = set()
+        for first in node.body:
+            if not isinstance(first, ast.Global):
+                break
+            declared.update(first.names)
+        shared = set(global_names(body, parameters, self.when_names))
+        needless = declared - shared
+        if needless and any(isinstance(statement, Raw) for statement in statements(body)):
+            return False
+        return not needless & stored_names(node) and self.scopes.may_be_shared(
+            shared - declared, node
+        )
+
+
+def _declared_whens(whens: frozenset[str], clashes: dict[str, int]) -> dict[str, str]:
+    """The names in Block-Text of the ``when``s, by their names in Python."""
+    found = {name: names.when_from_python(name, clashes) for name in sorted(whens)}
+    return {name: plain for name, plain in found.items() if plain is not None}
+
+
+def _begins(tree: ast.Module, lines: list[int]) -> dict[int, int]:
+    """For each of the sorted `lines` inside a statement, where the innermost one begins."""
+    begins: dict[int, int] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.stmt):
+            first, end = bisect.bisect(lines, start_of(node)), bisect.bisect(lines, end_of(node))
+            for line in lines[first:end]:
+                begins[line] = max(begins.get(line, 0), start_of(node))
+    return begins
+
+
+def _variables(tree: ast.Module, whens: frozenset[str]) -> set[str]:
+    """The names in Block-Text of everything except ``when``s."""
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    found = markers.variable_names(tree, whens)
+    found |= {node.name for node in functions if not node.decorator_list}
+    return {plain for name in found if (plain := names.from_python(name)) is not None}

@@ -1,0 +1,331 @@
+"""Write a tree as Python in its canonical form, formatted as by the usual formatters."""
+
+import ast
+import re
+from collections.abc import Set as AbstractSet
+
+from learnblock.language.blocktext import names
+from learnblock.language.blocktext.names import state_of
+from learnblock.language.python import imports
+from learnblock.language.tree import markers, ranges
+from learnblock.language.tree.builtins import MODULES, TEMPLATES, is_builtin
+from learnblock.language.tree.expression_writer import LOOSEST, SIGN, TIGHTEST
+from learnblock.language.tree.layout import placed, prologue_length
+from learnblock.language.tree.nodes import (
+    Activate,
+    Assign,
+    Binary,
+    Blank,
+    Body,
+    Call,
+    Comment,
+    Constant,
+    Deactivate,
+    Def,
+    Expression,
+    ForEach,
+    ForRange,
+    Import,
+    Item,
+    Main,
+    Name,
+    Node,
+    Number,
+    Pass,
+    Program,
+    Raw,
+    RawExpression,
+    Repeat,
+    Setup,
+    SkillCall,
+    Unary,
+    When,
+)
+from learnblock.language.tree.traversal import statements
+from learnblock.language.tree.writer import ProgramWriter, comment_text
+
+_RAW_ATOM = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)*")
+
+
+def global_names(body: Body, parameters: tuple[str, ...], whens: AbstractSet[str]) -> list[str]:
+    """The variables that a function must declare ``global`` in Python, by their Python names."""
+    assigned: set[str] = set()
+    counted: set[str] = set()
+    for statement in statements(body):
+        if isinstance(statement, Assign) and isinstance(statement.target, Name):
+            assigned.add(statement.target.name)
+        elif isinstance(statement, ForEach | ForRange):
+            counted.add(statement.target.name)
+    shared = assigned - counted - set(parameters)
+    return sorted(names.to_python(name) for name in shared if state_of(name, whens) is None)
+
+
+class PythonWriter(ProgramWriter):
+    """Writes one program, assuming that only the `clashing` variables share a name with a ``when``.
+
+    `clashes` collects those found while writing; if they differ, the text is not valid.
+    """
+
+    def __init__(self, program: Program, clashing: frozenset[str]) -> None:
+        super().__init__()
+        self.tree = program
+        self.functions = program.functions
+        stems = names.clashes(clashing)
+        self.whens = {name: names.when_to_python(name, stems) for name in program.whens}
+        self.watched = {names.stem(name) for name in self.whens}
+        self.clashes: set[str] = set()
+        self.modules: set[str] = set()
+        self.sources: list[int] = []
+        self.nodes: list[Node | None] = []
+
+    # Lines.
+
+    def line(self, text: str, node: Node | None = None, comment: str | None = None) -> None:
+        if comment is not None:
+            text = f"{text}  {comment_text(comment)}"
+        self.lines.append(self.indent + text)
+        self.nodes.append(node)
+        self.sources.append(node.span.line if node is not None else 0)
+
+    def blank(self, _: Blank | None = None) -> None:
+        self.lines.append("")
+        self.nodes.append(None)
+        self.sources.append(0)
+
+    def blanks(self, count: int) -> None:
+        for _ in range(count):
+            self.blank()
+
+    def program(self, robot_module: str) -> str:
+        length = prologue_length(self.tree.items)
+        self.in_order(self.tree.items[:length])
+        above = len(self.lines)
+        rest = list(self.tree.items[length:])
+        place = next((i for i, item in enumerate(rest) if isinstance(item, Setup)), -1)
+        creation = rest[: place + 1] or [Setup()]
+        apart = isinstance(creation[0], Setup)
+        if not apart:
+            self.blank()
+        self.in_order(creation)
+        self.body_of(rest[place + 1 :])
+        self.import_lines(above, robot_module, apart=apart)
+        return "\n".join([*self.lines, ""])
+
+    def import_lines(self, place: int, robot_module: str, *, apart: bool) -> None:
+        """Insert the imports above the code that needs them, in the order of isort."""
+        lines = [f"import {module}" for module in MODULES if module in self.modules]
+        if lines:
+            lines.append("")
+        lines.append(f"from {robot_module} import Robot")
+        if apart:
+            lines.append("")
+        self.lines[place:place] = lines
+        self.sources[place:place] = [0] * len(lines)
+        self.nodes[place:place] = [None] * len(lines)
+        for key, (first, last) in self.extents.items():
+            if first > place:
+                self.extents[key] = (first + len(lines), last + len(lines))
+
+    def body_of(self, items: list[Item]) -> None:
+        main = () if self.tree.main is None else (self.tree.main,)
+        previous: Item | Main = Setup()
+        for item, apart, blank, leads in placed([*items, *main]):
+            if apart or blank or isinstance(previous, Setup):
+                far = isinstance(previous, Def | When) or isinstance(leads, Def | When)
+                self.blanks(2 if far else 1)
+            self.item(item)
+            previous = item
+        if self.whens:
+            self.blanks(2 if isinstance(previous, Def | When) else 1)
+            self.line("robot.run()")
+        if self.tree.ending:
+            self.blank()
+            self.line("# end")
+            self.in_order(self.tree.ending)
+
+    # Items and statements.
+
+    def comment(self, node: Comment) -> None:
+        self.line(comment_text(markers.escaped(node.text)), node)
+
+    def import_(self, node: Import) -> None:
+        module = imports.to_python(node.module)
+        self.line(f"from {module} import *", node, node.comment)
+
+    def setup(self, node: Setup) -> None:
+        arguments = self.arguments(node.arguments, node.keywords)
+        self.line(f"robot = Robot({arguments})", node, node.comment)
+
+    def main(self, node: Main) -> None:
+        self.line("# main", node)
+        for statement in node.body or (Pass(),):
+            self.item(statement)
+
+    def repeat(self, node: Repeat) -> None:
+        self.closed(f"for _ in range({self.expression(node.count)})", node)
+
+    def for_range(self, node: ForRange) -> None:
+        self.closed(f"for {self.expression(node.target)} in range({self.bounds(node)})", node)
+
+    def bounds(self, node: ForRange) -> str:
+        direction = ranges.direction(node.step)
+        start = self.expression(node.start)
+        if node.step is None:
+            end = self.expression(ranges.beyond(node.stop, 1))
+            return end if node.start == Number("0") else f"{start}, {end}"
+        step = self.expression(node.step)
+        if direction:
+            return f"{start}, {self.expression(ranges.beyond(node.stop, direction))}, {step}"
+        # The direction is known only when the program runs.
+        beyond = f"(1 if {self.expression(node.step, SIGN)} > 0 else -1)"
+        return f"{start}, {self.expression(node.stop, 5)} + {beyond}, {step}"
+
+    def activation(self, node: Activate | Deactivate) -> None:
+        name = self.whens.get(node.name) or self.variable(node.name)
+        self.line(f"{name}.{type(node).__name__.lower()}()", node, node.comment)
+
+    def raw_block(self, node: Raw) -> None:
+        self.watch_raw(node.text)
+        self.line("# python", node)
+        for index, line in enumerate(markers.raw_lines(node.text, self.indent), 1):
+            self.lines.append(line)
+            self.nodes.append(node)
+            self.sources.append(node.span.line + index if node.span.line else 0)
+        self.line("# end")
+
+    def definition(self, node: Def) -> None:
+        parameters = [self.variable(parameter) for parameter in node.parameters]
+        header = f"def {self.variable(node.name)}({', '.join(parameters)})"
+        self.function(header, node)
+
+    def when(self, node: When) -> None:
+        if node.condition is not None:
+            self.line(f"@robot.when(lambda: {self.expression(node.condition)})", node)
+        elif node.name == "start":
+            self.line("@robot.when_start", node)
+        else:
+            self.line("@robot.when", node)
+        self.function(f"def {self.whens[node.name]}()", node)
+
+    def function(self, header: str, node: Def | When) -> None:
+        self.line(header + ":", node, node.comment)
+        self.indent = "    "
+        parameters = node.parameters if isinstance(node, Def) else ()
+        shared = global_names(node.body, parameters, self.whens.keys())
+        if shared:
+            self.line(f"global {', '.join(shared)}")
+        for statement in node.body or (Pass(),):
+            self.item(statement)
+        self.indent = ""
+
+    # Expressions.
+
+    def variable(self, name: str) -> str:
+        if self.watched and names.stem(name) in self.watched:
+            self.clashes.add(name)
+        return names.to_python(name)
+
+    def name(self, node: Name, _: int) -> str:
+        name = node.name
+        if self.whens:
+            state = state_of(name, self.whens.keys())
+            if state is not None:
+                return f"{self.whens[state[0]]}.{state[1]}"
+        return self.variable(name)
+
+    def keyword_name(self, name: str) -> str:
+        return names.attribute_to_python(name)
+
+    def skill_call(self, node: SkillCall, _: int) -> str:
+        name = names.attribute_to_python(node.name)
+        return f"robot.{name}({self.arguments(node.arguments, node.keywords)})"
+
+    def call(self, node: Call, level: int) -> str:
+        if node.name not in self.functions:
+            known = self.library_call(node, level)
+            if known is not None:
+                return known
+        arguments = [self.expression(argument) for argument in node.arguments]
+        arguments += [
+            f"{names.to_python(keyword.name)}={self.expression(keyword.value)}"
+            for keyword in node.keywords
+        ]
+        return f"{self.variable(node.name)}({', '.join(arguments)})"
+
+    def library_call(self, node: Call, _: int) -> str | None:
+        name = node.name
+        if name == "elapsedTime":
+            return f"robot.elapsedTime({self.arguments(node.arguments, node.keywords)})"
+        if is_builtin(name, len(node.arguments)):
+            return f"{name}({self.arguments(node.arguments, node.keywords)})"
+        template = TEMPLATES.get((name, len(node.arguments)))
+        if template is None or node.keywords:
+            return None
+        if template.module:
+            self.modules.add(template.module)
+        written = [
+            self.receiver(argument) if index in template.receivers else self.expression(argument)
+            for index, argument in enumerate(node.arguments)
+        ]
+        if name == "sublist" and not all(map(_simple, node.arguments[1:])):
+            # As Python formatters do: spaces if a bound is not simple.
+            return f"{written[0]}[{written[1]} : {written[2]}]"
+        return template.python.format(*written)
+
+    def unary(self, node: Unary, level: int) -> str:
+        operand = node.operand
+        if node.operator != "not" and isinstance(operand, Binary) and operand.operator == "**":
+            # As Python formatters do, because the precedence is little known.
+            text = f"{node.operator}({self.power(operand)})"
+            return f"({text})" if level > SIGN else text
+        return super().unary(node, level)
+
+    def power(self, node: Binary) -> str:
+        left = self.expression(node.left, TIGHTEST)
+        right = self.expression(node.right, SIGN)
+        # As Python formatters do: no spaces if both sides are simple.
+        hugged = _simple(node.left) and _simple(node.right)
+        return f"{left}**{right}" if hugged else f"{left} ** {right}"
+
+    def raw(self, node: RawExpression, level: int) -> str:
+        self.watch_raw(node.text)
+        text = node.text.strip()
+        if level == LOOSEST or _RAW_ATOM.fullmatch(text):
+            return text
+        return text if _binds_tightest(text) else f"({text})"
+
+    def watch_raw(self, text: str) -> None:
+        if self.watched:
+            found = {names.from_python(name) for name in markers.raw_names(text)}
+            self.clashes.update(name for name in found if name and names.stem(name) in self.watched)
+
+
+def _simple(node: Expression) -> bool:
+    if isinstance(node, Unary):
+        return node.operator != "not" and isinstance(node.operand, Name | Number)
+    return isinstance(node, Name | Number | Constant) or (
+        isinstance(node, RawExpression) and _RAW_ATOM.fullmatch(node.text.strip()) is not None
+    )
+
+
+def _binds_tightest(text: str) -> bool:
+    try:
+        node = ast.parse(text, mode="eval").body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return isinstance(
+        node,
+        ast.Attribute
+        | ast.Call
+        | ast.Constant
+        | ast.Dict
+        | ast.DictComp
+        | ast.GeneratorExp
+        | ast.JoinedStr
+        | ast.List
+        | ast.ListComp
+        | ast.Name
+        | ast.Set
+        | ast.SetComp
+        | ast.Subscript,
+    )

@@ -1,0 +1,132 @@
+"""Write expressions as text: the part that Block-Text and Python share.
+
+Brackets are written only where the tree needs them. Precedence is that of Python, loosest first.
+"""
+
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+from learnblock.language.tree.nodes import (
+    Binary,
+    Call,
+    Compare,
+    Constant,
+    Expression,
+    Index,
+    Keyword,
+    List,
+    Name,
+    Number,
+    RawExpression,
+    SkillCall,
+    String,
+    Unary,
+)
+from learnblock.language.tree.strings import quote
+
+LOOSEST, NOT, COMPARE, SIGN, POWER, TIGHTEST = 0, 3, 4, 7, 8, 9
+_LEVELS = {"or": 1, "and": 2, "+": 5, "-": 5, "*": 6, "/": 6, "//": 6, "%": 6, "**": POWER}
+
+_WRITERS: dict[type[Expression], str] = {
+    Number: "number",
+    String: "string",
+    Constant: "constant",
+    Name: "name",
+    Call: "call",
+    SkillCall: "skill_call",
+    List: "list",
+    Index: "index",
+    Unary: "unary",
+    Binary: "binary",
+    Compare: "compare",
+    RawExpression: "raw",
+}
+
+
+class ExpressionWriter:
+    """Writes expressions; a subclass defines how names, calls and raw Python are written."""
+
+    writers: ClassVar[dict[type[Expression], Callable[[Any, Any, int], str]]] = {}
+
+    def __init_subclass__(cls) -> None:
+        cls.writers = {kind: getattr(cls, name) for kind, name in _WRITERS.items()}
+
+    def expression(self, node: Expression, level: int = LOOSEST) -> str:
+        """`node` as text, in brackets if it binds more loosely than `level`."""
+        return self.writers[type(node)](self, node, level)
+
+    def number(self, node: Number, _: int) -> str:
+        return node.text
+
+    def string(self, node: String, _: int) -> str:
+        return quote(node.value)
+
+    def constant(self, node: Constant, _: int) -> str:
+        return str(node.value)
+
+    def name(self, node: Name, _: int) -> str:
+        return node.name
+
+    def call(self, node: Call, _: int) -> str:
+        raise NotImplementedError
+
+    def skill_call(self, node: SkillCall, _: int) -> str:
+        raise NotImplementedError
+
+    def raw(self, node: RawExpression, level: int) -> str:
+        raise NotImplementedError
+
+    def keyword_name(self, name: str) -> str:
+        return name
+
+    def list(self, node: List, _: int) -> str:
+        return f"[{', '.join([self.expression(item) for item in node.items])}]"
+
+    def index(self, node: Index, _: int) -> str:
+        return f"{self.receiver(node.value)}[{self.expression(node.index)}]"
+
+    def unary(self, node: Unary, level: int) -> str:
+        if node.operator == "not":
+            own = NOT
+            text = f"not {self.expression(node.operand, NOT)}"
+        else:
+            own = SIGN
+            text = f"{node.operator}{self.expression(node.operand, SIGN)}"
+        return f"({text})" if own < level else text
+
+    def binary(self, node: Binary, level: int) -> str:
+        own = _LEVELS[node.operator]
+        if own == POWER:
+            text = self.power(node)
+        else:
+            left = self.expression(node.left, own)
+            text = f"{left} {node.operator} {self.expression(node.right, own + 1)}"
+        return f"({text})" if own < level else text
+
+    def power(self, node: Binary) -> str:
+        left = self.expression(node.left, TIGHTEST)
+        return f"{left} ** {self.expression(node.right, SIGN)}"
+
+    def compare(self, node: Compare, level: int) -> str:
+        parts = [self.expression(node.operands[0], COMPARE + 1)]
+        for operator, operand in zip(node.operators, node.operands[1:], strict=True):
+            parts.append(operator)
+            parts.append(self.expression(operand, COMPARE + 1))
+        text = " ".join(parts)
+        return f"({text})" if level > COMPARE else text
+
+    def receiver(self, node: Expression) -> str:
+        """The text of an expression before a dot or a bracket."""
+        text = self.expression(node, TIGHTEST)
+        return f"({text})" if isinstance(node, Number) else text
+
+    def arguments(
+        self, arguments: tuple[Expression, ...], keywords: tuple[Keyword, ...] = ()
+    ) -> str:
+        """The text between the brackets of a call."""
+        parts = [self.expression(argument) for argument in arguments]
+        parts += [
+            f"{self.keyword_name(keyword.name)}={self.expression(keyword.value)}"
+            for keyword in keywords
+        ]
+        return ", ".join(parts)

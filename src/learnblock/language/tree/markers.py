@@ -1,0 +1,149 @@
+"""The comments in generated Python that mark what Python itself cannot express.
+
+``# main`` is above the statements of `main`, ``# end`` above what follows them, and a block of raw
+Python is between ``# python`` and ``# end``. A user's comment that looks like a marker gets another
+``#``.
+"""
+
+import ast
+import io
+import re
+import tokenize
+from collections.abc import Container
+from typing import NamedTuple
+
+MAIN, END, PYTHON = "main", "end", "python"
+_MARKERS = frozenset((MAIN, END, PYTHON))
+_PLAIN_END = re.compile(r"(\s*)(#[# ]*end\s*)")
+_ESCAPED_END = re.compile(r"(\s*)# (#[# ]*end\s*)")
+
+
+class NotedComment(NamedTuple):
+    """A comment of a Python file.
+
+    Args:
+        column: from 0.
+        text: without the ``#`` and the white space around it.
+        own_line: whether nothing else is on its line.
+        inside: whether it is inside brackets.
+    """
+
+    column: int
+    text: str
+    own_line: bool
+    inside: bool
+
+
+class Notes(NamedTuple):
+    """The parts of a file that Python's syntax tree omits, by line from 1.
+
+    Args:
+        comments: the comment of each line that has one.
+        in_string: the lines that begin inside a string.
+    """
+
+    comments: dict[int, NotedComment]
+    in_string: set[int]
+
+
+def notes(text: str) -> Notes | None:
+    """The comments of Python text and its lines inside strings; None if it cannot be read."""
+    found = Notes({}, set())
+    depth = 0
+    opened: list[int] = []
+    try:
+        for token in tokenize.generate_tokens(io.StringIO(text, newline="").readline):
+            if token.type == tokenize.COMMENT:
+                own_line = not token.line[: token.start[1]].strip()
+                comment = token.string[1:].strip()
+                noted = NotedComment(token.start[1], comment, own_line, depth > 0)
+                found.comments[token.start[0]] = noted
+            elif token.type == tokenize.STRING:
+                found.in_string.update(range(token.start[0] + 1, token.end[0] + 1))
+            elif token.type in _STRING_STARTS:
+                opened.append(token.start[0])
+            elif token.type in _STRING_ENDS:
+                found.in_string.update(range(opened.pop() + 1, token.end[0] + 1))
+            elif token.type == tokenize.OP and token.string in {"(", "[", "{"}:
+                depth += 1
+            elif token.type == tokenize.OP and token.string in {")", "]", "}"}:
+                depth -= 1
+    except (tokenize.TokenError, SyntaxError, IndexError, ValueError):
+        return None
+    return found
+
+
+# Since 3.12 an f-string is several tokens, since 3.14 a template string too.
+_STRING_STARTS = {getattr(tokenize, name, -1) for name in ("FSTRING_START", "TSTRING_START")}
+_STRING_ENDS = {getattr(tokenize, name, -1) for name in ("FSTRING_END", "TSTRING_END")}
+
+
+def escaped(comment: str) -> str:
+    """A user's comment as written in Python."""
+    return "# " + comment if comment.lstrip("# ") in _MARKERS else comment
+
+
+def unescaped(comment: str) -> str:
+    """The user's comment for a `comment` in Python."""
+    if comment.startswith("# ") and comment.lstrip("# ") in _MARKERS:
+        return comment[2:].lstrip(" ")
+    return comment
+
+
+def raw_lines(text: str, indent: str) -> list[str]:
+    """The lines of a block of raw Python between its markers, indented by `indent`."""
+    found = notes(text)
+    in_string = found.in_string if found else set()
+    result = []
+    for number, line in enumerate(text.removesuffix("\n").split("\n") if text else [], 1):
+        kept = line
+        if number not in in_string:
+            kept = _PLAIN_END.sub(r"\1# \2", line) if _PLAIN_END.fullmatch(line) else line
+            kept = indent + kept if kept else ""
+        result.append(kept)
+    return result
+
+
+def raw_text(lines: list[str], first: int, indent: str, in_string: set[int]) -> str:
+    """The raw Python in the `lines` of a file, which begin at line number `first`."""
+    result = []
+    for number, line in enumerate(lines, first):
+        kept = line
+        if number not in in_string:
+            kept = line.removeprefix(indent) if line.startswith(indent) else line.lstrip(" \t")
+            if _ESCAPED_END.fullmatch(kept):
+                kept = _ESCAPED_END.sub(r"\1\2", kept)
+        result.append(kept + "\n")
+    return "".join(result)
+
+
+def raw_names(text: str) -> set[str]:
+    """The variables that Python text reads or sets; empty if it is not valid Python."""
+    try:
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return set()
+    return variable_names(tree)
+
+
+def variable_names(tree: ast.AST, whens: Container[str] | None = None) -> set[str]:
+    """The variables of a Python tree.
+
+    Args:
+        tree: of a file or a part of one.
+        whens: names that count only if more than their state is used; None for all names.
+    """
+    names: set[str] = set()
+    states: set[int] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Attribute) and node.attr in STATE_ATTRIBUTES:
+            if isinstance(node.value, ast.Name) and (whens is None or node.value.id in whens):
+                states.add(id(node.value))
+        elif isinstance(node, ast.Name) and id(node) not in states:
+            names.add(node.id)
+        elif isinstance(node, ast.arg):
+            names.add(node.arg)
+    return names
+
+
+STATE_ATTRIBUTES = frozenset(("active", "time", "activate", "deactivate"))

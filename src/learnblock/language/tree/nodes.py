@@ -1,0 +1,425 @@
+"""The syntax tree that the three notations share: one class for each rule of the grammar.
+
+A node has the place where it was written (`span`), which is ignored when two trees are compared.
+Comments and blank lines are part of the tree: `Comment` and `Blank` are statements, and a statement
+has the comment at the end of its line. Blank lines that the layout adds to every program, such as
+the one before a ``def``, are not in the tree.
+"""
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+
+class Span(NamedTuple):
+    """Where a node was written: lines and columns from 1; `end_column` is after the last."""
+
+    line: int = 0
+    column: int = 0
+    end_line: int = 0
+    end_column: int = 0
+
+
+NOWHERE = Span()
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A number, with the spelling of its author: ``40``, ``0.5``, ``1e3``, ``0xFF``."""
+
+    text: str
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class String:
+    """A text; `value` is its content, without quotes and escapes."""
+
+    value: str
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    """``True``, ``False`` or ``None``."""
+
+    value: bool | None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """A variable; or, with a ``when X`` in the program, ``state_X`` or ``time_X``."""
+
+    name: str
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Keyword:
+    """``advSpeed=80`` among the arguments of a call."""
+
+    name: str
+    value: "Expression"
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A call of a user's function, a library function or a function of an imported file."""
+
+    name: str
+    arguments: "tuple[Expression, ...]" = ()
+    keywords: tuple[Keyword, ...] = ()
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class SkillCall:
+    """``function.NAME(...)``: a call of a skill of the robot."""
+
+    name: str
+    arguments: "tuple[Expression, ...]" = ()
+    keywords: tuple[Keyword, ...] = ()
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class List:
+    """``[1, 2, 3]``."""
+
+    items: "tuple[Expression, ...]" = ()
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Index:
+    """``values[index]``, counted from 0; -1 is the last one."""
+
+    value: "Expression"
+    index: "Expression"
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Unary:
+    """``not x``, ``-x`` or ``+x``."""
+
+    operator: str
+    operand: "Expression"
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Binary:
+    """Two operands and one of ``or and + - * / // % **``."""
+
+    operator: str
+    left: "Expression"
+    right: "Expression"
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Compare:
+    """A comparison, chained as in Python: ``0 < x < 10`` has two operators and three operands."""
+
+    operators: tuple[str, ...]
+    operands: "tuple[Expression, ...]"
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class RawExpression:
+    """A Python expression without an equivalent in Block-Text, between backticks."""
+
+    text: str
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+Expression = (
+    Number
+    | String
+    | Constant
+    | Name
+    | Call
+    | SkillCall
+    | List
+    | Index
+    | Unary
+    | Binary
+    | Compare
+    | RawExpression
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Comment:
+    """A comment on its own line; `text` is the part after the ``#``."""
+
+    text: str
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Blank:
+    """One or more blank lines written by the author."""
+
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Perform:
+    """A call as a statement."""
+
+    call: Call | SkillCall
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Assign:
+    """``x = 1``, ``x += 1``, ``values[0] = 1``."""
+
+    target: Name | Index
+    operator: str
+    value: Expression
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """One condition of an `If` and the statements that run if it is true."""
+
+    condition: Expression
+    body: "Body"
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Else:
+    """The statements of an `If` that run if no condition is true."""
+
+    body: "Body"
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class If:
+    """``if``, any number of ``elif``, and an optional ``else``, closed by one ``end``."""
+
+    branches: tuple[Branch, ...]
+    otherwise: Else | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class While:
+    """``while condition:``."""
+
+    condition: Expression
+    body: "Body"
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Repeat:
+    """``repeat count:``."""
+
+    count: Expression
+    body: "Body"
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class ForEach:
+    """``for target in values:``."""
+
+    target: Name
+    values: Expression
+    body: "Body"
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class ForRange:
+    """``for target from start to stop step step:``, including `stop`."""
+
+    target: Name
+    start: Expression
+    stop: Expression
+    step: Expression | None
+    body: "Body"
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Break:
+    """Leave the innermost loop."""
+
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Continue:
+    """Continue with the next round of the innermost loop."""
+
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Return:
+    """Leave the function, optionally with a result."""
+
+    value: Expression | None = None
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Pass:
+    """Do nothing; makes an empty body valid."""
+
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Activate:
+    """Make the ``when`` of this name active."""
+
+    name: str
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Deactivate:
+    """Make the ``when`` of this name inactive."""
+
+    name: str
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Raw:
+    """Python statements, kept byte for byte; every line of `text` ends with a line feed.
+
+    Only a program that consists of one such block may lack the last line feed, like its file.
+    """
+
+    text: str
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+Statement = (
+    Comment
+    | Blank
+    | Perform
+    | Assign
+    | If
+    | While
+    | Repeat
+    | ForEach
+    | ForRange
+    | Break
+    | Continue
+    | Return
+    | Pass
+    | Activate
+    | Deactivate
+    | Raw
+)
+Body = tuple[Statement, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Import:
+    """``import "dance"``: a library, or everything that the Python file ``dance.py`` defines."""
+
+    module: str
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Setup:
+    """``robot(world="line")``: creates the robot with other settings than the defaults."""
+
+    arguments: tuple[Expression, ...] = ()
+    keywords: tuple[Keyword, ...] = ()
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Def:
+    """The definition of a user's function."""
+
+    name: str
+    parameters: tuple[str, ...]
+    body: Body
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class When:
+    """Statements that run while a state is active; with a condition, the state follows it."""
+
+    name: str
+    condition: Expression | None
+    body: Body
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Main:
+    """The statements of ``main``, which run after the others of the top level."""
+
+    body: Body
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+Item = Statement | Import | Setup | Def | When
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """A whole program.
+
+    Args:
+        items: the top level, in order, without `main`.
+        main: written last.
+        ending: comments and blank lines after `main`.
+        python: the Python it was read from, if `to_python` would write other text.
+    """
+
+    items: tuple[Item, ...] = ()
+    main: Main | None = None
+    ending: tuple[Comment | Blank, ...] = ()
+    python: str | None = field(default=None, compare=False)
+    span: Span = field(default=NOWHERE, compare=False)
+
+    @property
+    def functions(self) -> dict[str, Def]:
+        """The user's functions by name; of several with the same name, the last."""
+        return {item.name: item for item in self.items if type(item) is Def}
+
+    @property
+    def whens(self) -> dict[str, When]:
+        """The ``when``s by name; of several with the same name, the last."""
+        return {item.name: item for item in self.items if type(item) is When}
+
+
+Node = Item | Main | Branch | Else | Expression | Keyword | Program

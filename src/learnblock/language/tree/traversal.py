@@ -1,0 +1,131 @@
+"""Find the statements and expressions inside the nodes of a tree."""
+
+from collections.abc import Callable, Iterator
+from typing import Any, cast
+
+from learnblock.language.tree.nodes import (
+    Assign,
+    Binary,
+    Body,
+    Call,
+    Compare,
+    Def,
+    Expression,
+    ForEach,
+    ForRange,
+    If,
+    Index,
+    Item,
+    List,
+    Main,
+    Name,
+    Perform,
+    Repeat,
+    Return,
+    Setup,
+    SkillCall,
+    Unary,
+    When,
+    While,
+)
+
+
+def set_by(node: Item | Main) -> str | None:
+    """The variable that a statement sets, if any, without its bodies."""
+    match node:
+        case Assign(target=Name(name=name)) | ForEach(target=Name(name=name)):
+            return name
+        case ForRange(target=Name(name=name)):
+            return name
+    return None
+
+
+def _if_bodies(node: If) -> tuple[Body, ...]:
+    found = tuple(branch.body for branch in node.branches)
+    return found if node.otherwise is None else (*found, node.otherwise.body)
+
+
+def _own_body(node: Any) -> tuple[Body, ...]:
+    return (node.body,)
+
+
+_BODIES: dict[type, Callable[[Any], tuple[Body, ...]]] = {
+    If: _if_bodies,
+    While: _own_body,
+    Repeat: _own_body,
+    ForEach: _own_body,
+    ForRange: _own_body,
+    Def: _own_body,
+    When: _own_body,
+    Main: _own_body,
+}
+
+
+def bodies(node: Item | Main) -> tuple[Body, ...]:
+    """The bodies directly inside a statement or an item of the top level, in order."""
+    get = _BODIES.get(type(node))
+    return () if get is None else get(node)
+
+
+def statements(body: tuple[Item, ...]) -> Iterator[Item]:
+    """Every statement of a body and of the bodies inside it, in order of the text."""
+    ahead: list[Item] = list(reversed(body))
+    while ahead:
+        statement = ahead.pop()
+        yield statement
+        for inner in reversed(bodies(statement)):
+            ahead.extend(reversed(inner))
+
+
+def _range_parts(node: ForRange) -> tuple[Expression, ...]:
+    found = (node.target, node.start, node.stop)
+    return found if node.step is None else (*found, node.step)
+
+
+def _optional(value: Expression | None) -> tuple[Expression, ...]:
+    return () if value is None else (value,)
+
+
+def _arguments(node: Any) -> tuple[Expression, ...]:
+    if not node.keywords:
+        return cast("tuple[Expression, ...]", node.arguments)
+    return (*node.arguments, *(keyword.value for keyword in node.keywords))
+
+
+_EXPRESSIONS: dict[type, Callable[[Any], tuple[Expression, ...]]] = {
+    Perform: lambda node: (node.call,),
+    Assign: lambda node: (node.target, node.value),
+    If: lambda node: tuple(branch.condition for branch in node.branches),
+    While: lambda node: (node.condition,),
+    Repeat: lambda node: (node.count,),
+    ForEach: lambda node: (node.target, node.values),
+    ForRange: _range_parts,
+    Return: lambda node: _optional(node.value),
+    When: lambda node: _optional(node.condition),
+    Setup: _arguments,
+}
+_OPERANDS: dict[type, Callable[[Any], tuple[Expression, ...]]] = {
+    Call: _arguments,
+    SkillCall: _arguments,
+    List: lambda node: node.items,
+    Index: lambda node: (node.value, node.index),
+    Unary: lambda node: (node.operand,),
+    Binary: lambda node: (node.left, node.right),
+    Compare: lambda node: node.operands,
+}
+
+
+def expressions(node: Item | Main) -> tuple[Expression, ...]:
+    """The expressions of a statement, without those of its bodies."""
+    get = _EXPRESSIONS.get(type(node))
+    return () if get is None else get(node)
+
+
+def within(expression: Expression) -> list[Expression]:
+    """An expression and all expressions inside it."""
+    found = [expression]
+    for node in found:
+        get = _OPERANDS.get(type(node))
+        if get is not None:
+            found.extend(get(node))
+    return found

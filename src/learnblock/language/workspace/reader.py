@@ -1,0 +1,186 @@
+"""Read a workspace as a program: the hat blocks and the stacks under them."""
+
+from collections.abc import Mapping
+
+from learnblock.blocks import BlockConfiguration
+from learnblock.errors import Diagnostic, ProgramError
+from learnblock.i18n import Phrase
+from learnblock.language.tree.layout import normalized
+from learnblock.language.tree.nodes import (
+    Blank,
+    Comment,
+    Constant,
+    Def,
+    Expression,
+    Import,
+    Item,
+    Main,
+    Program,
+    Return,
+    Setup,
+    When,
+)
+from learnblock.language.workspace.block_reader import extra, extra_list, is_disabled, plugged
+from learnblock.language.workspace.blocks import Block, Workspace
+from learnblock.language.workspace.notes import Ends, Notes
+from learnblock.language.workspace.statement_reader import (
+    Group,
+    StatementReader,
+    import_of,
+    setup_of,
+    spaced,
+)
+from learnblock.language.workspace.types import (
+    FUNCTION,
+    HATS,
+    MAIN,
+    START,
+)
+
+
+class WorkspaceReader(StatementReader):
+    """Reads a workspace.
+
+    `entries` are the statements and definitions of the top level in order, each with its block and
+    its hat block; `program` is the result.
+    """
+
+    def __init__(
+        self, workspace: Workspace, configurations: Mapping[str, BlockConfiguration]
+    ) -> None:
+        super().__init__(workspace, configurations)
+        self.groups: dict[str, Group] = {}
+        self.silent: set[str] = set()
+        self.entries: list[tuple[Group, Block, Block]] = []
+        self.has_main = False
+        program = [stack for stack in workspace.stacks if is_part(stack)]
+        self.alone = len(program) == 1 and len(statements_of(program[0][0])) == 1
+        for stack in program:
+            self.stack(stack[0])
+        self.program = self.arranged()
+
+    def stack(self, hat: Block) -> None:
+        """Read a stack that is part of the program."""
+        if hat.type == START:
+            for block in statements_of(hat):
+                self.entry(self.group(block, self.top_statement), block, hat)
+        elif hat.type == MAIN and self.has_main:
+            self.report(hat, "second-main", Phrase("workspace-second-main"))
+        else:
+            self.entry(self.group(hat, self.hat), hat, hat)
+
+    def entry(self, group: Group | None, block: Block, hat: Block) -> None:
+        if group is None:
+            return
+        if type(group.statement) is Setup and not self.sets_up(group, block):
+            del self.groups[block.id]
+            return
+        self.has_main = self.has_main or type(group.statement) is Main
+        self.entries.append((group, block, hat))
+
+    def sets_up(self, group: Group, block: Block) -> bool:
+        """Whether a block that creates the robot is at the beginning and not implied anyway."""
+        setup = group.statement
+        if any(type(one.statement) not in {Comment, Import} for one, _, _ in self.entries):
+            self.report(block, "misplaced-block", Phrase("workspace-robot-not-first"))
+            return False
+        noted = any(type(one) is Comment for one in group.lead)
+        return noted or setup != Setup()
+
+    def top_statement(self, block: Block, notes: Notes, ends: Ends) -> Item | None:
+        """Read a block under the start block, where more than statements are allowed."""
+        match block.type:
+            case "lb_import":
+                return import_of(self, block, ends)
+            case "lb_setup":
+                return setup_of(self, block, ends)
+        return self.statement(block, notes, ends)
+
+    def hat(self, block: Block, notes: Notes, ends: Ends) -> Def | When | Main:
+        match block.type:
+            case "lb_main":
+                return Main(self.body(block, "DO"))
+            case "lb_when":
+                return self.when(block, ends)
+        return self.function(block, notes, ends)
+
+    def when(self, block: Block, ends: Ends) -> When:
+        condition: Expression | None = None
+        if extra(block, "condition") is True or plugged(block, "CONDITION") is not None:
+            condition = self.truth(block, "CONDITION")
+        name = self.name(block, block.fields.get("NAME"))
+        return When(name, condition, self.body(block, "DO"), ends[0])
+
+    def function(self, block: Block, notes: Notes, ends: Ends) -> Def:
+        name = self.name(block, block.fields.get("NAME"))
+        if block.type == FUNCTION:
+            return Def(name, self.parameters(block), self.body(block, "STACK"), ends[0])
+        result = Return(self.value(block, "RETURN", Constant(None)))
+        self.note(result, block)
+        body = self.statements(block, "STACK")
+        apart = (Blank(),) if notes.apart and body else ()
+        return Def(name, self.parameters(block), (*body, *apart, result), ends[0])
+
+    def parameters(self, block: Block) -> tuple[str, ...]:
+        """The names of a function's parameters."""
+        names = [self.name(block, one) for one in self.parameter_names(block)]
+        if len(set(names)) < len(names):
+            self.report(block, "duplicate-parameter", Phrase("workspace-duplicate-parameter"))
+        return tuple(dict.fromkeys(names))
+
+    def parameter_names(self, block: Block) -> list[object]:
+        """The current names of the variables, which may have changed since the block was saved."""
+        found: list[object] = []
+        for one in extra_list(block, "params"):
+            name, key = (one.get("name"), one.get("id")) if isinstance(one, dict) else (one, None)
+            found.append(self.variables.get(key, name) if isinstance(key, str) else name)
+        return found
+
+    def arranged(self) -> Program:
+        """The program, `main` last, without the blank lines that the layout adds anyway."""
+        groups = [group for group, _, _ in self.entries]
+        mains = [group for group in groups if type(group.statement) is Main]
+        if not mains:
+            items = normalized(spaced(groups))
+            return Program(_finished(items))
+        place = groups.index(mains[0])
+        behind = groups[place + 1 :]
+        notes = len(behind)
+        while notes and type(behind[notes - 1].statement) is Comment:
+            notes -= 1
+        # Comments at the end stay below `main` only if nothing else is below it.
+        ending = behind if notes == 0 else []
+        before = [*groups[:place], *(() if notes == 0 else behind)]
+        items = normalized(spaced([*before, mains[0], *ending]))
+        at = next(index for index, item in enumerate(items) if isinstance(item, Main))
+        main = items[at]
+        below = tuple(item for item in items[at + 1 :] if isinstance(item, Comment | Blank))
+        return Program(tuple(items[:at]), main, below)  # type: ignore[arg-type]
+
+
+def statements_of(hat: Block) -> list[Block]:
+    """The blocks under a start block."""
+    found = hat.inputs.get("DO")
+    return [] if hat.type != START or found is None else found.stack
+
+
+def is_part(stack: list[Block]) -> bool:
+    """Whether a stack is part of the program."""
+    return bool(stack) and stack[0].type in HATS and not is_disabled(stack[0])
+
+
+def read(workspace: Workspace, configurations: Mapping[str, BlockConfiguration]) -> WorkspaceReader:
+    """Read a workspace.
+
+    Raises:
+        ProgramError: its blocks are nested too deeply.
+    """
+    try:
+        return WorkspaceReader(workspace, configurations)
+    except RecursionError:
+        too_deep = Diagnostic("too-deep", Phrase("workspace-too-deep"))
+        raise ProgramError("workspace", [too_deep]) from None
+
+
+def _finished(items: list[Item | Main]) -> tuple[Item, ...]:
+    return tuple([item for item in items if not isinstance(item, Main)])

@@ -1,0 +1,344 @@
+"""Read statement blocks and their stacks."""
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple
+
+from learnblock.blocks.toolbox import SKILL
+from learnblock.i18n import Phrase
+from learnblock.language.blocktext.block_parser import MAX_BLOCKS
+from learnblock.language.blocktext.parser import MODULE
+from learnblock.language.blocktext.statement_parser import ASSIGNMENTS
+from learnblock.language.tree import raw
+from learnblock.language.tree.nodes import (
+    Activate,
+    Assign,
+    Blank,
+    Body,
+    Branch,
+    Break,
+    Call,
+    Comment,
+    Continue,
+    Deactivate,
+    Else,
+    Expression,
+    ForEach,
+    ForRange,
+    If,
+    Import,
+    Index,
+    Item,
+    List,
+    Main,
+    Name,
+    Number,
+    Pass,
+    Perform,
+    Raw,
+    Repeat,
+    Return,
+    Setup,
+    SkillCall,
+    Statement,
+    Unary,
+    While,
+)
+from learnblock.language.workspace.block_reader import extra, extra_count, is_disabled, plugged
+from learnblock.language.workspace.blocks import Block
+from learnblock.language.workspace.notes import Ends, Lead, Notes, comments_in, notes_of
+from learnblock.language.workspace.value_reader import ValueReader, popped
+
+_FLOWS: dict[str, type[Break | Continue]] = {"BREAK": Break, "CONTINUE": Continue}
+_CHANGES = {operator: operator for operator in sorted(ASSIGNMENTS - {"="})}
+_OPENERS = frozenset(
+    (
+        "controls_if",
+        "controls_whileUntil",
+        "controls_repeat_ext",
+        "controls_forEach",
+        "controls_for",
+    )
+)
+_NO_PARTS = frozenset(("lb_python", "lb_comment", "lb_main"))
+
+
+class Group(NamedTuple):
+    """A statement and the comments above it: the content of one block."""
+
+    lead: Lead
+    statement: Item | Main
+
+
+class StatementReader(ValueReader):
+    """Reads statements.
+
+    `groups` maps each block to its content; `silent` are the blocks without content; `alone` is
+    whether the program is a single statement; `depth` is the number of open blocks.
+    """
+
+    groups: dict[str, Group]
+    silent: set[str]
+    alone: bool
+    depth = 0
+
+    def chain(self, blocks: Iterable[Block]) -> list[Group]:
+        """Read the blocks of a stack, without those that have no content."""
+        return [group for block in blocks if (group := self.group(block)) is not None]
+
+    def group(self, block: Block, read: "Reading | None" = None) -> Group | None:
+        """Read a block; None if it is disabled or cannot be read.
+
+        Args:
+            block: the block.
+            read: how to read it, where more than statements are allowed.
+        """
+        if self.depth == MAX_BLOCKS and block.type in _OPENERS:
+            message = Phrase("blocktext-too-many-blocks", limit=MAX_BLOCKS)
+            self.report(block, "too-deep", message)
+            return None
+        notes = notes_of(block)
+        lead, ends = comments_in(block, notes, parts(block))
+        statement = None if is_disabled(block) else (read or self.statement)(block, notes, ends)
+        if statement is None:
+            self.silent.add(block.id)
+            return None
+        return self.found(block, lead, statement)
+
+    def found(self, block: Block, lead: Lead, statement: Item | Main) -> Group:
+        """Note the content of a block."""
+        for note in lead:
+            self.note(note, block)
+        self.note(statement, block)
+        group = Group(lead, statement)
+        self.groups[block.id] = group
+        return group
+
+    def statement(self, block: Block, notes: Notes, ends: Ends) -> Statement | None:
+        handler = STATEMENTS.get(block.type)
+        if handler is not None:
+            return handler(self, block, notes, ends)
+        if block.type.startswith(SKILL):
+            return self.perform(block, self.skill(block), ends)
+        if block.type in TOP_LEVEL:
+            self.report(block, "misplaced-block", Phrase("workspace-misplaced-block"))
+        else:
+            message = Phrase("workspace-unknown-block", type=block.type)
+            self.report(block, "unknown-block", message)
+        return None
+
+    def body(self, block: Block, name: str) -> Body:
+        """The statements in an input, or `pass` if they do nothing."""
+        body = self.statements(block, name)
+        return body if _does_something(body) else (*body, self.idle(block))
+
+    def idle(self, block: Block) -> Pass:
+        node = Pass()
+        self.note(node, block)
+        return node
+
+    def statements(self, block: Block, name: str) -> Body:
+        """The statements in an input, if there are any."""
+        found = block.inputs.get(name)
+        if found is None or not found.stack:
+            return ()
+        self.depth += 1
+        groups = self.chain(found.stack)
+        self.depth -= 1
+        return spaced(groups)  # type: ignore[return-value]
+
+    def perform(self, block: Block, call: Expression, ends: Ends) -> Perform | None:
+        """A call as a statement."""
+        if isinstance(call, Call | SkillCall):
+            return Perform(self.made(call, block), ends[0])
+        self.report(block, "no-effect", Phrase("workspace-unused-value"))
+        return None
+
+    def target(self, block: Block, values: Expression, place: Expression) -> Index | None:
+        """An item of a list, as the target of an assignment."""
+        root = values
+        while isinstance(root, Index):
+            root = root.value
+        if isinstance(root, Name | Call | SkillCall):
+            return self.made(Index(values, place), block)
+        if plugged(block, "LIST") is not None:
+            self.report(block, "no-effect", Phrase("workspace-list-without-name"))
+        return None
+
+
+Reading = Callable[[Block, Notes, Ends], Item | Main | None]
+Handler = Callable[[StatementReader, Block, Notes, Ends], Statement | None]
+TOP_LEVEL = frozenset(("lb_import", "lb_setup"))
+
+
+def parts(block: Block) -> int:
+    """The number of lines of a block that may have a comment at the end."""
+    if block.type in _NO_PARTS:
+        return 0
+    if block.type == "controls_if":
+        return extra_count(block, "elseIfCount") + 1 + (extra(block, "hasElse") is True)
+    return 1
+
+
+def spaced(groups: Sequence[Group]) -> tuple[Item | Main, ...]:
+    """The statements of a body, with blank lines only where a program can have them."""
+    body: list[Item | Main] = []
+    for lead, statement in groups:
+        body.extend(lead if body or not lead or type(lead[0]) is not Blank else lead[1:])
+        body.append(statement)
+    return tuple(body)
+
+
+def _does_something(body: Body) -> bool:
+    return any(
+        type(one) not in {Comment, Blank}
+        and not (type(one) is Raw and not raw.code_lines(one.text))
+        for one in body
+    )
+
+
+def import_of(reader: StatementReader, block: Block, ends: Ends) -> Import | None:
+    """Read the import of a library."""
+    module = reader.words(block, "MODULE").strip()
+    if MODULE.fullmatch(module):
+        return Import(module, ends[0])
+    reader.report(block, "import-name", Phrase("workspace-import-name"))
+    return None
+
+
+def setup_of(reader: StatementReader, block: Block, ends: Ends) -> Setup:
+    """Read the setup of the robot."""
+    return Setup(*reader.arguments(block), ends[0])
+
+
+def _if(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> If:
+    count = extra_count(block, "elseIfCount") + 1
+    branches = tuple([_branch(reader, block, place, ends[place]) for place in range(count)])
+    otherwise = None
+    if extra(block, "hasElse") is True:
+        otherwise = Else(reader.body(block, "ELSE"), ends[count])
+        reader.note(otherwise, block)
+    return If(branches, otherwise)
+
+
+def _branch(reader: StatementReader, block: Block, place: int, comment: str | None) -> Branch:
+    condition = reader.truth(block, f"IF{place}")
+    branch = Branch(condition, reader.body(block, f"DO{place}"), comment)
+    reader.note(branch, block)
+    return branch
+
+
+def _while(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> While:
+    condition = reader.truth(block, "BOOL")
+    if block.fields.get("MODE") == "UNTIL":
+        condition = reader.made(Unary("not", condition), block)
+    return While(condition, reader.body(block, "DO"), ends[0])
+
+
+def _for_range(reader: StatementReader, block: Block, notes: Notes, ends: Ends) -> ForRange:
+    step = reader.optional(block, "BY")
+    if step == Number("1") and not notes.step:
+        step = None
+    return ForRange(
+        reader.variable(block),
+        reader.number(block, "FROM"),
+        reader.number(block, "TO"),
+        step,
+        reader.body(block, "DO"),
+        ends[0],
+    )
+
+
+def _raw(reader: StatementReader, block: Block, notes: Notes, _: Ends) -> Raw:
+    code = reader.words(block, "CODE")
+    unfinished = notes.unfinished and (reader.alone or not code)
+    return Raw(code if unfinished else code + "\n")
+
+
+def _do(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Perform | None:
+    call = reader.value(block, "VALUE")
+    return None if plugged(block, "VALUE") is None else reader.perform(block, call, ends)
+
+
+def _pop(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Perform | None:
+    call = popped(reader, block, reader.list(block, "VALUE"))
+    return reader.perform(block, reader.made(call, block), ends)
+
+
+def _set_index(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Statement | None:
+    values = reader.list(block, "LIST")
+    if block.fields.get("MODE") == "INSERT":
+        return _insert(reader, block, values, ends)
+    target = reader.target(block, values, reader.place(block, values))
+    if target is None:
+        return None
+    return Assign(target, "=", reader.value(block, "TO"), ends[0])
+
+
+def _insert(
+    reader: StatementReader, block: Block, values: Expression, ends: Ends
+) -> Perform | None:
+    if block.fields.get("WHERE") == "LAST":
+        call = Call("append", (values, reader.value(block, "TO")))
+    else:
+        place = reader.place(block, values)
+        call = Call("insert", (values, place, reader.value(block, "TO")))
+    return reader.perform(block, reader.made(call, block), ends)
+
+
+def _change_index(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Assign | None:
+    place = reader.number(block, "INDEX")
+    target = reader.target(block, reader.value(block, "LIST", List()), place)
+    operator = reader.choice(block, "OP", _CHANGES)
+    value = reader.number(block, "VALUE")
+    return None if target is None else Assign(target, operator, value, ends[0])
+
+
+STATEMENTS: dict[str, Handler] = {
+    "controls_if": _if,
+    "controls_whileUntil": _while,
+    "controls_repeat_ext": lambda reader, block, _, ends: Repeat(
+        reader.number(block, "TIMES"), reader.body(block, "DO"), ends[0]
+    ),
+    "controls_forEach": lambda reader, block, _, ends: ForEach(
+        reader.variable(block), reader.list(block, "LIST"), reader.body(block, "DO"), ends[0]
+    ),
+    "controls_for": _for_range,
+    "controls_flow_statements": lambda reader, block, _, ends: reader.choice(block, "FLOW", _FLOWS)(
+        ends[0]
+    ),
+    "variables_set": lambda reader, block, _, ends: Assign(
+        reader.variable(block), "=", reader.value(block, "VALUE"), ends[0]
+    ),
+    "math_change": lambda reader, block, _, ends: Assign(
+        reader.variable(block), "+=", reader.number(block, "DELTA"), ends[0]
+    ),
+    "lb_change": lambda reader, block, _, ends: Assign(
+        reader.variable(block),
+        reader.choice(block, "OP", _CHANGES),
+        reader.number(block, "VALUE"),
+        ends[0],
+    ),
+    "lists_setIndex": _set_index,
+    "lb_change_index": _change_index,
+    "lists_getIndex": _pop,
+    "lb_return": lambda reader, block, _, ends: Return(reader.optional(block, "VALUE"), ends[0]),
+    "lb_pass": lambda _reader, _block, _, ends: Pass(ends[0]),
+    "lb_activate": lambda reader, block, _, ends: Activate(
+        reader.name(block, block.fields.get("WHEN")), ends[0]
+    ),
+    "lb_deactivate": lambda reader, block, _, ends: Deactivate(
+        reader.name(block, block.fields.get("WHEN")), ends[0]
+    ),
+    "text_print": lambda reader, block, _, ends: reader.perform(
+        block, Call("print", (reader.text(block, "TEXT"),)), ends
+    ),
+    "lb_do": _do,
+    "lb_call": lambda reader, block, _, ends: reader.perform(block, reader.call(block), ends),
+    "procedures_callnoreturn": lambda reader, block, _, ends: reader.perform(
+        block, reader.own_call(block), ends
+    ),
+    "lb_python": _raw,
+    "lb_comment": lambda reader, block, _notes, _ends: Comment(
+        " ".join(reader.words(block, "TEXT").split("\n")).strip()
+    ),
+}

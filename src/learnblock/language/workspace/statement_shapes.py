@@ -1,0 +1,224 @@
+"""Turn statements and definitions into shapes."""
+
+from collections.abc import Callable
+from typing import Any
+
+from learnblock.language.tree.nodes import (
+    Activate,
+    Assign,
+    Blank,
+    Body,
+    Break,
+    Call,
+    Comment,
+    Continue,
+    Deactivate,
+    Def,
+    Expression,
+    ForEach,
+    ForRange,
+    If,
+    Import,
+    Index,
+    Item,
+    Main,
+    Name,
+    Number,
+    Pass,
+    Perform,
+    Raw,
+    Repeat,
+    Return,
+    Setup,
+    SkillCall,
+    When,
+    While,
+)
+from learnblock.language.workspace.notes import NO_NOTES, Notes
+from learnblock.language.workspace.shapes import (
+    Shape,
+    Shaper,
+    any_call,
+    at,
+    function_type,
+    numbered,
+)
+from learnblock.language.workspace.types import ANSWERING_FUNCTION, FUNCTION, MAIN, WHEN
+
+_IDLE: Body = (Pass(),)
+
+
+class StatementShaper(Shaper):
+    """Turns statements into shapes."""
+
+    def statement(self, node: Item | Main) -> Shape:
+        return _SHAPES[type(node)](self, node)
+
+    def perform(self, node: Perform) -> Shape:
+        call = node.call
+        shape = self.call_alone(call) if isinstance(call, Call) else self.skill_alone(call)
+        return (shape or any_call("lb_call", call))._replace(ends=(node.comment,))
+
+    def call_alone(self, call: Call) -> Shape | None:
+        own = self.own_call(call, FUNCTION, "procedures_callnoreturn")
+        if own is not None:
+            return own
+        if call.name in self.functions:
+            answering = self.own_call(call, ANSWERING_FUNCTION, "procedures_callreturn")
+            return answering and Shape("lb_do", values={"VALUE": call})
+        return None if call.keywords else _library_statement(call)
+
+    def skill_alone(self, call: SkillCall) -> Shape | None:
+        found = self.skill(call, answers=False)
+        if found is None and self.skill(call, answers=True) is not None:
+            return Shape("lb_do", values={"VALUE": call})
+        return found
+
+
+def _library_statement(call: Call) -> Shape | None:
+    """The shape of a library function for which Blockly has a statement, or None."""
+    match call:
+        case Call("print", (value,)):
+            return Shape("text_print", values={"TEXT": value})
+        case Call("append", (values, value)):
+            fields = {"MODE": "INSERT", "WHERE": "LAST"}
+            return Shape("lists_setIndex", fields, {"LIST": values, "TO": value})
+        case Call("insert", (values, index, value)):
+            fields = {"MODE": "INSERT", "WHERE": "FROM_START"}
+            return Shape("lists_setIndex", fields, {"LIST": values, "AT": index, "TO": value})
+        case Call("pop", (values,)):
+            return _removal("LAST", {"VALUE": values})
+        case Call("pop", (values, index)):
+            return _removal("FROM_START", {"VALUE": values, "AT": index})
+    return None
+
+
+def _removal(where: str, values: dict[str, Expression]) -> Shape:
+    fields = {"MODE": "REMOVE", "WHERE": where}
+    return Shape("lists_getIndex", fields, values, extra={"isStatement": True})
+
+
+def _assign(_: StatementShaper, node: Assign) -> Shape:
+    target = node.target
+    shape = _set_index(node, target) if isinstance(target, Index) else _set(node, target)
+    return shape._replace(ends=(node.comment,))
+
+
+def _set(node: Assign, target: Name) -> Shape:
+    match node.operator:
+        case "=":
+            return Shape("variables_set", {"VAR": target}, {"VALUE": node.value})
+        case "+=":
+            return Shape("math_change", {"VAR": target}, {"DELTA": node.value})
+    return Shape("lb_change", {"VAR": target, "OP": node.operator}, {"VALUE": node.value})
+
+
+def _set_index(node: Assign, target: Index) -> Shape:
+    if node.operator == "=":
+        shape = at("SET", target.index, {"LIST": target.value})
+        return shape._replace(type="lists_setIndex", values={**shape.values, "TO": node.value})
+    values = {"LIST": target.value, "INDEX": target.index, "VALUE": node.value}
+    return Shape("lb_change_index", {"OP": node.operator}, values)
+
+
+def _if(_: StatementShaper, node: If) -> Shape:
+    bodies = {f"DO{place}": one.body for place, one in enumerate(node.branches)}
+    ends = [branch.comment for branch in node.branches]
+    extra: dict[str, object] = {}
+    if len(node.branches) > 1:
+        extra["elseIfCount"] = len(node.branches) - 1
+    if node.otherwise is not None:
+        extra["hasElse"] = True
+        bodies["ELSE"] = node.otherwise.body
+        ends.append(node.otherwise.comment)
+    conditions = numbered("IF", [branch.condition for branch in node.branches])
+    return Shape("controls_if", {}, conditions, _busy(bodies), extra or None, NO_NOTES, tuple(ends))
+
+
+def _while(_: StatementShaper, node: While) -> Shape:
+    return _loop("controls_whileUntil", node, {"BOOL": node.condition}, {"MODE": "WHILE"})
+
+
+def _for_range(_: StatementShaper, node: ForRange) -> Shape:
+    values = {"FROM": node.start, "TO": node.stop}
+    if node.step is not None:
+        values["BY"] = node.step
+    notes = Notes(step=True) if node.step == Number("1") else NO_NOTES
+    shape = _loop("controls_for", node, values, {"VAR": node.target})
+    return shape._replace(notes=notes)
+
+
+def _loop(kind: str, node: Any, values: dict[str, Expression], fields: dict[str, Any]) -> Shape:
+    return Shape(kind, fields, values, _busy({"DO": node.body}), ends=(node.comment,))
+
+
+def _raw(_: StatementShaper, node: Raw) -> Shape:
+    notes = NO_NOTES if node.text.endswith("\n") else Notes(unfinished=True)
+    return Shape("lb_python", {"CODE": node.text.removesuffix("\n")}, notes=notes)
+
+
+def _def(_: StatementShaper, node: Def) -> Shape:
+    kind = function_type(node)
+    # The writer makes them variables of the workspace.
+    extra = {"params": [{"name": name, "id": name} for name in node.parameters]}
+    shape = Shape(kind, {"NAME": node.name}, extra=extra if node.parameters else None)
+    shape = shape._replace(ends=(node.comment,))
+    if kind == FUNCTION:
+        return shape._replace(bodies=_busy({"STACK": node.body}))
+    *body, last = node.body
+    notes = NO_NOTES
+    if body and isinstance(body[-1], Blank):
+        body, notes = body[:-1], Notes(apart=True)
+    result = {"RETURN": last.value} if isinstance(last, Return) and last.value is not None else {}
+    return shape._replace(values=result, bodies={"STACK": tuple(body)}, notes=notes)
+
+
+def _when(_: StatementShaper, node: When) -> Shape:
+    values = {} if node.condition is None else {"CONDITION": node.condition}
+    extra = {"condition": node.condition is not None}
+    bodies = _busy({"DO": node.body})
+    return Shape(WHEN, {"NAME": node.name}, values, bodies, extra, ends=(node.comment,))
+
+
+def _busy(bodies: dict[str, Body]) -> dict[str, Body]:
+    """The bodies, those that do nothing without any block."""
+    return {name: () if body == _IDLE else body for name, body in bodies.items()}
+
+
+def _word(kind: str, **fields: str) -> Callable[[StatementShaper, Any], Shape]:
+    return lambda _, node: Shape(kind, fields, ends=(node.comment,))
+
+
+def _activation(kind: str) -> Callable[[StatementShaper, Any], Shape]:
+    return lambda _, node: Shape(kind, {"WHEN": node.name}, ends=(node.comment,))
+
+
+def _return(_: StatementShaper, node: Return) -> Shape:
+    values = {} if node.value is None else {"VALUE": node.value}
+    return Shape("lb_return", values=values, ends=(node.comment,))
+
+
+_SHAPES: dict[type[Item | Main], Callable[[StatementShaper, Any], Shape]] = {
+    Comment: lambda _, node: Shape("lb_comment", {"TEXT": node.text}),
+    Perform: StatementShaper.perform,
+    Assign: _assign,
+    If: _if,
+    While: _while,
+    Repeat: lambda _, node: _loop("controls_repeat_ext", node, {"TIMES": node.count}, {}),
+    ForEach: lambda _, node: _loop(
+        "controls_forEach", node, {"LIST": node.values}, {"VAR": node.target}
+    ),
+    ForRange: _for_range,
+    Break: _word("controls_flow_statements", FLOW="BREAK"),
+    Continue: _word("controls_flow_statements", FLOW="CONTINUE"),
+    Pass: _word("lb_pass"),
+    Return: _return,
+    Activate: _activation("lb_activate"),
+    Deactivate: _activation("lb_deactivate"),
+    Raw: _raw,
+    Import: lambda _, node: Shape("lb_import", {"MODULE": node.module}, ends=(node.comment,)),
+    Setup: lambda _, node: any_call("lb_setup", node),
+    Def: _def,
+    When: _when,
+    Main: lambda _, node: Shape(MAIN, bodies=_busy({"DO": node.body})),
+}

@@ -1,0 +1,30 @@
+"""What the page sees of a robot: the same of a simulated one in its world and of a real one.
+
+A `Monitor` is made by `make_monitor` before a program runs, and by `monitor_of` for the robot of a
+running program.
+"""
+
+from learnblock.monitor.making import make_monitor, monitor_of
+from learnblock.monitor.monitor import (
+    GoalNow,
+    Link,
+    LinkState,
+    Monitor,
+    RobotNow,
+    Scene,
+    State,
+)
+from learnblock.monitor.sensors import Sensor
+
+__all__ = [
+    "GoalNow",
+    "Link",
+    "LinkState",
+    "Monitor",
+    "RobotNow",
+    "Scene",
+    "Sensor",
+    "State",
+    "make_monitor",
+    "monitor_of",
+]

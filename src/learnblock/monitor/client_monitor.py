@@ -1,0 +1,198 @@
+"""The monitor of a robot that its client alone knows: a real one.
+
+It shows the readings that the client polls anyway. A sensor that the program does not use is polled
+beside it, in a thread of its own, so that the program never waits for the page. Commands are noted
+on their way to the robot, as the recorder of the trace does.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from learnblock.client import Client
+from learnblock.devices import Base, Camera, Device, JointMotor, Pose, Sensor
+from learnblock.errors import LearnBlockError
+from learnblock.monitor import plain_stage
+from learnblock.monitor.monitor import Link, LinkState, RobotNow, Scene, Sound, State
+from learnblock.monitor.sensors import SENSOR_TYPES, sensors_of
+from learnblock.monitor.sensors import Sensor as SensorNow
+
+if TYPE_CHECKING:
+    from learnblock.monitor.pictures import Picture
+
+#: Seconds without a message or a reading after which a link is weak.
+WEAK_SILENCE = 0.5
+#: Below this share of the usual messages a link is weak.
+WEAK_QUALITY = 0.7
+_COMMANDS = frozenset({"move", "show_emotion", "set", "set_color"})
+
+
+class ClientMonitor:
+    """The `Monitor` of a real robot.
+
+    Args:
+        robot: its class.
+        client: the robot of a running program; None while none is connected.
+    """
+
+    #: A real robot begins where it is.
+    start: Pose | None = None
+
+    def __init__(self, robot: type[Client], client: Client | None = None) -> None:
+        self._robot = robot
+        self._client = client
+        self._watching = False
+        #: The latest command by type of device, key and function.
+        self._commands: dict[tuple[str, str, str], tuple[Any, ...]] = {}
+        self._sensors: dict[tuple[str, str], tuple[SensorNow, ...]] = {}
+        self._state = State(0.0, (RobotNow("robot", None, {}, {}, "none"),))
+        self._filmed: tuple[object, Picture] | None = None
+        if client:
+            self._note_commands(client)
+
+    def scene(self) -> Scene:
+        return plain_stage.scene(self._robot)
+
+    def state(self) -> State:
+        client = self._client
+        if client and not client.stopped:
+            self._watch(client)
+            self._state = State(
+                client.clock.time(), (self._robot_now(client),), sensors=self._readings(client)
+            )
+        return self._state
+
+    def link(self) -> Link:
+        client = self._client
+        if client is None:
+            return Link(LinkState.DISCONNECTED)
+        if client.stopped or client.link_error:
+            lost = client.link_error or self._all_readings_fail(client)
+            return Link(LinkState.LOST if lost else LinkState.DISCONNECTED)
+        status = client.status()
+        silence = max(status.silence or 0.0, client.readings.age() or 0.0)
+        quality = 1.0 if status.link_quality is None else status.link_quality
+        weak = silence > WEAK_SILENCE or quality < WEAK_QUALITY
+        return Link(
+            LinkState.WEAK if weak else LinkState.CONNECTED, status.battery, status.link_quality
+        )
+
+    def camera(self) -> "Picture | None":
+        client = self._client
+        camera = next(_cameras(client), None) if client and not client.stopped else None
+        if client is None or camera is None:
+            return self._filmed[1] if self._filmed else None
+        frame = None
+        with suppress(LearnBlockError):
+            # A camera that fails ends the program if the program uses it, and shows nothing here.
+            frame = camera.functions["read"]()
+        if frame is not None and not (self._filmed and self._filmed[0] is frame):
+            from learnblock.monitor.pictures import develop  # noqa: PLC0415 - it loads perception
+
+            self._filmed = frame, develop(frame, client.clock.time(), drawn=camera.drawn)
+        return self._filmed[1] if self._filmed else None
+
+    def sounds(self) -> Sequence[Sound]:
+        """None: a real robot plays its sounds itself."""
+        return ()
+
+    def place(self, x: float, y: float, heading: float) -> None:
+        del x, y, heading
+        raise LearnBlockError("monitor-place-real")
+
+    def drive(self, advance: float, rotation: float) -> None:
+        del advance, rotation
+        raise LearnBlockError("monitor-drive-real")
+
+    def close(self) -> None:
+        """Nothing to end: the client's threads end with it."""
+
+    # Commands on their way.
+
+    def _note_commands(self, client: Client) -> None:
+        for key, device in client.devices():
+            for name in _COMMANDS & device.functions.keys():
+                function = device.functions[name]
+                noted = type(device).__name__, key, name
+                device.functions[name] = partial(self._note, noted, function)
+
+    def _note(self, noted: tuple[str, str, str], function: Callable[..., Any], *args: Any) -> Any:
+        self._commands[noted] = args
+        return function(*args)
+
+    def _commanded(self, name: str, *kinds: str) -> Iterator[tuple[str, tuple[Any, ...]]]:
+        """Key and arguments of the latest commands to devices of these types."""
+        for (kind, key, function), args in tuple(self._commands.items()):
+            if kind in kinds and function == name:
+                yield key, args
+
+    # Readings.
+
+    def _watch(self, client: Client) -> None:
+        """Have every sensor polled, from the first look on."""
+        if self._watching:
+            return
+        self._watching = True
+        for key, device in client.devices():
+            if isinstance(device, Sensor) and type(device).__name__ in SENSOR_TYPES:
+                client.readings.watch((type(device), key), device.read)
+            elif isinstance(device, Base | JointMotor) and "read" in device.functions:
+                client.readings.watch((type(device), key), device.functions["read"])
+
+    def _readings(self, client: Client) -> tuple[SensorNow, ...]:
+        for key, device in client.devices():
+            kind = type(device).__name__
+            if kind in SENSOR_TYPES:
+                self._keep(client, device, key)
+        shown = sorted(self._sensors, key=lambda one: SENSOR_TYPES.index(one[0]))
+        return tuple(sensor for one in shown for sensor in self._sensors[one])
+
+    def _keep(self, client: Client, device: Device, key: str) -> None:
+        """Keep a device's readings; while it has none its sensors remain, without values."""
+        kind = type(device).__name__
+        sensors = tuple(sensors_of(kind, _newest(client, device, key), key))
+        known = self._sensors.get((kind, key), ())
+        self._sensors[kind, key] = sensors or tuple(one.without_value() for one in known)
+
+    def _all_readings_fail(self, client: Client) -> bool:
+        """Whether no sensor can be read, though a single one may have lost its cable."""
+        keys = [(type(device), key) for key, device in client.devices()]
+        errors = [client.readings.error((kind, key)) for kind, key in keys]
+        values = [_newest(client, device, key) for key, device in client.devices()]
+        return any(errors) and all(value is None for value in values)
+
+    def _robot_now(self, client: Client) -> RobotNow:
+        joints: dict[str, float] = {}
+        pose: Pose | None = None
+        for key, device in client.devices():
+            if isinstance(device, Base) and pose is None:
+                pose = _newest(client, device, key)
+            elif isinstance(device, JointMotor):
+                angle = _newest(client, device, key)
+                joints |= {} if angle is None else {key: float(angle)}
+        commanded = {key: float(args[0]) for key, args in self._commanded("move", "JointMotor")}
+        speeds = [args for _, args in self._commanded("move", "Base")]
+        emotions = [str(args[0]) for _, args in self._commanded("show_emotion", "Display")]
+        return RobotNow(
+            name="robot",
+            pose=pose,
+            joints=commanded | joints,
+            leds=dict(self._leds()),
+            emotion=emotions[-1] if emotions else "none",
+            speed=(float(speeds[-1][0]), float(speeds[-1][1])) if speeds else None,
+        )
+
+    def _leds(self) -> Iterator[tuple[str, tuple[int, int, int]]]:
+        for key, (on,) in self._commanded("set", "Led"):
+            yield key, (255, 255, 255) if on else (0, 0, 0)
+        for key, (red, green, blue) in self._commanded("set_color", "RGBLed"):
+            yield key, (red, green, blue)
+
+
+def _cameras(client: Client) -> Iterator[Camera]:
+    return (device for _, device in client.devices() if isinstance(device, Camera))
+
+
+def _newest(client: Client, device: Device, key: str) -> Any:
+    return client.readings.newest((type(device), key))

@@ -1,0 +1,182 @@
+"""The monitor of a robot: what the page asks, whatever the robot is."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import TYPE_CHECKING, Any, Protocol
+
+from learnblock.devices import Pose
+from learnblock.monitor.sensors import Sensor
+
+if TYPE_CHECKING:
+    from learnblock.monitor.pictures import Picture
+
+#: For each painted line the corners of its middle, mm.
+Lines = tuple[tuple[tuple[float, float], ...], ...]
+
+
+class LinkState(StrEnum):
+    """The link to a robot."""
+
+    #: A simulated robot needs none.
+    SIMULATED = "simulated"
+    #: No program is connected to it.
+    DISCONNECTED = "disconnected"
+    CONNECTED = "connected"
+    #: Messages are missing or late.
+    WEAK = "weak"
+    #: It broke while a program ran.
+    LOST = "lost"
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """The link to a robot; None where the robot does not report a value.
+
+    Args:
+        state: as far as it is known.
+        battery: the battery's voltage, V.
+        quality: the share of the robot's messages that arrive, 0 to 1.
+    """
+
+    state: LinkState
+    battery: float | None = None
+    quality: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """The unchanging parts of a world, for drawing it.
+
+    Args:
+        name: the world's name; empty for the plain floor under a real robot.
+        world: the contents of the world's file.
+        lines: for each painted line the corners of its middle, mm.
+        robots: name and description of each robot, ours first.
+        cameras: the keys of our robot's cameras.
+        start: (x mm, y mm, heading in degrees) where the next run begins; None for a real robot.
+        real: whether our robot is a real one, which cannot be placed with a pointer.
+    """
+
+    name: str
+    world: dict[str, Any]
+    lines: Lines
+    robots: tuple[tuple[str, dict[str, Any]], ...]
+    cameras: tuple[str, ...] = ()
+    start: Pose | None = None
+    real: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class RobotNow:
+    """The present state of a robot.
+
+    Args:
+        name: in its world.
+        pose: (x mm, y mm, heading in degrees); None where it is not known.
+        joints: angles in degrees by key.
+        leds: red, green and blue, 0 to 255, by key.
+        emotion: the one it shows; ``none`` without one.
+        speed: (forward in mm/s, clockwise in degrees/s) as last commanded; None where unknown.
+    """
+
+    name: str
+    pose: Pose | None
+    joints: dict[str, float]
+    leds: dict[str, tuple[int, int, int]]
+    emotion: str
+    speed: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class GoalNow:
+    """A goal of the world: ``open``, ``reached`` or ``failed``, and when that was decided, s."""
+
+    name: str
+    sort: str
+    state: str
+    time: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """The present state of a world.
+
+    Args:
+        time: seconds of the robot's time.
+        robots: ours first.
+        pushed: (x, y, heading) of movable objects, boxes first, then cylinders.
+        sensors: the readings of our robot.
+        goals: the world's goals.
+    """
+
+    time: float
+    robots: tuple[RobotNow, ...]
+    pushed: tuple[Pose, ...] = ()
+    sensors: tuple[Sensor, ...] = ()
+    goals: tuple[GoalNow, ...] = ()
+
+
+class Monitor(Protocol):
+    """A robot as the page watches it, whether or not a program runs.
+
+    Watching takes nothing from the program: its readings, frames and trace stay the same. All
+    methods may be called from any thread.
+    """
+
+    @property
+    def start(self) -> Pose | None:
+        """The pose where the user placed the robot, and the next run begins."""
+
+    def scene(self) -> Scene:
+        """The unchanging parts of its world."""
+
+    def state(self) -> State:
+        """Its present state."""
+
+    def link(self) -> Link:
+        """Its link."""
+
+    def camera(self) -> "Picture | None":
+        """Its camera's newest picture, with what perception finds in it.
+
+        None without a camera or before its first picture. While nothing changes, the picture is
+        the same object.
+        """
+
+    def sounds(self) -> "Sequence[Sound]":
+        """The sounds that the page should play, since the last call."""
+
+    def place(self, x: float, y: float, heading: float) -> None:
+        """Place the robot elsewhere (mm, mm, degrees); the next run begins there.
+
+        Raises:
+            LearnBlockError: it is a real one.
+        """
+
+    def drive(self, advance: float, rotation: float) -> None:
+        """Drive by hand; the robot stops half a second after the last call.
+
+        Args:
+            advance: fraction of the robot's top speed, -1 to 1, forward positive.
+            rotation: fraction of its top speed, -1 to 1, clockwise positive.
+
+        Raises:
+            LearnBlockError: a program drives the robot, or it is a real one.
+        """
+
+    def close(self) -> None:
+        """Stop watching; a robot driven by hand stops. The second time it does nothing."""
+
+
+class Sound(Protocol):
+    """An audible command to a robot, such as ("Speaker", "say", ("hello",))."""
+
+    @property
+    def device(self) -> str: ...
+
+    @property
+    def action(self) -> str: ...
+
+    @property
+    def values(self) -> tuple[Any, ...]: ...

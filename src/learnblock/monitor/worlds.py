@@ -1,0 +1,106 @@
+"""Worlds as the page edits and draws them: values, pictures, and files in the user's folder."""
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from learnblock.errors import Diagnostic, WorldError
+from learnblock.i18n import Phrase
+from learnblock.monitor.monitor import Lines
+from learnblock.monitor.pictures import png
+from learnblock.robots.simulated import find_world, own_worlds
+from learnblock.simulator import WorldFile, read_world, write_world
+from learnblock.storage.files import save
+
+_NAME = re.compile(r"\w(?:[\w -]{0,38}\w)?")
+
+
+def world_values(world: WorldFile) -> dict[str, Any]:
+    """The values of a world's file, with all defaults, without its folder."""
+    values = msgspec.to_builtins(world)
+    return {field: values[field] for field in WorldFile.__struct_fields__}
+
+
+def world_lines(world: WorldFile) -> Lines:
+    """For each painted line the corners of its middle, mm."""
+    return tuple(
+        tuple((float(x), float(y)) for x, y in line.polyline().points) for line in world.line
+    )
+
+
+def world_from_values(values: Mapping[str, Any]) -> WorldFile:
+    """Make the world that the page has edited.
+
+    Raises:
+        WorldError: it is wrong; the diagnostics say where.
+    """
+    return read_world(values, own_worlds())
+
+
+def check_world(values: Mapping[str, Any]) -> tuple[Phrase, ...]:
+    """Find what is wrong with a world that the page has edited."""
+    try:
+        world_from_values(values)
+    except WorldError as error:
+        return tuple(diagnostic.message for diagnostic in error.diagnostics)
+    return ()
+
+
+def save_world(name: str, values: Mapping[str, Any]) -> Path:
+    """Write a world into the user's folder, completely or not at all.
+
+    Raises:
+        WorldError: the world or its name is wrong.
+        OSError: the file cannot be written.
+    """
+    check_name(name)
+    text = write_world(world_from_values(values), name)
+    path = own_worlds() / f"{name}.toml"
+    save(path, text.encode())
+    return path
+
+
+def check_name(name: str) -> None:
+    """Check the name of a world's file.
+
+    Raises:
+        WorldError: the name is not allowed.
+    """
+    if not _NAME.fullmatch(name):
+        raise WorldError(name, [Diagnostic("wrong-name", Phrase("world-bad-name", name=name))])
+
+
+def tag_picture(number: int) -> bytes:
+    """Draw a tag with its white margin, as PNG.
+
+    Raises:
+        TagNumberError: there is no such tag.
+    """
+    from learnblock.simulator import textures  # noqa: PLC0415 - it brings OpenCV
+
+    return png(textures.tag(number, 160))
+
+
+def face_picture(emotion: str) -> bytes:
+    """Draw a face with an emotion, as PNG.
+
+    Raises:
+        UnknownNameError: there is no such face.
+    """
+    from learnblock.simulator import textures  # noqa: PLC0415 - as above
+
+    return png(textures.face(emotion, 400))
+
+
+def floor_picture(name: str) -> bytes | None:
+    """Read the PNG file of a world's ground; None if it has none.
+
+    Raises:
+        UnknownNameError: there is no such world.
+        WorldError: its file is wrong.
+    """
+    world = find_world(name)
+    return Path(world.folder, world.floor.picture).read_bytes() if world.floor.picture else None

@@ -1,0 +1,30 @@
+"""The components that the user has chosen in place of our detectors."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from learnblock.perception.settings import PerceptionSettings
+
+if TYPE_CHECKING:
+    from learnblock.perception.robocomp import Asked
+
+
+def chosen_components(settings: PerceptionSettings) -> "Mapping[str, Asked]":
+    """The detectors that use them, by their names; nothing is sent yet."""
+    if not (settings.apriltag or settings.emotionrecognition):
+        return {}
+    # Few users have chosen any.
+    from learnblock.perception.robocomp import AskedEmotions, AskedTags, Order  # noqa: PLC0415
+
+    order = None if settings.layout == "auto" else Order(settings.layout)
+    places = {AskedTags: settings.apriltag, AskedEmotions: settings.emotionrecognition}
+    return {
+        kind.name: kind(*_place(place), order=order, patience=settings.patience)
+        for kind, place in places.items()
+        if place
+    }
+
+
+def _place(address: str) -> tuple[str, int]:
+    host, _, port = address.rpartition(":")
+    return host, int(port)

@@ -1,0 +1,175 @@
+"""Robots of the embedded simulator: the twins, which run wherever LearnBlock is installed."""
+
+import inspect
+import os
+import random
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import Any, ClassVar, Self
+
+from learnblock.client import Client, Goal, Outcome, Witness
+from learnblock.client.clock import Clock
+from learnblock.devices import Pose
+from learnblock.robots.simulated.devices import make_device
+from learnblock.robots.simulated.options import chosen_pace, chosen_seed, chosen_start
+from learnblock.robots.simulated.simulation import Simulation, WorldClock
+from learnblock.robots.simulated.worlds import find_world
+from learnblock.runtime.lockstep import LockStepClock
+from learnblock.runtime.pacing import Pacing
+from learnblock.runtime.standalone import trace_main_program
+from learnblock.runtime.usertime import use_robot_time
+from learnblock.simulator import GoalState, RobotBody, RobotDescription, World, load_robot
+
+
+class SimulatedRobot(Client):
+    """A robot of the embedded simulator.
+
+    A program that runs without a host, as ``python square.py``, gets its own world, which
+    advances while the program waits (``LEARNBLOCK_TRACE`` names a file for its trace):
+
+        from learnblock.robots.sim_ebo import Robot
+
+        robot = Robot(world="line")
+        robot.move_straight()
+        robot.sleep(2)
+
+    Args:
+        world: a world's name or the path of its file; the environment's ``LEARNBLOCK_WORLD``, or
+            else the robot's own default.
+        seed: of all noise; ``LEARNBLOCK_SEED`` or else 0.
+        pace: ``"free"``, ``"real"`` or a factor of real time; ``LEARNBLOCK_PACE`` or else free.
+        start: (x mm, y mm, heading in degrees) where it is put; by default a start pose of the
+            world.
+        simulation: the world of a host that advances it itself.
+        name: the robot's among those of the world.
+
+    Raises:
+        UnknownNameError: there is no such world.
+        WorldError: the world's file is wrong.
+        DeviceValueError: the seed or pace is invalid.
+    """
+
+    lockstep = True
+    #: The name of the robot's description.
+    description_name: ClassVar[str]
+
+    def __init__(
+        self,
+        *,
+        world: str | None = None,
+        seed: int | None = None,
+        pace: str | float | None = None,
+        start: Pose | None = None,
+        simulation: Simulation | None = None,
+        name: str = "robot",
+    ) -> None:
+        self.name = name
+        self.start = chosen_start(start)
+        self._restore_time: Callable[[], None] | None = None
+        self._end_trace: Callable[[], None] | None = None
+        self.simulation = simulation or self.make_simulation(world=world, seed=seed, pace=pace)
+        clock: Clock = WorldClock(self.simulation) if simulation else self._own_clock()
+        super().__init__(clock=clock)
+        if simulation is None:
+            self._hold_the_program()
+
+    @classmethod
+    def description(cls) -> RobotDescription:
+        """The description of the robot: a file next to its module, or one of ours."""
+        return load_robot(cls.description_name, folders=(Path(inspect.getfile(cls)).parent,))
+
+    @classmethod
+    def device_names(cls) -> frozenset[str]:
+        return cls.description().devices()
+
+    @classmethod
+    def make_simulation(
+        cls,
+        *,
+        world: str | None = None,
+        seed: int | None = None,
+        pace: str | float | None = None,
+    ) -> Simulation:
+        """The world a robot of this kind gets, from arguments, environment or defaults."""
+        chosen = world or os.environ.get("LEARNBLOCK_WORLD") or cls.description().world
+        description = find_world(chosen)
+        return Simulation(World(description, seed=chosen_seed(seed)), Pacing(chosen_pace(pace)))
+
+    @cached_property
+    def body(self) -> RobotBody:
+        """The robot in its world."""
+        world = self.simulation.world
+        return world.add_robot(self.description(), name=self.name, start=self.start)
+
+    @classmethod
+    def check_wishes(cls, wishes: Mapping[str, Any]) -> None:
+        cls._prepared(wishes)
+
+    @classmethod
+    def hosted(cls, arguments: Mapping[str, Any], wishes: Mapping[str, Any]) -> Self:
+        simulation, start = cls._prepared({**arguments, **wishes})
+        return cls(simulation=simulation, start=start)
+
+    @classmethod
+    def _prepared(cls, wishes: Mapping[str, Any]) -> tuple[Simulation, Pose | None]:
+        others = {name: wish for name, wish in wishes.items() if name != "start"}
+        return cls.make_simulation(**others), chosen_start(wishes.get("start"))
+
+    def conditions(self) -> dict[str, object]:
+        world = self.simulation.world
+        named = {"world": world.description.name, "seed": world.seed}
+        # Only if it was chosen: otherwise the world decides.
+        start = {} if self.start is None else {"start": list(self.start)}
+        return {**super().conditions(), **named, **start}
+
+    def where(self) -> Pose:
+        return self.body.pose
+
+    def observe(self, witness: Witness) -> None:
+        self.simulation.witnesses[self.name] = witness
+        witness.pose(self.simulation.time(), self.where())
+
+    def outcome(self) -> Outcome:
+        x, y, heading = self.where()
+        return Outcome(
+            pose=(round(x, 3), round(y, 3), round(heading, 3)),
+            distance=round(self.body.distance_driven, 3),
+            goals=tuple(map(goal_of, self.simulation.world.goals)),
+        )
+
+    def connect(self) -> None:
+        for name in sorted(self.body.description.devices()):
+            kind, _, key = name.partition(":")
+            self.add(make_device(self.body, kind, key), key)
+
+    def disconnect(self) -> None:
+        if self._restore_time:
+            self._restore_time()
+        if self._end_trace:
+            self._end_trace()
+
+    def _own_clock(self) -> LockStepClock:
+        simulation = self.simulation
+
+        def wait(steps: int) -> int:
+            simulation.advance(simulation.steps + steps)
+            return simulation.steps
+
+        return LockStepClock(wait, simulation.steps, simulation.dt)
+
+    def _hold_the_program(self) -> None:
+        """The program's own randomness and time follow the world, so that it can be repeated."""
+        random.seed(self.simulation.seed)
+        self._restore_time = use_robot_time(self.clock)
+        if os.environ.get("LEARNBLOCK_TRACE"):
+            self._end_trace = trace_main_program(self, Path(os.environ["LEARNBLOCK_TRACE"]))
+
+
+def goal_of(goal: GoalState) -> Goal:
+    """A goal of a world in the form of reports."""
+    if goal.reached_at is not None:
+        return Goal(goal.name, goal.kind, "reached", goal.reached_at)
+    return Goal(
+        goal.name, goal.kind, "open" if goal.failed_at is None else "failed", goal.failed_at
+    )

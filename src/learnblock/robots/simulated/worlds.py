@@ -1,0 +1,49 @@
+"""All worlds: ours, those in the user's folder and those of plugins."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from learnblock.errors import UnknownNameError
+from learnblock.simulator import WorldDescription, load_world, world_names
+from learnblock.storage.home import home
+
+
+def find_world(name_or_path: str) -> WorldDescription:
+    """Find a world by its name, in the user's folder, ours or a plugin, or by its path.
+
+    Raises:
+        UnknownNameError: there is no such world.
+        WorldError: its file is wrong.
+    """
+    try:
+        return load_world(name_or_path, folders=(own_worlds(),))
+    except UnknownNameError:
+        # Plugins last: finding them means searching all installed packages.
+        return load_world(name_or_path, folders=(own_worlds(), *_plugin_worlds()))
+
+
+def worlds() -> Iterator[WorldDescription]:
+    """Every world: ours, the user's and those of plugins."""
+    for name in known_worlds():
+        yield find_world(name)
+
+
+def known_worlds() -> tuple[str, ...]:
+    """The names of all worlds."""
+    return world_names(folders=(own_worlds(), *_plugin_worlds()))
+
+
+def own_worlds() -> Path:
+    """The folder of the user's worlds, which may not exist."""
+    return home() / "worlds"
+
+
+def _plugin_worlds() -> Iterator[Path]:
+    """The folders of the packages that entry points of the group ``learnblock.worlds`` name."""
+    from importlib.metadata import entry_points  # noqa: PLC0415 - see `find_world`
+    from importlib.util import find_spec  # noqa: PLC0415
+
+    for point in entry_points(group="learnblock.worlds"):
+        found = find_spec(point.module)
+        if found and found.submodule_search_locations:
+            yield Path(found.submodule_search_locations[0])

@@ -1,0 +1,21 @@
+"""From a file to a finished run: used by the command line and the page."""
+
+from learnblock.running.examples import example
+from learnblock.running.preparing import DEFAULT_ROBOT, check, choose_robot, program
+from learnblock.running.program_run import Options, ProgramRun
+from learnblock.running.report import Report
+from learnblock.running.source import Source, read, read_text
+
+__all__ = [
+    "DEFAULT_ROBOT",
+    "Options",
+    "ProgramRun",
+    "Report",
+    "Source",
+    "check",
+    "choose_robot",
+    "example",
+    "program",
+    "read",
+    "read_text",
+]

@@ -1,0 +1,22 @@
+"""The examples that come with LearnBlock."""
+
+from pathlib import Path
+
+from learnblock.errors import UnknownNameError
+
+
+def example(name: str) -> Path:
+    """Find an example by its file name.
+
+    Raises:
+        UnknownNameError: there is none of that name.
+    """
+    # Beside the modules in an installation, beside `src` in a checkout.
+    package = Path(__file__).parents[1]
+    for folder in (package / "examples", package.parents[1] / "examples"):
+        if folder.is_dir():
+            known = {path.name: path for path in folder.iterdir()}
+            if name in known:
+                return known[name]
+            raise UnknownNameError("example", name, known)
+    raise UnknownNameError("example", name, ())

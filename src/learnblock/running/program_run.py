@@ -1,0 +1,172 @@
+"""One run of one program, and its control from other threads."""
+
+from collections.abc import Callable, Collection
+from contextlib import nullcontext
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, BinaryIO
+
+from learnblock import robots
+from learnblock.client import Client
+from learnblock.devices import Pose
+from learnblock.errors import LearnBlockError
+from learnblock.robots import RobotEntry
+from learnblock.running.report import Report, report
+from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.host import Host
+from learnblock.runtime.limits import Limits
+from learnblock.runtime.process import ProcessWorker, Worker, one_processor
+from learnblock.runtime.program import Program
+from learnblock.runtime.run import Run
+from learnblock.runtime.trace import Recorder, Trace, record
+from learnblock.runtime.watcher import Watcher
+
+if TYPE_CHECKING:
+    from learnblock.monitor import Monitor
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """How to run; None leaves a choice to the program, the environment and the robot.
+
+    Args:
+        world: name or path.
+        seed: of all noise.
+        pace: ``free``, ``real`` or a factor.
+        seconds: the robot's time after which the run ends.
+        start: (x mm, y mm, heading in degrees) where a simulated robot begins.
+    """
+
+    world: str | None = None
+    seed: int | None = None
+    pace: str | None = None
+    seconds: float | None = None
+    start: Pose | None = None
+
+    @property
+    def wishes(self) -> dict[str, Any]:
+        """The options that only a simulated robot has."""
+        given = {
+            "world": self.world,
+            "seed": self.seed,
+            "pace": self.pace,
+            "start": self.start,
+        }
+        return {name: value for name, value in given.items() if value is not None}
+
+
+class ProgramRun:
+    """One run of one program, prepared.
+
+    Args:
+        program: what to run.
+        robot: where to run it.
+        options: how to run it.
+        trace: the file for the trace; None for no file.
+        watcher: is notified of events as they happen.
+        limits: what the program may use.
+        worker: makes what runs the program; a process by default.
+        debugger: pauses and steps the program, and holds it at breakpoints.
+    """
+
+    def __init__(
+        self,
+        program: Program,
+        robot: RobotEntry,
+        options: Options | None = None,
+        *,
+        trace: BinaryIO | None = None,
+        watcher: Watcher | None = None,
+        limits: Limits | None = None,
+        worker: Callable[[], Worker] = ProcessWorker,
+        debugger: Debugger | None = None,
+    ) -> None:
+        self.program = program
+        self.robot = robot
+        self.options = options or Options()
+        self.trace = Trace(trace)
+        #: The robot as the page shows it, once the program has created it.
+        self.monitor: Monitor | None = None
+        self._debugger = debugger
+        self._run = Run(
+            program,
+            self._make_robot,
+            self._make_recorder,
+            watcher=watcher,
+            limits=limits,
+            debugger=debugger,
+            worker=worker,
+            robots=tuple(entry.module for entry in robots.entries().values()),
+        )
+        self._host = Host(self._run, seconds=self.options.seconds)
+
+    @property
+    def client(self) -> Client | None:
+        """The robot in the host, once the program has made it."""
+        return self._run.client
+
+    @property
+    def recorder(self) -> Recorder | None:
+        """Everything recorded so far."""
+        return self._run.recorder
+
+    def run(self) -> Report:
+        """Run the program to its end."""
+        with one_processor() if self.robot.load().lockstep else nullcontext():
+            self._host.run()
+        return report(self.program, self._run, self.trace.sha256)
+
+    # The methods below can be called from any thread at any time.
+
+    def stop(self) -> None:
+        """End the run within a second, also while it is paused or waits for input."""
+        self._host.stop()
+
+    def pause(self) -> None:
+        """Hold the world at once, and the program at its next line."""
+        self._control.pause()
+
+    def resume(self) -> None:
+        """Continue after a pause or at a breakpoint."""
+        self._control.resume()
+
+    def step(self) -> None:
+        """Run to the next line, into functions."""
+        self._control.step()
+
+    def step_over(self) -> None:
+        """Run to the next line of the same function, or of one that called it."""
+        self._control.step_over()
+
+    def set_breakpoints(self, lines: Collection[int]) -> None:
+        """Replace the breakpoints, given as lines of the program's Python."""
+        self._control.set_breakpoints(lines)
+
+    def set_speed(self, factor: float | None) -> None:
+        """Set the speed of a simulated world, times real time; None is as fast as possible."""
+        self._run.world.set_speed(factor)
+
+    def report_variables(self, *, enabled: bool) -> None:
+        """Report the program's variables to the watcher some times a second, or stop doing so."""
+        self._run.variables.enabled = enabled
+
+    @property
+    def _control(self) -> Debugger:
+        if self._debugger is None:
+            raise LearnBlockError("run-no-debugger")
+        return self._debugger
+
+    def _make_robot(self, module: str, arguments: dict[str, Any]) -> Client:
+        # The robot chosen for this run replaces the one that the program imports.
+        del module
+        client = self.robot.load().hosted(arguments, self.options.wishes)
+        self.monitor = _monitor(client)
+        return client
+
+    def _make_recorder(self, client: Client) -> Recorder:
+        return record(client, self.program.identity, self.trace)
+
+
+def _monitor(client: Client) -> "Monitor":
+    from learnblock.monitor import monitor_of  # noqa: PLC0415 - it takes time to load
+
+    return monitor_of(client)

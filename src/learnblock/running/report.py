@@ -1,0 +1,96 @@
+"""The report of a run, for its callers."""
+
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from learnblock.client import Goal, Outcome
+from learnblock.devices import Pose
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.runtime.ending import Ending, How
+from learnblock.runtime.program import Program
+from learnblock.runtime.run import Run
+from learnblock.runtime.trace import Recorder
+from learnblock.storage import skill_files
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """The events and results of a run.
+
+    Args:
+        ended: how, in one or two words; ``refused`` if the program was not started.
+        time: seconds of the robot's time.
+        distance: mm driven; None if unknown.
+        pose: (x mm, y mm, heading in degrees) at the end, or None.
+        goals: the world's goals.
+        emotions: those shown, in order.
+        no_effect: skills without effect: skill, missing device, how often.
+        trace_sha256: the hash of the trace.
+        error: what went wrong, or None: `message` (a `Phrase`), `file`, `line` and the `text` of
+            that line; `within` has the same of a file in the user's folder where it happened.
+    """
+
+    ended: str
+    time: float = 0.0
+    distance: float | None = None
+    pose: Pose | None = None
+    goals: tuple[Goal, ...] = ()
+    emotions: tuple[str, ...] = ()
+    no_effect: tuple[Mapping[str, object], ...] = ()
+    trace_sha256: str = ""
+    error: Mapping[str, object] | None = None
+
+
+def report(program: Program, run: Run, trace_sha256: str) -> Report:
+    """Report a run that has ended.
+
+    Args:
+        program: what was run.
+        run: how it went.
+        trace_sha256: the hash of its trace.
+    """
+    recorder, client = run.recorder, run.client
+    ending = run.ending or Ending(How.STOPPED, Phrase("run-stopped"))
+    outcome = client.outcome() if client else Outcome()
+    return Report(
+        time=recorder.time() if recorder else 0.0,
+        distance=outcome.distance,
+        pose=outcome.pose,
+        goals=outcome.goals,
+        emotions=tuple(recorder.emotions) if recorder else (),
+        no_effect=_no_effect(recorder) if recorder else (),
+        trace_sha256=trace_sha256,
+        ended=ending.how,
+        error=None if ending.well else _error(program, ending),
+    )
+
+
+def _error(program: Program, ending: Ending) -> Mapping[str, object]:
+    line = program.written_line(ending.line) if ending.line else 0
+    return {
+        "message": ending.phrase,
+        "file": program.name,
+        "line": line,
+        "text": program.quote(line),
+        **({"within": _within(ending)} if ending.file else {}),
+    }
+
+
+def _within(ending: Ending) -> Mapping[str, object]:
+    """The place of an error in a file of the user's folder."""
+    text = ""
+    # The file may have been deleted since.
+    with suppress(OSError, LearnBlockError):
+        lines = skill_files.read(Path(ending.file)).splitlines()
+        text = "".join(lines[ending.file_line - 1 : ending.file_line]).strip()
+    return {"file": ending.file, "line": ending.file_line, "text": text}
+
+
+def _no_effect(recorder: Recorder) -> tuple[Mapping[str, object], ...]:
+    return tuple(
+        {"skill": skill, "device": device, "times": times}
+        for (skill, device), times in recorder.missed.items()
+    )

@@ -1,0 +1,92 @@
+"""A program's file, read."""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from learnblock import language
+from learnblock.errors import Diagnostic, ProgramError
+from learnblock.i18n import Phrase
+from learnblock.language.python.imports import PACKAGE
+from learnblock.language.tree.nodes import Import
+from learnblock.language.tree.nodes import Program as Tree
+from learnblock.runtime.limits import MEGABYTE
+
+#: A program larger than this, in bytes, was not written by a person.
+LARGEST_PROGRAM = 4 * MEGABYTE
+
+_ROBOT_IMPORT = re.compile(r"^from ([\w.]+) import Robot\b", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Source:
+    """A program's file, read.
+
+    Args:
+        path: the file as the user named it.
+        text: its content.
+        tree: the same as a tree.
+    """
+
+    path: Path
+    text: str
+    tree: Tree
+
+    @property
+    def is_python(self) -> bool:
+        return self.path.suffix == ".py"
+
+    @property
+    def imports(self) -> frozenset[str]:
+        """The libraries and files that it imports."""
+        return frozenset(one.module for one in self.tree.items if isinstance(one, Import))
+
+    @property
+    def libraries(self) -> frozenset[str]:
+        """The imports whose skills become skills of the robot: in Block-Text all of them."""
+        if not self.is_python:
+            return self.imports
+        return frozenset(one for one in self.imports if f"{PACKAGE}.{one} import" in self.text)
+
+    @property
+    def robot(self) -> str | None:
+        """The module of the robot that a Python file imports; None for Block-Text."""
+        found = _ROBOT_IMPORT.search(self.text) if self.is_python else None
+        return found[1] if found else None
+
+
+def read(path: Path) -> Source:
+    """Read a program in Block-Text (.bt) or Python (.py).
+
+    Raises:
+        ProgramError: it has mistakes; the error lists every one found.
+        OSError: it cannot be read.
+    """
+    name = str(path)
+    if path.suffix not in {".bt", ".py"}:
+        problem = Diagnostic("unknown-notation", Phrase("run-unknown-file-type"))
+        raise ProgramError(name, [problem])
+    text = read_text(path)
+    notation = language.from_python if path.suffix == ".py" else language.parse
+    return Source(path, text, notation(text, name))
+
+
+def read_text(path: Path) -> str:
+    """Read the text of a program's file.
+
+    Raises:
+        ProgramError: it is too large or not UTF-8.
+        OSError: it cannot be read.
+    """
+    with path.open("rb") as file:
+        data = file.read(LARGEST_PROGRAM + 1)
+    if len(data) > LARGEST_PROGRAM:
+        limit = LARGEST_PROGRAM // MEGABYTE
+        too_large = Phrase("file-too-large", name=path.name, limit=limit)
+        raise ProgramError(str(path), [Diagnostic("too-large", too_large)])
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        not_utf_8 = Phrase("run-not-utf-8", byte=f"{data[error.start]:#x}")
+        raise ProgramError(str(path), [Diagnostic("not-utf-8", not_utf_8, line)]) from error

@@ -1,0 +1,92 @@
+"""The host's side of the conversation with the child that runs a program."""
+
+from contextlib import suppress
+from typing import Any
+
+from learnblock.client import skills
+from learnblock.errors import LearnBlockError
+from learnblock.runtime import messages
+from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.limits import Limits
+from learnblock.runtime.process import Worker
+from learnblock.runtime.program import Program
+
+
+class Conversation:
+    """The messages between host and child.
+
+    Args:
+        worker: runs the program.
+        debugger: its breakpoints are sent to the child whenever they change.
+    """
+
+    def __init__(self, worker: Worker, debugger: Debugger | None) -> None:
+        self.worker = worker
+        self._link = worker.link
+        self._debugger = debugger
+        self._control = debugger.control if debugger else None
+
+    def begin(self, program: Program, limits: Limits, robots: tuple[str, ...]) -> None:
+        """Send the program, with the modules that are robots and the limits it runs under."""
+        self._link.send(
+            messages.Setup(
+                source=program.python,
+                filename=program.name,
+                folder=program.folder,
+                skills=_skills(program),
+                robots=robots,
+                debug=self._control,
+                limits=limits,
+            )
+        )
+
+    def send(self, message: messages.Message) -> None:
+        """Send a message that the program waits for.
+
+        Raises:
+            EOFError: the program is gone.
+        """
+        self.update_control()
+        self._link.send(message)
+
+    def send_unasked(self, message: messages.Message) -> None:
+        """Send a message that the program accepts at any time."""
+        # It may have ended meanwhile: its ending is the next message we receive.
+        with suppress(EOFError):
+            self._link.send(message)
+
+    def update_control(self) -> None:
+        """Send the debugger's breakpoints and mode if they have changed."""
+        if self._debugger and self._debugger.control is not self._control:
+            self._control = self._debugger.control
+            self.send_unasked(self._control)
+
+    def receive(self, timeout: float) -> Any:
+        """The next message, or None when none came within `timeout` seconds.
+
+        Raises:
+            EOFError: the program is gone.
+        """
+        return self._link.receive(timeout)
+
+    def receive_last(self) -> Any:
+        """The next message of a process that has ended, if it has; None while it runs.
+
+        Raises:
+            EOFError: it has ended, and there is no further message.
+        """
+        if self.worker.wait(0) is None:
+            return None
+        message = self._link.receive_now()
+        if message is None:
+            raise EOFError("the program's process has ended")
+        return message
+
+
+def _skills(program: Program) -> tuple[str, ...]:
+    """The skills that a program uses, so that the child need not search all that is installed."""
+    try:
+        return tuple(sorted(skills.find(program.names)))
+    except LearnBlockError:
+        # The child finds the same error, and raises it at the line of the program that causes it.
+        return program.names

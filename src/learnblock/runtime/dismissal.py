@@ -1,0 +1,84 @@
+"""The end of a program that has to be stopped, and the cause of one that died."""
+
+import signal
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from time import monotonic
+from typing import Any
+
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.runtime import messages
+from learnblock.runtime.conversation import Conversation
+from learnblock.runtime.ending import Ending, How
+from learnblock.runtime.limits import Limits
+from learnblock.runtime.process import Worker
+
+#: Seconds that a stopped program may take for its own `finally`.
+GRACE = 0.4
+
+
+def dismiss(
+    conversation: Conversation,
+    ending: Ending,
+    *,
+    waits: bool,
+    handle: Callable[[Any], None],
+) -> Ending:
+    """Have a program end itself, and return how and where it ended.
+
+    Args:
+        conversation: with the program.
+        ending: how it is to end.
+        waits: whether the program waits for an answer.
+        handle: takes the messages it sent before it was interrupted.
+    """
+    try:
+        if waits:
+            conversation.send(messages.Stop())
+        else:
+            conversation.worker.interrupt()
+        for message in _messages(conversation):
+            match message:
+                case messages.Ended(lines=lines):
+                    return replace(ending, line=lines[-1] if lines else ending.line)
+                case messages.Interrupted(line, file, file_line):
+                    waits = True
+                    ending = replace(ending, line=line, file=file, file_line=file_line)
+                case messages.Ask() | messages.Sleep() | messages.Input() | messages.Line():
+                    conversation.send(messages.Stop())
+                case messages.Connect() | messages.Disconnect() | None:
+                    continue
+                case event if not waits:
+                    handle(event)
+    except (EOFError, LearnBlockError):
+        # It died first, or sent something invalid; either way it is over.
+        return ending
+    return ending
+
+
+def cause_of_death(worker: Worker, limits: Limits) -> Ending:
+    """How a program ended whose link closed without a last message."""
+    status = worker.wait(GRACE)
+    if status is None:
+        return Ending(How.KILLED, Phrase("run-link-closed"))
+    if status >= 0:
+        return Ending(How.KILLED, Phrase("run-process-ended", status=str(status)))
+    if -status == getattr(signal, "SIGXCPU", None):
+        return Ending(How.KILLED, Phrase("run-processor-time", seconds=limits.cpu))
+    return Ending(How.KILLED, Phrase("run-killed", signal=_name(-status)))
+
+
+def _messages(conversation: Conversation) -> Iterator[Any]:
+    """The messages that a program sends during its grace period."""
+    deadline = monotonic() + GRACE
+    while (left := deadline - monotonic()) > 0:
+        yield conversation.receive(left)
+
+
+def _name(number: int) -> str:
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        # A real-time signal: most of these have no name.
+        return str(number)

@@ -1,0 +1,73 @@
+"""The errors of programs as phrases that can cross the link."""
+
+import builtins
+from collections.abc import Collection
+from types import TracebackType
+from typing import overload
+
+from learnblock.errors import LearnBlockError, nearest
+from learnblock.i18n import Phrase, Value
+from learnblock.runtime.values import encodable, shortened
+
+#: A text in a phrase is cut after that many characters.
+LONGEST_ERROR = 2000
+#: Larger whole numbers do not fit into a message.
+LARGEST_NUMBER = 2**63 - 1
+
+
+def phrase_of(error: BaseException) -> Phrase:
+    """The phrase for an error: ours can be translated, Python's keep Python's text."""
+    if isinstance(error, LearnBlockError):
+        return _sendable(error.phrase)
+    kind = type(error).__name__
+    try:
+        # A syntax error's whole text would repeat the file and the line.
+        text = str(error.msg if isinstance(error, SyntaxError) else error)
+    except Exception as failed:  # noqa: BLE001 - a pupil's __str__ may raise any exception
+        failure = type(failed).__name__
+        return _sendable(Phrase("run-error-without-text", type=kind, failed=failure))
+    whole = f"{kind}: {text}" if text else kind
+    suggestion = _suggestion(error)
+    if suggestion:
+        return _sendable(Phrase("run-did-you-mean", error=whole, suggestion=suggestion))
+    return _sendable(Phrase(whole))
+
+
+def _suggestion(error: BaseException) -> str | None:
+    """The known name that is most similar to the one an error complains about."""
+    if not isinstance(error, NameError | AttributeError) or not isinstance(error.name, str):
+        return None
+    known = dir(error.obj) if isinstance(error, AttributeError) else _visible(error.__traceback__)
+    return nearest(error.name, [name for name in known if not name.startswith("_")])
+
+
+def _visible(step: TracebackType | None) -> Collection[str]:
+    """The names that can be used where an error was raised."""
+    while step and step.tb_next:
+        step = step.tb_next
+    frame = step.tb_frame if step else None
+    return {*vars(builtins), *frame.f_globals, *frame.f_locals} if frame else ()
+
+
+def _sendable(phrase: Phrase) -> Phrase:
+    """A phrase without texts that are too long for a message or that no message can hold."""
+    values = {name: _sendable_value(value) for name, value in phrase.values.items()}
+    return Phrase(_text(phrase.code), **values)
+
+
+@overload
+def _sendable_value(value: str | Phrase) -> str | Phrase: ...
+@overload
+def _sendable_value(value: Value) -> Value: ...
+def _sendable_value(value: Value) -> Value:
+    if isinstance(value, Phrase):
+        return _sendable(value)
+    if isinstance(value, tuple):
+        return tuple(_sendable_value(one) for one in value)
+    if isinstance(value, int) and abs(value) > LARGEST_NUMBER:
+        return str(value)
+    return _text(value) if isinstance(value, str) else value
+
+
+def _text(text: str) -> str:
+    return shortened(encodable(text), LONGEST_ERROR)

@@ -1,0 +1,145 @@
+"""The robot of one program, on the host's side: the calls that arrive, and their recording."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from learnblock.client import Client
+from learnblock.devices import Device, Sensor
+from learnblock.errors import LearnBlockError, RobotConnectionError, RobotStoppedError
+from learnblock.i18n import Phrase
+from learnblock.runtime import messages
+from learnblock.runtime.trace import Recorder
+from learnblock.runtime.world import World
+
+MakeRobot = Callable[[str, dict[str, Any]], Client]
+MakeRecorder = Callable[[Client], Recorder]
+
+
+class HostedRobot:
+    """The robot of one program.
+
+    Args:
+        make_robot: makes the robot of a module with the arguments the program gave.
+        make_recorder: makes the recorder, which watches the robot, once there is one.
+        world: the robot's world if it is simulated.
+    """
+
+    def __init__(self, make_robot: MakeRobot, make_recorder: MakeRecorder, world: World) -> None:
+        #: None before the program has made its robot.
+        self.client: Client | None = None
+        self.recorder: Recorder | None = None
+        self.world = world
+        #: Says that the robot could not be stopped; None when it could.
+        self.stop_failure: Phrase | None = None
+        self._make_robot = make_robot
+        self._make_recorder = make_recorder
+        self._functions: list[dict[str, Callable[..., Any]]] = []
+
+    @property
+    def active_recorder(self) -> Recorder | None:
+        """The recorder while there is a robot whose time its lines can have."""
+        return None if self.client is None or self.client.stopped else self.recorder
+
+    def connect(self, message: messages.Connect) -> messages.Connected | messages.Failed:
+        """Make the robot, and return the answer for the program.
+
+        Raises:
+            LearnBlockError: the program has a robot already.
+        """
+        if self.client and not self.client.stopped:
+            raise LearnBlockError("run-second-robot")
+        try:
+            self.client = self._make_robot(message.module, message.arguments)
+        except Exception as error:  # noqa: BLE001 - a driver may raise any exception
+            if isinstance(error, LearnBlockError):
+                return failure(error)
+            return failure(RobotConnectionError("run-robot-not-created", reason=_reason(error)))
+        self.world.enter(self.client)
+        self.recorder = self._make_recorder(self.client)
+        # Only now: the recorder has put itself between the devices and their functions.
+        self._functions = [
+            _functions(self.client, key, device) for key, device in self.client.devices()
+        ]
+        return self._offer(self.client)
+
+    def call(self, device: int, function: str, args: tuple[Any, ...]) -> Any:
+        """Call a function of a device.
+
+        Raises:
+            LearnBlockError: the robot has been stopped, or the call failed.
+        """
+        if self.client and self.client.stopped:
+            # Only through a device the program has kept: the client in the child refuses the rest.
+            raise RobotStoppedError("run-robot-stopped")
+        try:
+            with self.world.exclusive:
+                return self._functions[device][function](*args)
+        except LearnBlockError:
+            raise
+        except Exception as error:
+            # A driver is third-party code: any exception of it becomes a message for the pupil.
+            raise RobotConnectionError(
+                "run-call-failed", function=function, reason=_reason(error)
+            ) from error
+
+    def check_link(self) -> None:
+        """Check that a real robot can still be reached.
+
+        Raises:
+            RobotConnectionError: it cannot.
+        """
+        if self.client and not self.client.stopped:
+            self.client.require_link()
+
+    def stop(self) -> None:
+        """Stop the robot; a failure to do so is kept in `stop_failure`."""
+        if self.client:
+            try:
+                with self.world.exclusive:
+                    self.client.stop()
+            except Exception as error:  # noqa: BLE001 - a driver may raise any exception
+                self.stop_failure = Phrase("run-robot-not-stopped", reason=_reason(error))
+
+    def _offer(self, client: Client) -> messages.Connected:
+        devices = tuple(
+            messages.DeviceOffer(type(device).__name__, key, tuple(device.functions))
+            for key, device in client.devices()
+        )
+        simulation = self.world.simulation
+        if simulation is None:
+            return messages.Connected(devices, None, 0.0, None)
+        return messages.Connected(devices, simulation.steps, simulation.dt, simulation.seed)
+
+
+def failure(error: LearnBlockError) -> messages.Failed:
+    """The message that raises `error` in the program."""
+    return messages.Failed(type(error).__name__, error.phrase)
+
+
+def _reason(error: Exception) -> Phrase:
+    """An error's message; of a driver's exception also the class, as its text may say little."""
+    if isinstance(error, LearnBlockError):
+        return error.phrase
+    return Phrase(f"{type(error).__name__}: {error}")
+
+
+def _functions(client: Client, key: str, device: Device) -> dict[str, Callable[..., Any]]:
+    """The functions a child may call. Sensors are read through the client, which polls them."""
+    if not isinstance(device, Sensor):
+        return device.functions
+    functions: dict[str, Callable[..., Any]] = {
+        name: partial(_change, client, function) for name, function in device.functions.items()
+    }
+    functions["read"] = partial(client.read, type(device), key)
+    if "detect" in functions:
+        functions["detect"] = partial(client.detect, key=key)
+    return functions
+
+
+def _change(client: Client, function: Callable[..., Any], *args: Any) -> Any:
+    """Change a sensor, for example set a new zero, which makes its last reading wrong."""
+    try:
+        return function(*args)
+    finally:
+        client.forget_readings()

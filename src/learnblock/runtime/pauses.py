@@ -1,0 +1,48 @@
+"""The pauses of a program: at a line that the debugger holds, and for a line of input."""
+
+from learnblock.runtime import messages
+from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.status import State, Status
+from learnblock.runtime.watcher import Watcher
+
+
+class Pauses:
+    """Holds a program at breakpoints and for input, and reports that.
+
+    Args:
+        watcher: is notified, and asked for input.
+        debugger: decides where the program is held; without one it never is.
+    """
+
+    def __init__(self, watcher: Watcher, debugger: Debugger | None) -> None:
+        self.status = Status(watcher.state)
+        #: Whether the program waits for an answer: permission to continue, or a line of input.
+        self.awaits_answer = False
+        self._watcher = watcher
+        self._debugger = debugger
+        if debugger:
+            debugger.report_to(self.status)
+
+    def hold(self, message: messages.Line) -> None:
+        """Return when a program that has reached a line may run it."""
+        self.awaits_answer = True
+        if self._debugger and self._debugger.holds(message.number, message.depth):
+            self.status.enter(State.HELD)
+            self._watcher.held(message.number, message.variables)
+            self._debugger.wait()
+            self._watcher.resumed()
+            self.status.leave(State.HELD)
+
+    def input(self, prompt: str, *, stopping: bool) -> str | None:
+        """The line of input for a program; None when there is none, or the run is being stopped."""
+        self.awaits_answer = True
+        self.status.enter(State.INPUT)
+        answer = None if stopping else self._watcher.input(prompt)
+        self.status.leave(State.INPUT)
+        return answer
+
+    def end(self) -> None:
+        """Never hold the program again: the run is being stopped."""
+        if self._debugger:
+            self._debugger.end()
+        self._watcher.cancel_input()

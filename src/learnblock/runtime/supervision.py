@@ -1,0 +1,82 @@
+"""Supervision of a running program: its silence, its output and its time."""
+
+from time import monotonic
+
+from learnblock.i18n import Phrase
+from learnblock.runtime.ending import Ending, How
+from learnblock.runtime.hosted_robot import HostedRobot
+from learnblock.runtime.limits import MEGABYTE, Limits
+
+#: Seconds of the wall clock between two checks.
+PERIOD = 0.05
+
+
+class Supervision:
+    """Says when a program has to be stopped.
+
+    Args:
+        limits: what the program may use.
+        robot: the program's robot.
+    """
+
+    def __init__(self, limits: Limits, robot: HostedRobot) -> None:
+        #: Seconds of a real robot's time after which the run ends; None for no limit.
+        self.seconds: float | None = None
+        self.limits = limits
+        self._robot = robot
+        self._printed = 0
+        self._last_call = self._last_check = 0.0
+
+    def note_call(self) -> None:
+        """Note that the program made a call."""
+        self._last_call = monotonic()
+
+    def excuse(self, seconds: float) -> None:
+        """Do not count these seconds as silence: the program could make no call."""
+        self._last_call += seconds
+
+    @property
+    def is_due(self) -> bool:
+        """Whether the last check is more than a period ago."""
+        return monotonic() - self._last_check > PERIOD
+
+    def check(self) -> Ending | None:
+        """Check silence, link and time; return how the run has to end, or None.
+
+        Raises:
+            RobotConnectionError: the link to a real robot is gone.
+        """
+        self._last_check = monotonic()
+        silent = self._last_check - self._last_call
+        if self._robot.client is None:
+            return self._check_preparation(silent)
+        if self._robot.world.simulation is None:
+            # A real robot does not wait for its program, so long silence is no fault there.
+            self._robot.check_link()
+            return self._check_time(self._robot.client.clock.time())
+        return self._check_silence(silent)
+
+    def check_output(self, characters: int) -> Ending | None:
+        """Count printed characters; return how the run has to end if there are too many."""
+        self._printed += characters
+        if self._printed <= self.limits.output:
+            return None
+        return Ending(
+            How.OUTPUT_LIMIT,
+            Phrase("run-too-much-output", megabytes=self.limits.output / MEGABYTE),
+        )
+
+    def _check_preparation(self, silent: float) -> Ending | None:
+        if silent <= self.limits.preparation:
+            return None
+        return Ending(How.NO_CALL, Phrase("run-no-robot", seconds=self.limits.preparation))
+
+    def _check_silence(self, silent: float) -> Ending | None:
+        if silent <= self.limits.silence:
+            return None
+        return Ending(How.NO_CALL, Phrase("run-no-call", seconds=self.limits.silence))
+
+    def _check_time(self, time: float) -> Ending | None:
+        if self.seconds is None or time < self.seconds:
+            return None
+        return Ending.time_is_up(self.seconds)

@@ -1,0 +1,125 @@
+"""Settings as the page edits them, and the values that a page may choose."""
+
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+from msgspec import inspect
+
+from learnblock import robots
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.perception import sources
+from learnblock.robots.settings import table as robot_table
+from learnblock.server.messages import Setting
+from learnblock.storage import struct_types
+from learnblock.storage.home import home
+from learnblock.storage.settings import Table
+
+Sort = Literal["text", "number", "whole", "choice", "boolean", "list"]
+
+_SECRET = ("password", "token")
+_DEVICE = re.compile(r"(?:/dev/[\w-]+(?:/[\w-]+)*|COM\d{1,3})?")
+
+
+def table(robot: str) -> Table[Any]:
+    """The settings of a real robot; of camera recognition for an empty name.
+
+    Raises:
+        LearnBlockError: there is no such robot, or it is simulated.
+    """
+    from learnblock.robots.real import RealRobot  # noqa: PLC0415 - the server answers first
+
+    if not robot:
+        return sources.TABLE
+    found = robots.find(robot).load()
+    if not issubclass(found, RealRobot):
+        raise LearnBlockError("settings-simulated", robot=robot)
+    return robot_table(found.name(), found.settings_type)
+
+
+def described(settings: Table[Any]) -> Iterator[Setting]:
+    """Describe every setting of a table with its current value.
+
+    Raises:
+        SettingsError: the user's file has a mistake.
+    """
+    found = inspect.type_info(settings.kind)
+    assert isinstance(found, inspect.StructType)  # noqa: S101 - for the type checker
+    for one, field in zip(settings.describe(), found.fields, strict=True):
+        kind = struct_types.bare(field.type)
+        yield Setting(
+            name=one.name,
+            sort=_sort(kind),
+            value=one.value,
+            default=one.default,
+            allowed=struct_types.describe(kind),
+            description=_description(field.type),
+            **_bounds(kind),
+            choices=tuple(map(str, struct_types.choices(kind))),
+            secret=one.name in _SECRET,
+        )
+
+
+def chosen(settings: Table[Any], values: Mapping[str, Any]) -> dict[str, Any]:
+    """Check the values from a page; None stands for the default.
+
+    Raises:
+        LearnBlockError: a value names a file that pages may not name.
+    """
+    defaults = {one.name: one.default for one in settings.describe()}
+    return {
+        name: defaults.get(name) if value is None else _permitted(name, value)
+        for name, value in values.items()
+    }
+
+
+def videos() -> Path:
+    """The folder of the videos that a page may choose from."""
+    return home() / "videos"
+
+
+def _permitted(name: str, value: Any) -> Any:
+    """Refuse paths: a page may not choose any file of this computer."""
+    if name == "video" and value:
+        return _video(str(value))
+    if name == "device" and not _DEVICE.fullmatch(str(value)):
+        raise LearnBlockError("settings-device", value=str(value)[:60])
+    return value
+
+
+def _video(name: str) -> str:
+    known = {path.name: path for path in videos().glob("*") if path.is_file()}
+    present = {str(path): path for path in known.values()}
+    found = known.get(name) or present.get(name)
+    if found is None:
+        raise LearnBlockError("settings-video", name=name[:80], folder=str(videos()))
+    return str(found)
+
+
+def _sort(kind: inspect.Type) -> Sort:
+    sorts: dict[type[inspect.Type], Sort] = {
+        inspect.BoolType: "boolean",
+        inspect.IntType: "whole",
+        inspect.FloatType: "number",
+        inspect.LiteralType: "choice",
+        inspect.TupleType: "list",
+        inspect.VarTupleType: "list",
+    }
+    found = [sorts.get(type(one), "text") for one in struct_types.alternatives(kind)]
+    return next((one for one in found if one != "choice"), found[0])
+
+
+def _bounds(kind: inspect.Type) -> dict[str, Any]:
+    for one in struct_types.alternatives(kind):
+        if isinstance(one, inspect.IntType | inspect.FloatType):
+            return {"least": one.ge, "most": one.le}
+    return {}
+
+
+def _description(kind: inspect.Type) -> Phrase | None:
+    if not isinstance(kind, inspect.Metadata):
+        return None
+    description = (kind.extra_json_schema or {}).get("description")
+    return Phrase(description) if description else _description(kind.type)

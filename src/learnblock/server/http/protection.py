@@ -1,0 +1,139 @@
+"""Protection of the server from requests of strangers.
+
+The server runs programs on the user's computer, and any web page in the user's browser can send
+requests to 127.0.0.1. Three checks keep them out: a random token that is only in the opened
+address; the Host header, against names that are made to point to this computer (DNS rebinding); and
+the Origin header, against pages of other servers.
+"""
+
+import hmac
+import ipaddress
+from collections.abc import Iterable
+from dataclasses import dataclass
+from http import HTTPStatus
+from urllib.parse import urlsplit
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.requests import HTTPConnection
+from starlette.responses import PlainTextResponse
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from learnblock.i18n import Phrase
+
+#: Names by which the computer refers to itself.
+LOCAL_HOSTS = ("127.0.0.1", "localhost", "::1")
+SUBPROTOCOL = "learnblock"
+COOKIE = "learnblock_token"
+#: Nothing is ever fetched from elsewhere. Blockly and CodeMirror bring their styles as elements.
+_CONTENT = (
+    "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline';"
+    " img-src 'self' blob: data:; media-src 'self' blob: data:; font-src 'self' data:;"
+    " object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
+)
+_HEADERS = {
+    "content-security-policy": _CONTENT,
+    "x-content-type-options": "nosniff",
+    # The address holds the token until the page has taken it out.
+    "referrer-policy": "no-referrer",
+}
+
+
+@dataclass(frozen=True)
+class Protection:
+    """The conditions for requests to the server.
+
+    Args:
+        token: the secret of the address that was opened.
+        hosts: allowed names of the server; ``*`` is any numeric address, which DNS rebinding can't
+            fake.
+        origins: hosts, with their ports if they have any, of other pages that may use it: the
+            names that a proxy gives it.
+    """
+
+    token: str
+    hosts: frozenset[str] = frozenset(LOCAL_HOSTS)
+    origins: frozenset[str] = frozenset()
+
+    @classmethod
+    def of(cls, token: str, hosts: Iterable[str] = (), origins: Iterable[str] = ()) -> "Protection":
+        """Allow the computer's own names besides `hosts`."""
+        known = frozenset(map(str.lower, (*LOCAL_HOSTS, *hosts)))
+        return cls(token, known, frozenset(map(str.lower, origins)))
+
+    def admits(self, headers: Headers) -> bool:
+        """Whether a request with these headers is allowed at all."""
+        host = headers.get("host", "").lower()
+        return self._is_host(host) and self._is_origin(headers.get("origin"), host)
+
+    def knows(self, token: str | None) -> bool:
+        """Whether this is the token."""
+        # As bytes, since a token with letters beyond ASCII is wrong, but not an error.
+        return token is not None and hmac.compare_digest(token.encode(), self.token.encode())
+
+    def trusts(self, request: HTTPConnection) -> bool:
+        """Whether a request has the token, in its address or in a cookie."""
+        cookies = (value for name, value in request.cookies.items() if name.startswith(COOKIE))
+        return any(map(self.knows, (request.query_params.get("token"), *cookies)))
+
+    def _is_host(self, host: str) -> bool:
+        name = _name(host)
+        return name in self.hosts - {"*"} or ("*" in self.hosts and _is_number(name))
+
+    def _is_origin(self, origin: str | None, host: str) -> bool:
+        """Whether the requesting page is allowed; other programs than browsers name none."""
+        if origin is None:
+            return True
+        asking = origin.lower().partition("://")[2]
+        return bool(asking) and (asking == host or asking in self.origins)
+
+
+def offered_token(subprotocols: Iterable[str]) -> str | None:
+    """The token in a websocket's subprotocols, after our name."""
+    offered = list(subprotocols)
+    return offered[1] if len(offered) == 2 and offered[0] == SUBPROTOCOL else None
+
+
+class Guard:
+    """Middleware that refuses strangers, and adds our headers to each response."""
+
+    def __init__(self, app: ASGIApp, protection: Protection) -> None:
+        self._app = app
+        self._protection = protection
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] == "lifespan" or self._protection.admits(Headers(scope=scope)):
+            await self._app(scope, receive, _marking(send))
+        elif scope["type"] == "websocket":
+            # A handshake that is never accepted ends as 403.
+            await send({"type": "websocket.close", "code": 1008})
+        else:
+            await _refusal()(scope, receive, _marking(send))
+
+
+def _refusal() -> PlainTextResponse:
+    return PlainTextResponse(f"{Phrase('server-wrong-address')}\n", HTTPStatus.FORBIDDEN)
+
+
+def _marking(send: Send) -> Send:
+    async def mark(message: Message) -> None:
+        if message["type"] == "http.response.start":
+            MutableHeaders(scope=message).update(_HEADERS)
+        await send(message)
+
+    return mark
+
+
+def _name(host: str) -> str:
+    """The name of a host without its port; "" for a malformed one."""
+    try:
+        return urlsplit(f"//{host}").hostname or ""
+    except ValueError:
+        return ""
+
+
+def _is_number(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True

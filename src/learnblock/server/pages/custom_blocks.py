@@ -1,0 +1,145 @@
+"""Handlers of messages about custom blocks."""
+
+from collections.abc import Mapping
+
+from anyio import to_thread
+
+from learnblock.blocks.palette import preview
+from learnblock.extensions import custom_blocks
+from learnblock.extensions.custom_blocks import Checked, CustomBlock, Problem
+from learnblock.server import messages
+from learnblock.server.pages.page import Handler, Page
+from learnblock.server.runs.trial import trial
+
+
+async def _list(page: Page, _: messages.ListCustomBlocks) -> None:
+    if await to_thread.run_sync(page.sessions.block_files.have_changed):
+        await _renew(page)
+        return
+    page.send(await to_thread.run_sync(_all))
+
+
+async def _check(page: Page, message: messages.CheckCustomBlock) -> None:
+    checked = await to_thread.run_sync(_checked, message)
+    page.send(_result(message.request, checked, message.language))
+
+
+async def _save(page: Page, message: messages.SaveCustomBlock) -> None:
+    checked = await to_thread.run_sync(_saved, message)
+    if checked.errors:
+        page.send(_result(0, checked, "en"))
+        return
+    await _have_changed(page, message.name)
+
+
+async def _try(page: Page, message: messages.TryCustomBlock) -> None:
+    made = await to_thread.run_sync(
+        trial, message.name, message.source, message.function, message.arguments
+    )
+    await page.session.try_out(made)
+
+
+async def _duplicate(page: Page, message: messages.DuplicateCustomBlock) -> None:
+    made = await to_thread.run_sync(custom_blocks.duplicate, message.name, message.new)
+    await _have_changed(page, made.name)
+
+
+async def _delete(page: Page, message: messages.DeleteCustomBlock) -> None:
+    await to_thread.run_sync(custom_blocks.delete, message.name)
+    await _have_changed(page)
+
+
+async def _restore(page: Page, message: messages.RestoreCustomBlock) -> None:
+    restored = await to_thread.run_sync(custom_blocks.restore, message.name)
+    await _have_changed(page, restored.name)
+
+
+async def _export(page: Page, message: messages.ExportCustomBlock) -> None:
+    page.send(messages.File(*await to_thread.run_sync(custom_blocks.export, message.name)))
+
+
+async def _import(page: Page, message: messages.ImportCustomBlock) -> None:
+    imported = await to_thread.run_sync(_imported, message)
+    await _have_changed(page, imported.name)
+
+
+async def _have_changed(page: Page, saved: str = "") -> None:
+    """Send every page the new blocks, and the requesting page the saved name."""
+    await to_thread.run_sync(page.sessions.block_files.have_changed)
+    if saved:
+        page.send(messages.CustomBlockSaved(saved))
+    await _renew(page)
+
+
+async def _renew(page: Page) -> None:
+    blocks = await to_thread.run_sync(_all)
+    await page.sessions.renew_blocks(page.session)
+    page.sessions.send(blocks)
+
+
+# These take their time, and run in a thread.
+
+
+def _all() -> messages.CustomBlocks:
+    return messages.CustomBlocks(tuple(map(_custom_block, custom_blocks.load_all())))
+
+
+def _checked(message: messages.CheckCustomBlock) -> Checked:
+    return custom_blocks.check(
+        message.source, message.configuration, name=message.name, replaces=message.replaces
+    )
+
+
+def _saved(message: messages.SaveCustomBlock) -> Checked:
+    return custom_blocks.save(
+        message.name, message.source, message.configuration, replaces=message.replaces
+    )
+
+
+def _imported(message: messages.ImportCustomBlock) -> CustomBlock:
+    return custom_blocks.import_file(message.content, replace=message.replace)
+
+
+def _custom_block(block: CustomBlock) -> messages.CustomBlock:
+    problems = tuple(map(_problem, block.problems))
+    return messages.CustomBlock(
+        block.name, block.category, block.functions, block.source, block.configuration, problems
+    )
+
+
+def _result(request: int, checked: Checked, language: str) -> messages.CustomBlockChecked:
+    return messages.CustomBlockChecked(
+        request=request,
+        problems=tuple(map(_problem, checked.problems)),
+        configuration=checked.complete,
+        chosen=checked.chosen,
+        previews=tuple(
+            messages.CustomBlockPreview(one.name, *preview(one, language)) for one in checked.blocks
+        ),
+    )
+
+
+def _problem(problem: Problem) -> messages.CustomBlockProblem:
+    one = problem.diagnostic
+    return messages.CustomBlockProblem(
+        part=problem.part,
+        code=one.code,
+        message=one.message,
+        severity=one.severity,
+        line=one.line,
+        column=one.column,
+        end_column=one.end_column,
+    )
+
+
+HANDLERS: Mapping[type, Handler] = {
+    messages.ListCustomBlocks: _list,
+    messages.CheckCustomBlock: _check,
+    messages.SaveCustomBlock: _save,
+    messages.TryCustomBlock: _try,
+    messages.DuplicateCustomBlock: _duplicate,
+    messages.DeleteCustomBlock: _delete,
+    messages.RestoreCustomBlock: _restore,
+    messages.ExportCustomBlock: _export,
+    messages.ImportCustomBlock: _import,
+}

@@ -1,0 +1,45 @@
+"""The pages that show a project."""
+
+from collections.abc import Iterator
+from typing import Protocol
+
+from learnblock.server.messages import Message
+from learnblock.server.program.shown import Shown
+
+
+class Viewer(Protocol):
+    """A page that shows a project."""
+
+    #: The program as this page shows it.
+    shown: Shown
+    #: Whether it wants camera frames.
+    watching: bool
+
+    def send(self, message: Message, data: bytes | None = None) -> None:
+        """Queue a message for the page, followed by `data` where there is any."""
+
+
+class Viewers:
+    """The pages that show a project at present."""
+
+    def __init__(self) -> None:
+        self._viewers: list[Viewer] = []
+
+    def __iter__(self) -> Iterator[Viewer]:
+        return iter(tuple(self._viewers))
+
+    def __bool__(self) -> bool:
+        return bool(self._viewers)
+
+    def add(self, viewer: Viewer) -> None:
+        """Send a page what all others receive, from now on."""
+        self._viewers.append(viewer)
+
+    def remove(self, viewer: Viewer) -> None:
+        """Send a page nothing any more."""
+        self._viewers.remove(viewer)
+
+    def send(self, message: Message) -> None:
+        """Send a message to every page."""
+        for viewer in self:
+            viewer.send(message)

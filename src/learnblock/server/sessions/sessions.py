@@ -1,0 +1,140 @@
+"""The sessions: one for each open project."""
+
+import asyncio
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from anyio import to_thread
+
+from learnblock.blocks import BlockConfiguration
+from learnblock.blocks.known import all_configurations
+from learnblock.errors import LearnBlockError
+from learnblock.server.messages import Message, PaletteChanged
+from learnblock.server.projects.folder import ProjectFolder
+from learnblock.server.projects.project_file import Project, checked_name
+from learnblock.server.sessions.prepared import prepare
+from learnblock.server.sessions.session import Session
+from learnblock.storage.block_files import BlockFiles
+
+
+class Sessions:
+    """The sessions by the name of the project.
+
+    Args:
+        folder: the folder of the projects.
+        grace: seconds for which a project stays open without a page, so that a page that is
+            reloaded finds its program still running.
+    """
+
+    def __init__(self, folder: ProjectFolder, grace: float) -> None:
+        self.folder = folder
+        self._grace = grace
+        self._open: dict[str, Session] = {}
+        self._ending: dict[str, asyncio.Task[None]] = {}
+        self._renewing: set[asyncio.Task[None]] = set()
+        #: Notices changes that the user makes by hand.
+        self.block_files = BlockFiles()
+        #: So that two pages that open the same project at once share it.
+        self._opening = asyncio.Lock()
+
+    async def open(self, name: str) -> Session:
+        """Open a project.
+
+        Raises:
+            LearnBlockError: it does not exist, or can't be read.
+            OSError: it can't be read.
+        """
+        name = checked_name(name)
+        return await self._opened(name, lambda: self.folder.read(name))
+
+    async def start(self, project: Project) -> Session:
+        """Save a new project under a free name, and open it."""
+        async with self._opening:
+            project = await to_thread.run_sync(self._written, project)
+        return await self._opened(project.name, lambda: project)
+
+    async def delete(self, name: str) -> None:
+        """Delete a project that no page shows.
+
+        Raises:
+            LearnBlockError: a page shows it, or it does not exist.
+        """
+        name = checked_name(name)
+        async with self._opening:
+            session = self._open.get(name)
+            if session and session.viewers:
+                raise LearnBlockError("project-in-use", name=name)
+            if session:
+                await self._close(session)
+            await to_thread.run_sync(self.folder.delete, name)
+
+    def left(self, session: Session) -> None:
+        """Note that a page has left; after the last one the project is closed with a delay."""
+        if not session.viewers and session.name not in self._ending:
+            self._ending[session.name] = asyncio.create_task(self._end_later(session))
+
+    def send(self, message: Message) -> None:
+        """Send a message to every page of every project."""
+        for session in self._open.values():
+            session.viewers.send(message)
+
+    async def renew_blocks(self, own: Session | None) -> None:
+        """Read every program with changed skills, and notify every page.
+
+        Args:
+            own: the session whose turn it is; the others follow when they can.
+        """
+        configurations = await to_thread.run_sync(all_configurations)
+        if own:
+            await own.know(configurations)
+        for session in self._open.values():
+            if session is not own:
+                task = asyncio.create_task(_renew(session, configurations))
+                self._renewing.add(task)
+                task.add_done_callback(self._renewing.discard)
+        self.send(PaletteChanged())
+
+    async def close(self) -> None:
+        """Close all sessions: end their programs, and save their projects."""
+        async with self._opening:
+            for task in self._ending.values():
+                task.cancel()
+            await asyncio.gather(*(session.close() for session in self._open.values()))
+            self._open.clear()
+
+    async def _opened(self, name: str, read: Callable[[], Project]) -> Session:
+        async with self._opening:
+            self._keep_open(name)
+            if name not in self._open:
+                prepared = await to_thread.run_sync(lambda: prepare(read()))
+                session = Session(self.folder, prepared)
+                await session.set_the_stage()
+                self._open[name] = session
+            return self._open[name]
+
+    def _written(self, project: Project) -> Project:
+        named = replace(project, name=self.folder.free_name(project.name))
+        self.folder.write(named)
+        return named
+
+    async def _end_later(self, session: Session) -> None:
+        await asyncio.sleep(self._grace)
+        async with self._opening:
+            del self._ending[session.name]
+            if not session.viewers:
+                await self._close(session)
+
+    async def _close(self, session: Session) -> None:
+        self._keep_open(session.name)
+        del self._open[session.name]
+        await session.close()
+
+    def _keep_open(self, name: str) -> None:
+        """Cancel closing a project."""
+        if ending := self._ending.pop(name, None):
+            ending.cancel()
+
+
+async def _renew(session: Session, configurations: Mapping[str, BlockConfiguration]) -> None:
+    async with session.turn:
+        await session.know(configurations)

@@ -1,0 +1,18 @@
+"""A projective camera: planar quads with textures in, an RGB picture out.
+
+World coordinates are mm: x east, y north, z up. Headings and pitches are degrees: a heading grows
+clockwise seen from above, so forward is (cos h, -sin h), and a pitch above zero looks up. Pixel
+(0, 0) is the top left one; integer pixel coordinates are pixel centres, and the optical axis meets
+the picture in its middle, at ((width - 1) / 2, (height - 1) / 2).
+
+On a plane 1/z is affine in pixel coordinates, so the depth test is exact for every pixel; the
+texture comes through the plane's homography, from that level of its mip chain whose texels are
+about a pixel large there.
+"""
+
+from learnblock.simulator.camera.lens import CameraModel, CameraPose
+from learnblock.simulator.camera.rendering import View, render
+from learnblock.simulator.camera.surface import Surface
+from learnblock.simulator.camera.vectors import Image
+
+__all__ = ["CameraModel", "CameraPose", "Image", "Surface", "View", "render"]

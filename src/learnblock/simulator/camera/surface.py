@@ -1,0 +1,102 @@
+"""A flat surface with a picture on it."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from learnblock.simulator.camera.vectors import Image, Vector, cross, dot, minus
+
+# One minus the cosine by which the normals at a quad's corners may differ.
+FLATNESS = 1e-6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Surface:
+    """A flat convex quad with a picture on its front.
+
+    Args:
+        corners: shape (4, 3), world mm: top left, top right, bottom right and bottom left as seen
+            from the front.
+        texture: RGB, uint8, shape (height, width, 3). It fills the parallelogram that the top left,
+            top right and bottom left corners span; if the fourth corner is elsewhere, the quad
+            cuts the picture, or repeats its last pixels.
+        name: for messages.
+        two_sided: the back shows the front's picture mirrored; otherwise the back is not drawn.
+
+    Raises:
+        ValueError: the corners are not a flat convex quad, or the texture is not an RGB image.
+    """
+
+    corners: NDArray[np.float64]
+    texture: Image
+    name: str = ""
+    two_sided: bool = True
+    _levels: dict[int, Image] = field(default_factory=dict, repr=False)
+
+    def __post_init__(self) -> None:
+        _check_corners(self)
+        _check_texture(self)
+        self._levels.setdefault(0, self.texture)
+
+    def moved(self, corners: NDArray[np.float64]) -> "Surface":
+        """The same surface elsewhere; it shares the mip chain, which is expensive to make."""
+        return Surface(corners, self.texture, self.name, self.two_sided, self._levels)
+
+    @property
+    def last_level(self) -> int:
+        """The level of the mip chain that is a single pixel in its longer direction."""
+        return int(max(self.texture.shape[:2]).bit_length()) - 1
+
+    def level(self, number: int) -> Image:
+        """The texture at 1/2**number of its size, made when first used."""
+        if number not in self._levels:
+            finer = self.level(number - 1)
+            height, width = (max(1, size // 2) for size in finer.shape[:2])
+            # Bound to the one array even if two threads make it at once.
+            self._levels.setdefault(number, _shrunk(finer, width, height))
+        return self._levels[number]
+
+
+def _check_corners(surface: Surface) -> None:
+    corners = np.asarray(surface.corners, dtype=np.float64)
+    if corners.shape != (4, 3) or not np.isfinite(corners).all():
+        raise ValueError(
+            f"surface `{surface.name}` has corners {surface.corners!r}; "
+            "expected four points of finite x, y, z in mm"
+        )
+    object.__setattr__(surface, "corners", corners)
+    if not _is_flat_and_convex(corners.tolist()):
+        raise ValueError(
+            f"surface `{surface.name}` has corners {corners.tolist()}; expected a flat convex "
+            "quad: top left, top right, bottom right, bottom left"
+        )
+
+
+def _is_flat_and_convex(points: Sequence[Vector]) -> bool:
+    """Whether the sides turn at every corner, and about the same direction."""
+    sides = [minus(points[(i + 1) % 4], points[i]) for i in range(4)]
+    turns = [cross(sides[i - 1], sides[i]) for i in range(4)]
+    sizes = [math.hypot(*turn) for turn in turns]
+    if min(sizes) == 0:
+        return False
+    return all(
+        dot(turns[0], turn) > (1 - FLATNESS) * sizes[0] * size
+        for turn, size in zip(turns, sizes, strict=True)
+    )
+
+
+def _check_texture(surface: Surface) -> None:
+    texture = surface.texture
+    if texture.dtype != np.uint8 or texture.ndim != 3 or texture.shape[2] != 3 or not texture.size:
+        raise ValueError(
+            f"surface `{surface.name}` has a texture of {texture.dtype} and shape {texture.shape}; "
+            "expected RGB uint8 of shape (height, width, 3)"
+        )
+
+
+def _shrunk(texture: Image, width: int, height: int) -> Image:
+    return np.asarray(cv2.resize(texture, (width, height), interpolation=cv2.INTER_AREA), np.uint8)

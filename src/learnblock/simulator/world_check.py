@@ -1,0 +1,151 @@
+"""The check of a world's file for mistakes that the types of its values let through."""
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+from learnblock.errors import UnknownNameError
+from learnblock.i18n import Phrase
+from learnblock.simulator.geometry import Polyline
+from learnblock.simulator.world_description import Follow, Reach, Visit, WorldFile
+from learnblock.storage.struct_types import KeyPath
+from learnblock.storage.toml_source import Finding
+
+CLOSING_GAP = 5.0
+"""mm between the end and the start of a closed line that count as a rounding error."""
+MAXIMUM_PICTURE_MEGABYTES = 10
+MAXIMUM_PICTURE_SIDE = 4096
+"""Pixels."""
+
+
+def check_world(world: WorldFile, folder: Path) -> Iterator[Finding]:
+    """Find what is wrong with a world whose floor picture is in `folder`."""
+    yield from _check_lines(world)
+    yield from _check_places(world)
+    yield from _check_names(world)
+    yield from _check_goals(world)
+    if world.floor.picture is not None:
+        yield from _check_picture(folder, world.floor.picture)
+
+
+def _check_lines(world: WorldFile) -> Iterator[Finding]:
+    for index, line in enumerate(world.line):
+        middle = line.polyline()
+        if line.path and line.closed and not _is_closed(middle):
+            (x, y), (start_x, start_y) = middle.points[-1], middle.points[0]
+            message = Phrase(
+                "world-line-open",
+                name=line.name,
+                start_x=f"{start_x:g}",
+                start_y=f"{start_y:g}",
+                x=f"{x:.0f}",
+                y=f"{y:.0f}",
+            )
+            yield Finding(("line", index), "wrong-value", message)
+
+
+def _is_closed(line: Polyline) -> bool:
+    (start_x, start_y), (end_x, end_y) = line.points[0], line.points[-1]
+    return math.hypot(end_x - start_x, end_y - start_y) <= CLOSING_GAP
+
+
+def _check_places(world: WorldFile) -> Iterator[Finding]:
+    """Objects outside the floor were meant to be elsewhere."""
+    east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
+    for key in ("box", "cylinder", "tag", "face", "light", "start"):
+        for index, thing in enumerate(getattr(world, key)):
+            if abs(thing.x) > east or abs(thing.y) > north:
+                message = Phrase(
+                    "world-off-floor",
+                    place=f"{key}[{index + 1}]",
+                    x=f"{thing.x:g}",
+                    y=f"{thing.y:g}",
+                    west=f"{-east:g}",
+                    east=f"{east:g}",
+                    south=f"{-north:g}",
+                    north=f"{north:g}",
+                )
+                yield Finding((key, index), "off-the-floor", message)
+
+
+def _check_names(world: WorldFile) -> Iterator[Finding]:
+    """Lines, starts and goals are known by name, so no two may share one."""
+    groups: tuple[list[KeyPath], ...] = (
+        [("line", i) for i in range(len(world.line))],
+        [("start", i) for i in range(len(world.start))],
+        [("goal", kind, i) for kind, i, _ in _goals(world)],
+    )
+    names = (
+        [line.name for line in world.line],
+        [start.name for start in world.start],
+        [goal.name for _, _, goal in _goals(world)],
+    )
+    for paths, given in zip(groups, names, strict=True):
+        seen: Counter[str] = Counter()
+        for path, name in zip(paths, given, strict=True):
+            seen[name] += 1
+            if seen[name] == 2:
+                message = Phrase("world-name-taken", group=str(path[0]), name=name)
+                yield Finding((*path, "name"), "name-taken", message)
+
+
+def _goals(world: WorldFile) -> list[tuple[str, int, Reach | Follow | Visit]]:
+    kinds = ("reach", "follow", "visit")
+    return [(kind, i, goal) for kind in kinds for i, goal in enumerate(getattr(world.goal, kind))]
+
+
+def _check_goals(world: WorldFile) -> Iterator[Finding]:
+    lines = [line.name for line in world.line]
+    for index, follow in enumerate(world.goal.follow):
+        if follow.line not in lines:
+            message = UnknownNameError("line", follow.line, lines).phrase
+            yield Finding(("goal", "follow", index, "line"), "unknown-line", message)
+    tags = [tag.id for tag in world.tag]
+    for index, visit in enumerate(world.goal.visit):
+        if visit.id not in tags:
+            message = UnknownNameError("tag", str(visit.id), map(str, tags)).phrase
+            yield Finding(("goal", "visit", index, "id"), "unknown-tag", message)
+
+
+def _check_picture(folder: Path, picture: str) -> Iterator[Finding]:
+    problem = _picture_problem(folder, picture)
+    if problem:
+        yield Finding(("floor", "picture"), "wrong-picture", problem)
+
+
+def _picture_problem(folder: Path, picture: str) -> Phrase | None:
+    # No file name contains a NUL, and even looking for such a file is an error.
+    file = (folder / picture.partition("\0")[0]).resolve()
+    if "\0" in picture or not file.is_relative_to(folder.resolve()):
+        return Phrase("world-picture-outside", picture=picture)
+    if not file.is_file():
+        return Phrase("world-picture-missing", picture=picture)
+    limit = MAXIMUM_PICTURE_MEGABYTES
+    if file.stat().st_size > limit * 1_000_000:
+        return Phrase("world-picture-too-large", picture=picture, limit=limit)
+    width, height = _png_size(file)
+    if min(width, height) == 0:
+        return Phrase("world-picture-not-png", picture=picture)
+    limit = MAXIMUM_PICTURE_SIDE
+    if max(width, height) > limit:
+        return Phrase(
+            "world-picture-too-many-pixels",
+            picture=picture,
+            width=width,
+            height=height,
+            limit=limit,
+        )
+    return None
+
+
+def _png_size(file: Path) -> tuple[int, int]:
+    """Width and height from the header (PNG specification, 11.2.2); (0, 0) if it is not PNG.
+
+    The header is read by hand so that a picture is never unpacked before its size is known.
+    """
+    with file.open("rb") as stream:
+        header = stream.read(24)
+    if len(header) < 24 or header[:8] != b"\x89PNG\r\n\x1a\n" or header[12:16] != b"IHDR":
+        return 0, 0
+    return int.from_bytes(header[16:20], "big"), int.from_bytes(header[20:24], "big")

@@ -1,0 +1,54 @@
+"""Worlds read from files and written to them, and the worlds that come with LearnBlock."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from learnblock.errors import WorldError
+from learnblock.simulator.world_check import check_world
+from learnblock.simulator.world_description import WorldDescription, WorldFile
+from learnblock.storage import toml_source
+
+SHIPPED_WORLDS = Path(__file__).parent / "worlds"
+
+
+def load_world(name_or_path: str | Path, folders: Sequence[Path] = ()) -> WorldDescription:
+    """Load the description of a world.
+
+    Args:
+        name_or_path: the name of a world of `folders` or of ours, or a path that ends in .toml.
+        folders: searched before ours, in this order.
+
+    Raises:
+        UnknownNameError: there is no such world.
+        WorldError: the file has mistakes.
+    """
+    file = toml_source.locate("world", name_or_path, [*folders, SHIPPED_WORLDS])
+    world = toml_source.read(file, WorldFile, WorldError, lambda w: check_world(w, file.parent))
+    values = {field: getattr(world, field) for field in WorldFile.__struct_fields__}
+    return WorldDescription(name=file.stem, folder=str(file.parent), **values)
+
+
+def read_world(values: Mapping[str, Any], folder: Path) -> WorldFile:
+    """Make a world from values, such as an editor's; its floor picture is in `folder`.
+
+    Raises:
+        WorldError: they are wrong.
+    """
+    return toml_source.convert(
+        values, WorldFile, WorldError, lambda world: check_world(world, folder), name="world.toml"
+    )
+
+
+def write_world(world: WorldFile, name: str) -> str:
+    """Make the text of a world's file.
+
+    Raises:
+        WorldError: it would be larger than `load_world` accepts.
+    """
+    return toml_source.write(world, f"{name}.toml", WorldError)
+
+
+def world_names(folders: Sequence[Path] = ()) -> tuple[str, ...]:
+    """The worlds of `folders` and ours, in alphabetical order."""
+    return tuple(toml_source.names([*folders, SHIPPED_WORLDS]))

@@ -1,0 +1,39 @@
+"""Changes of the files that define blocks, which a user may edit by hand."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from learnblock.storage.home import home
+
+_PATTERNS = ("skills/*.py", "blocks/*.json", "libraries/*/*")
+
+Version = frozenset[tuple[Path, int, int]]
+
+
+class BlockFiles:
+    """The user's skills, the configurations of their blocks, and the libraries."""
+
+    def __init__(self) -> None:
+        self._seen = version()
+
+    def have_changed(self) -> bool:
+        """Whether any has changed since the last call."""
+        before, self._seen = self._seen, version()
+        return self._seen != before
+
+
+def version() -> Version:
+    """The files, the time of each one's last change, and its size."""
+    return frozenset(_stamps())
+
+
+def _stamps() -> Iterator[tuple[Path, int, int]]:
+    folder = home()
+    for pattern in _PATTERNS:
+        for path in folder.glob(pattern):
+            try:
+                found = path.stat()
+            except OSError:
+                # It was deleted just now.
+                continue
+            yield path, found.st_mtime_ns, found.st_size

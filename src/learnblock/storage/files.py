@@ -1,0 +1,41 @@
+"""Files that are written completely or not at all."""
+
+import os
+import re
+from pathlib import Path
+
+_DEVICE = re.compile(r"(?:con|prn|aux|nul|com\d|lpt\d)(?:\..*)?", re.IGNORECASE)
+
+
+def is_device_name(name: str) -> bool:
+    """Whether Windows reserves a name, with any suffix, for a device."""
+    return bool(_DEVICE.fullmatch(name))
+
+
+def save(path: Path, data: bytes) -> None:
+    """Write a file so that a crash, even of the machine, leaves the old file or the new one.
+
+    Raises:
+        OSError: it cannot be written; the old file is unchanged.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # Hidden, and with a suffix that is never listed, until it is complete.
+    unfinished = path.with_name(f".{path.name}.new")
+    with unfinished.open("wb") as file:
+        file.write(data)
+        file.flush()
+        os.fsync(file.fileno())
+    unfinished.replace(path)
+    _sync(path.parent)
+
+
+def _sync(folder: Path) -> None:
+    """Write the folder to disk, so that the new name survives a crash too."""
+    if os.name == "nt":
+        # Windows can't open folders, and writes names to disk by itself.
+        return
+    opened = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(opened)
+    finally:
+        os.close(opened)

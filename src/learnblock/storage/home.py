@@ -1,0 +1,43 @@
+"""The user's folder of skills, robots, worlds, blocks and settings."""
+
+import os
+import sys
+from pathlib import Path
+from types import ModuleType
+
+
+def home() -> Path:
+    """Path in ``LEARNBLOCK_HOME``, or else the system's place for a user's configuration."""
+    chosen = os.environ.get("LEARNBLOCK_HOME")
+    if chosen:
+        return Path(chosen)
+    from platformdirs import user_config_path  # noqa: PLC0415 - most programs never need it
+
+    return user_config_path("learnblock", appauthor=False)
+
+
+def import_file(path: Path) -> ModuleType:
+    """Import a Python file of the user's folder; again only after a change.
+
+    Raises:
+        Exception: any error that the file raises; it is then not imported.
+    """
+    import importlib.util  # noqa: PLC0415 - most programs never need it
+
+    name = f"learnblock_home.{path.parent.name}.{path.stem}"
+    version = (str(path), path.stat().st_mtime_ns)
+    loaded = sys.modules.get(name)
+    if loaded and loaded.__spec__ and loaded.__spec__.loader_state == version:
+        return loaded
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise ImportError(f"{path} is not a Python file")
+    spec.loader_state = version
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    try:
+        spec.loader.exec_module(module)
+    except BaseException:
+        del sys.modules[name]
+        raise
+    return module

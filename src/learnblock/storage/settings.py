@@ -1,0 +1,197 @@
+"""The user's settings: typed, saved in a file, checked by name.
+
+Each table of ``settings.toml`` in `learnblock.storage.home` is a Struct, whose fields have types,
+bounds, defaults and descriptions:
+
+    [robots.cozmo]
+    address = "192.168.1.20"
+
+    [perception]
+    webcam = 0
+"""
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import reduce
+from pathlib import Path
+from typing import Annotated, Any, Generic, TypeVar
+
+import msgspec
+import tomli_w
+from msgspec import Meta, inspect
+
+from learnblock.errors import SettingsError, UnknownNameError
+from learnblock.i18n import Phrase
+from learnblock.storage import toml_source
+from learnblock.storage.files import save
+from learnblock.storage.home import home
+from learnblock.storage.struct_types import describe
+
+Patience = Annotated[float, Meta(ge=0.1, le=60, description="robot-setting-patience")]
+
+
+class Settings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """The base of every table; each field has a default."""
+
+
+SettingsT = TypeVar("SettingsT", bound=Settings)
+
+
+@dataclass(frozen=True, slots=True)
+class Described:
+    """One setting, as it is shown to a person.
+
+    Args:
+        name: of the setting.
+        value: the current value.
+        default: the value without a choice by the user.
+        allowed: its possible values, such as ``a whole number from 1 to 65535 (a port)``.
+    """
+
+    name: str
+    value: Any
+    default: Any
+    allowed: Phrase
+
+
+def file() -> Path:
+    """Path of the user's settings file, which may not exist."""
+    return home() / "settings.toml"
+
+
+@dataclass(frozen=True, slots=True)
+class Table(Generic[SettingsT]):
+    """One table of the file.
+
+    Args:
+        path: the names of the tables around it, and its own name.
+        owner: what the settings belong to, such as ``the robot cozmo``.
+        kind: the type of the settings.
+    """
+
+    path: tuple[str, ...]
+    owner: str
+    kind: type[SettingsT]
+
+    def load(self, chosen: Mapping[str, Any] | None = None) -> SettingsT:
+        """Load the settings.
+
+        Args:
+            chosen: settings by name, which take precedence over the file.
+
+        Raises:
+            SettingsError: a value or a name is wrong, in the file or among those chosen.
+        """
+        if not file().exists():
+            return self._converted(dict(chosen or {}))
+        whole = toml_source.read(file(), self._file_kind(), SettingsError, lambda _: ())
+        saved: SettingsT = reduce(getattr, map(_identifier, self.path), whole)
+        return self._converted({**_as_dict(saved), **(chosen or {})}) if chosen else saved
+
+    def change(self, name: str, text: str | None) -> SettingsT:
+        """Change one setting, given as text, in the user's file; None restores its default.
+
+        Raises:
+            UnknownNameError: there is no such setting.
+            SettingsError: the value is wrong, or the file already has a mistake.
+        """
+        field = next((one for one in msgspec.structs.fields(self.kind) if one.name == name), None)
+        if field is None:
+            known = [one.name for one in msgspec.structs.fields(self.kind)]
+            raise UnknownNameError("setting", name, known)
+        value = field.default if text is None else _value(text, self._types()[name])
+        return self.change_all({name: value})
+
+    def wrong(self, values: Mapping[str, Any]) -> dict[str, Phrase]:
+        """Explain by name which of these values are not allowed, and why."""
+        found = {}
+        for name, value in values.items():
+            try:
+                self._converted({name: value})
+            except SettingsError as error:
+                found[name] = error.phrase
+        return found
+
+    def change_all(self, values: Mapping[str, Any]) -> SettingsT:
+        """Change several settings in the user's file, all of them or none.
+
+        Raises:
+            SettingsError: a value or a name is wrong, or the file already has a mistake.
+        """
+        changed = self._converted({**_as_dict(self.load()), **values})
+        self._save(changed)
+        return changed
+
+    def describe(self) -> Iterator[Described]:
+        """Describe every setting with its current value.
+
+        Raises:
+            SettingsError: the user's file has a mistake.
+        """
+        present, types = self.load(), self._types()
+        for field in msgspec.structs.fields(self.kind):
+            allowed = describe(types[field.name])
+            yield Described(field.name, getattr(present, field.name), field.default, allowed)
+
+    def _converted(self, values: Mapping[str, Any]) -> SettingsT:
+        name = f"settings of {self.owner}"
+        return toml_source.convert(values, self.kind, SettingsError, lambda _: (), name=name)
+
+    def _types(self) -> dict[str, inspect.Type]:
+        found = inspect.type_info(self.kind)
+        assert isinstance(found, inspect.StructType)  # noqa: S101 - for the type checker
+        return {field.name: field.type for field in found.fields}
+
+    def _save(self, settings: SettingsT) -> None:
+        whole = tomllib.loads(file().read_text("utf-8")) if file().exists() else {}
+        *outer, name = self.path
+        reduce(lambda table, key: table.setdefault(key, {}), outer, whole)[name] = {
+            field.name: getattr(settings, field.name)
+            for field in msgspec.structs.fields(settings)
+            if getattr(settings, field.name) != field.default
+        }
+        save(file(), tomli_w.dumps(whole).encode())
+
+    def _file_kind(self) -> Any:
+        """The type of the file as far as this table goes, so that mistakes have their line."""
+        return reduce(_table_with, reversed(self.path), self.kind)
+
+
+def _table_with(kind: Any, name: str) -> Any:
+    """A table that contains another one."""
+    return msgspec.defstruct(
+        "Table",
+        [(_identifier(name), kind, kind())],
+        rename={_identifier(name): name},
+        frozen=True,
+    )
+
+
+def _value(text: str, kind: inspect.Type) -> Any:
+    """Read a value typed on the command line; all types but text are written as in the file."""
+    if _is_text(kind):
+        return text
+    try:
+        written = tomllib.loads(f"value = {text}")
+    except tomllib.TOMLDecodeError:
+        # One of the allowed words, or a wrong value, which is reported as such.
+        return text
+    return written["value"] if len(written) == 1 else text
+
+
+def _is_text(kind: inspect.Type) -> bool:
+    """Whether only texts are allowed."""
+    if isinstance(kind, inspect.Metadata):
+        return _is_text(kind.type)
+    if isinstance(kind, inspect.LiteralType):
+        return all(isinstance(value, str) for value in kind.values)
+    return isinstance(kind, inspect.StrType)
+
+
+def _as_dict(settings: Settings) -> dict[str, Any]:
+    return {field.name: getattr(settings, field.name) for field in msgspec.structs.fields(settings)}
+
+
+def _identifier(name: str) -> str:
+    return name.replace("-", "_")

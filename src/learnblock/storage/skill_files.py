@@ -1,0 +1,133 @@
+"""Python files of skills, read without running them."""
+
+import re
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from learnblock.errors import Diagnostic, ProgramError
+from learnblock.i18n import Phrase
+from learnblock.storage.home import home
+
+if TYPE_CHECKING:
+    import ast
+    from importlib.metadata import EntryPoint
+
+#: In bytes, more than any file of skills written by hand.
+LARGEST = 1024 * 1024
+
+_DEFINITION = re.compile(r"^def[ \t]+([^\W\d_]\w*)[ \t]*\([ \t]*[^\W\d*)]", re.MULTILINE)
+
+
+def own_files() -> tuple[Path, ...]:
+    """List the files in the ``skills`` folder of `home`, sorted by name."""
+    return tuple(sorted(filter(Path.is_file, (home() / "skills").glob("*.py"))))
+
+
+def plugins() -> "Iterable[EntryPoint]":
+    """List the installed plugins: the entry points in the group ``learnblock.skills``."""
+    from importlib.metadata import entry_points  # noqa: PLC0415 - it searches all packages
+
+    return entry_points(group="learnblock.skills")
+
+
+def read(path: Path) -> str:
+    """Read the text of a file of skills.
+
+    Raises:
+        ProgramError: the file is too large.
+        OSError: it cannot be read.
+    """
+    with path.open("rb") as file:
+        data = file.read(LARGEST + 1)
+    if len(data) > LARGEST:
+        message = Phrase("file-too-large", name=path.name, limit=LARGEST // 1024**2)
+        raise ProgramError(str(path), [Diagnostic("too-large", message)])
+    return data.decode("utf-8-sig", "replace")
+
+
+def parse(source: str, filename: str) -> "ast.Module":
+    """Parse a Python file.
+
+    Raises:
+        ProgramError: the file is not valid Python.
+    """
+    import ast  # noqa: PLC0415 - most programs have no custom skills
+
+    with _reporting(source, filename):
+        return ast.parse(source, filename)
+
+
+def require_python(source: str, filename: str) -> None:
+    """Compile a Python file without running it, to find what an import would refuse.
+
+    Raises:
+        ProgramError: the file is not valid Python.
+    """
+    with _reporting(source, filename):
+        compile(source, filename, "exec", dont_inherit=True)
+
+
+@contextmanager
+def _reporting(source: str, filename: str) -> Iterator[None]:
+    """Report Python's complaints about a file as ours."""
+    import warnings  # noqa: PLC0415 - most programs have no custom skills
+
+    try:
+        with warnings.catch_warnings():
+            # These are shown when the file is run.
+            warnings.simplefilter("ignore")
+            yield
+    except SyntaxError as error:
+        place = (error.lineno or 0, error.offset or 0, error.end_offset or 0)
+        raise ProgramError(filename, [_not_python(error.msg, *place)], source) from None
+    except (ValueError, RecursionError, MemoryError) as error:
+        raise ProgramError(filename, [_not_python(str(error))], source) from None
+
+
+def functions(tree: "ast.Module") -> Iterator["ast.FunctionDef"]:
+    """List the definitions of the skills: public functions with the robot as first parameter."""
+    import ast  # noqa: PLC0415 - see `parse`
+
+    for statement in tree.body:
+        if (
+            isinstance(statement, ast.FunctionDef)
+            and not statement.name.startswith("_")
+            and (statement.args.posonlyargs or statement.args.args)
+        ):
+            yield statement
+
+
+def names(path: Path) -> tuple[str, ...]:
+    """List the names of the skills in a file, even if it is not valid Python.
+
+    Raises:
+        OSError: it cannot be read.
+    """
+    found = path.stat()
+    return _names(path, (found.st_mtime_ns, found.st_size))
+
+
+def names_in(source: str) -> tuple[str, ...]:
+    """Guess the names of the skills in a text that is not valid Python."""
+    return tuple(dict.fromkeys(_DEFINITION.findall(source)))
+
+
+@lru_cache(maxsize=512)
+def _names(path: Path, version: tuple[int, int]) -> tuple[str, ...]:  # noqa: ARG001 - read again after a change
+    try:
+        source = read(path)
+    except ProgramError:
+        return ()
+    try:
+        tree = parse(source, str(path))
+    except ProgramError:
+        return names_in(source)
+    return tuple(dict.fromkeys(function.name for function in functions(tree)))
+
+
+def _not_python(reason: str, line: int = 0, column: int = 0, end_column: int = 0) -> Diagnostic:
+    message = Phrase("file-not-python", reason=reason)
+    return Diagnostic("syntax-error", message, line, column, max(end_column, 0))

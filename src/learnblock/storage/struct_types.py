@@ -1,0 +1,105 @@
+"""The types of a Struct's fields: what values they allow, in words and as choices.
+
+Numbers are given as texts, since a file spells them the same in every language.
+"""
+
+from msgspec import inspect
+
+from learnblock.i18n import Phrase, Value
+
+#: The path to a value: ``("wall", 2, "height")`` is the height of the third ``[[wall]]``.
+KeyPath = tuple[str | int, ...]
+
+
+def describe(allowed: inspect.Type) -> Phrase:
+    """Describe the values of a type, such as ``a number from 0 to 100 (width, mm)``."""
+    match allowed:
+        case inspect.Metadata(type=inner, extra_json_schema=extra):
+            note = (extra or {}).get("description")
+            described = describe(inner)
+            if not note:
+                return described
+            return Phrase("toml-with-note", allowed=described, note=Phrase(note))
+        case inspect.UnionType(types=types):
+            return _either([one for one in types if not isinstance(one, inspect.NoneType)])
+        case inspect.TupleType() | inspect.VarTupleType():
+            return _describe_list(allowed)
+    return _describe_scalar(allowed)
+
+
+def _describe_scalar(allowed: inspect.Type) -> Phrase:
+    match allowed:
+        case inspect.LiteralType(values=values):
+            return Phrase("toml-choice", count=len(values), choices=tuple(map(str, values)))
+        case inspect.FloatType(ge=float() | int() as least, le=float() | int() as most):
+            return Phrase("toml-number", least=f"{least:g}", most=f"{most:g}")
+        case inspect.IntType(ge=int() as least, le=int() as most):
+            return Phrase("toml-whole-number", least=str(least), most=str(most))
+        case inspect.StrType(min_length=least, max_length=int() as most):
+            return Phrase("toml-text", least=least or 0, most=most)
+        case inspect.BoolType():
+            return Phrase("toml-boolean")
+    return Phrase("toml-table")
+
+
+def bare(allowed: inspect.Type) -> inspect.Type:
+    """A type without its description."""
+    return bare(allowed.type) if isinstance(allowed, inspect.Metadata) else allowed
+
+
+def alternatives(allowed: inspect.Type) -> list[inspect.Type]:
+    """The types of a union, or the type itself."""
+    kind = bare(allowed)
+    return list(map(bare, kind.types)) if isinstance(kind, inspect.UnionType) else [kind]
+
+
+def choices(allowed: inspect.Type) -> list[object]:
+    """The values that a type lists one by one."""
+    kinds = alternatives(allowed)
+    return [
+        choice for kind in kinds if isinstance(kind, inspect.LiteralType) for choice in kind.values
+    ]
+
+
+def fields(allowed: inspect.Type) -> tuple[inspect.Field, ...]:
+    """The fields of a Struct's type; none for another type."""
+    for kind in alternatives(allowed):
+        if isinstance(kind, inspect.StructType):
+            return kind.fields
+    return ()
+
+
+def type_at(root: inspect.Type, path: KeyPath) -> inspect.Type:
+    """The type at a path, with its description; of a union, the path enters the list."""
+    allowed = root
+    for step in path:
+        allowed = _entry(allowed, step)
+    return allowed
+
+
+def _entry(allowed: inspect.Type, step: str | int) -> inspect.Type:
+    if isinstance(step, str):
+        return next(field.type for field in fields(allowed) if field.encode_name == step)
+    for kind in alternatives(allowed):
+        if isinstance(kind, inspect.TupleType):
+            return kind.item_types[step]
+        if isinstance(kind, inspect.VarTupleType):
+            return kind.item_type
+    return allowed
+
+
+def _either(kinds: list[inspect.Type]) -> Phrase:
+    first, *others = kinds
+    if not others:
+        return describe(first)
+    return Phrase("toml-either", first=describe(first), second=_either(others))
+
+
+def _describe_list(allowed: inspect.TupleType | inspect.VarTupleType) -> Phrase:
+    if isinstance(allowed, inspect.TupleType):
+        items = tuple(map(describe, allowed.item_types))
+        if all(item == items[0] for item in items):
+            return Phrase("toml-list-exactly", count=len(items), item=items[0])
+        return Phrase("toml-items", items=items)
+    bounds: dict[str, Value] = {"least": allowed.min_length or 0, "most": allowed.max_length or 0}
+    return Phrase("toml-list", item=describe(allowed.item_type), **bounds)

@@ -1,0 +1,288 @@
+"""Reads a TOML file that a person wrote into a Struct, and reports each mistake with its line.
+
+Worlds, simulated robots and settings are such files. What msgspec refuses is reported in the terms
+of the file: the key, its value, the allowed values (from the Struct's own types and descriptions),
+and the line.
+"""
+
+import re
+import tomllib
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+import msgspec
+import tomli_w
+from msgspec import inspect
+
+from learnblock.errors import (
+    Diagnostic,
+    FileError,
+    LearnBlockError,
+    UnknownNameError,
+    nearest,
+)
+from learnblock.i18n import Phrase, Value
+from learnblock.storage.file_phrases import place, unknown_key
+from learnblock.storage.struct_types import KeyPath, choices, describe, fields, type_at
+from learnblock.storage.toml_lines import find_key
+
+#: Bytes; the largest world that we ship has 3 % of it.
+MAXIMUM_FILE_SIZE = 256 * 1024
+_LONGEST_VALUE = 60
+
+StructT = TypeVar("StructT", bound=msgspec.Struct)
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """A mistake that types can't express, such as two goals with the same name."""
+
+    path: KeyPath
+    code: str
+    message: Phrase
+
+
+def read(
+    file: Path,
+    struct: type[StructT],
+    error: type[FileError],
+    check: Callable[[StructT], Iterable[Finding]],
+) -> StructT:
+    """Read a file as a `struct`.
+
+    Args:
+        file: a TOML file in UTF-8 of at most `MAXIMUM_FILE_SIZE` bytes.
+        struct: the type of the file's values.
+        error: what to raise, with the diagnostics and the file's text.
+        check: finds mistakes that the types of `struct` accept.
+    """
+    source = _text(file, error)
+    document = parse(source, file.name, error)
+    return convert(document, struct, error, check, name=file.name, source=source)
+
+
+def parse(source: str, name: str, error: type[FileError]) -> dict[str, Any]:
+    """Read a file's text into values by key.
+
+    Args:
+        source: TOML.
+        name: of the file.
+        error: what to raise, with the diagnostic and the text.
+    """
+    try:
+        return tomllib.loads(source)
+    except tomllib.TOMLDecodeError as broken:
+        reason, _, at = str(broken).partition(" (at line ")
+        line, column = map(int, re.findall(r"\d+", at)) if at else (0, 0)
+        message = Phrase("toml-broken", reason=reason)
+    except RecursionError:
+        line, column, message = 0, 0, Phrase("toml-too-deep")
+    except ValueError as broken:
+        # A number with more digits than Python converts, or a day that its month doesn't have.
+        line, column, message = 0, 0, Phrase("toml-broken", reason=str(broken))
+    raise error(name, [Diagnostic("invalid-toml", message, line, column)], source)
+
+
+def convert(
+    document: Mapping[str, Any],
+    struct: type[StructT],
+    error: type[FileError],
+    check: Callable[[StructT], Iterable[Finding]],
+    *,
+    name: str,
+    source: str = "",
+) -> StructT:
+    """Convert a file's values to a `struct`.
+
+    Args:
+        document: the values by key.
+        struct: the type to convert them to.
+        error: what to raise, with the diagnostics and the text.
+        check: finds mistakes that the types of `struct` accept.
+        name: of the file.
+        source: the file's text, for the lines of mistakes.
+    """
+    try:
+        described = msgspec.convert(document, struct)
+    except msgspec.ValidationError as refusal:
+        finding = _explain(refusal, document, inspect.type_info(struct))
+        raise error(name, [_diagnostic(finding, source)], source) from None
+    findings = [_diagnostic(finding, source) for finding in check(described)]
+    if findings:
+        raise error(name, sorted(findings, key=lambda d: (d.line, d.column)), source)
+    return described
+
+
+def write(struct: msgspec.Struct, name: str, error: type[FileError]) -> str:
+    """Write the text of a file that `read` reads as the same `struct`; defaults are left out.
+
+    Args:
+        struct: the file's values.
+        name: of the file.
+        error: what to raise when the text is larger than `read` accepts.
+    """
+    text = tomli_w.dumps(_document_of(struct))
+    size = len(text.encode())
+    if size > MAXIMUM_FILE_SIZE:
+        message = Phrase("file-too-many-bytes", size=size, limit=MAXIMUM_FILE_SIZE)
+        raise error(name, [Diagnostic("too-large", message)])
+    return text
+
+
+def _document_of(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return [_document_of(item) for item in value]
+    if not isinstance(value, msgspec.Struct):
+        return value
+    fields = msgspec.structs.fields(value)
+    values = ((field, getattr(value, field.name)) for field in fields)
+    return {field.name: _document_of(given) for field, given in values if given != _default(field)}
+
+
+def _default(field: msgspec.structs.FieldInfo) -> Any:
+    made = field.default_factory
+    return field.default if made is msgspec.NODEFAULT else made()
+
+
+def locate(kind: str, name_or_path: str | Path, folders: Sequence[Path]) -> Path:
+    """Find a file by its path, or by its name in the first of `folders` that has it.
+
+    Raises:
+        UnknownNameError: no folder has it, or there is no file at the path.
+    """
+    known = names(folders)
+    if str(name_or_path) in known:
+        return known[str(name_or_path)]
+    path = Path(name_or_path)
+    if path.suffix == ".toml" and path.is_file():
+        return path
+    raise UnknownNameError(kind, str(name_or_path), known)
+
+
+def names(folders: Sequence[Path]) -> dict[str, Path]:
+    """List the TOML files of `folders` by name without suffix; earlier folders take precedence."""
+    files = [file for folder in reversed(folders) for file in sorted(Path(folder).glob("*.toml"))]
+    return dict(sorted((file.stem, file) for file in {file.stem: file for file in files}.values()))
+
+
+def _text(file: Path, error: type[FileError]) -> str:
+    size = file.stat().st_size
+    if size > MAXIMUM_FILE_SIZE:
+        message = Phrase("file-too-many-bytes", size=size, limit=MAXIMUM_FILE_SIZE)
+        raise error(file.name, [Diagnostic("too-large", message)])
+    try:
+        return file.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as broken:
+        message = Phrase("file-not-utf-8", position=str(broken.start))
+        raise error(file.name, [Diagnostic("not-utf-8", message)]) from None
+
+
+_UNKNOWN = re.compile(r"Object contains unknown field `(.+?)`")
+_MISSING = re.compile(r"Object missing required field `(.+?)`")
+_PLACE = re.compile(r" - at `\$\.?(.*)`$")
+_STEP = re.compile(r"\[(\d+)\]|([^.\[\]]+)")
+_MSGSPEC = re.compile(r"Expected `|Invalid ")
+
+
+def _explain(
+    refusal: msgspec.ValidationError, document: Mapping[str, Any], root: inspect.Type
+) -> Finding:
+    """Explain what msgspec refused to a person who knows only the file."""
+    text = str(refusal)
+    place = _PLACE.search(text)
+    steps = _STEP.findall(place[1]) if place else []
+    path: KeyPath = tuple(int(index) if index else key for index, key in steps)
+    allowed = type_at(root, path)
+    if unknown := _UNKNOWN.match(text):
+        return _unknown_key((*path, unknown[1]), allowed)
+    if missing := _MISSING.match(text):
+        return _missing_key((*path, missing[1]), allowed)
+    if not _MSGSPEC.match(text):
+        return _refused(path, refusal.__cause__, _PLACE.sub("", text))
+    return Finding(path, "wrong-value", _wrong_value(path, _value_at(document, path), allowed))
+
+
+def _refused(path: KeyPath, cause: BaseException | None, text: str) -> Finding:
+    """Pass on what the Struct itself refused; the text of a plain ValueError may be a code."""
+    reason = cause.phrase if isinstance(cause, LearnBlockError) else Phrase(text)
+    return Finding(
+        path, "wrong-value", Phrase("file-wrong-value", place=_place(path), reason=reason)
+    )
+
+
+def _unknown_key(path: KeyPath, owner: inspect.Type) -> Finding:
+    known = [field.encode_name for field in fields(owner)]
+    message = unknown_key(str(path[-1]), _spelled(path[:-1]), known)
+    return Finding(path, "unknown-key", message)
+
+
+def _missing_key(path: KeyPath, owner: inspect.Type) -> Finding:
+    key = str(path[-1])
+    field = next(field for field in fields(owner) if field.encode_name == key)
+    place, allowed = _place(path[:-1]), describe(field.type)
+    message = Phrase("toml-missing-value", key=key, place=place, allowed=allowed)
+    return Finding(path[:-1], "missing-key", message)
+
+
+def _wrong_value(path: KeyPath, value: object, allowed: inspect.Type) -> Phrase:
+    if isinstance(value, dict) and len(path) == 1:
+        # The header [wall], where there may be many walls.
+        return Phrase("toml-single-table", name=str(path[0]))
+    values: dict[str, Value] = {
+        "place": _place(path),
+        "value": _show(value),
+        "allowed": describe(allowed),
+    }
+    known = list(map(str, choices(allowed)))
+    suggestion = nearest(value, known) if isinstance(value, str) else None
+    if suggestion is None:
+        return Phrase("toml-wrong-value", **values)
+    return Phrase("toml-wrong-value-like", suggestion=suggestion, **values)
+
+
+def _value_at(document: Any, path: KeyPath) -> object:
+    value = document
+    for step in path:
+        value = value[step]
+    return value
+
+
+def _show(value: object) -> str | Phrase:
+    """The value as TOML writes it, shortened if it is long."""
+    if isinstance(value, dict):
+        return Phrase("toml-table")
+    text = _toml(value)
+    return text if len(text) <= _LONGEST_VALUE else text[: _LONGEST_VALUE - 3] + "..."
+
+
+def _toml(value: object) -> str:
+    match value:
+        case bool():
+            return str(value).lower()
+        case str():
+            return f'"{value}"'
+        case dict():
+            return "{...}"
+        case list():
+            return "[" + ", ".join(_toml(item) for item in value[:8]) + "]"
+        case _:
+            return str(value)
+
+
+def _place(path: KeyPath) -> Phrase:
+    return place(_spelled(path))
+
+
+def _spelled(path: KeyPath) -> str:
+    """``wall[2].height``, counted from 1 as a reader of the file counts."""
+    text = ""
+    for step in path:
+        text += f"[{step + 1}]" if isinstance(step, int) else f".{step}"
+    return text.removeprefix(".")
+
+
+def _diagnostic(finding: Finding, source: str) -> Diagnostic:
+    line, column, end = find_key(finding.path, source)
+    return Diagnostic(finding.code, finding.message, line, column, end)

@@ -1,0 +1,24 @@
+"""Real robots in tests: programs reach an emulator at the other end of the wire."""
+
+from contextlib import contextmanager
+
+from learnblock.emulators import emulate
+from learnblock.robots import find, settings
+
+
+@contextmanager
+def reachable(name, world="empty"):
+    """Emulate a robot, and write the settings with which programs reach it; return the twin."""
+    with emulate(name, world) as emulation:
+        settle(name, emulation.settings)
+        yield emulation.twin
+
+
+def settle(name, chosen):
+    """Write the settings of a robot."""
+    kind = find(name).load().settings_type
+    for setting, value in chosen.items():
+        # As a user would type it.
+        typed = list(value) if isinstance(value, tuple) else value
+        text = value if isinstance(value, str) else repr(typed)
+        settings.change(name, kind, setting, text)

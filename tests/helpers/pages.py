@@ -1,0 +1,168 @@
+"""A server in this process, and clients that talk to it like a page."""
+
+import http.client
+import json
+import socket
+import threading
+from collections import Counter
+from contextlib import contextmanager
+
+import uvicorn
+from websockets.sync.client import connect
+
+from learnblock.i18n import Phrase
+from learnblock.server.app import create_app
+from learnblock.server.serve import _config
+
+TOKEN = "the-token-of-the-tests"
+PATIENCE = 20
+
+
+class Server:
+    """A server on a free port.
+
+    It runs in a thread, and stops in the same way as a user's server.
+    """
+
+    def __init__(self, folder, **options):
+        self.app = create_app(folder, token=TOKEN, **options)
+        self._server = uvicorn.Server(_config(self.app))
+        self._started = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="server")
+
+    @property
+    def port(self):
+        return self._server.servers[0].sockets[0].getsockname()[1]
+
+    def start(self):
+        self._server.config.port = 0
+        startup = self._server.startup
+
+        async def started(*args, **kwargs):
+            await startup(*args, **kwargs)
+            self._started.set()
+
+        self._server.startup = started
+        self._thread.start()
+        assert self._started.wait(PATIENCE)
+
+    def stop(self):
+        self._server.should_exit = True
+        self._thread.join(PATIENCE)
+        assert not self._thread.is_alive()
+
+    def get(self, path, **headers):
+        """Return the response to a request, with its `body`."""
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE)
+        connection.request("GET", path, headers=headers)
+        response = connection.getresponse()
+        response.body = response.read()
+        connection.close()
+        return response
+
+    @contextmanager
+    def visit(self, *, token=TOKEN, host="127.0.0.1", **options):
+        """A page with a websocket, which calls the server by the name `host`."""
+        with connect(
+            f"ws://{host}:{self.port}/ws",
+            sock=socket.create_connection(("127.0.0.1", self.port)),
+            subprotocols=["learnblock", token],
+            max_size=None,
+            **options,
+        ) as opened:
+            yield Visitor(opened)
+
+    def _run(self):
+        self._server.run()
+
+
+@contextmanager
+def serving(folder, **options):
+    server = Server(folder, **options)
+    server.start()
+    try:
+        yield server
+    finally:
+        server.stop()
+
+
+class Visitor:
+    """Sends and receives; messages received while waiting for another one are kept as seen."""
+
+    def __init__(self, socket):
+        self.socket = socket
+        #: How often each kind of message was received.
+        self.heard = Counter()
+        #: The last message of each kind.
+        self.last = {}
+        self._edits = 0
+
+    def say(self, kind, **values):
+        self.socket.send(json.dumps({"kind": kind, **values}))
+
+    def say_raw(self, text):
+        self.socket.send(text)
+
+    def next(self):
+        message = self.socket.recv(timeout=PATIENCE)
+        if isinstance(message, bytes):
+            return {"kind": "bytes", "data": message}
+        message = json.loads(message)
+        self.heard[message["kind"]] += 1
+        self.last[message["kind"]] = message
+        return message
+
+    def hear(self, kind, **values):
+        """Return the next message of that kind with these values."""
+        while True:
+            message = self.next()
+            if message["kind"] == kind and values.items() <= message.items():
+                return message
+            assert message["kind"] != "Failed" or kind == "Failed", message
+
+    def until(self, kind, **values):
+        """Return all messages up to the next one of that kind."""
+        found = []
+        while not found or not (found[-1]["kind"] == kind and values.items() <= found[-1].items()):
+            found.append(self.next())
+        return found
+
+    def open(self, name="program", text=None, **choices):
+        """Create a project with a program; return the first messages about it."""
+        self.say("New", name=name, **choices)
+        opened = self.hear("Opened")
+        self.hear("Document")
+        if text is not None:
+            self.type(text)
+        return opened
+
+    def type(self, text, notation="blocktext"):
+        """Edit a text; return the resulting document."""
+        self._edits += 1
+        self.say("EditText", edit=self._edits, notation=notation, text=text)
+        return self.hear("Document", edit=self._edits)
+
+    def run(self, **options):
+        """Run the program; return how it ended."""
+        self.say("Run", **options)
+        ended = self.hear("Ended")
+        self.hear("RunState", state="ended")
+        return ended
+
+    def pulse(self):
+        """Wait until the server has handled all messages sent so far."""
+        self.say("ListProjects")
+        return self.hear("Projects")
+
+
+def english(sent) -> str:
+    """The English text of a phrase that the server sent."""
+    return str(_phrase(sent))
+
+
+def _phrase(sent):
+    if isinstance(sent, dict):
+        return Phrase(
+            sent["code"], **{key: _phrase(value) for key, value in sent["values"].items()}
+        )
+    return tuple(map(_phrase, sent)) if isinstance(sent, list) else sent

@@ -1,0 +1,48 @@
+"""Random programs for blocks, and workspaces as the page sends and receives them."""
+
+import msgspec
+
+from learnblock.blocks import builtin
+from learnblock.language import Workspace
+from learnblock.language.tree.nodes import Number
+from trees import Trees
+
+CONFIGURATIONS = builtin()
+SKILLS = ("is_tag", "turn", "class", "end", "move_left", "set_move", "move_straight", "say_Text")
+SKILLS += ("get_image", "stop_bot", "is_any_tag", "sleep", "set_orientation")
+NUMBERS = ("0", "1", "2.5", "1e3", "0xFF", ".5", "5.", "00", "1_000", "40", "40.0", "0.50", "8")
+NUMBERS += ("12345678901234567890", "1e999", "20")
+
+
+class BlockTrees(Trees):
+    """Random programs with existing skills, and with numbers that no field can show."""
+
+    skills = SKILLS
+
+    def number(self, _):
+        return Number(self.choice(NUMBERS))
+
+
+def as_json(workspace):
+    return msgspec.json.encode(workspace).decode()
+
+
+def through_json(workspace):
+    """Return a workspace as the page sends it."""
+    return msgspec.json.decode(as_json(workspace), type=Workspace)
+
+
+def blocks(workspace, shadows=True):
+    """Return every block, a parent before its children."""
+    found = [block for stack in workspace.stacks for block in stack]
+    for block in found:
+        for plug in block.inputs.values():
+            found += plug.stack
+            found += [one for one in (plug.block, shadows and plug.shadow) if one]
+    return found
+
+
+def only(workspace, kind):
+    """Return the only block of a type."""
+    (found,) = (block for block in blocks(workspace) if block.type == kind)
+    return found

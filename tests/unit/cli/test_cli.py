@@ -1,0 +1,310 @@
+"""The command line, as people and scripts use it."""
+
+import hashlib
+import itertools
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import click
+import pytest
+from click.testing import CliRunner
+
+from learnblock.cli import main
+from learnblock.cli.commands import COMMANDS, load
+from runs import EXAMPLES, TWINS
+
+SQUARE = str(EXAMPLES / "square.bt")
+
+
+def call(*arguments, **options):
+    """Run a command in this process."""
+    return CliRunner().invoke(main, [str(argument) for argument in arguments], **options)
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Write a file and return its path."""
+
+    def write(name, text):
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return write
+
+
+def test_help_shows_every_command_and_how_to_start():
+    shown = call("--help").output
+    commands = (
+        "open", "run", "check", "format", "convert", "robots", "new", "perception", "worlds",
+        "skills", "demo",
+    )  # fmt: skip
+    for command in commands:
+        assert f"\n  {command} " in shown
+    assert "learnblock demo" in shown
+
+
+def described(commands, path=()):
+    """Return every command by its path, with the lines of its help."""
+    for name, command in commands.items():
+        yield (*path, name), (command.help or "").splitlines()
+        if isinstance(command, click.Group):
+            yield from described(command.commands, (*path, name))
+
+
+@pytest.mark.parametrize(
+    ("words", "lines"), list(described({name: load(name) for name in COMMANDS}))
+)
+def test_examples_in_a_help_stand_line_by_line(words, lines):
+    shown = [line.strip() for line in call(*words, "--help").output.splitlines()]
+    examples = [line for line in lines if line.startswith("learnblock ")]
+    assert [line for line in examples if line not in shown] == []
+
+
+def test_it_runs_as_a_module_too():
+    command = [sys.executable, "-m", "learnblock", "--version"]
+    shown = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    assert shown.startswith("learnblock, version ")
+
+
+def test_run_prints_a_json_report():
+    result = call("run", SQUARE, "--robot", "sim-ev3", "--world", "empty", "--json")
+    report = json.loads(result.stdout)
+    assert result.exit_code == 0
+    assert report.keys() == {
+        "time",
+        "distance",
+        "pose",
+        "goals",
+        "emotions",
+        "no_effect",
+        "trace_sha256",
+        "ended",
+        "error",
+    }
+    assert report["ended"] == "finished"
+    assert 760 < report["distance"] < 840
+    assert report["error"] is None
+
+
+def test_run_ends_with_a_report_and_skills_without_effect():
+    result = call("run", EXAMPLES / "dance.bt", "--robot", "sim-ev3", "--world", "empty")
+    assert result.exit_code == 0
+    assert "ended      finished" in result.stderr
+    assert "no effect  expressJoy: sim-ev3 has no Display" in result.stderr
+
+
+def test_run_writes_a_trace_whose_hash_it_reports(tmp_path):
+    trace = tmp_path / "trace.jsonl"
+    result = call("run", SQUARE, "--robot", "sim-ev3", "--for", 3, "--trace", trace, "--json")
+    lines = [json.loads(line) for line in trace.read_text().splitlines()]
+    assert (
+        hashlib.sha256(trace.read_bytes()).hexdigest() == json.loads(result.stdout)["trace_sha256"]
+    )
+    assert lines[0]["run"]["robot"] == "sim-ev3"
+    assert lines[-1] == {"t": 3.0, "end": "time limit"}
+    times = [line["t"] for line in lines if "pose" in line]
+    assert max(b - a for a, b in itertools.pairwise(times)) <= 0.1 + 1e-9
+
+
+@pytest.mark.parametrize("suffix", [".png", ".svg"])
+def test_run_draws_a_picture(tmp_path, suffix):
+    picture = tmp_path / f"square{suffix}"
+    result = call("run", SQUARE, "--robot", "sim-ev3", "--for", 3, "--picture", picture)
+    starts = {".png": b"\x89PNG", ".svg": b"<svg"}
+    assert result.exit_code == 0
+    assert starts[suffix] in picture.read_bytes()[:200]
+
+
+def test_a_picture_in_another_format_is_refused_before_the_run(tmp_path):
+    result = call("run", SQUARE, "--picture", tmp_path / "square.gif")
+    assert result.exit_code == 2
+    assert "must be a .png or .svg file." in result.stderr
+
+
+def test_an_error_is_reported_at_the_line_of_block_text(write):
+    program = write("broken.bt", "x = 0\nmain:\n    function.stop_bot()\n    x = 1 / x\nend\n")
+    result = call("run", program, "--json")
+    error = json.loads(result.stdout)["error"]
+    assert result.exit_code == 3
+    assert (error["file"], error["line"]) == ("broken.bt", 4)
+    assert error["message"] == "ZeroDivisionError: division by zero"
+    assert error["text"] == "x = 1 / x"
+
+
+def test_an_error_is_reported_at_the_line_of_python(write):
+    program = write(
+        "broken.py",
+        "from learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n\nrobot.fly()\n",
+    )
+    result = call("run", program)
+    assert result.exit_code == 1
+    assert "broken.py:5" in result.stderr
+    assert "fly" in result.stderr
+
+
+def test_a_program_with_mistakes_is_not_run(write):
+    program = write("typo.bt", "function.move_strait()\n")
+    result = call("run", program)
+    assert result.exit_code == 1
+    assert "Did you mean 'move_straight'?" in result.stderr
+
+
+def test_a_question_without_a_sensor_is_refused_unless_run_anyway():
+    line = EXAMPLES / "line-thymio.bt"
+    refused = call("run", line, "--robot", "sim-ebo")
+    anyway = call("run", line, "--robot", "sim-ebo", "--anyway", "--for", 2, "--json")
+    assert refused.exit_code == 1
+    assert "This robot has no ground sensors" in refused.stderr
+    missed = json.loads(anyway.stdout)["no_effect"]
+    assert {"skill": "is_left_ground_line", "device": "GroundSensors:ROBOT"}.items() <= missed[
+        1
+    ].items()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["--robot", "sim-ebbo"], "There is no robot 'sim-ebbo'. Did you mean 'sim-ebo'?"),
+        (["--world", "lin"], "There is no world 'lin'. Did you mean 'line'?"),
+        (["--pace", "fast"], "The pace has to be free, real or a positive number"),
+    ],
+)
+def test_a_wrong_choice_is_named_with_advice(arguments, sentence):
+    result = call("run", SQUARE, *arguments)
+    assert result.exit_code == 2
+    assert sentence in result.stderr
+
+
+def test_check_prints_place_code_and_message_and_exits_with_1(write):
+    program = write("typo.bt", "main:\n    function.move_strait()\nend\n")
+    result = call("check", program)
+    assert result.exit_code == 1
+    assert result.stdout.startswith(f"{program}:2:5: unknown-skill ")
+
+
+def test_warnings_alone_do_not_fail():
+    result = call("check", EXAMPLES / "line-thymio.bt", "--robot", "sim-thymio")
+    assert result.exit_code == 0
+    assert "missing-device" in result.stdout
+
+
+def test_check_can_print_json(write):
+    program = write("typo.bt", "function.move_strait()\n")
+    found = json.loads(call("check", program, "--json").stdout)
+    assert [(one["line"], one["column"], one["severity"]) for one in found] == [(1, 1, "error")]
+
+
+def test_format_rewrites_a_file_and_checks_without_touching_it(write):
+    program = write("messy.bt", "main:\nfunction.stop_bot( )\nend\n")
+    would = call("format", "--check", program)
+    assert (would.exit_code, program.read_text()) == (1, "main:\nfunction.stop_bot( )\nend\n")
+    assert call("format", program).exit_code == 0
+    assert program.read_text() == "main:\n    function.stop_bot()\nend\n"
+    assert call("format", "--check", program).exit_code == 0
+
+
+@pytest.mark.parametrize("robot", [*TWINS, "ev3", "cozmo", "ebo", "thymio", "rcis"])
+def test_convert_names_any_robot_in_the_import_line_and_changes_nothing_else(robot):
+    python = call("convert", SQUARE, "--to", "python", "--robot", robot).stdout
+    first, *rest = python.splitlines()
+    assert first == f"from learnblock.robots.{robot.replace('-', '_')} import Robot"
+    assert rest == call("convert", SQUARE, "--to", "python").stdout.splitlines()[1:]
+
+
+def test_convert_there_and_back_gives_the_same_text(write):
+    python = write("square.py", call("convert", SQUARE, "--to", "python").stdout)
+    assert (
+        call("convert", python, "--to", "block-text").stdout == (EXAMPLES / "square.bt").read_text()
+    )
+
+
+def test_lists_can_be_printed_as_json():
+    robots = json.loads(call("robots", "--json").stdout)
+    worlds = json.loads(call("worlds", "--json").stdout)
+    skills = json.loads(call("skills", "--json").stdout)
+    assert {robot["name"] for robot in robots} >= set(TWINS)
+    assert {"empty", "line", "tags", "labyrinth"} <= {world["name"] for world in worlds}
+    turn = next(skill for skill in skills if skill["name"] == "turn")
+    assert turn["needs"] == ["Base"]
+    assert turn["languages"]["ES"]
+
+
+def test_a_skill_is_explained():
+    shown = call("skills", "turn").stdout
+    assert "function.turn(angle)" in shown
+    assert "robot.turn(angle)" in shown
+
+
+def test_a_file_in_another_format_is_refused(write):
+    result = call("run", write("notes.txt", "hello"))
+    assert result.exit_code == 1
+    assert "notes.txt:0:0: unknown-notation" in result.stderr
+
+
+def test_a_file_that_is_not_utf_8_names_the_line(tmp_path):
+    path = tmp_path / "latin.bt"
+    path.write_bytes(b"x = 1\ny = '\xe9'\n")
+    result = call("check", path)
+    assert result.exit_code == 1
+    assert result.stdout.startswith(f"{path}:2:0: not-utf-8 ")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGINT for one process")
+def test_ctrl_c_ends_a_run_with_its_report(write):
+    program = write("endless.bt", "while True:\n    function.move_straight()\n    print(1)\nend\n")
+    command = [sys.executable, "-m", "learnblock", "run", program, "--pace", "real"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert process.stdout.readline() == "1\n"
+    process.send_signal(signal.SIGINT)
+    begun = time.monotonic()
+    _, errors = process.communicate(timeout=10)
+    assert time.monotonic() - begun < 2
+    assert "ended      stopped" in errors
+    assert process.returncode == 130
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no pseudo-terminals")
+def test_a_terminal_shows_the_state_in_one_line():
+    ours, theirs = os.openpty()
+    command = [sys.executable, "-m", "learnblock", "run", SQUARE, "--for", "4", "--pace", "5"]
+    process = subprocess.Popen(command, stdout=theirs, stderr=theirs)
+    os.close(theirs)
+    shown = bytearray()
+    try:
+        while data := os.read(ours, 4096):
+            shown += data
+    except OSError:
+        # Linux reports in this way that the other end of a terminal is closed.
+        pass
+    os.close(ours)
+    assert process.wait() == 0
+    states = shown.decode().split("\r\x1b[K")
+    assert sum(" x real time" in state for state in states) > 2
+
+
+def test_the_users_own_folder_adds_a_skill_a_world_and_a_robot(own_home, write):
+    for name in ("skills", "worlds", "robots"):
+        (own_home / name).mkdir()
+    (own_home / "skills" / "mine.py").write_text(
+        "def wiggle(robot, times: int = 2) -> None:\n"
+        '    """Turn left and right."""\n'
+        "    for _ in range(times):\n"
+        "        robot.turn_left()\n"
+        "        robot.sleep(0.5)\n"
+        "        robot.turn_right()\n"
+        "        robot.sleep(0.5)\n"
+    )
+    (own_home / "worlds" / "mine.toml").write_text('title = "My room"\n')
+    (own_home / "robots" / "my_ebo.py").write_text(
+        "from learnblock.robots.simulated import SimulatedRobot\n\n\n"
+        "class Robot(SimulatedRobot):\n"
+        '    description_name = "ebo"\n'
+    )
+    program = write("mine.bt", "function.wiggle(3)\n")
+    result = call("run", program, "--robot", "my-ebo", "--world", "mine", "--json")
+    assert json.loads(result.stdout)["time"] == 3.0

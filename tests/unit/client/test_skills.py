@@ -1,0 +1,179 @@
+"""Claims that hold for every skill, by its block configuration."""
+
+import inspect
+
+import pytest
+
+from learnblock.blocks import builtin
+from learnblock.blocks.schema.configuration import BlockConfiguration
+from learnblock.client import skills
+from learnblock.devices import DEVICE_TYPES
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.testing import FakeRobot
+
+BLOCKS = list(builtin().values())
+SAMPLES = {
+    "angle": 1.0,
+    "float": 1.0,
+    "int": 1,
+    "string": "CAMERA",
+    "boolean": True,
+    "list": [],
+    "apriltext": 1,
+}
+
+
+class Listener:
+    def __init__(self) -> None:
+        self.lacking: list[str] = []
+
+    def called(self, skill, args, kwargs) -> None:
+        pass
+
+    def missing(self, skill, device) -> None:
+        self.lacking.append(device)
+
+
+def by_name(block: BlockConfiguration) -> str:
+    return block.name
+
+
+def call(robot: FakeRobot, block: BlockConfiguration):
+    required = [SAMPLES[one.type] for one in block.parameters if one.required]
+    return getattr(robot, block.name)(*required)
+
+
+def test_every_skill_of_ours_is_a_block_and_every_block_a_skill(monkeypatch, tmp_path):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+
+    assert sorted(skills.find()) == sorted(builtin())
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
+def test_a_skill_without_its_device_has_no_effect_and_reports_it(block):
+    listener = Listener()
+    with FakeRobot(only=[], skills=[block.name], observer=listener) as robot:
+        answer = call(robot, block)
+
+        assert answer is None or answer is False
+        assert answer is None or block.returns_value
+        # Any device of that type satisfies a need without a key.
+        keys = [need if ":" in need else need + ":*" for need in block.needs]
+        lacking = [
+            device if device in block.needs else device.partition(":")[0] + ":*"
+            for device in listener.lacking
+        ]
+        assert sorted(keys) == sorted(lacking)
+        assert [] == robot.commands
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
+def test_with_every_device_no_skill_reports_a_missing_one(block):
+    listener = Listener()
+    with FakeRobot(skills=[block.name], observer=listener) as robot:
+        # RGBled and led ask for the lamp at the place "Up", which this robot has.
+        answer = call(robot, block)
+
+        assert [] == listener.lacking
+        assert block.returns_value or answer is None
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
+def test_the_declared_devices_are_enough_for_a_skill(block):
+    needed = [DEVICE_TYPES[need.partition(":")[0]] for need in block.needs]
+    listener = Listener()
+    with FakeRobot(only=needed, skills=[block.name], observer=listener) as robot:
+        call(robot, block)
+
+        assert [] == listener.lacking
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
+def test_a_block_has_its_function_s_parameters_and_defaults(block):
+    function = skills.find([block.name])[block.name]
+    robot, *parameters = inspect.signature(function).parameters.values()
+
+    assert "robot" == robot.name
+    assert [
+        (one.name, None if one.required else one.default, one.required) for one in block.parameters
+    ] == [
+        (one.name, None if one.default is one.empty else one.default, one.default is one.empty)
+        for one in parameters
+    ]
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
+def test_a_skill_starts_its_documentation_with_a_sentence(block):
+    function = skills.find([block.name])[block.name]
+    first = (inspect.getdoc(function) or "").splitlines()[0]
+
+    assert first[:1].isupper()
+
+
+def test_a_skill_of_a_plugin_or_of_the_user_never_hides_one_of_ours(monkeypatch, tmp_path):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    (tmp_path / "skills").mkdir()
+    (tmp_path / "skills" / "mine.py").write_text(
+        "def turn(robot): ...\n\n\ndef waltz(robot): return 3\n"
+    )
+    found = skills.find()
+
+    assert "learnblock.skills.base" == found["turn"].__module__
+    assert 3 == found["waltz"](None)
+
+
+def test_a_file_runs_when_one_of_its_skills_is_called(own_home):
+    (own_home / "skills").mkdir()
+    (own_home / "skills" / "mine.py").write_text(
+        "def waltz(robot): return 3\n\n\nraise SystemExit\n"
+    )
+    waltz = skills.find(["waltz"])["waltz"]
+
+    with pytest.raises(LearnBlockError) as caught:
+        waltz(None)
+    assert caught.value.phrase == Phrase(
+        "skill-file-broken", file="skills/mine.py", reason="SystemExit"
+    )
+
+
+def test_a_name_without_a_skill_is_left_out():
+    assert {"turn"} == set(skills.find(["turn", "fly"]))
+    assert {} == skills.find([])
+
+
+@pytest.mark.parametrize(
+    ("source", "phrase"),
+    [
+        (
+            "import no_such_module\ndef waltz(robot): ...\n",
+            Phrase(
+                "skill-file-broken",
+                file="skills/mine.py",
+                reason="ModuleNotFoundError: No module named 'no_such_module'",
+            ),
+        ),
+        (
+            "x = 1\ndef waltz(robot):\n    return (\n",
+            Phrase(
+                "skill-file-syntax",
+                file="skills/mine.py",
+                line=3,
+                reason="'(' was never closed",
+            ),
+        ),
+        (
+            "def waltz(robot): ...\nwaltz = 3\n",
+            Phrase("skill-not-function", file="skills/mine.py", name="waltz"),
+        ),
+    ],
+)
+def test_a_broken_file_of_skills_is_reported_with_the_reason(own_home, source, phrase):
+    (own_home / "skills").mkdir()
+    (own_home / "skills" / "mine.py").write_text(source)
+    (own_home / "skills" / "other.py").write_text("def rumba(robot): return 4\n")
+    with FakeRobot() as robot:
+        assert 4 == robot.rumba()
+        with pytest.raises(LearnBlockError) as caught:
+            robot.waltz()
+    assert caught.value.phrase == phrase

@@ -1,0 +1,173 @@
+"""Every message has words in each language, and all words are used: scripts/translations."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from places import ROOT
+
+SCRIPT = ROOT / "scripts" / "translations"
+MESSAGES = "src/learnblock/i18n"
+
+
+def run(root: Path, *options: str) -> tuple[int, list[str]]:
+    done = subprocess.run(
+        [sys.executable, SCRIPT, *options, root],
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert done.stderr == ""
+    return done.returncode, done.stdout.splitlines()
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Add a file to a repository, by its path and text."""
+
+    def write(path: str, *lines: str) -> Path:
+        file = tmp_path / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text("\n".join(lines) + "\n", "utf-8")
+        return file
+
+    write(f"{MESSAGES}/en/robot.ftl", "robot-lost = No answer from { $address }.")
+    write("src/robot.py", 'raise LinkError("robot-lost", address=address)')
+    return write
+
+
+def test_english_and_spanish_are_complete_and_every_word_is_used():
+    assert run(ROOT) == (0, [])
+
+
+def test_a_code_that_english_lacks_is_an_error(write, tmp_path):
+    write("src/check.py", "", 'Phrase("check-loop")')
+    assert run(tmp_path) == (1, ["src/check.py:2: en lacks check-loop"])
+
+
+def test_values_must_be_those_of_the_text(write, tmp_path):
+    write("src/wire.py", 'raise LinkError("robot-lost", name=name, port=port)')
+    assert run(tmp_path) == (
+        1,
+        ["src/wire.py:1: robot-lost is given name, port, but its text shows address"],
+    )
+
+
+def test_values_that_come_in_a_dictionary_are_not_compared(write, tmp_path):
+    write("src/wire.py", 'Phrase("robot-lost", **values)')
+    assert run(tmp_path) == (0, [])
+
+
+def test_a_message_shows_the_values_of_messages_in_it(write, tmp_path):
+    write(
+        f"{MESSAGES}/en/wire.ftl", "wire-cut = Cut at { $at }.", "wire-why = { wire-cut } { $why }"
+    )
+    write("src/wire.py", 'Phrase("wire-cut", at=3)', 'Phrase("wire-why", at=3, why="")')
+    assert run(tmp_path) == (0, [])
+
+
+def test_a_message_that_cannot_be_read_is_an_error(write, tmp_path):
+    write(f"{MESSAGES}/en/wire.ftl", "wire-cut = Cut.", "wire-why = Cut at { $at")
+    write("src/wire.py", 'Phrase("wire-cut")')
+    assert run(tmp_path) == (1, ['en/wire.ftl:2: Expected token: "}"'])
+
+
+def test_codes_begin_with_the_name_of_their_file(write, tmp_path):
+    write(f"{MESSAGES}/en/wire.ftl", "robot-slow = Slow.")
+    write(f"{MESSAGES}/en/page/bar.ftl", "page-bar-run = Run", "page-run = Run")
+    write("src/wire.py", 'Phrase("robot-slow")', 'Phrase("page-bar-run")', 'Phrase("page-run")')
+    assert run(tmp_path) == (
+        1,
+        [
+            "en/page/bar.ftl: page-run does not begin with page-bar-",
+            "en/wire.ftl: robot-slow does not begin with wire-",
+        ],
+    )
+
+
+def test_a_code_is_there_once(write, tmp_path):
+    text = "robot-lost = No answer from { $address }."
+    write(f"{MESSAGES}/en/robot.ftl", text, text)
+    assert run(tmp_path) == (1, ["en/robot.ftl: robot-lost is there twice"])
+
+
+def test_a_word_of_the_page_that_english_lacks_is_an_error(write, tmp_path):
+    write(f"{MESSAGES}/en/page/bar.ftl", "page-bar-run = Run")
+    write("frontend/src/bar.tsx", 't("page-bar-run"); const WORDS = { off: "page-bar-off" };')
+    assert run(tmp_path) == (1, ["frontend/src/bar.tsx: en lacks page-bar-off"])
+
+
+def test_a_code_that_is_put_together_uses_every_word_that_fits(write, tmp_path):
+    words = [
+        "page-bar-state-idle = Idle",
+        "page-bar-state-ended = Ended",
+        "page-bar-run-tip = Run",
+    ]
+    write(f"{MESSAGES}/en/page/bar.ftl", *words)
+    write("frontend/src/bar.tsx", "t(`page-bar-state-${state}`); t(`page-bar-${name}-tip`)")
+    assert run(tmp_path) == (0, [])
+
+
+def test_an_unused_word_is_listed(write, tmp_path):
+    write(f"{MESSAGES}/en/wire.ftl", "wire-cut = Cut.")
+    assert run(tmp_path) == (0, ["wire-cut is not used"])
+
+
+def test_a_code_in_a_table_is_used(write, tmp_path):
+    write(f"{MESSAGES}/en/wire.ftl", "wire-cut = Cut.")
+    write("src/wire.py", 'REASONS = {"cut": "wire-cut"}')
+    assert run(tmp_path) == (0, [])
+
+
+def test_missing_and_additional_words_of_another_language_are_listed(write, tmp_path):
+    write(f"{MESSAGES}/fr/robot.ftl", "robot-near = Proche.")
+    assert run(tmp_path) == (0, ["fr lacks robot-lost", "fr alone has robot-near"])
+
+
+def test_a_translation_that_forgets_a_value_is_listed(write, tmp_path):
+    write(f"{MESSAGES}/fr/robot.ftl", "robot-lost = Pas de réponse.")
+    assert run(tmp_path) == (0, ["fr shows other values in robot-lost"])
+
+
+def test_words_of_blocks_are_compared_too(write, tmp_path):
+    where = "src/learnblock/blocks/translations"
+    write(f"{where}/en.json", '{"LB_MAIN": "main", "group": {"a": "%1"}}')
+    write(f"{where}/fr.json", '{"group": {"a": "%2"}}')
+    assert run(tmp_path) == (
+        0,
+        [f"{where}: fr lacks LB_MAIN", f"{where}: fr shows other values in group.a"],
+    )
+
+
+def test_texts_of_skills_are_wanted_in_every_language(write, tmp_path):
+    write(f"{MESSAGES}/fr/robot.ftl", "robot-lost = Pas de réponse de { $address }.")
+    where = "src/learnblock/blocks/configurations"
+    block = {"name": "stop_bot", "languages": {"EN": "stop"}, "tooltip": {"EN": "a", "FR": "b"}}
+    write(f"{where}/base.json", json.dumps([block]))
+    assert run(tmp_path) == (0, [f"{where}: fr lacks texts of stop_bot"])
+
+
+def test_a_new_language_begins_with_the_english_words(write, tmp_path):
+    write(f"{MESSAGES}/en/page/bar.ftl", "page-bar-run = Run")
+    write("frontend/src/bar.tsx", 't("page-bar-run")')
+    write("src/learnblock/server/help/en.json", '{"variable": "A variable."}')
+    code, lines = run(tmp_path, "--add", "fr")
+    files = [tmp_path / MESSAGES / "fr" / name for name in ("page/bar.ftl", "robot.ftl")]
+    help_file = tmp_path / "src/learnblock/server/help/fr.json"
+    assert code == 0
+    assert lines == [
+        *(f"made {path.as_posix()}" for path in (*files, help_file)),
+        "fr/page/bar.ftl is not translated yet",
+        "fr/robot.ftl is not translated yet",
+    ]
+    assert files[0].read_text("utf-8").splitlines()[1] == "page-bar-run = Run"
+
+
+def test_a_language_that_was_begun_keeps_its_words(write, tmp_path):
+    own = write(f"{MESSAGES}/fr/robot.ftl", "robot-lost = Pas de réponse de { $address }.")
+    assert run(tmp_path, "--add", "fr") == (0, [])
+    assert own.read_text("utf-8") == "robot-lost = Pas de réponse de { $address }.\n"

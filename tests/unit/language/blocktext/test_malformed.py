@@ -1,0 +1,25 @@
+"""Beginners' mistakes in tests/cases/malformed, each with its message in a file next to it."""
+
+import pytest
+
+from learnblock.i18n import languages, translate
+from places import TESTS
+
+PROGRAMS = sorted((TESTS / "cases" / "malformed").glob("*.bt"))
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
+def test_a_slip_is_reported_with_its_place_and_advice(program, report):
+    expected = program.with_suffix(".txt").read_text(encoding="utf-8")
+    assert expected == report(program.read_text(encoding="utf-8"), program.name)
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
+def test_a_slip_is_reported_in_every_language(program, diagnose):
+    for diagnostic in diagnose(program.read_text(encoding="utf-8")):
+        words = [translate(diagnostic.message, language) for language in languages()]
+        assert len(set(words)) == len(languages())
+
+
+def test_at_least_thirty_slips_have_a_message():
+    assert len(PROGRAMS) >= 30

@@ -1,0 +1,249 @@
+import pytest
+
+from learnblock.blocks.schema.configuration import BlockConfiguration, Configurations, Parameter
+from learnblock.fields import Range
+from learnblock.i18n import Phrase
+from learnblock.language import check, from_python, parse
+from places import TESTS
+
+CASES = TESTS / "cases"
+EBO = frozenset(
+    ("Base:ROBOT", "Camera:ROBOT", "Display:ROBOT", "JointMotor:CAMERA", "Gyroscope:Z_AXIS")
+)
+
+
+@pytest.fixture
+def found(skills):
+    """The line, severity and code of each diagnostic of a program."""
+
+    def of(text, devices=None):
+        diagnostics = check(parse(text), skills, devices)
+        return [(one.line, one.severity, one.code) for one in diagnostics]
+
+    return of
+
+
+@pytest.mark.parametrize("case", ["square_trajectory", "reaction_to_tags", "line_follower_ebo"])
+def test_the_programs_of_the_paper_have_no_problems_on_ebo(case, found):
+    assert [] == found((CASES / case / "program.bt").read_text("utf-8"), EBO)
+
+
+def test_a_device_that_only_an_effect_needs_is_a_warning(found, thymio):
+    text = (CASES / "line_follower_thymio" / "program.bt").read_text("utf-8")
+    assert [(2, "warning", "missing-device")] == found(text, thymio)
+
+
+def test_a_question_that_can_never_be_answered_is_an_error(found, thymio):
+    text = (CASES / "line_follower_ebo" / "program.bt").read_text("utf-8")
+    severities = [(line, severity) for line, severity, _ in found(text, thymio)]
+    assert [(2, "warning"), (4, "error"), (7, "error"), (10, "error")] == severities
+
+
+def test_a_robot_that_cannot_move_is_an_error(found):
+    assert [(1, "error", "missing-device")] == found("function.stop_bot()", frozenset())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ("120", Phrase("check-outside-range", parameter="speed", value="120", least=0, most=100)),
+        ("-1", Phrase("check-outside-range", parameter="speed", value="-1", least=0, most=100)),
+        (
+            '5, "wide"',
+            Phrase(
+                "check-unknown-choice",
+                parameter="brush",
+                value="'wide'",
+                choices=("'thin'", "'thick'"),
+            ),
+        ),
+        (
+            '5, "thin", "red"',
+            Phrase("check-not-a-colour", parameter="colour", value="'red'"),
+        ),
+    ],
+)
+def test_a_constant_that_a_field_does_not_offer_is_a_warning(arguments, message):
+    parameters = (
+        Parameter("speed", "float", range=Range(0, 100)),
+        Parameter("brush", "choice", "thin", choices=("thin", "thick")),
+        Parameter("colour", "colour", "#000000"),
+    )
+    paint = BlockConfiguration("others", "Paint", "paint", parameters)
+    (problem,) = check(parse(f"function.paint({arguments})\n"), {"paint": paint})
+
+    assert ("unusual-value", "warning") == (problem.code, problem.severity)
+    assert problem.message == Phrase(message.code, call="function.paint", **message.values)
+
+
+def test_a_value_that_a_field_offers_has_no_problem():
+    parameters = (Parameter("speed", "float", range=Range(0, 100)), Parameter("way", "angle", 0))
+    paint = BlockConfiguration("others", "Paint", "paint", parameters)
+
+    assert [] == check(
+        parse("x = 1\nfunction.paint(100, 720)\nfunction.paint(x)\n"), {"paint": paint}
+    )
+
+
+def test_a_skill_of_a_file_with_an_error_is_reported_with_that_error():
+    reason = "dance.py, line 3: This is not valid Python."
+    skills = Configurations({}, {"waltz": reason}, ())
+    (problem,) = check(parse("function.waltz()\n"), skills)
+
+    assert "unknown-skill" == problem.code
+    assert problem.message == Phrase("check-skill-with-error", name="waltz", reason=reason)
+
+
+def test_without_a_robot_no_device_is_missing(found):
+    assert [] == found("function.look_floor()")
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "message"),
+    [
+        (
+            "total = 1\nprint(totl)\n",
+            "unknown-name",
+            Phrase("check-unknown-name-near", name="totl", near="total"),
+        ),
+        (
+            "x = true\n",
+            "unknown-name",
+            Phrase("blocktext-write-instead", found="true", instead="True"),
+        ),
+        (
+            "function.trun(90)\n",
+            "unknown-skill",
+            Phrase("check-unknown-skill-near", name="trun", near="turn"),
+        ),
+        (
+            "def go(): pass end\ngoo()\n",
+            "unknown-function",
+            Phrase("check-unknown-function-near", name="goo", near="go"),
+        ),
+        ("stop_bot()\n", "unknown-function", Phrase("check-skill-as-name", name="stop_bot")),
+        (
+            "function.turn()\n",
+            "missing-argument",
+            Phrase("check-missing-argument", call="function.turn", count=1, names=("angle",)),
+        ),
+        (
+            "function.turn(1, 2)\n",
+            "argument-count",
+            Phrase(
+                "check-too-many-arguments",
+                call="function.turn",
+                most=1,
+                parameters=("angle",),
+                given=2,
+            ),
+        ),
+        (
+            "function.move_straight(speed=9)\n",
+            "unknown-argument",
+            Phrase(
+                "check-unknown-argument-near",
+                call="function.move_straight",
+                name="speed",
+                near="advSpeed",
+            ),
+        ),
+        (
+            'function.turn("90")\n',
+            "wrong-type",
+            Phrase("check-number-in-quotes", call="function.turn", parameter="angle", number="90"),
+        ),
+        (
+            "x = sqrt(1, 2)\n",
+            "argument-count",
+            Phrase("check-argument-count", call="sqrt", count=1, given=2),
+        ),
+        (
+            "when follow: activate folow end\n",
+            "unknown-when",
+            Phrase("check-unknown-when-near", name="folow", near="follow"),
+        ),
+        (
+            "when follow: print(state_folow) end\n",
+            "unknown-when",
+            Phrase("check-unknown-when-near", name="folow", near="follow"),
+        ),
+        ("print(x)\nx = 1\n", "unset-variable", Phrase("check-read-before-set", name="x")),
+        (
+            "while True: pass end\nx = 1\n",
+            "unreachable",
+            Phrase("check-unreachable-after-loop", line="1"),
+        ),
+        (
+            "repeat 3:\n    break\n    x = 1\nend\n",
+            "unreachable",
+            Phrase("check-unreachable-after-jump", word="break", line="2"),
+        ),
+        (
+            "if function.is_tag(1): x = 1 end\n",
+            "sensor-outside-loop",
+            Phrase("check-sensor-outside-loop", skill="is_tag"),
+        ),
+    ],
+)
+def test_each_mistake_has_its_code_and_message(text, code, message, skills):
+    (diagnostic,) = check(parse(text), skills)
+    assert (code, message) == (diagnostic.code, diagnostic.message)
+
+
+def test_python_sets_the_name_of_a_file(skills):
+    skeleton = "from learnblock.robots.ebo import Robot\n\nrobot = Robot()\n\n"
+    program = from_python(skeleton + "if __name__ == '__main__':\n    robot.turn(90)\n")
+    assert [] == check(program, skills)
+
+
+def test_diagnostics_come_in_the_order_of_the_text(found):
+    text = "x = y\nwhile True:\n    function.foo(z)\n    activate a\nend\nfoo()\n"
+    lines = [line for line, _, _ in found(text)]
+    assert sorted(lines) == lines
+    assert {1, 3, 4, 6} == set(lines)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "def f(a): return a + b end\nb = 1\nprint(f(2))\n",
+        "when start: total = 0 end\nwhen run: total += 1 end\n",
+        "for i from 1 to 3: print(i) end\n",
+        "for x in [1]: print(x) end\n",
+        "python:\n    import os\n    n, m = 1, 2\n    def g(): pass\nend\nprint(n, m)\ng()\n",
+        'import "dance"\nwaltz(tempo)\n',
+        "while True:\n    if function.is_any_tag(): break end\nend\nfunction.stop_bot()\n",
+        "def f(): return 1 end\nprint(f())\n",
+        "x = `[i for i in range(3)]`\nprint(x)\n",
+        "when seen = function.is_any_tag(): print(state_seen, time_seen) end\n",
+        "state_of_mind = 1\nprint(state_of_mind)\n",
+        "def f(state_x): return state_x end\nprint(f(1))\n",
+        "x = 1\nif x == 1: x = 2 end\n",
+        'robot(world="line")\nx = 1\n',
+    ],
+)
+def test_a_correct_program_has_no_problems(text, found):
+    assert [] == found(text)
+
+
+def test_a_variable_must_be_set_before_it_is_read(found):
+    assert [(1, "error", "unset-variable")] == found("x += 1\nx = 1\n")
+    assert [(1, "error", "unset-variable")] == found("print(x)\nmain:\n    x = 1\nend\n")
+
+
+def test_a_main_after_an_endless_loop_is_never_reached(found):
+    text = "while True: pass end\nmain:\n    pass\nend\n"
+    assert [(3, "warning", "unreachable")] == found(text)
+
+
+def test_a_program_may_be_too_deep_for_python_alone(found):
+    ifs = "x = 1\n" + "if x:\n" * 100 + "x = 2\n" + "end\n" * 100
+    assert ["too-deep"] == [code for _, _, code in found(ifs)]
+    loops = "repeat 1:\n" * 21 + "pass\n" + "end\n" * 21
+    assert ["too-deep"] == [code for _, _, code in found(loops)]
+
+
+def test_raw_python_must_be_valid(found):
+    assert [(3, "error", "invalid-python")] == found("x = 1\npython:\n    y = = 1\nend\n")
+    assert [(2, "error", "invalid-python")] == found("python:\n    y = = 1\nend\n")

@@ -1,0 +1,146 @@
+import pytest
+
+from learnblock.errors import LearnBlockError, UnknownNameError
+from learnblock.i18n import Phrase
+from learnblock.language import format as format_program
+from learnblock.language import parse, to_python
+from learnblock.language.edit.rename import rename
+
+PROGRAM = """\
+speed = 3
+
+def turn_by(angle):
+    function.turn(angle * speed)
+    for i from 1 to 3:
+        print(i, angle)
+    end
+end
+
+when seen = function.is_any_tag():
+    turn_by(angle=90)
+    activate go
+end
+
+when go:
+    x = state_seen and time_seen > 3
+end
+"""
+
+
+def renamed(text, *how):
+    return format_program(rename(parse(text), *how))
+
+
+def test_a_variable_is_renamed_everywhere():
+    expected = PROGRAM.replace("speed", "factor")
+    assert expected == renamed(PROGRAM, "variable", "speed", "factor")
+
+
+def test_a_parameter_is_renamed_in_its_function_and_in_keyword_arguments():
+    assert PROGRAM.replace("angle", "degrees") == renamed(PROGRAM, "variable", "angle", "degrees")
+
+
+def test_a_loop_variable_is_renamed():
+    expected = PROGRAM.replace("for i", "for round").replace("(i,", "(round,")
+    assert expected == renamed(PROGRAM, "variable", "i", "round")
+
+
+def test_a_function_is_renamed_with_its_calls():
+    assert PROGRAM.replace("turn_by", "go_round") == renamed(
+        PROGRAM, "function", "turn_by", "go_round"
+    )
+
+
+def test_a_when_is_renamed_with_its_state_and_its_time():
+    assert PROGRAM.replace("seen", "near") == renamed(PROGRAM, "when", "seen", "near")
+    assert PROGRAM.replace("go:", "drive:").replace("te go", "te drive") == renamed(
+        PROGRAM, "when", "go", "drive"
+    )
+
+
+SCOPES = """\
+x = 1
+
+def f(x):
+    print(x)
+end
+
+def g():
+    print(x)
+    f(x=x)
+end
+"""
+
+
+def test_renaming_a_global_variable_keeps_a_parameter_of_the_same_name():
+    expected = SCOPES.replace("x = 1", "y = 1").replace(
+        "print(x)\n    f(x=x)", "print(y)\n    f(x=y)"
+    )
+    assert expected == renamed(SCOPES, "variable", "x", "y")
+
+
+def test_renaming_a_parameter_keeps_a_global_variable_of_the_same_name():
+    expected = SCOPES.replace("f(x):\n    print(x)", "f(y):\n    print(y)").replace("x=x", "y=x")
+    assert expected == renamed(SCOPES, "variable", "f.x", "y")
+
+
+def test_a_variable_in_raw_python_is_renamed_too():
+    text = "x = 1\npython:\n    y = [x for _ in 'x'] + [a.x, x]\nend\nz = `{x: 'x'}`\n"
+    expected = "n = 1\npython:\n    y = [n for _ in 'x'] + [a.x, n]\nend\nz = `{n: 'x'}`\n"
+    assert expected == renamed(text, "variable", "x", "n")
+
+
+def test_raw_python_with_an_unsupported_use_of_the_name_is_refused():
+    text = "x = 1\npython:\n    def f():\n        global x\n        x = 2\nend\n"
+    with pytest.raises(LearnBlockError) as error:
+        renamed(text, "variable", "x", "n")
+    assert error.value.phrase == Phrase("edit-used-in-line", name="x", line="2")
+
+
+def test_a_name_that_python_reserves_may_be_chosen():
+    program = rename(parse(PROGRAM), "variable", "speed", "class")
+    assert "class_ = 3" in to_python(program).text
+
+
+@pytest.mark.parametrize(
+    ("how", "message"),
+    [
+        (("variable", "speed", "2x"), Phrase("edit-bad-name", name="2x")),
+        (("variable", "speed", ""), Phrase("edit-bad-name", name="")),
+        (("variable", "speed", "while"), Phrase("blocktext-reserved-word", word="while")),
+        (("variable", "speed", "x"), Phrase("edit-variable-exists", name="x")),
+        (("variable", "speed", "angle"), Phrase("edit-variable-exists", name="angle")),
+        (("variable", "speed", "turn_by"), Phrase("edit-function-exists", name="turn_by")),
+        (
+            ("variable", "speed", "state_go"),
+            Phrase("edit-name-of-state", name="state_go", when="go"),
+        ),
+        (("function", "turn_by", "print"), Phrase("edit-language-function", name="print")),
+        (("function", "turn_by", "speed"), Phrase("edit-variable-exists", name="speed")),
+        (("when", "seen", "go"), Phrase("edit-when-exists", name="go")),
+        (("when", "go", "start"), Phrase("edit-when-start")),
+    ],
+)
+def test_a_new_name_that_is_taken_or_not_valid_is_refused(how, message):
+    with pytest.raises(LearnBlockError) as error:
+        renamed(PROGRAM, *how)
+    assert error.value.phrase == message
+
+
+@pytest.mark.parametrize("sort", ["variable", "function", "when"])
+def test_a_missing_name_cannot_be_renamed(sort):
+    with pytest.raises(UnknownNameError, match="'sped'"):
+        renamed(PROGRAM, sort, "sped", "y")
+
+
+def test_a_when_cannot_get_a_name_whose_state_is_a_variable():
+    text = "state_near = 1\nwhen seen:\n    pass\nend\n"
+    with pytest.raises(LearnBlockError) as error:
+        renamed(text, "when", "seen", "near")
+    assert error.value.phrase == Phrase("edit-variable-exists", name="state_near")
+
+
+def test_renaming_back_restores_the_program():
+    program = parse(PROGRAM)
+    for sort, name in (("variable", "speed"), ("function", "turn_by"), ("when", "seen")):
+        assert program == rename(rename(program, sort, name, "other"), sort, "other", name)

@@ -1,0 +1,226 @@
+"""Blocks and positions are kept when a program is edited as text."""
+
+import pytest
+
+from learnblock.language import Workspace, from_workspace, parse, to_workspace
+from learnblock.language.workspace.blocks import Block, BlockComment, Input, Variable
+from workspaces import CONFIGURATIONS, blocks, only, through_json
+
+PROGRAM = """\
+import "dance"
+
+times = 0
+
+# Drives along one side.
+def side(length):
+    function.move_straight(length)
+    function.sleep(length / 40)  # there
+    if function.is_any_tag():
+        function.stop_bot()
+    else:
+        side(length - 1)
+    end
+end
+
+when start:
+    side(40)
+end
+
+main:
+    while times < 4:
+        side(200)
+        function.turn(90)
+        times += 1
+    end
+end
+"""
+
+
+@pytest.fixture
+def before():
+    """The workspace of the program, with each stack at its own position."""
+    workspace = through_json(to_workspace(parse(PROGRAM), CONFIGURATIONS).workspace)
+    for place, stack in enumerate(workspace.stacks):
+        stack[0].x, stack[0].y = 10.0 * place, 100.0 * place
+    return workspace
+
+
+def edited(before, old, new):
+    assert old in PROGRAM
+    program = parse(PROGRAM.replace(old, new))
+    workspace = to_workspace(program, CONFIGURATIONS, before).workspace
+    assert program == from_workspace(workspace, CONFIGURATIONS).program
+    return workspace
+
+
+def ids(workspace):
+    return {block.id for block in blocks(workspace)}
+
+
+def places(workspace):
+    return {stack[0].id: (stack[0].x, stack[0].y) for stack in workspace.stacks}
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("side(200)", "side(300)"),
+        ("times < 4", "times < 5"),
+        ("times < 4", "times > 4"),
+        ("times = 0", "times = 10"),
+        ("length / 40", "length / 41"),
+        ('"dance"', '"waltz"'),
+        ("# there", "# here"),
+        ("# there", ""),
+        ("# Drives along one side.", "# Drives."),
+        ("when start", "when begin"),
+        ("def side(length)", "def side(long)"),
+        ("function.turn(90)\n", "function.turn(90)\n\n"),
+    ],
+)
+def test_a_change_keeps_every_block_and_place(before, old, new):
+    after = edited(before, old, new)
+    assert ids(before) == ids(after)
+    assert places(before) == places(after)
+    assert before != after
+
+
+def test_a_function_renamed_alone_keeps_all_but_its_calls(before):
+    after = edited(before, "def side", "def edge")
+    calls = {block.id for block in blocks(before) if block.type == "procedures_callnoreturn"}
+    assert ids(before) - calls == ids(before) & ids(after)
+
+
+def test_a_function_renamed_everywhere_keeps_every_block(before):
+    program = parse(PROGRAM.replace("side", "edge"))
+    after = to_workspace(program, CONFIGURATIONS, before).workspace
+    assert ids(before) == ids(after)
+    assert places(before) == places(after)
+
+
+@pytest.mark.parametrize(
+    ("line", "where"),
+    [
+        ("function.turn_left()\n", "function.turn(90)\n"),
+        ("x = [1, 2]\n", "side(40)\n"),
+        ("while True:\npass\nend\n", "while times < 4:\n"),
+        ("def more():\npass\nend\n", "when start:\n"),
+        ("def more():\npass\nend\n", "# Drives along"),
+        ("when more:\npass\nend\n", "main:\n"),
+        ("side(1)\n", "when start:\n"),
+        ("side(1)\n", "times = 0\n"),
+    ],
+)
+def test_adding_or_removing_a_line_keeps_all_others(before, line, where):
+    more = edited(before, where, line + where)
+    assert ids(before) < ids(more)
+    assert places(before).items() <= places(more).items()
+    less = to_workspace(parse(PROGRAM), CONFIGURATIONS, more).workspace
+    assert before == less
+
+
+def test_the_page_chooses_the_position_of_a_new_stack(before):
+    more = edited(before, "main:\n", "when more:\npass\nend\nmain:\n")
+    new = [stack[0] for stack in more.stacks if stack[0].id not in ids(before)]
+    assert [("lb_when", None, None)] == [(block.type, block.x, block.y) for block in new]
+
+
+def test_a_value_put_into_another_stays_a_block(before):
+    after = edited(before, "side(length - 1)", "side(abs(length - 1))")
+    assert ids(before) < ids(after)
+
+
+def test_a_function_moved_past_another_keeps_its_position(before):
+    start = "when start:\n    side(40)\nend\n"
+    moved = PROGRAM.replace(start, "").replace("# Drives", start + "\n# Drives")
+    after = to_workspace(parse(moved), CONFIGURATIONS, before).workspace
+    assert ids(before) == ids(after)
+    assert places(before) == places(after)
+
+
+def test_removing_one_of_many_equal_lines_keeps_the_others():
+    text = "function.stop_bot()\n"
+    before = to_workspace(parse(text * 9), CONFIGURATIONS).workspace
+    after = to_workspace(parse(text * 8), CONFIGURATIONS, before).workspace
+    assert ids(after) < ids(before)
+
+
+def test_the_look_of_a_block_is_kept(before):
+    loop = only(before, "controls_whileUntil")
+    loop.collapsed, loop.inline = True, False
+    function = only(before, "procedures_defnoreturn")
+    function.comment = BlockComment("Drives along one side.", pinned=True, width=300, height=90)
+    after = edited(before, "times < 4", "times < 5")
+    assert (True, False) == (only(after, loop.type).collapsed, only(after, loop.type).inline)
+    after = edited(before, "# Drives along one side.", "# Drives.")
+    expected = BlockComment("Drives.", pinned=True, width=300, height=90)
+    assert expected == only(after, function.type).comment
+
+
+def test_two_stacks_of_statements_stay_two(before):
+    start = before.stacks[0][0]
+    second = Block("lb_start", "second", x=500, y=500)
+    second.inputs["DO"] = Input(stack=[start.inputs["DO"].stack.pop()])
+    before.stacks.insert(1, [second])
+    after = edited(before, "times = 0", "times = 1\nx = 2")
+    tops = [stack[0] for stack in after.stacks if stack[0].type == "lb_start"]
+    assert [start.id, "second"] == [top.id for top in tops]
+    assert [1, 2] == [len(top.inputs["DO"].stack) for top in tops]
+
+
+def test_loose_blocks_and_empty_hats_stay(before):
+    loose = [
+        Block("lb_skill_turn", "loose", x=1, y=2),
+        Block("variables_get", "get", fields={"VAR": {"id": "mine"}}),
+    ]
+    before.variables.append(Variable("mine", "mine"))
+    before.stacks += [loose, [Block("lb_start", "empty")]]
+    after = edited(before, "times < 4", "times < 5")
+    assert before.stacks[-2:] == after.stacks[-2:]
+    assert Variable("mine", "mine") in after.variables
+
+
+def test_a_disabled_block_stays_below_the_one_above_it(before):
+    body = only(before, "controls_whileUntil").inputs["DO"].stack
+    off = Block("lb_skill_stop_bot", "off", disabledReasons=["MANUALLY_DISABLED"])
+    body.insert(1, off)
+    after = edited(before, "        function.turn(90)\n", "")
+    kept = only(after, "controls_whileUntil").inputs["DO"].stack
+    assert [body[0].id, "off", body[3].id] == [block.id for block in kept]
+    gone = edited(before, "        side(200)\n", "")
+    assert "off" == only(gone, "controls_whileUntil").inputs["DO"].stack[0].id
+
+
+def test_a_disabled_function_is_kept_outside_the_program(before):
+    stack = next(one for one in before.stacks if one[0].type == "lb_when")
+    stack[0].disabledReasons = ["MANUALLY_DISABLED"]
+    program = from_workspace(before, CONFIGURATIONS).program
+    assert {} == program.whens
+    assert stack in to_workspace(program, CONFIGURATIONS, before).workspace.stacks
+
+
+def test_an_empty_input_stays_empty(before):
+    loop = only(before, "controls_whileUntil")
+    del loop.inputs["BOOL"]
+    program = from_workspace(before, CONFIGURATIONS).program
+    after = to_workspace(program, CONFIGURATIONS, before).workspace
+    assert before == after
+    text = PROGRAM.replace("times < 4", "False").replace("turn(90)", "turn(91)")
+    after = to_workspace(parse(text), CONFIGURATIONS, before).workspace
+    assert "BOOL" not in only(after, "controls_whileUntil").inputs
+
+
+def test_a_name_typed_letter_by_letter_leaves_no_variables_behind():
+    workspace = Workspace(variables=[Variable("mine", "mine")])
+    for name in ("c", "co", "cou", "count"):
+        workspace = to_workspace(parse(f"{name} = 1\n"), CONFIGURATIONS, workspace).workspace
+    assert ["mine", "count"] == [variable.name for variable in workspace.variables]
+    assert 1 == len(workspace.stacks)
+
+
+def test_a_state_block_comes_with_its_when():
+    before = to_workspace(parse("x = state_seen\n"), CONFIGURATIONS).workspace
+    assert {"variables_set", "variables_get", "lb_start"} == {one.type for one in blocks(before)}
+    text = "x = state_seen\nwhen seen:\npass\nend\n"
+    after = to_workspace(parse(text), CONFIGURATIONS, before).workspace
+    assert "seen" == only(after, "lb_state").fields["WHEN"]

@@ -1,0 +1,136 @@
+import numpy as np
+import pytest
+
+from learnblock.errors import FrameError
+from learnblock.perception.detectors.lines import detect_lines
+from learnblock.simulator.camera import CameraModel, CameraPose, Surface, render
+from learnblock.simulator.textures import FloorLine, floor
+
+BLACK, RED, BLUE = (0, 0, 0), (200, 20, 20), (20, 40, 200)
+GROUND = (235, 235, 225)
+
+
+def frame_with(colour, columns, rows=slice(None), width=320, height=240):
+    frame = np.full((height, width, 3), GROUND, np.uint8)
+    frame[rows, columns] = colour
+    return frame
+
+
+def seen(lines, heading=0.0, y=0.0, scale=1):
+    """Photograph a floor of 2 by 2 m with a camera 100 mm above it, tilted down by 30 degrees."""
+    texture = floor((2000, 2000), GROUND, lines)
+    corners = [(-1000, 1000, 0), (1000, 1000, 0), (1000, -1000, 0), (-1000, -1000, 0)]
+    ground = Surface(np.array(corners, float), texture)
+    noise = (np.random.default_rng(1), 2.0)
+    pose = CameraPose(-300, y, 100, heading, -30)
+    return render([ground], CameraModel(320 * scale, 240 * scale, 290 * scale), pose, noise=noise)
+
+
+def sides(view):
+    return {side for side in ("left", "center", "right") if getattr(view, f"is_{side}")}
+
+
+def test_an_empty_floor_has_no_line():
+    lines = detect_lines(seen([]))
+    assert not any(view.is_there for view in (lines.black, lines.red, lines.blue))
+
+
+@pytest.mark.parametrize("scale", [0.5, 1, 2])
+@pytest.mark.parametrize(
+    ("columns", "expected"),
+    [
+        (slice(0, 120), (120 * 210, 0, 0)),
+        (slice(120, 200), (0, 80 * 210, 0)),
+        (slice(200, 320), (0, 0, 120 * 210)),
+    ],
+)
+def test_black_is_counted_in_rows_15_to_225_and_in_three_parts(columns, expected, scale):
+    scaled = slice(round(columns.start * scale), round(columns.stop * scale))
+    frame = frame_with(BLACK, scaled, width=round(320 * scale), height=round(240 * scale))
+    view = detect_lines(frame).black
+    area = (round(225 * scale) - round(15 * scale)) / 210 * scale
+    assert tuple(area * count for count in expected) == (view.left, view.center, view.right)
+
+
+@pytest.mark.parametrize("rows", [slice(0, 15), slice(225, 240)])
+def test_black_above_row_15_and_from_row_225_on_does_not_count(rows):
+    assert not detect_lines(frame_with(BLACK, slice(None), rows)).black.is_there
+
+
+@pytest.mark.parametrize(("grey", "expected"), [(50, True), (51, False)])
+def test_grey_up_to_fifty_is_black(grey, expected):
+    frame = frame_with((grey, grey, grey), slice(140, 180))
+    assert expected == detect_lines(frame).black.is_center
+
+
+@pytest.mark.parametrize("rgb", [(0, 0, 255), (100, 0, 0), (0, 51, 0)])
+def test_a_dark_colour_is_not_black(rgb):
+    assert not detect_lines(frame_with(rgb, slice(140, 180))).black.is_there
+
+
+@pytest.mark.parametrize(
+    ("width", "height", "reach"), [(160, 120, 2), (320, 240, 3), (640, 480, 6)]
+)
+@pytest.mark.parametrize("colour", ["red", "blue"])
+def test_a_colour_is_dilated_by_three_pixels_of_a_frame_240_high(colour, width, height, reach):
+    middle = width // 2
+    rgb = RED if colour == "red" else BLUE
+    frame = frame_with(rgb, slice(middle, middle + 4), width=width, height=height)
+    rows = round(225 * height / 240) - round(15 * height / 240)
+    assert (4 + 2 * reach) * rows == getattr(detect_lines(frame), colour).center
+
+
+@pytest.mark.parametrize("rgb", [(200, 20, 20), (200, 20, 40), (200, 40, 20), (100, 10, 10)])
+def test_reds_of_both_ends_of_the_hues_are_red(rgb):
+    lines = detect_lines(frame_with(rgb, slice(140, 180)))
+    assert [lines.red.is_center, lines.blue.is_there] == [True, False]
+
+
+@pytest.mark.parametrize("rgb", [(99, 10, 10), (200, 170, 170), (20, 200, 20)])
+def test_dark_pale_and_other_colours_are_not_red(rgb):
+    assert not detect_lines(frame_with(rgb, slice(140, 180))).red.is_there
+
+
+@pytest.mark.parametrize("colour", ["black", "red", "blue"])
+@pytest.mark.parametrize("scale", [1, 2])
+@pytest.mark.parametrize(("y", "expected"), [(120, {"right"}), (0, {"center"}), (-120, {"left"})])
+def test_a_line_on_the_floor_is_seen_on_its_side(colour, scale, y, expected):
+    rgb = {"black": BLACK, "red": RED, "blue": BLUE}[colour]
+    lines = detect_lines(seen([FloorLine([(-900, 0), (900, 0)], 25, rgb)], y=y, scale=scale))
+    others = {"black", "red", "blue"} - {colour}
+    assert expected == sides(getattr(lines, colour))
+    assert not any(getattr(lines, other).is_there for other in others)
+
+
+@pytest.mark.parametrize(("heading", "expected"), [(25, {"left"}), (-25, {"right"})])
+def test_turning_right_moves_the_line_to_the_left(heading, expected):
+    line = FloorLine([(-900, 0), (900, 0)], 25, BLACK)
+    assert expected == sides(detect_lines(seen([line], heading=heading)).black)
+
+
+def test_where_a_red_line_crosses_a_black_one_is_a_crossing():
+    black = FloorLine([(-900, 0), (900, 0)], 25, BLACK)
+    red = FloorLine([(-100, -900), (-100, 900)], 25, RED)
+    assert detect_lines(seen([black, red])).is_crossing
+
+
+def test_a_black_line_alone_is_not_a_crossing():
+    assert not detect_lines(seen([FloorLine([(-900, 0), (900, 0)], 25, BLACK)])).is_crossing
+
+
+def test_a_search_does_not_change_the_frame():
+    frame = seen([FloorLine([(-900, 0), (900, 0)], 25, RED)])
+    before = frame.copy()
+    detect_lines(frame)
+    assert np.array_equal(before, frame)
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (2, 3), (5, 320)])
+def test_a_tiny_frame_has_lines_to_count_like_any_other(shape):
+    lines = detect_lines(np.full((*shape, 3), 255, np.uint8))
+    assert shape == (lines.red.frame_height, lines.red.frame_width)
+
+
+def test_anything_but_a_picture_is_refused():
+    with pytest.raises(FrameError):
+        detect_lines(np.zeros((240, 320, 3)))

@@ -1,0 +1,167 @@
+"""The twins: worlds, seeds and paces from every source, and devices as described."""
+
+import sys
+from importlib.metadata import EntryPoint
+
+import pytest
+
+from learnblock import robots, running
+from learnblock.devices import Base, Display, Emotion, Gyroscope, JointMotor, Speaker
+from learnblock.errors import DeviceValueError, UnknownNameError
+from learnblock.i18n import Phrase
+from learnblock.robots.sim_cozmo import Robot as Cozmo
+from learnblock.robots.sim_ebo import Robot as Ebo
+from learnblock.robots.simulated import Simulation, find_world, pace_factor
+from learnblock.runtime.host import Host
+from learnblock.runtime.limits import Limits
+from learnblock.runtime.program import Program
+from learnblock.runtime.run import Run
+from learnblock.runtime.trace import Trace, record
+from learnblock.simulator import World, load_world
+
+TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo")
+
+
+@pytest.mark.parametrize("name", TWINS)
+def test_a_twin_has_the_devices_of_its_description(name):
+    kind = robots.find(name).load()
+    with kind(world="empty") as robot:
+        devices = {f"{type(device).__name__}:{key}" for key, device in robot.devices()}
+    assert kind.device_names() == devices
+
+
+def test_a_program_drives_and_its_world_advances_while_it_waits():
+    with Ebo(world="empty") as robot:
+        robot.device(Base).move(100, 0)
+        robot.sleep(2)
+        x, y, _ = robot.where()
+        assert 180 < x < 201
+        assert abs(y) < 2
+        assert robot.time() == 2
+
+
+def test_a_gyroscope_turns_with_the_robot_and_can_be_reset():
+    with Cozmo(world="empty") as robot:
+        robot.device(Base).move(0, 90)
+        robot.sleep(1)
+        assert 80 < robot.read(Gyroscope, "Z_AXIS") < 91
+        robot.device(Gyroscope, "Z_AXIS").reset()
+        robot.forget_readings()
+        assert abs(robot.read(Gyroscope, "Z_AXIS")) < 1
+
+
+def test_commands_without_another_effect_are_logged():
+    with Cozmo(world="empty") as robot:
+        robot.device(Speaker).say("hello")
+        robot.device(Display).show_emotion(Emotion.JOY)
+        robot.device(JointMotor, "CAMERA").move(20)
+        robot.sleep(1)
+        assert [entry[1:] for entry in robot.body.log] == [("Speaker", "say", ("hello",))]
+        assert robot.body.emotion == "joy"
+        assert robot.body.joint("CAMERA") == 20
+
+
+def test_world_seed_and_pace_come_from_the_environment_unless_the_program_sets_them(monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_WORLD", "tags")
+    monkeypatch.setenv("LEARNBLOCK_SEED", "7")
+    monkeypatch.setenv("LEARNBLOCK_PACE", "50")
+    with Ebo() as robot:
+        assert robot.conditions() == {"robot": "sim-ebo", "world": "tags", "seed": 7}
+        assert robot.simulation.pacing.factor == 50
+    with Ebo(world="line", seed=1, pace="free") as robot:
+        assert robot.conditions() == {"robot": "sim-ebo", "world": "line", "seed": 1}
+        assert robot.simulation.pacing.factor is None
+
+
+@pytest.mark.parametrize(("pace", "factor"), [("free", None), ("real", 1), ("2.5", 2.5), (3, 3)])
+def test_a_pace_is_a_word_or_a_factor(pace, factor):
+    assert pace_factor(pace) == factor
+
+
+@pytest.mark.parametrize("pace", ["fast", "0", "-1", "nan", "inf", ""])
+def test_another_pace_is_refused_by_name(pace):
+    with pytest.raises(DeviceValueError) as refused:
+        pace_factor(pace)
+    assert refused.value.phrase == Phrase("world-bad-pace", pace=pace)
+
+
+def test_a_seed_that_is_not_a_whole_number_is_refused(monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_SEED", "lucky")
+    with pytest.raises(DeviceValueError) as refused:
+        Ebo(world="empty")
+    assert refused.value.phrase == Phrase("world-bad-seed", seed="lucky")
+
+
+def test_a_world_is_found_in_the_users_folder_or_in_a_plugin(own_home, tmp_path, monkeypatch):
+    (own_home / "worlds").mkdir()
+    (own_home / "worlds" / "room.toml").write_text('title = "My room"')
+    package = tmp_path / "school_worlds"
+    package.mkdir()
+    (package / "__init__.py").touch()
+    (package / "gym.toml").write_text('title = "The gym"')
+    monkeypatch.syspath_prepend(tmp_path)
+    point = EntryPoint("school", "school_worlds", "learnblock.worlds")
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: [point])
+    assert find_world("room").title == "My room"
+    assert find_world("gym").title == "The gym"
+    assert "school_worlds" not in sys.modules
+    with pytest.raises(UnknownNameError, match="Did you mean 'gym'"):
+        find_world("gyn")
+
+
+ENDLESS = """\
+from learnblock.robots.sim_ebo import Robot
+
+robot = Robot()
+robot.move_straight(100)
+robot.sleep(1)
+"""
+
+
+@pytest.mark.parametrize(
+    ("ending", "how"),
+    [
+        ("while True: pass", "no call"),
+        ("1 / 0", "error"),
+        ("import os; os._exit(1)", "killed"),
+        ("while True: robot.sleep(1)", "time limit"),
+    ],
+)
+def test_every_program_ends_with_its_robot_at_rest(ending, how):
+    source = ENDLESS + ending
+    entry = robots.find("sim-ebo")
+    session = running.ProgramRun(
+        Program("endless.py", source, source),
+        entry,
+        running.Options(world="empty", seconds=3),
+        limits=Limits(silence=0.3),
+    )
+    assert session.run().ended == how
+    simulation = session.client.simulation
+    simulation.advance(simulation.steps + 100)
+    at_rest = session.client.where()
+    simulation.advance(simulation.steps + 100)
+    assert session.client.where() == at_rest
+
+
+def test_programs_of_one_world_leave_the_same_trace_again_and_again():
+    source = (
+        ENDLESS.replace("100", "60") + "while True:\n    robot.turn_right()\n    robot.sleep(0.1)"
+    )
+
+    def run_three():
+        trace = Trace()
+        simulation = Simulation(World(load_world("obstacles"), seed=4))
+
+        def one(index):
+            program = Program("three.py", source, source)
+            return Run(
+                program,
+                lambda *_: Ebo(simulation=simulation, name=f"robot {index}"),
+                lambda client: record(client, program.identity, trace, {"robot": client.name}),
+            )
+
+        Host(*map(one, range(3)), seconds=4).run()
+        return trace.sha256, [body.pose for body in simulation.world.robots.values()]
+
+    assert run_three() == run_three()

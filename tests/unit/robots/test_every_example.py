@@ -1,0 +1,35 @@
+"""Every example on every robot: it runs through the real driver and wire, or is refused."""
+
+import itertools
+
+import pytest
+
+from emulated import reachable
+from learnblock import robots, running
+from learnblock.emulators import TWINS
+from runs import EXAMPLES, WORLDS, run_example
+
+NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
+#: Seconds of each run: what is asked is that all its devices answer; the paper's own programs are
+#: run to their ends in the tests of each robot.
+SECONDS = 0.8
+
+
+def missing(name, robot):
+    """The devices that keep an example from running on a robot."""
+    found = running.check(running.read(EXAMPLES / name), robots.find(robot))
+    needs = [one.message.values["devices"] for one in found if one.severity == "error"]
+    return sorted({device.values["kind"] for devices in needs for device in devices})
+
+
+@pytest.mark.parametrize(("name", "robot"), list(itertools.product(NAMES, sorted(TWINS))))
+def test_an_example_runs_on_a_real_robot_or_is_refused_by_naming_the_missing_device(name, robot):
+    lacking = missing(name, robot)
+    if lacking:
+        devices = robots.find(robot).load().device_names()
+        assert not {device.partition(":")[0] for device in devices} & set(lacking)
+        return
+    with reachable(robot, WORLDS.get(name, "empty")):
+        finished = run_example(name, robot, seconds=SECONDS)
+    assert finished.report.error is None
+    assert finished.report.ended in {"finished", "time limit"}

@@ -1,0 +1,230 @@
+"""A tiny simulated robot, and programs run on it by a host."""
+
+import io
+import json
+import os
+import subprocess
+import threading
+import time
+from dataclasses import dataclass, field
+
+import pytest
+
+from learnblock.client import Client
+from learnblock.devices import Base, Display, DistanceSensors, Gyroscope
+from learnblock.runtime.ending import Ending
+from learnblock.runtime.host import Host
+from learnblock.runtime.limits import Limits
+from learnblock.runtime.pacing import Pacing
+from learnblock.runtime.process import ProcessWorker
+from learnblock.runtime.program import Program
+from learnblock.runtime.run import Run
+from learnblock.runtime.trace import Trace, record
+from listener import Listener
+
+HEADER = "from learnblock.robots.tiny import Robot\nrobot = Robot()\n"
+
+
+class TinyWorld:
+    """A world in which only time passes."""
+
+    def __init__(self, dt=0.01, seed=7):
+        self.dt, self.seed, self.steps = dt, seed, 0
+        self.pacing, self.lock = Pacing(), threading.RLock()
+
+    def advance(self, step):
+        while self.steps < step:
+            self.pacing.wait(self.steps * self.dt)
+            self.steps += 1
+
+
+class WorldClock:
+    def __init__(self, world):
+        self._world = world
+
+    @property
+    def instant(self):
+        return self._world.steps
+
+    def time(self):
+        return round(self._world.steps * self._world.dt, 9)
+
+    def sleep(self, seconds):
+        raise AssertionError("the host must not sleep")
+
+    def charge(self):
+        pass
+
+
+class TinyRobot(Client):
+    """A base, distance sensors that return the step, and a gyroscope."""
+
+    def __init__(self, simulation=None, broken=()):
+        self.simulation = simulation
+        self.log, self.broken, self.zero = [], broken, 0
+        super().__init__(skills=[], clock=WorldClock(simulation) if simulation else None)
+
+    def connect(self):
+        self.add(Base(move=self.note("move")))
+        self.add(DistanceSensors(read=self.distances))
+        self.add(Gyroscope(read=self.angle, reset=self.reset), "Z_AXIS")
+        self.add(Display(self.note("show_emotion"), self.note("show_image")))
+
+    def disconnect(self):
+        self.log.append(("disconnect",))
+        if "disconnect" in self.broken:
+            raise OSError("the cable is out")
+
+    def note(self, name):
+        return lambda *args: self.tell(name, *args)
+
+    def tell(self, name, *args):
+        self.log.append((name, *args))
+        if name in self.broken:
+            raise OSError("the cable is out")
+
+    def distances(self):
+        if "read" in self.broken:
+            raise OSError("the cable is out")
+        return {"front": [float(self.simulation.steps if self.simulation else 0)]}
+
+    def angle(self):
+        return 90.0 - self.zero
+
+    def reset(self):
+        self.zero = 90.0
+        self.log.append(("reset",))
+
+
+@dataclass
+class Result:
+    """The result of a run."""
+
+    run: Run
+    output: str
+    trace: bytes
+    lines: list[int] = field(default_factory=list)
+    processes: tuple[int, ...] = ()
+
+    @property
+    def ending(self) -> Ending:
+        return self.run.ending
+
+    @property
+    def how(self):
+        return self.run.ending.how
+
+    @property
+    def log(self):
+        return self.run.client.log
+
+    @property
+    def events(self):
+        return [json.loads(line) for line in self.trace.splitlines()]
+
+    def left_over(self):
+        """Return the process groups of the run in which a process is still alive.
+
+        A killed process needs the processor once more to be gone.
+        """
+        deadline = time.monotonic() + 5
+        while (living := list(filter(alive, self.processes))) and time.monotonic() < deadline:
+            os.sched_yield()
+        return living
+
+
+def alive(group):
+    """Whether a process of the group still runs; a zombie does not."""
+    states = subprocess.run(
+        ["ps", "-A", "-o", "pgid=,stat="], capture_output=True, text=True, check=True
+    ).stdout
+    return any(
+        state.split()[0] == str(group) and not state.split()[1].startswith("Z")
+        for state in states.splitlines()
+    )
+
+
+class Stage:
+    """Programs to run in one world."""
+
+    def __init__(self):
+        self.world = TinyWorld()
+        self.workers, self.parts = [], []
+
+    def add(
+        self,
+        source,
+        *,
+        header=HEADER,
+        worker=ProcessWorker,
+        limits=None,
+        real=False,
+        broken=(),
+        answers=(),
+        watcher=None,
+        debugger=None,
+        label=None,
+        make_robot=None,
+        folder="",
+        robots=(),
+    ):
+        text = header + source
+        file = io.BytesIO()
+        listener = watcher or Listener(answers)
+
+        def make_worker():
+            self.workers.append(worker())
+            return self.workers[-1]
+
+        def make(_module, arguments):
+            return TinyRobot(None if real else self.world, broken, **arguments)
+
+        run = Run(
+            Program("tiny.py", text, text, folder=folder),
+            make_robot or make,
+            lambda client: record(client, "tiny", Trace(file), label),
+            watcher=listener,
+            debugger=debugger,
+            limits=limits,
+            worker=make_worker,
+            robots=robots,
+        )
+        self.parts.append((run, listener, file))
+        return run
+
+    def host(self, seconds=None):
+        return Host(*(run for run, _, _ in self.parts), seconds=seconds)
+
+    def results(self):
+        groups = tuple(
+            worker._process.pid for worker in self.workers if isinstance(worker, ProcessWorker)
+        )
+        return [
+            Result(run, "".join(listener.text), file.getvalue(), listener.numbers, groups)
+            for run, listener, file in self.parts
+        ]
+
+
+@pytest.fixture
+def stage(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
+    return Stage()
+
+
+@pytest.fixture
+def run(stage):
+    """Run a program on the tiny robot, and return the `Result`."""
+
+    def run(source, *, seconds=None, **options):
+        stage.add(source, **options)
+        stage.host(seconds).run()
+        (result,) = stage.results()
+        return result
+
+    return run
+
+
+@pytest.fixture
+def impatient():
+    """Limits for programs that do not end, long enough to start on a busy machine."""
+    return Limits(silence=1.0)

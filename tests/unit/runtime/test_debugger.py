@@ -1,0 +1,153 @@
+import threading
+
+import pytest
+
+from learnblock.i18n import Phrase
+from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.ending import How
+from learnblock.runtime.messages import Variables
+from learnblock.runtime.process import ProcessWorker, ThreadWorker
+from listener import Listener
+
+# The header has two lines.
+PROGRAM = """
+def double(n):
+    result = 2 * n
+    return result
+
+total = 0
+for i in range(2):
+    total += double(i)
+print(total)
+"""
+
+
+class Script(Listener):
+    """Answers each pause of a program with the next command of a list."""
+
+    def __init__(self, *commands, **options):
+        super().__init__()
+        self.commands = list(commands)
+        self.lines, self.variables_held = [], []
+        self.debugger = Debugger(**options)
+
+    def held(self, line, variables):
+        self.lines.append(line)
+        self.variables_held.append(variables)
+        getattr(self.debugger, self.commands.pop(0) if self.commands else "resume")()
+
+
+@pytest.fixture(params=[ProcessWorker, ThreadWorker])
+def debug(run, request):
+    def debug(script, source=PROGRAM):
+        return run(source, debugger=script.debugger, watcher=script, worker=request.param)
+
+    return debug
+
+
+def test_a_program_is_held_at_its_breakpoints(debug):
+    script = Script(breakpoints=[10])
+    result = debug(script)
+    assert script.lines == [10, 10]
+    assert (How.FINISHED, "2\n") == (result.how, result.output)
+
+
+def test_the_variables_are_those_before_the_line(debug):
+    script = Script(breakpoints=[6])
+    debug(script)
+    first, second = script.variables_held
+    assert first.local == {"n": "0", "result": "0"}
+    assert second.local == {"n": "1", "result": "2"}
+    assert second.shared == {"total": "0", "i": "1"}
+
+
+def test_outside_functions_all_variables_are_the_programs(debug):
+    script = Script(breakpoints=[11])
+    debug(script)
+    assert script.variables_held[0] == Variables({}, {"total": "2", "i": "1"})
+
+
+def test_a_program_paused_from_the_start_runs_line_by_line(debug):
+    script = Script("step", "step", "step", "step", "step", "step", "step", paused=True)
+    debug(script)
+    assert script.lines == [1, 2, 4, 8, 9, 10, 5, 6]
+
+
+def test_stepping_enters_functions(debug):
+    script = Script("step", "step", "step", breakpoints=[9])
+    debug(script)
+    assert script.lines[:4] == [9, 10, 5, 6]
+
+
+def test_stepping_over_stays_in_the_function(debug):
+    script = Script("step_over", "step_over", "step_over", breakpoints=[9])
+    debug(script, PROGRAM.replace("range(2)", "range(1)"))
+    assert script.lines == [9, 10, 9, 11]
+
+
+def test_stepping_over_the_end_of_a_function_holds_in_its_caller(debug):
+    script = Script("step_over", "step_over", breakpoints=[5])
+    debug(script, PROGRAM.replace("range(2)", "range(1)"))
+    assert script.lines == [5, 6, 9]
+
+
+def test_a_command_while_nothing_is_held_changes_nothing(debug):
+    script = Script(breakpoints=[11])
+    for command in ("resume", "step", "step_over"):
+        getattr(script.debugger, command)()
+    debug(script)
+    assert script.lines == [11]
+
+
+def test_a_pause_holds_at_the_next_line(run):
+    class Pausing(Script):
+        def input(self, prompt):
+            self.debugger.pause()
+            return ""
+
+    script = Pausing()
+    run("input()\nrobot.sleep(1)\npass\n", debugger=script.debugger, watcher=script)
+    assert script.lines == [4]
+
+
+def test_a_stop_while_held_ends_the_program_at_once(stage):
+    class Held(Listener):
+        at = threading.Event()
+
+        def held(self, line, variables):
+            self.at.set()
+
+    held = Held.at
+    run = stage.add("print('never')", debugger=Debugger(breakpoints=[3]), watcher=Held())
+    host = stage.host()
+    thread = threading.Thread(target=host.run)
+    thread.start()
+    assert held.wait(5)
+    host.stop()
+    thread.join(2)
+    assert not thread.is_alive()
+    assert (How.STOPPED, Phrase("run-stopped")) == (run.ending.how, run.ending.phrase)
+    assert stage.results()[0].output == ""
+
+
+def test_a_variable_that_cannot_be_shown_does_not_end_the_program(debug):
+    source = (
+        "class Shy:\n    def __repr__(self):\n        raise ValueError\n"
+        "shy = Shy()\nlong = 'x' * 999\nodd = '\\ud800'\npass"
+    )
+    script = Script(breakpoints=[9])
+    assert debug(script, source).how == How.FINISHED
+    assert script.variables_held[0].shared == {
+        "shy": "<ValueError in its own description>",
+        "long": "'" + 199 * "x" + "...",
+        "odd": "'\\ud800'",
+    }
+
+
+def test_a_run_that_is_debugged_has_the_trace_of_one_that_is_not(stage, run):
+    script = Script(breakpoints=[9])
+    debugged = run(PROGRAM, debugger=script.debugger, watcher=script)
+    fresh = type(stage)()
+    fresh.add(PROGRAM)
+    fresh.host().run()
+    assert debugged.trace == fresh.results()[0].trace

@@ -1,0 +1,141 @@
+import hashlib
+import io
+import json
+
+import numpy as np
+import pytest
+
+from learnblock.devices import Base, Display, Speaker
+from learnblock.runtime.trace import Mark, Recorder, Trace, record
+from learnblock.testing import FakeRobot
+
+
+@pytest.fixture
+def file():
+    return io.BytesIO()
+
+
+@pytest.fixture
+def recorder(file):
+    return Recorder(Trace(file), lambda: 1.5, lambda: (1.0, 2.0, 3.0))
+
+
+def written(file):
+    return [json.loads(line) for line in file.getvalue().splitlines()]
+
+
+def test_the_hash_is_that_of_the_file(file, recorder):
+    recorder.line(3)
+    recorder.printed("hello\n")
+    assert recorder.trace.sha256 == hashlib.sha256(file.getvalue()).hexdigest()
+
+
+def test_a_trace_without_a_file_has_the_same_hash(file, recorder):
+    nowhere = Recorder(Trace(), lambda: 1.5, lambda: None)
+    for each in (recorder, nowhere):
+        each.lines((1, 2, 3))
+        each.called("turn", (90,), {})
+    assert recorder.trace.sha256 == nowhere.trace.sha256
+
+
+def test_lines_of_one_time_are_written_as_one_by_one(file, recorder):
+    recorder.lines((3, 10, 4))
+    together = file.getvalue()
+    file.truncate(0)
+    file.seek(0)
+    for number in (3, 10, 4):
+        recorder._write("line", number)
+    assert together == file.getvalue()
+
+
+def test_lines_carry_the_label_of_their_robot(file):
+    Recorder(Trace(file), lambda: 0.25, lambda: None, {"robot": "a"}).lines((3, 4))
+    assert written(file) == [
+        {"t": 0.25, "line": 3, "robot": "a"},
+        {"t": 0.25, "line": 4, "robot": "a"},
+    ]
+
+
+def test_calls_are_written_with_plain_arguments(file, recorder):
+    recorder.called("turn", (90, np.float64(1.5), object()), {"to": (1, 2)})
+    recorder.called("stop_bot", (), {})
+    assert written(file) == [
+        {
+            "t": 1.5,
+            "call": "turn",
+            "args": [90, 1.5, "<object object>"],
+            "kwargs": {"to": [1, 2]},
+        },
+        {"t": 1.5, "call": "stop_bot", "args": []},
+    ]
+
+
+def test_prints_poses_goals_and_the_end_are_written(file, recorder):
+    recorder.printed("hello\n")
+    recorder.pose(0.5, (1.23456, -0.0, 90.0))
+    recorder.goal(0.75, "home", "reached")
+    recorder.end("finished")
+    assert written(file) == [
+        {"t": 1.5, "print": "hello"},
+        {"t": 0.5, "pose": [1.235, 0.0, 90.0]},
+        {"t": 0.75, "goal": "home", "state": "reached"},
+        {"t": 1.5, "end": "finished"},
+    ]
+    assert recorder.path == [(0.5, (1.23456, -0.0, 90.0))]
+    assert recorder.marks[-1] == Mark(1.5, "end", "finished", (1.0, 2.0, 3.0))
+
+
+@pytest.fixture
+def robot():
+    with FakeRobot() as robot:
+        yield robot
+
+
+def test_commands_to_devices_are_recorded_and_carried_out(file, robot):
+    record(robot, "program", Trace(file))
+    robot.device(Base).move(10, 0)
+    robot.device(Speaker).say("hello")
+    assert written(file)[1:] == [
+        {"t": 0.0, "device": "Base", "key": "ROBOT", "do": "move", "args": [10.0, 0.0]},
+        {"t": 0.0, "device": "Speaker", "key": "ROBOT", "do": "say", "args": ["hello"]},
+    ]
+    assert robot.commands == [("Base.move", 10.0, 0.0), ("Speaker.say", "hello")]
+
+
+def test_a_lasting_command_is_news_only_when_it_changes(file, robot):
+    record(robot, "program", Trace(file))
+    for speed in (10, 10, 20, 10):
+        robot.device(Base).move(speed, 0)
+    for _ in range(2):
+        robot.device(Speaker).say("hello")
+    assert [event["args"] for event in written(file)[1:]] == [
+        [10.0, 0.0], [20.0, 0.0], [10.0, 0.0], ["hello"], ["hello"],
+    ]  # fmt: skip
+    assert len(robot.commands) == 6
+
+
+def test_the_same_picture_may_be_shown_twice(file, robot):
+    record(robot, "program", Trace(file))
+    for _ in range(2):
+        robot.device(Display).show_image(np.zeros((2, 2, 3), np.uint8))
+    assert [event["args"] for event in written(file)[1:]] == [["<array of shape (2, 2, 3)>"]] * 2
+
+
+def test_emotions_are_kept_in_order(file, robot):
+    recorder = record(robot, "program", Trace(file))
+    for emotion in ("joy", "fear"):
+        robot.device(Display).show_emotion(emotion)
+    assert recorder.emotions == ["joy", "fear"]
+
+
+def test_skills_without_effect_are_counted(recorder):
+    for _ in range(3):
+        recorder.missing("turn", "Base:ROBOT")
+    assert recorder.missed == {("turn", "Base:ROBOT"): 3}
+
+
+def test_a_trace_begins_with_everything_it_depends_on(file, robot):
+    record(robot, "abc", Trace(file))
+    run = written(file)[0]["run"]
+    assert {"program": "abc", "robot": "robot"}.items() <= run.items()
+    assert set(run["versions"]) == {"learnblock", "trace"}

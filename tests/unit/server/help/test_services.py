@@ -1,0 +1,333 @@
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from learnblock import robots
+from learnblock.blocks import builtin
+from learnblock.language.blocktext.lexer import KEYWORDS
+from learnblock.language.tree.builtins import FUNCTIONS
+from learnblock.server.help import services
+from learnblock.server.help.services import complete, describe
+from learnblock.server.help.words import library_parameters
+from learnblock.server.program.document import Document
+
+HELP = Path(services.__file__).parent
+EBO = "learnblock.robots.sim_ebo"
+PROGRAM = """\
+speed = 3
+class = 1
+
+def turn_by(angle):
+    function.turn(angle)
+    for i from 1 to 3:
+        speed += i
+    end
+end
+
+when seen = function.is_any_tag():
+    turn_by(90)
+    activate go
+end
+
+when go:
+    x = state_seen and time_go > 3
+end
+"""
+
+
+def document(text=PROGRAM):
+    devices = robots.find("sim-thymio").load().device_names()
+    return Document.from_text(text, EBO, builtin(), devices=devices)
+
+
+@pytest.fixture(scope="module")
+def program():
+    return document()
+
+
+def place(text):
+    """Return the line and column of the ``|`` in a text, and the text without it."""
+    before, _, after = text.partition("|")
+    return before.count("\n") + 1, len(before) - before.rfind("\n"), before + after
+
+
+def typed(line, notation="blocktext"):
+    """Return the suggestions at the ``|`` of a line typed below the program, by label."""
+    whole = document()
+    if notation == "python":
+        text = whole.python.replace("\n\n\nrobot.run()", f"\n    {line}\n\n\nrobot.run()")
+    else:
+        text = PROGRAM + line
+    number, column, text = place(text)
+    found = complete(whole.with_text(notation, text), notation, number, column)
+    return {option.label: option for option in found.options}
+
+
+def told(one, notation, text, **more):
+    """Return the description of the word with the ``|`` in the first line that matches."""
+    shown = one.blocktext if notation == "blocktext" else one.python
+    line = text.replace("|", "")
+    start = shown.index(line)
+    at = start + text.index("|")
+    column = at - shown.rfind("\n", 0, at)
+    return describe(one, notation, shown.count("\n", 0, at) + 1, column, **more)
+
+
+# Completion.
+
+
+def test_behind_function_stand_the_skills():
+    found = typed("function.mo|")
+    assert found["move_straight"].detail == "(advSpeed=40)"
+    assert found["stop_bot"].insert == "stop_bot()"
+    assert {option.sort for option in found.values()} == {"skill"}
+
+
+def test_behind_robot_stand_the_skills_and_what_else_it_can_do():
+    found = typed("robot.mo|", "python")
+    assert "move_straight" in found
+    assert {label for label, option in found.items() if option.sort == "robot"} == {
+        "when", "when_start", "run", "elapsedTime"
+    }  # fmt: skip
+
+
+def test_skills_are_explained_in_the_users_language(program):
+    found = complete(program, "blocktext", 5, 14, language="es").options
+    assert {option.label: option.help for option in found}["stop_bot"] == builtin()[
+        "stop_bot"
+    ].tooltip["ES"]
+
+
+def test_an_unknown_language_gets_english_help(program):
+    assert complete(program, "blocktext", 5, 14) == complete(
+        program, "blocktext", 5, 14, language="xx"
+    )
+
+
+def test_a_line_begins_with_a_statement():
+    found = typed("    |")
+    assert found["while"].insert == "while ${condition}:\n    ${pass}\nend"
+    assert {"speed", "turn_by", "function.stop_bot", "activate seen", "repeat"} <= found.keys()
+    assert "def" not in found
+
+
+def test_a_line_at_the_margin_may_define_something():
+    assert {"def", "when", "main", "import"} <= typed("wh|").keys()
+    assert {"def", "@robot.when"} <= {
+        option.label for option in complete(document(), "python", 4, 1).options
+    }
+
+
+def test_an_expression_offers_values():
+    found = typed("x = s|")
+    assert {"speed", "state_seen", "time_go", "True", "sqrt", "function.is_any_tag"} <= found.keys()
+    assert "while" not in found
+
+
+def test_python_asks_a_when_itself():
+    found = typed("x = s|", "python")
+    assert {"seen.active", "go.time", "class_", "speed", "len"} <= found.keys()
+    assert not {"state_seen", "class", "sqrt"} & found.keys()
+    assert typed("go.|", "python")["activate"].insert == "activate()"
+
+
+@pytest.mark.parametrize(
+    ("notation", "call"), [("blocktext", "function.is_tag(|"), ("python", "robot.is_tag(|")]
+)
+def test_where_a_tag_is_asked_for_the_names_of_tags_are_offered(
+    notation, call, tmp_path, monkeypatch
+):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    (tmp_path / "tags.toml").write_text('"red \\"door\\"" = 12\n')
+    assert typed(call, notation)['"red \\"door\\""'].detail == "12"
+    assert '"red \\"door\\""' not in typed(call.replace("is_tag", "turn"), notation)
+
+
+def test_suggestions_work_with_a_wrong_file_of_tag_names(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    (tmp_path / "tags.toml").write_text("ball = 1000\n")
+    assert "idTag=" in typed("function.is_tag(|")
+
+
+def test_a_call_offers_its_arguments_until_they_are_given():
+    assert "advSpeed=" in typed("function.move_straight(|")
+    assert "advSpeed=" not in typed("function.move_straight(advSpeed=3, |")
+    assert "adv=" not in typed("function.set_move(3, |")
+    assert "rot=" in typed("function.set_move(3, |")
+    assert "angle=" in typed("turn_by(|")
+
+
+def test_a_function_offers_its_own_variables_within_itself(program):
+    def offered(line):
+        return {option.label for option in complete(program, "blocktext", line, 9).options}
+
+    assert {"angle", "i"} <= offered(7)
+    assert not {"angle", "i"} & offered(12)
+
+
+def test_brackets_that_are_there_are_not_inserted_again():
+    assert typed("function.tu|(90)")["turn"].insert == "turn"
+
+
+def test_import_offers_the_libraries_there_are():
+    waltz = replace(builtin()["turn"], name="waltz", library="dance")
+    whole = Document.from_text("import ", EBO, {**builtin(), "waltz": waltz})
+    found = complete(whole, "blocktext", 1, 8)
+    assert ['"dance"'] == [one.label for one in found.options]
+
+
+def test_activate_offers_the_whens():
+    assert typed("activate |").keys() == {"seen", "go"}
+
+
+@pytest.mark.parametrize("line", ["# wh|", 'print("sp|', "print('sp|", "x = `sp|", "def |"])
+def test_texts_comments_and_new_names_are_the_authors(line):
+    assert typed(line) == {}
+
+
+def test_behind_a_text_everything_is_offered_again():
+    assert "speed" in typed('print("a", s|')
+
+
+def test_completion_works_while_the_text_has_mistakes():
+    found = typed("other = 1\nif other\nwhile sp|")
+    assert {"speed", "other"} <= found.keys()
+
+
+def test_what_is_typed_is_replaced_from_the_start_of_the_word(program):
+    assert complete(program, "blocktext", 5, 17).from_column == 14
+    assert complete(program, "blocktext", 1, 1, request=7).request == 7
+
+
+# Descriptions.
+
+
+def test_help_on_a_skill_has_its_parameters_and_description(program):
+    found = told(program, "blocktext", "function.tu|rn(")
+    assert found.title == "function.turn(angle)"
+    assert found.text == builtin()["turn"].tooltip["EN"]
+    assert (found.from_column, found.to_column, found.needs) == (14, 18, ())
+    assert told(program, "python", "robot.tu|rn(").title == "robot.turn(angle)"
+
+
+def test_a_device_that_the_robot_lacks_is_named(program):
+    assert told(program, "blocktext", "is_any|_tag").needs == ("Camera",)
+
+
+@pytest.mark.parametrize(
+    ("notation", "text", "title", "defined"),
+    [
+        ("blocktext", "speed += |i", "i", (6, 9)),
+        ("blocktext", "spe|ed += i", "speed", (1, 1)),
+        ("blocktext", "turn(ang|le)", "angle", (4, 13)),
+        ("blocktext", "    turn|_by(90)", "turn_by(angle)", (4, 5)),
+        ("blocktext", "activate g|o", "when go", (16, 6)),
+        ("blocktext", "state_se|en", "state_seen", (11, 6)),
+        ("python", "speed += |i", "i", (12, 9)),
+        ("python", "turn(ang|le)", "angle", (9, 13)),
+        ("python", "    turn|_by(90)", "turn_by(angle)", (9, 5)),
+        ("python", "    g|o.activate()", "go", (23, 5)),
+        ("python", "cla|ss_ = 1", "class_", (6, 1)),
+    ],
+)
+def test_help_on_a_name_has_the_place_of_its_definition(program, notation, text, title, defined):
+    found = told(program, notation, text)
+    assert (found.title, (found.line, found.column)) == (title, defined)
+
+
+@pytest.mark.parametrize(
+    ("notation", "text", "sort", "name"),
+    [
+        ("blocktext", "spe|ed += i", "variable", "speed"),
+        ("blocktext", "turn(ang|le)", "variable", "angle"),
+        ("blocktext", "state_se|en", "when", "seen"),
+        ("blocktext", "    turn|_by(90)", "function", "turn_by"),
+        ("blocktext", "function.tu|rn(", "", ""),
+        ("python", "cla|ss_ = 1", "variable", "class"),
+        ("python", "    g|o.activate()", "when", "go"),
+    ],
+)
+def test_help_names_what_can_be_renamed(program, notation, text, sort, name):
+    found = told(program, notation, text)
+    assert (found.sort, found.name) == (sort, name)
+    if sort:
+        assert "other" in program.renamed(sort, name, "other").blocktext
+
+
+def test_a_parameter_called_like_a_variable_is_renamed_alone():
+    one = document("x = 1\n\ndef f(x):\n    print(x)\nend\n")
+    assert told(one, "blocktext", "print(|x)").name == "f.x"
+    assert told(one, "blocktext", "|x = 1").name == "x"
+    expected = "x = 1\n\ndef f(y):\n    print(y)\nend\n"
+    assert one.renamed("variable", "f.x", "y").blocktext == expected
+
+
+def test_a_word_of_the_language_has_help(program):
+    assert told(program, "blocktext", "wh|en go").title == "when"
+    assert told(program, "blocktext", "acti|vate go").text == "Makes a `when` active."
+    found = told(program, "blocktext", "acti|vate go", language="es")
+    assert found.text == "Activa un `when`."
+
+
+def test_a_function_of_the_language_has_help_on_each_form():
+    found = told(document("x = p|op([1])\n".replace("|", "")), "blocktext", "p|op")
+    assert found.title == "pop(values), pop(values, index)"
+
+
+def test_help_on_an_argument_has_its_default():
+    one = document("function.move_straight(advSpeed=3)\n")
+    found = told(one, "blocktext", "adv|Speed=")
+    assert found.title == "advSpeed"
+    assert "If it is left out, it is 40." in found.text
+
+
+def test_inside_the_brackets_of_a_call_the_help_is_about_the_call():
+    one = document("function.set_move(3, 4)\n")
+    assert told(one, "blocktext", "set_move(3,| 4").title.startswith("function.set_move(")
+
+
+@pytest.mark.parametrize("text", ["speed |= 3", "class = |1"])
+def test_other_words_have_no_help(program, text):
+    assert told(program, "blocktext", text).title == ""
+
+
+def test_a_description_works_while_the_text_has_mistakes():
+    one = document().with_text("blocktext", "if (\n" + PROGRAM)
+    found = told(one, "blocktext", "turn|_by(90)")
+    assert (found.title, found.line) == ("turn_by(angle)", 5)
+
+
+# Everything.
+
+
+@given(
+    st.text(
+        st.sampled_from("abx_.,:=()[]\"'`# \n\té1function.robot.turn(whenstate_go"), max_size=60
+    ),
+    st.sampled_from(["blocktext", "python"]),
+    st.integers(-2, 9),
+    st.integers(-2, 60),
+)
+@settings(max_examples=150, deadline=None, derandomize=True)
+def test_any_place_of_any_text_has_an_answer(text, notation, line, column):
+    one = document("x = 1\n").with_text(notation, text)
+    found = complete(one, notation, line, column)
+    assert found.from_column >= 1
+    assert describe(one, notation, line, column).line >= 0
+
+
+def test_every_word_and_function_is_explained_in_every_language():
+    english = json.loads((HELP / "en.json").read_text("utf-8"))
+    assert english["functions"].keys() == FUNCTIONS
+    assert english["keywords"].keys() == KEYWORDS | {"python", "repeat"}
+    assert all(library_parameters(name) for name in FUNCTIONS)
+    for path in HELP.glob("*.json"):
+        other = json.loads(path.read_text("utf-8"))
+        assert english.keys() == other.keys()
+        for key, words in english.items():
+            if isinstance(words, dict):
+                assert words.keys() == other[key].keys()

@@ -1,0 +1,137 @@
+"""Requests without the right token, Host header or Origin header are refused."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from starlette.datastructures import Headers
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+
+from learnblock.server.http.protection import LOCAL_HOSTS, Protection, offered_token
+from pages import TOKEN
+
+PROTECTION = Protection.of(TOKEN, ["robots.school", "*"], ["robots.school"])
+
+
+def admits(protection, **headers):
+    return protection.admits(Headers(headers))
+
+
+@pytest.mark.parametrize(
+    "host", ["127.0.0.1:8421", "localhost", "LocalHost:80", "[::1]:8421", "robots.school"]
+)
+def test_the_machines_own_names_and_those_given_are_hosts(host):
+    assert admits(PROTECTION, host=host)
+
+
+@pytest.mark.parametrize(
+    "host",
+    [
+        "",
+        "evil.example",
+        "localhost.evil.example",
+        "evil.example:8421",
+        "[::1",
+        "a b",
+        "localhost@x",
+    ],
+)
+def test_other_hosts_are_refused(host):
+    assert not admits(PROTECTION, host=host)
+
+
+def test_an_address_in_numbers_is_a_host_where_all_addresses_are_listened_at():
+    assert admits(PROTECTION, host="192.168.1.20:8421")
+    assert not admits(Protection.of(TOKEN), host="192.168.1.20:8421")
+
+
+@pytest.mark.parametrize("origin", ["http://localhost:8421", "HTTP://LOCALHOST:8421"])
+def test_our_own_page_is_an_origin(origin):
+    assert admits(PROTECTION, host="localhost:8421", origin=origin)
+
+
+def test_a_page_behind_a_proxy_is_an_origin():
+    assert admits(PROTECTION, host="localhost:8421", origin="https://robots.school")
+
+
+@pytest.mark.parametrize(
+    "origin",
+    ["null", "", "https://evil.example", "http://localhost:3000", "http://localhost", "file://"],
+)
+def test_pages_of_other_servers_are_refused(origin):
+    assert not admits(PROTECTION, host="localhost:8421", origin=origin)
+
+
+@given(st.text())
+def test_only_the_token_is_the_token(token):
+    assert PROTECTION.knows(token) == (token == TOKEN)
+
+
+@given(st.lists(st.text(), max_size=4))
+def test_a_token_comes_as_the_second_subprotocol(offered):
+    assert offered_token(["learnblock", TOKEN]) == TOKEN
+    right = len(offered) == 2 and offered[0] == "learnblock"
+    assert offered_token(offered) == (offered[1] if right else None)
+
+
+@given(st.text(), st.text() | st.none())
+def test_any_headers_are_admitted_or_refused(host, origin):
+    raw = [(b"host", host.encode())] + ([(b"origin", origin.encode())] if origin else [])
+    admitted = PROTECTION.admits(Headers(raw=raw))
+    assert not admitted or any(name in host.lower() for name in (*LOCAL_HOSTS, ".", ":"))
+
+
+# Over the wire.
+
+
+def test_a_wrong_token_closes_the_socket_with_a_code_of_its_own(server):
+    with server.visit(token="wrong") as visitor:
+        with pytest.raises(ConnectionClosed):
+            visitor.next()
+        assert visitor.socket.close_code == 4403
+
+
+def test_a_socket_without_a_token_is_closed(server):
+    with server.visit(token="learnblock") as visitor, pytest.raises(ConnectionClosed):
+        visitor.next()
+
+
+def test_a_socket_of_another_page_is_refused(server):
+    with pytest.raises(InvalidStatus, match="403"), server.visit(origin="https://evil.example"):
+        pass
+
+
+def test_a_socket_by_a_rebound_name_is_refused(server):
+    with pytest.raises(InvalidStatus, match="403"), server.visit(host="evil.example"):
+        pass
+
+
+def test_a_request_by_a_rebound_name_is_refused(server):
+    assert server.get(f"/?token={TOKEN}", Host="evil.example").status == 403
+
+
+def test_a_request_of_another_page_is_refused(server):
+    assert server.get(f"/?token={TOKEN}", Origin="https://evil.example").status == 403
+
+
+@pytest.mark.parametrize("path", ["/", "/palette/en.json", "/textures/tag/1.png", "/?token=wrong"])
+def test_what_is_private_needs_the_token(server, path):
+    assert server.get(path).status == 403
+
+
+def test_the_cookie_of_the_page_serves_as_its_token(server):
+    cookie = server.get(f"/?token={TOKEN}").headers["Set-Cookie"]
+    assert {"HttpOnly", "SameSite=strict", "Path=/"} <= set(cookie.split("; "))
+    assert server.get("/palette/en.json", Cookie=cookie.split(";")[0]).status == 200
+
+
+def test_the_cookies_of_two_servers_do_not_get_in_each_others_way(server):
+    cookies = "learnblock_token_1=other; learnblock_token_2=" + TOKEN
+    assert server.get("/palette/en.json", Cookie=cookies).status == 200
+
+
+def test_nothing_may_be_fetched_from_elsewhere(server):
+    headers = server.get(f"/?token={TOKEN}").headers
+    assert "default-src 'self'" in headers["Content-Security-Policy"]
+    assert "http" not in headers["Content-Security-Policy"]
+    assert headers["X-Content-Type-Options"] == "nosniff"
+    assert headers["Referrer-Policy"] == "no-referrer"

@@ -1,0 +1,144 @@
+"""Every message of a page is executed or refused with a sentence, and the session goes on."""
+
+import json
+from contextlib import suppress
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from learnblock.server import messages
+from learnblock.server.pages.lobby import HANDLERS
+from learnblock.server.pages.page import LARGEST_MESSAGE, MessageError, decode
+from pages import english
+
+PROGRAM = "main:\n    function.move_straight(50)\nend\n"
+
+json_values = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4),
+    max_leaves=12,
+)
+kinds = st.sampled_from([kind.__name__ for kind in HANDLERS])
+fields = st.sampled_from(
+    sorted({name for kind in HANDLERS for name in kind.__struct_fields__} | {"kind", "x"})
+)
+
+
+def test_every_message_of_a_page_has_a_handler():
+    assert set(messages.FromPage.__args__) == set(HANDLERS)
+
+
+def test_the_server_speaks_first(page):
+    welcome = page.next()
+    assert welcome["kind"] == "Welcome"
+    assert "sim-ebo" in [robot["name"] for robot in welcome["robots"]]
+    assert {"name": "line", "title": "A line to follow", "own": False}.keys() == welcome["worlds"][
+        0
+    ].keys()
+    assert "square" in [example["name"] for example in welcome["examples"]]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "",
+        "hello",
+        "{",
+        "[]",
+        "null",
+        "{}",
+        '{"kind": 3}',
+        '{"kind": "Launch"}',
+        '{"kind": "Open"}',
+        '{"kind": "Open", "name": ""}',
+        '{"kind": "Open", "name": ["a"]}',
+        '{"kind": "EditText", "edit": "1", "notation": "blocktext", "text": ""}',
+        '{"kind": "EditText", "edit": 1, "notation": "latin", "text": ""}',
+        '{"kind": "EditBlocks", "edit": 1, "workspace": {"stacks": [[{}]]}}',
+        '{"kind": "Drive", "advance": 2, "rotation": 0}',
+        '{"kind": "SetSpeed", "factor": 0}',
+        '{"kind": "SetSpeed", "factor": NaN}',
+        '{"kind": "PlaceRobot", "x": 1e9, "y": 0, "heading": 0}',
+        b"\xff\xfe",
+        "text of another kind".encode("utf-16"),
+        "[" * 100_000,
+        '{"kind": "SaveWorld", "name": "w", "world": ' + '{"a":' * 50_000 + "1" + "}" * 50_001,
+        json.dumps({"kind": "Answer", "text": "x" * 20_000}),
+        json.dumps({"kind": "Answer", "text": "x" * (LARGEST_MESSAGE + 1)}),
+    ],
+    ids=lambda said: str(said[:40]),
+)
+def test_broken_messages_are_refused(page, said):
+    page.open(text=PROGRAM)
+    page.say_raw(said)
+    assert english(page.hear("Failed")["message"])
+    assert page.run()["ended"] == "finished"
+
+
+@pytest.mark.parametrize(
+    ("kind", "values"),
+    [
+        ("Run", {}),
+        ("Stop", {}),
+        ("Step", {}),
+        ("Undo", {}),
+        ("EditText", {"edit": 1, "notation": "python", "text": ""}),
+        ("Complete", {"request": 1, "notation": "python", "line": 1, "column": 1}),
+        ("Answer", {"text": "hello"}),
+        ("ListHistory", {}),
+        ("WatchCamera", {"on": True}),
+    ],
+)
+def test_messages_about_a_project_are_refused_before_one_is_open(page, kind, values):
+    page.say(kind, **values)
+    failed = page.hear("Failed")
+    assert failed["request"] == kind
+    assert "Open a project first" in english(failed["message"])
+
+
+@pytest.mark.parametrize(
+    ("kind", "values", "reason"),
+    [
+        ("Answer", {"text": "hello"}, "not waiting for an answer"),
+        ("ChooseRobot", {"name": "sim-ebbo"}, "Did you mean 'sim-ebo'"),
+        ("ChooseWorld", {"name": "../../etc/passwd"}, "no world"),
+        ("ChooseWorld", {"name": "/etc/passwd.toml"}, "no world"),
+        ("ReadWorld", {"name": "../robots/ebo.toml"}, "no world"),
+        ("Open", {"name": "../other"}, "can't be called"),
+        ("Open", {"name": "nothing"}, "no project"),
+        ("SaveAs", {"name": "a\0b"}, ""),
+        ("New", {"name": "x", "example": "../README"}, "no example"),
+        ("Import", {"filename": "a.exe", "text": ""}, "this type of file"),
+        ("Import", {"filename": "a.learnblock", "text": "{}"}, "not a LearnBlock project"),
+        ("Restore", {"version": "../../x"}, "no version"),
+        ("Delete", {"name": "program"}, "is open"),
+        ("Rename", {"sort": "variable", "name": "nothing", "new": "x"}, ""),
+    ],
+)
+def test_an_impossible_request_is_refused_with_a_reason(page, kind, values, reason):
+    page.open(text=PROGRAM)
+    page.say(kind, **values)
+    if kind == "SaveAs":
+        assert page.hear("Opened")["name"] == "a b"
+        return
+    failed = page.hear("Failed")
+    assert (failed["request"], reason in english(failed["message"])) == (kind, True), failed
+    page.pulse()
+
+
+@given(st.text() | st.binary() | json_values.map(json.dumps))
+def test_anything_is_a_message_or_refused(said):
+    refused_or(said)
+
+
+@given(kinds, st.dictionaries(fields, json_values, max_size=5))
+def test_anything_of_the_kind_of_a_message_is_one_or_refused(kind, values):
+    refused_or(json.dumps({**values, "kind": kind}))
+
+
+def refused_or(said):
+    with suppress(MessageError):
+        message = decode(said)
+        assert decode(msgspec.json.encode(message)) == message

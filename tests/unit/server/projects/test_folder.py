@@ -1,0 +1,427 @@
+import json
+import os
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from learnblock.blocks import builtin
+from learnblock.blocks.block_sets import BlockNames, BlockSet
+from learnblock.errors import LearnBlockError, ProgramError, ProjectError, UnknownNameError
+from learnblock.language.workspace.blocks import Block, BlockComment, Input, Variable, Workspace
+from learnblock.server.messages import PastRun
+from learnblock.server.program.document import Document
+from learnblock.server.projects.folder import ProjectFolder
+from learnblock.server.projects.project_file import LARGEST, Project, checked_name, decode, encode
+from learnblock.storage import files
+from places import ROOT
+
+EXAMPLES = ROOT / "examples"
+SQUARE = (EXAMPLES / "square.bt").read_text("utf-8")
+
+
+@pytest.fixture
+def folder(tmp_path):
+    return ProjectFolder(tmp_path / "projects")
+
+
+def file_of(**values):
+    return json.dumps({"learnblock": 1, "blocktext": [], **values}).encode()
+
+
+def refusal(data, name="p"):
+    with pytest.raises(ProjectError) as caught:
+        decode(data, name)
+    (diagnostic,) = caught.value.diagnostics
+    return diagnostic
+
+
+# Files.
+
+
+def test_a_projects_file_can_be_read_by_a_person():
+    project = Project("p", "x = 1\ny = 2\n", robot="sim-thymio", world="line")
+    expected = """\
+{
+  "learnblock": 1,
+  "robot": "sim-thymio",
+  "world": "line",
+  "breakpoints": [],
+  "blocktext": [
+    "x = 1",
+    "y = 2",
+    ""
+  ]
+}
+"""
+    assert expected == encode(project).decode()
+
+
+def test_each_stack_of_blocks_has_a_line():
+    workspace = Document.from_text(SQUARE, "learnblock.robots.sim_ebo", builtin()).workspace
+    lines = encode(Project("p", SQUARE, workspace=workspace)).decode().split("\n")
+    assert sum('"lb_main"' in line or '"lb_start"' in line for line in lines) == len(
+        workspace.stacks
+    )
+
+
+texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=30)
+ids = st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=8)
+numbers = st.floats(allow_nan=False, allow_infinity=False)
+fields = st.dictionaries(texts, texts | st.booleans() | numbers | st.none(), max_size=2)
+blocks = st.recursive(
+    st.builds(Block, texts, texts, fields=fields, comment=st.builds(BlockComment, texts)),
+    lambda inner: st.builds(
+        Block,
+        texts,
+        texts,
+        st.none() | numbers,
+        inputs=st.dictionaries(
+            texts,
+            st.builds(Input, st.none() | inner, st.none() | inner, st.lists(inner, max_size=2)),
+            max_size=2,
+        ),
+        data=st.none() | texts,
+    ),
+    max_leaves=6,
+)
+workspaces = st.builds(
+    Workspace,
+    st.lists(st.lists(blocks, max_size=2), max_size=3),
+    st.lists(st.builds(Variable, texts, texts), max_size=2),
+)
+names = st.from_regex(r"[a-z0-9][a-z0-9 _.-]{0,10}[a-z]", fullmatch=True)
+mentioned = st.builds(
+    BlockNames,
+    categories=st.lists(ids, max_size=2).map(tuple),
+    blocks=st.lists(ids, max_size=2).map(tuple),
+)
+block_sets = st.builds(
+    BlockSet,
+    name=names,
+    title=st.dictionaries(st.just("en"), texts),
+    show=mentioned,
+    hide=mentioned,
+)
+projects = st.builds(
+    Project,
+    names,
+    texts,
+    st.none() | texts,
+    st.none() | workspaces,
+    names,
+    names | st.just(""),
+    st.lists(ids, max_size=3).map(tuple),
+    names,
+    st.lists(block_sets, max_size=2).map(tuple),
+)
+
+
+@given(projects)
+@settings(deadline=None, derandomize=True)
+def test_any_project_is_read_as_it_was_written(project):
+    assert project == decode(encode(project), project.name)
+
+
+@given(st.binary(max_size=300))
+@settings(max_examples=300, deadline=None, derandomize=True)
+def test_any_bytes_are_a_project_or_refused(data):
+    assert_read_or_refused(data)
+
+
+_json = st.recursive(
+    st.none() | st.booleans() | st.integers() | numbers | texts,
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(texts, inner, max_size=3),
+    max_leaves=10,
+)
+_keys = ("learnblock", "blocktext", "python", "workspace", "robot", "world", "breakpoints")
+
+
+@given(st.dictionaries(st.sampled_from(_keys) | texts, _json, max_size=6))
+@settings(max_examples=500, deadline=None, derandomize=True)
+def test_any_json_is_a_project_or_refused(values):
+    assert_read_or_refused(json.dumps({"learnblock": 1, "blocktext": [], **values}).encode())
+
+
+@given(st.integers(min_value=0), st.binary(max_size=4))
+@settings(max_examples=300, deadline=None, derandomize=True)
+def test_a_file_with_a_slip_is_a_project_or_refused(place, put):
+    workspace = Document.from_text("x = 1\n", "learnblock.robots.sim_ebo", builtin()).workspace
+    data = encode(Project("p", SQUARE, "x=1\n", workspace))
+    at = place % len(data)
+    assert_read_or_refused(data[:at] + put + data[at + 1 :])
+
+
+def assert_read_or_refused(data):
+    try:
+        project = decode(data, "p")
+    except ProjectError:
+        return
+    assert project == decode(encode(project), "p")
+
+
+@pytest.mark.parametrize(
+    ("values", "code", "words"),
+    [
+        (
+            {"learnblock": 2},
+            "unknown-version",
+            "reads version 1. Open it with a newer",
+        ),
+        ({"learnblock": None}, "no-project", "not a LearnBlock project"),
+        ({"robot": 7}, "wrong-value", "'robot' is 7. It must be the name"),
+        ({"breakpoints": ["", "x"]}, "wrong-value", "'breakpoints[0]' is \"\""),
+        ({"workspace": {"stacks": [3]}}, "wrong-value", "'workspace.stacks[0]' is 3"),
+        ({"wrold": "line"}, "unknown-key", "Did you mean 'world'?"),
+        ({"world": "../../etc/passwd"}, "no-name", "can only name a"),
+        ({"world": "/etc/passwd"}, "no-name", "can only name a"),
+        ({"world": "C:\\worlds\\line"}, "no-name", "can only name a"),
+        ({"world": "line.toml/"}, "no-name", "can only name a"),
+        ({"robot": "../robot"}, "no-name", "can only name a"),
+        (
+            {"workspace": {"stacks": [[{"type": "x"}]]}},
+            "missing-key",
+            "The key 'id' is missing",
+        ),
+        ({"shown": 3}, "wrong-value", "It must be the name of a block set"),
+        ({"block_sets": [{}] * 9}, "wrong-value", "It must be a list of at most 8 block sets"),
+        ({"block_sets": [{"shown": {}}]}, "unknown-key", "Did you mean 'show'?"),
+        ({"block_sets": [{"show": {"block": []}}]}, "unknown-key", "Did you mean 'blocks'?"),
+    ],
+)
+def test_a_wrong_value_is_refused_with_its_place_and_advice(values, code, words):
+    diagnostic = refusal(file_of(**values))
+    assert (diagnostic.code, words in str(diagnostic.message)) == (code, True), diagnostic.message
+
+
+def test_a_wrong_value_is_refused_in_its_line():
+    diagnostic = refusal(b'{\n  "learnblock": 1,\n  "blocktext": "x"\n}')
+    assert (diagnostic.line, diagnostic.column, diagnostic.end_column) == (3, 3, 14)
+
+
+def test_broken_json_is_refused_with_its_place():
+    diagnostic = refusal(b'{\n  "learnblock": 1,\n  "blocktext": [}')
+    assert (diagnostic.code, diagnostic.line, diagnostic.column) == ("not-json", 3, 17)
+
+
+def test_a_deep_file_is_refused():
+    deep = b"[" * 100_000 + b"]" * 100_000
+    for key in (
+        b'"x":',
+        b'"robot":',
+        b'"workspace":{"stacks":[[{"type":"a","id":"b","extraState":',
+    ):
+        closing = b"}]]}" if b"stacks" in key else b""
+        data = b'{"learnblock":1,"blocktext":[],' + key + deep + closing + b"}"
+        assert refusal(data).code in {"too-deep", "unknown-key", "wrong-value"}
+
+
+def test_a_huge_file_is_refused():
+    assert refusal(b" " * (LARGEST + 1)).code == "too-large"
+
+
+def test_a_huge_project_is_not_written(folder):
+    folder.write(Project("p", "x = 1\n"))
+    with pytest.raises(ProjectError, match="at most 4,194,304"):
+        folder.write(Project("p", "é" * LARGEST))
+    assert folder.read("p").blocktext == "x = 1\n"
+
+
+def test_half_a_character_is_not_written():
+    with pytest.raises(ProjectError, match=r"U\+D800 can't be saved"):
+        encode(Project("p", "x = '\ud800'"))
+
+
+# Names.
+
+
+@pytest.mark.parametrize(
+    "name", ["square", "Square 2", "línea-1", "a_b.c", "名前", "2", "x" * 100, "console"]
+)
+def test_a_name_that_will_do(name):
+    assert checked_name(name) == name
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "", " ", ".", "..", "../x", "a/b", "a\\b", "/etc/passwd", ".hidden", "-x", " x", "x ", "x.",
+        "con", "NUL", "com1", "Lpt9.txt", "a:b", "a\0b", "a\nb", "x" * 101, "é" * 60, "a*",
+        "\ud800",
+    ],
+)  # fmt: skip
+def test_a_name_that_could_leave_the_folder_or_be_no_file_is_refused(folder, name):
+    for use in (folder.read, folder.delete, folder.versions, folder.runs, checked_name):
+        with pytest.raises(ProjectError):
+            use(name)
+    with pytest.raises(ProjectError):
+        folder.write(Project(name))
+    assert not folder.path.exists()
+
+
+def test_a_name_is_the_same_in_each_form_of_its_letters(folder):
+    folder.write(Project("línea", "x = 1\n"))
+    assert folder.read("li\u0301nea").name == "línea"
+
+
+@given(st.text(max_size=120))
+@settings(deadline=None, derandomize=True)
+def test_any_wish_leads_to_a_name_that_will_do(tmp_path_factory, wish):
+    folder = ProjectFolder(tmp_path_factory.mktemp("projects"))
+    first = folder.free_name(wish)
+    folder.write(Project(first))
+    second = folder.free_name(wish)
+    folder.write(Project(second))
+    assert {entry.name for entry in folder.entries()} == {first, second}
+
+
+def test_a_free_name_keeps_the_wish_and_adds_a_number(folder):
+    for expected in ("square", "square 2", "square 3"):
+        assert folder.free_name("square") == expected
+        folder.write(Project(expected))
+    assert folder.free_name("SQUARE") == "SQUARE 4"
+
+
+# The folder.
+
+
+def test_a_project_is_read_as_it_was_saved(folder):
+    project = Project("p", SQUARE, breakpoints=("a",))
+    folder.write(project)
+    assert folder.read("p") == project
+
+
+def test_projects_are_listed_the_last_changed_first(folder):
+    for number, name in enumerate(("b", "a", "c")):
+        folder.write(Project(name))
+        os.utime(folder.path / f"{name}.learnblock", (number, number))
+    assert [entry.name for entry in folder.entries()] == ["c", "a", "b"]
+
+
+def test_a_folder_that_is_not_there_has_no_projects(folder):
+    assert folder.entries() == ()
+    with pytest.raises(UnknownNameError, match="There is no project 'p'"):
+        folder.read("p")
+
+
+def test_other_files_are_no_projects(folder):
+    folder.write(Project("p"))
+    for name in (".p.learnblock.new", "-x.learnblock", "notes.txt", ".hidden.learnblock"):
+        (folder.path / name).write_text("")
+    assert [entry.name for entry in folder.entries()] == ["p"]
+
+
+def test_a_crash_while_saving_leaves_the_project_as_it_was(folder, monkeypatch):
+    folder.write(Project("p", "x = 1\n"))
+
+    def crash(_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(files.os, "fsync", crash)
+    with pytest.raises(KeyboardInterrupt):
+        folder.write(Project("p", "x = 2\n"))
+    assert folder.read("p").blocktext == "x = 1\n"
+    assert [entry.name for entry in folder.entries()] == ["p"]
+
+
+def test_a_folder_that_was_removed_is_made_again(folder):
+    folder.write(Project("p"))
+    (folder.path / "p.learnblock").unlink()
+    folder.path.rmdir()
+    folder.write(Project("p", "x = 1\n"))
+    assert folder.read("p").blocktext == "x = 1\n"
+
+
+def test_a_read_only_folder_is_reported(tmp_path):
+    (tmp_path / "projects").write_text("a file")
+    folder = ProjectFolder(tmp_path / "projects")
+    with pytest.raises(ProjectError, match="The project can't be saved in"):
+        folder.write(Project("p"))
+    with pytest.raises(ProjectError, match="The version can't be saved in"):
+        folder.keep_version(Project("p"), "run")
+
+
+def test_a_deleted_project_goes_to_the_trash_with_its_history(folder):
+    for text in ("x = 1\n", "x = 2\n"):
+        folder.write(Project("p", text))
+        folder.keep_version(Project("p", text), "run")
+        folder.delete("p")
+        assert (folder.entries(), folder.versions("p")) == ((), ())
+    kept = sorted(path.read_text() for path in folder.path.glob(".trash/*/p.learnblock"))
+    assert ["x = 1" in kept[0], "x = 2" in kept[1]] == [True, True]
+    assert len([*folder.path.glob(".trash/*/history/*.learnblock")]) == 2
+
+
+def test_what_is_not_there_cannot_be_deleted(folder):
+    with pytest.raises(UnknownNameError, match="There is no project 'p'"):
+        folder.delete("p")
+
+
+def test_a_project_has_versions_and_runs(folder):
+    version = folder.keep_version(Project("p", "x = 1\n"), "run")
+    run = PastRun(1.0, "sim-ebo", "", "finished", 1.0, (), "ab", version)
+    folder.add_run("p", run)
+    assert folder.runs("p") == (run,)
+    assert [one.id for one in folder.versions("p")] == [version]
+    assert folder.read_version("p", version) == Project("p", "x = 1\n")
+
+
+# Import and export.
+
+
+def test_block_text_becomes_a_project(folder):
+    assert folder.import_file("C:\\my\\square.bt", "x = 1\r\n") == Project("square", "x = 1\n")
+
+
+def test_python_becomes_a_project_for_its_robot(folder):
+    text = "from learnblock.robots.sim_thymio import Robot\n\nrobot = Robot()\n\nx=1\n"
+    expected = Project("p", "x = 1\n", text, robot="sim-thymio")
+    assert folder.import_file("p.py", text) == expected
+
+
+@pytest.mark.parametrize("text", ["x = (", "from nowhere import Robot\n\nrobot = Robot()\n"])
+def test_python_that_cannot_be_read_or_run_here_becomes_a_project_all_the_same(folder, text):
+    project = folder.import_file("p.py", text)
+    assert (project.python, project.robot) == (text, "sim-ebo")
+
+
+def test_a_project_comes_in_under_a_free_name(folder):
+    folder.write(Project("p"))
+    text = encode(Project("other", SQUARE, world="line")).decode()
+    assert folder.import_file("p.learnblock", text) == Project("p 2", SQUARE, world="line")
+
+
+def test_another_file_is_refused(folder):
+    with pytest.raises(ProjectError, match=r"Choose a \.bt, \.py or \.learnblock file"):
+        folder.import_file("p.txt", "x = 1\n")
+
+
+def test_a_project_goes_out_in_each_notation(folder):
+    project = Project("p", "x = 1\n", robot="sim-thymio")
+    assert folder.export(project, "bt") == ("p.bt", "x = 1\n")
+    filename, python = folder.export(project, "py")
+    assert filename == "p.py"
+    assert python.startswith("from learnblock.robots.sim_thymio import Robot\n")
+    filename, text = folder.export(project, "learnblock")
+    assert folder.import_file(filename, text) == project
+
+
+def test_python_by_hand_goes_out_as_it_is(folder):
+    assert folder.export(Project("p", "x = 1\n", "x=1"), "py") == ("p.py", "x=1")
+
+
+def test_a_program_with_mistakes_has_no_python(folder):
+    with pytest.raises(ProgramError):
+        folder.export(Project("p", "x = (\n"), "py")
+
+
+@given(st.text(max_size=40), st.sampled_from(["a.bt", "a.py", "a.learnblock", "a", ""]))
+@settings(deadline=None, derandomize=True)
+def test_any_text_is_imported_or_refused(tmp_path_factory, text, filename):
+    folder = ProjectFolder(tmp_path_factory.mktemp("projects"))
+    try:
+        project = folder.import_file(filename, text)
+    except LearnBlockError:
+        return
+    folder.write(project)
+    assert folder.read(project.name) == project

@@ -1,0 +1,188 @@
+"""`learnblock` from start to end, in its own process."""
+
+import http.client
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from websockets.sync.client import connect, unix_connect
+
+from learnblock.errors import LearnBlockError
+from learnblock.server.serve import Service, _bound, _listening, serve
+from pages import TOKEN, Visitor
+
+RUNNING = "main:\n    while True:\n        function.sleep(0.1)\n    end\nend\n"
+PATIENCE = 20
+
+
+@contextmanager
+def learnblock(*options, stop=signal.SIGTERM):
+    """Start the process; return it and the address it printed."""
+    command = [sys.executable, "-m", "learnblock", "--no-browser", *options]
+    environment = {**os.environ, "LEARNBLOCK_TOKEN": TOKEN}
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment)
+    try:
+        yield process, process.stdout.readline().split()[-1]
+    finally:
+        process.send_signal(stop)
+        process.wait(PATIENCE)
+        process.stdout.close()
+
+
+@contextmanager
+def visit(address):
+    place = address.split("/")[2]
+    with connect(f"ws://{place}/ws", subprotocols=["learnblock", TOKEN]) as opened:
+        yield Visitor(opened)
+
+
+def children(process):
+    found = subprocess.run(
+        ["ps", "-o", "pid=", "--ppid", str(process.pid)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return found.stdout.split()
+
+
+def test_the_address_holds_the_token():
+    with learnblock("--port", "0") as (_, address):
+        assert address.startswith("http://127.0.0.1:")
+        assert address.endswith(f"/?token={TOKEN}")
+
+
+@pytest.mark.parametrize("stop", [signal.SIGTERM, signal.SIGINT])
+def test_at_the_end_every_program_ends_and_every_project_is_saved(tmp_path, stop):
+    with learnblock("--port", "0", "--projects", str(tmp_path)) as (process, address):
+        with visit(address) as page:
+            page.open(text=RUNNING)
+            page.say("Run")
+            page.hear("RunState", state="running")
+            page.type(RUNNING + "# edited\n")
+            programs = children(process)
+            assert len(programs) == 1
+            began = time.monotonic()
+            process.send_signal(stop)
+            assert process.wait(PATIENCE) == 0
+        assert time.monotonic() - began < 2.5
+        with pytest.raises(ProcessLookupError):
+            os.kill(int(programs[0]), 0)
+    assert "# edited" in (tmp_path / "program.learnblock").read_text("utf-8")
+
+
+def test_a_killed_server_leaves_no_program_and_loses_no_more_than_a_second(tmp_path):
+    with learnblock("--port", "0", "--projects", str(tmp_path)) as (process, address):
+        with visit(address) as page:
+            page.open(text=RUNNING)
+            page.hear("Saved", edit=1)
+            page.say("Run")
+            page.hear("RunState", state="running")
+            programs = children(process)
+            process.kill()
+            process.wait(PATIENCE)
+        ends = time.monotonic() + PATIENCE
+        while Path("/proc", programs[0]).exists() and time.monotonic() < ends:
+            pass
+        assert not Path("/proc", programs[0]).exists()
+    assert "while True" in (tmp_path / "program.learnblock").read_text("utf-8")
+
+
+def test_a_file_is_opened_as_a_project(tmp_path):
+    file = tmp_path / "my square.bt"
+    file.write_text(RUNNING, "utf-8")
+    folder = tmp_path / "projects"
+    with learnblock("open", str(file), "--port", "0", "--projects", str(folder)) as (_, address):
+        assert address.endswith("#project=my%20square")
+    assert (folder / "my square.learnblock").is_file()
+
+
+def test_a_project_of_the_folder_is_opened_in_place(tmp_path):
+    with (
+        learnblock("--port", "0", "--projects", str(tmp_path)) as (_, address),
+        visit(address) as page,
+    ):
+        page.open("mine", RUNNING)
+    file = tmp_path / "mine.learnblock"
+    options = ("open", str(file), "--port", "0", "--projects", str(tmp_path))
+    with learnblock(*options) as (_, address):
+        assert address.endswith("#project=mine")
+    assert [path.name for path in tmp_path.glob("*.learnblock")] == ["mine.learnblock"]
+
+
+def test_it_listens_at_a_unix_socket(tmp_path):
+    path = tmp_path / "socket"
+    options = (
+        "--unix-socket",
+        str(path),
+        "--allow-host",
+        "robots.school",
+        "--base-url",
+        "/robots/",
+    )
+    with learnblock(*options, "--projects", str(tmp_path)) as (_, address):
+        assert address == f"http://robots.school/robots/?token={TOKEN}"
+        with unix_connect(
+            str(path),
+            "ws://robots.school/robots/ws",
+            subprotocols=["learnblock", TOKEN],
+            origin="https://robots.school",
+        ) as opened:
+            assert Visitor(opened).next()["kind"] == "Welcome"
+    assert not path.exists()
+
+
+def test_the_socket_of_a_killed_server_is_taken_over(tmp_path):
+    path = tmp_path / "socket"
+    with socket.socket(socket.AF_UNIX) as abandoned:
+        abandoned.bind(str(path))
+    with _listening(Service(tmp_path, unix_socket=path)) as listening:
+        assert listening.getsockname() == str(path)
+        with (
+            pytest.raises(LearnBlockError, match="Another LearnBlock is listening"),
+            _listening(Service(tmp_path, unix_socket=path)),
+        ):
+            pass
+
+
+def test_a_port_that_is_taken_is_refused_where_it_was_asked_for(tmp_path):
+    with _bound("127.0.0.1", 0) as taken:
+        port = taken.getsockname()[1]
+        with pytest.raises(LearnBlockError, match=f"port {port}.*--port"):
+            serve(Service(tmp_path, port=port))
+
+
+def test_where_the_usual_port_is_taken_another_one_serves(tmp_path, monkeypatch):
+    with _bound("127.0.0.1", 0) as taken:
+        port = taken.getsockname()[1]
+        monkeypatch.setattr("learnblock.server.serve.DEFAULT_PORT", port)
+        with _listening(Service(tmp_path)) as listening:
+            assert listening.getsockname()[1] not in {0, port}
+
+
+def test_a_token_that_no_browser_can_send_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_TOKEN", "not a token")
+    with pytest.raises(LearnBlockError, match="LEARNBLOCK_TOKEN"):
+        serve(Service(tmp_path, port=0))
+
+
+def test_without_pywebview_a_window_says_what_it_needs():
+    command = [sys.executable, "-c", "import sys; sys.modules['webview'] = None;"]
+    command[-1] += "from learnblock.cli import main; main(['--window'])"
+    ran = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert ran.returncode == 2
+    assert "learnblock-studio[window]" in ran.stderr
+
+
+def test_a_page_is_answered_by_plain_http():
+    with learnblock("--port", "0") as (_, address):
+        connection = http.client.HTTPConnection(address.split("/")[2], timeout=PATIENCE)
+        connection.request("GET", f"/?token={TOKEN}")
+        assert connection.getresponse().headers["Content-Type"].startswith("text/html")
+        connection.close()

@@ -1,0 +1,141 @@
+import math
+from xml.etree import ElementTree
+
+import cv2
+import numpy as np
+import pytest
+
+from learnblock.simulator.picture import Scene, draw_png, draw_svg
+from learnblock.simulator.robot_description import load_robot
+from learnblock.simulator.world_files import load_world, world_names
+
+BODY = load_robot("ebo").body
+SVG = "{http://www.w3.org/2000/svg}"
+HOSTILE = "</text><script>alert(1)</script>&amp;\x00\ud800\u202e"
+
+
+def spiral(points: int = 400) -> tuple[tuple[float, float, float, float], ...]:
+    angles = np.linspace(0, 6 * math.pi, points).tolist()
+    return tuple(
+        (20 * a / (6 * math.pi), 30 * a * math.cos(a), 30 * a * math.sin(a), -math.degrees(a))
+        for a in angles
+    )
+
+
+def scene(world: str = "line", **changes: object) -> Scene:
+    marks = (
+        (0.0, "emotion", "joy", 0.0, 0.0),
+        (10.0, "goal", "a lap: reached", 200.0, 100.0),
+        (20.0, "end", "completed", 565.0, 0.0),
+    )
+    values: dict[str, object] = {"path": spiral(), "marks": marks, "title": "square.bt"}
+    return Scene(world=load_world(world), body=BODY, **(values | changes))
+
+
+def parsed(svg: str) -> ElementTree.Element:
+    return ElementTree.fromstring(svg.encode())  # noqa: S314 - we wrote it ourselves
+
+
+def texts(svg: str) -> list[str]:
+    return [element.text or "" for element in parsed(svg).iter(f"{SVG}text")]
+
+
+def pixels(data: bytes) -> np.ndarray:
+    return cv2.cvtColor(cv2.imdecode(np.frombuffer(data, np.uint8), 1), cv2.COLOR_BGR2RGB)
+
+
+@pytest.mark.parametrize("world", world_names())
+def test_every_shipped_world_can_be_drawn(world):
+    assert "square.bt" in texts(draw_svg(scene(world)))
+
+
+def test_the_png_is_1200_pixels_wide():
+    assert 1200 == pixels(draw_png(scene())).shape[1]
+
+
+def test_the_same_scene_gives_the_same_bytes():
+    assert draw_svg(scene()) == draw_svg(scene())
+    assert draw_png(scene()) == draw_png(scene())
+
+
+def test_a_picture_needs_nothing_but_itself():
+    root = parsed(draw_svg(scene("faces")))
+    links = [value for one in root.iter() for key, value in one.items() if "href" in key]
+    assert 7 == len(links)
+    assert all(link.startswith("data:image/png;base64,") for link in links)
+    assert not list(root.iter(f"{SVG}script"))
+
+
+def test_hostile_texts_are_shown_as_text():
+    marks = ((1.0, "emotion", HOSTILE, 0.0, 0.0), (2.0, HOSTILE, HOSTILE, 9.0, 9.0))
+    svg = draw_svg(scene(title=HOSTILE, marks=marks))
+    assert not list(parsed(svg).iter(f"{SVG}script"))
+    assert texts(svg)[0].startswith("</text><script>alert(1)</script>&amp;")
+    assert draw_png(scene(title=HOSTILE, marks=marks))
+
+
+def test_the_title_the_world_and_the_path_are_shown():
+    title, subtitle, *_ = texts(draw_svg(scene()))
+    assert "square.bt" == title
+    assert subtitle.startswith("A closed black line with left and right curves · 5.3")
+    assert subtitle.endswith(" m in 20.0 s")
+
+
+def test_marks_are_labelled_with_their_times():
+    shown = texts(draw_svg(scene()))
+    for label in ("joy · 0.0 s", "a lap: reached · 10.0 s", "completed · 20.0 s"):
+        assert label in shown
+
+
+def test_a_goal_is_named_until_a_mark_shows_it():
+    assert "a lap" not in texts(draw_svg(scene()))
+    assert "a lap" in texts(draw_svg(scene(marks=())))
+
+
+def test_a_missed_goal_is_marked_in_red():
+    marks = ((5.0, "goal", "a lap: failed", 0.0, 0.0),)
+    assert "#c83030" in draw_svg(scene(marks=marks))
+    assert "#c83030" not in draw_svg(scene())
+
+
+def test_a_long_title_is_set_smaller_until_it_fits():
+    [first, *_] = parsed(draw_svg(scene(title="a" * 100))).iter(f"{SVG}text")
+    assert "a" * 100 == first.text
+    assert float(first.get("font-size", "0")) < 30
+
+
+def test_hundreds_of_marks_leave_the_picture_readable():
+    marks = tuple((t, "emotion", "joy", x, y) for t, x, y, _ in spiral(500))
+    labels = [text for text in texts(draw_svg(scene(marks=marks))) if text.startswith("joy")]
+    assert 5 < len(labels) < 25
+
+
+def test_a_world_without_a_path_can_be_drawn():
+    svg = draw_svg(Scene(world=load_world("obstacles"), body=BODY))
+    assert "Boxes and cylinders; some can be pushed" == texts(svg)[0]
+    assert "time" not in texts(svg)
+
+
+def test_a_robot_that_never_moved_can_be_drawn():
+    assert draw_png(scene("empty", path=((0.0, 5.0, 5.0, 90.0),), marks=()))
+
+
+def test_a_robot_that_fell_off_the_floor_is_still_on_the_picture():
+    path = ((0.0, 0.0, 0.0, 0.0), (9.0, 2500.0, 0.0, 0.0))
+    image = pixels(draw_png(scene("empty", path=path, marks=())))
+    latest = np.abs(image.astype(int) - (250, 155, 60)).sum(axis=2) < 40
+    assert latest.any()
+
+
+def test_a_long_run_makes_a_small_file():
+    assert len(draw_svg(scene(path=spiral(100_000)))) < 150_000
+
+
+def test_the_scale_bar_has_the_length_of_its_label():
+    root = parsed(draw_svg(scene("empty", path=(), marks=())))
+    assert "200 mm" in [one.text for one in root.iter(f"{SVG}text")]
+    lines = [one for one in root.iter(f"{SVG}polyline") if one.get("stroke-width") == "2"]
+    left, *_, right = (float(p.split(",")[0]) for p in lines[-1].get("points", "").split())
+    grid = [one for one in root.iter(f"{SVG}polyline") if one.get("opacity") == "0.07"]
+    first, second = (float(one.get("points", "").split(",")[0]) for one in grid[:2])
+    assert right - left == pytest.approx(second - first, abs=0.02)

@@ -1,0 +1,21 @@
+import pytest
+
+
+@pytest.mark.parametrize(("intensity", "on"), [(0, False), (1, True), (255, True), (-1, False)])
+def test_a_lamp_is_on_above_zero(robot, intensity, on):
+    robot.led(intensity)
+
+    assert [("Led:Up.set", on)] == robot.commands
+
+
+def test_a_lamp_takes_a_colour_within_0_and_255(robot):
+    robot.RGBled(300, 12.4, -5, slot="Up")
+
+    assert [("RGBLed:Up.set_color", 255, 12, 0)] == robot.commands
+
+
+def test_lighting_a_missing_lamp_has_no_effect(robot):
+    robot.led(1, slot="Down")
+    robot.RGBled(1, 2, 3, "Down")
+
+    assert [] == robot.commands

@@ -1,0 +1,23 @@
+import pytest
+
+from learnblock.errors import DeviceValueError
+
+
+def test_waiting_takes_the_robot_s_time(robot):
+    robot.sleep()
+    robot.sleep(2.5)
+
+    assert 3.5 == robot.clock.time()
+
+
+def test_the_elapsed_time_counts_from_the_start(robot):
+    robot.sleep(5)
+
+    assert robot.elapsedTime(4.9)
+    assert not robot.elapsedTime(5)
+    assert robot.elapsedTime()
+
+
+def test_a_time_that_is_not_a_number_is_refused_by_name(robot):
+    with pytest.raises(DeviceValueError, match="'seconds' must be a number, not 'long'"):
+        robot.sleep("long")

@@ -1,0 +1,85 @@
+"""Tables of settings, of a robot or anything else, in one file."""
+
+from typing import Annotated, Literal
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from msgspec import Meta
+
+from learnblock.errors import SettingsError
+from learnblock.i18n import Phrase
+from learnblock.storage.settings import Settings, Table, file
+
+
+class Mine(Settings, frozen=True):
+    number: Annotated[int, Meta(ge=0, le=63)] | Literal["none"] = "none"
+    version: Literal["auto", "2020"] = "auto"
+    text: Annotated[str, Meta(max_length=100)] = ""
+    on: bool = False
+
+
+OUTER = Table(("mine",), "mine", Mine)
+INNER = Table(("all", "of-mine"), "the inner mine", Mine)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "value"),
+    [
+        ("number", "7", 7),
+        ("number", "none", "none"),
+        ("version", "2020", "2020"),
+        ("text", "7", "7"),
+        ("text", "true", "true"),
+        ("on", "true", True),
+    ],
+)
+def test_a_typed_value_is_read_as_its_setting_allows(name, text, value):
+    assert getattr(OUTER.change(name, text), name) == value
+    assert getattr(OUTER.load(), name) == value
+
+
+def test_tables_in_one_file_do_not_affect_each_other():
+    OUTER.change("number", "1")
+    INNER.change("number", "2")
+    OUTER.change("on", "true")
+    assert (OUTER.load().number, INNER.load().number) == (1, 2)
+    assert (OUTER.load().on, INNER.load().on) == (True, False)
+
+
+def test_unknown_tables_are_ignored():
+    file().write_text("[other]\nx = 1\n[all.others]\ny = 2\n")
+    assert OUTER.load() == INNER.load() == Mine()
+
+
+@pytest.mark.parametrize(
+    ("table", "text"),
+    [
+        (OUTER, "mine = 3\n"),
+        (OUTER, "[[mine]]\nnumber = 1\n"),
+        (INNER, "all = 3\n"),
+        (INNER, "[all]\nof-mine = []\n"),
+    ],
+)
+def test_a_value_in_place_of_a_table_is_reported(table, text):
+    file().write_text(text)
+    with pytest.raises(SettingsError) as refused:
+        table.load()
+    (diagnostic,) = refused.value.diagnostics
+    assert diagnostic.message.values["allowed"] == Phrase("toml-table")
+
+
+@pytest.mark.parametrize("text", ["64", "-1", "1.5", "nan", "[]", "yes", "", "=", '"', "0\nx = 1"])
+def test_a_wrong_value_is_refused_and_nothing_is_written(text):
+    with pytest.raises(SettingsError) as refused:
+        OUTER.change("number", text)
+    (diagnostic,) = refused.value.diagnostics
+    assert diagnostic.message.code == "toml-wrong-value"
+    assert diagnostic.message.values["place"] == Phrase("file-place", path="number")
+    assert not file().exists()
+
+
+@given(st.text(st.characters(exclude_categories=["Cs"]), max_size=100))
+def test_every_text_is_read_back_from_the_file(text):
+    OUTER.change("text", text)
+    assert OUTER.load().text == text

@@ -1,0 +1,147 @@
+"""The guide to a custom robot: its code is run as it is in the guide."""
+
+import os
+import re
+import subprocess
+import sys
+from time import monotonic
+from types import SimpleNamespace
+
+import pytest
+
+from learnblock import robots
+from learnblock.devices import Base, DistanceSensors, GroundSensors, Led
+from learnblock.errors import RobotConnectionError, SettingsError
+from places import ROOT
+from runs import run_example
+
+gpiozero = pytest.importorskip("gpiozero", reason="pip install gpiozero: the guide's robot has it")
+
+pytestmark = [
+    # The guide's advice to access the pins differently, which measures distances better.
+    pytest.mark.filterwarnings("ignore::gpiozero.PWMSoftwareFallback"),
+    pytest.mark.filterwarnings("ignore::gpiozero.DistanceSensorNoEcho"),
+]
+
+GUIDE = (ROOT / "docs" / "add-a-robot.md").read_text(encoding="utf-8")
+
+
+def code(name):
+    """Return a file of the guide, whose parts follow one another."""
+    parts = re.findall(rf"^```python title={re.escape(name)}\n(.*?)^```", GUIDE, re.M | re.S)
+    return "".join(parts)
+
+
+@pytest.fixture
+def folder(own_home):
+    (own_home / "robots").mkdir()
+    (own_home / "robots" / "pi_rover.py").write_text(code("pi_rover.py"))
+    return own_home
+
+
+@pytest.fixture
+def pins(monkeypatch):
+    """The pins of a Raspberry Pi, with an object 0.5 m from its ultrasonic sensor."""
+    from gpiozero.pins.mock import MockFactory, MockPWMPin, MockTriggerPin
+
+    class SonarPin(MockTriggerPin, MockPWMPin):
+        pass
+
+    factory = MockFactory(pin_class=MockPWMPin)
+    monkeypatch.setattr(gpiozero.Device, "pin_factory", factory)
+    factory.pin("GPIO23", pin_class=SonarPin, echo_pin=factory.pin("GPIO24"), echo_time=0.003)
+    yield factory
+    factory.reset()
+
+
+@pytest.fixture
+def rover(folder, pins):
+    with robots.connect("pi-rover") as rover:
+        yield rover
+
+
+def powers(pins):
+    """Return the forward and backward power of the left and the right motor."""
+    return tuple(round(pins.pin(f"GPIO{number}").state, 3) for number in (4, 14, 17, 18))
+
+
+def test_the_whole_robot_has_no_more_than_150_lines():
+    lines = [line for line in code("pi_rover.py").splitlines() if line.strip()]
+    assert 60 < len(lines) <= 80
+
+
+def test_the_guides_own_check_passes(folder, tmp_path):
+    (tmp_path / "check_pi_rover.py").write_text(code("check_pi_rover.py"))
+    environment = {**os.environ, "PYTHONWARNINGS": "ignore"}
+    done = subprocess.run(
+        [sys.executable, "check_pi_rover.py"],
+        cwd=tmp_path,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.startswith("pi_rover conforms\n")
+
+
+def test_it_is_in_the_list_with_its_devices(folder):
+    found = robots.find("pi-rover")
+    assert found.module == "learnblock_home.robots.pi_rover"
+    assert "GroundSensors:ROBOT" in found.load().device_names()
+
+
+@pytest.mark.parametrize(
+    ("speed", "expected"),
+    [
+        ((150, 0), (0.5, 0, 0.5, 0)),
+        ((-75, 0), (0, 0.25, 0, 0.25)),
+        ((0, 90), (0.314, 0, 0, 0.314)),
+        ((0, -90), (0, 0.314, 0.314, 0)),
+        ((600, 0), (1, 0, 1, 0)),
+        ((300, 45), (1, 0, 0.728, 0)),
+    ],
+)
+def test_speeds_become_powers(rover, pins, speed, expected):
+    rover.device(Base).move(*speed)
+    assert powers(pins) == expected
+
+
+def test_its_readings_are_in_our_units(rover, pins):
+    pins.pin("GPIO5").drive_high()
+    ground = rover.device(GroundSensors).read
+    assert until(lambda: ground() == {"left": 100, "central": None, "right": 0})
+    distances = rover.device(DistanceSensors).read
+    # The echo of these pins is more precise on an idle machine.
+    assert until(lambda: 0 < distances()["front"][0] < 2000)
+    rover._sonar = SimpleNamespace(distance=0.5)
+    assert distances() == {"front": [500]}
+    rover._sonar = SimpleNamespace(distance=0.0)
+    assert distances() == {"front": [2000]}
+
+
+def until(condition):
+    deadline = monotonic() + 5
+    while not condition() and monotonic() < deadline:
+        pass
+    return condition()
+
+
+def test_its_lamp_shines(rover, pins):
+    rover.device(Led, "Front").set(True)
+    assert pins.pin("GPIO12").state == 1
+
+
+def test_a_second_one_is_refused_with_a_sentence(rover):
+    with pytest.raises(RobotConnectionError, match=r"The rover's pins can't be used .* in use"):
+        robots.connect("pi-rover")
+
+
+def test_a_wrong_setting_is_refused_by_name(folder, pins):
+    with pytest.raises(SettingsError, match=r"'lamp' is 40.* from 2 to 27"):
+        robots.connect("pi-rover", lamp=40)
+
+
+def test_it_runs_an_example_and_stops_afterwards(folder, pins):
+    finished = run_example("polygons.bt", "pi-rover", seconds=1)
+    assert finished.report.ended == "time limit"
+    assert powers(pins) == (0, 0, 0, 0)

@@ -1,0 +1,462 @@
+"""Control of a run: pause, step, speed, breakpoints and variables, from any thread at any time."""
+
+import itertools
+import queue
+import threading
+from contextlib import contextmanager
+from time import monotonic
+
+import pytest
+
+from learnblock import robots, running
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.running import Options, ProgramRun
+from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.messages import Variables
+from learnblock.runtime.process import ProcessWorker, ThreadWorker
+from learnblock.runtime.program import Program
+from learnblock.runtime.watcher import Watcher
+from runs import EXAMPLES, TWINS, WORLDS
+
+NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
+HEADER = "from learnblock.robots.sim_ebo import Robot\nrobot = Robot()\n"
+#: The time from a command to its effect: about 50 ms on an idle machine.
+PROMPT = 1.0
+
+
+class Observer(Watcher):
+    """Queues the notifications for the thread of the test."""
+
+    def __init__(self):
+        self.told = queue.Queue()
+        self.inputs = queue.Queue()
+        self.lines = []
+
+    def state(self, state):
+        self.told.put(str(state))
+
+    def held(self, line, variables):
+        self.lines.append(line)
+
+    def variables(self, variables):
+        self.told.put(variables)
+
+    def input(self, prompt):
+        return self.inputs.get(timeout=10)
+
+    def cancel_input(self):
+        self.inputs.put(None)
+
+    def wait_for(self, *wanted):
+        """Return the next of these notifications, within ten seconds."""
+        while True:
+            told = self.told.get(timeout=10)
+            if told in wanted or type(told) in wanted:
+                return told
+
+
+class Playing:
+    """A run in its own thread."""
+
+    def __init__(self, run, observer):
+        self.run, self.observer = run, observer
+        self.report = None
+        self._thread = threading.Thread(target=self._run)
+        self._thread.start()
+
+    def _run(self):
+        self.report = self.run.run()
+
+    def end(self):
+        """Wait until it ends, and return its report."""
+        self._thread.join(15)
+        assert not self._thread.is_alive()
+        return self.report
+
+
+@pytest.fixture
+def play():
+    """Play a program written in Python after the header; it is stopped at the end of the test."""
+    playing = []
+
+    def play(source, *, speed=1.0, debugger=None, worker=ProcessWorker):
+        text = HEADER + source
+        observer = Observer()
+        run = ProgramRun(
+            Program("program.py", text, text),
+            robots.find("sim-ebo"),
+            watcher=observer,
+            debugger=debugger or Debugger(),
+            worker=worker,
+        )
+        run.set_speed(speed)
+        playing.append(Playing(run, observer))
+        return playing[-1]
+
+    yield play
+    for one in playing:
+        one.run.stop()
+        one.end()
+
+
+def begun(playing):
+    """Wait until its world runs."""
+    playing.observer.wait_for("running")
+    while not (playing.run.monitor and playing.run.monitor.state().time > 0.02):
+        assert playing.report is None
+
+
+def at_rest(stage):
+    """Return whether the world is paused, observed for longer than a step."""
+    before = stage.state().time
+    threading.Event().wait(0.05)
+    return stage.state().time == before
+
+
+def test_a_pause_in_a_long_sleep_holds_the_world_at_once(play):
+    playing = play("robot.sleep(60)")
+    begun(playing)
+    asked = monotonic()
+    playing.run.pause()
+    assert playing.observer.wait_for("paused")
+    assert monotonic() - asked < PROMPT
+    assert at_rest(playing.run.monitor)
+
+
+def test_after_a_pause_a_step_runs_to_the_next_line(play):
+    playing = play("robot.sleep(0.5)\npass\npass")
+    begun(playing)
+    playing.run.pause()
+    playing.observer.wait_for("paused")
+    playing.run.step()
+    playing.observer.wait_for("held")
+    assert playing.observer.lines == [4]
+    assert playing.run.monitor.state().time == 0.5
+    playing.run.step()
+    playing.observer.wait_for("held")
+    assert playing.observer.lines == [4, 5]
+
+
+def test_a_message_to_a_program_that_has_just_ended_does_not_change_its_ending(play):
+    made = []
+
+    def worker():
+        made.append(ProcessWorker())
+        return made[0]
+
+    def printed(text):
+        assert text == "the last\n"
+        assert made[0].wait(10) == 0
+        playing.run.set_breakpoints({1})
+
+    playing = play("print('the last')", debugger=Debugger(paused=True), worker=worker)
+    playing.observer.wait_for("held")
+    playing.observer.printed = printed
+    playing.run.resume()
+    assert playing.end().ended == "finished"
+
+
+def test_a_pause_that_holds_no_line_yet_is_resumed(play):
+    playing = play("robot.sleep(0.3)\npass")
+    begun(playing)
+    playing.run.pause()
+    playing.observer.wait_for("paused")
+    playing.run.resume()
+    assert playing.observer.wait_for("running", "held") == "running"
+    assert playing.end().ended == "finished"
+    assert playing.observer.lines == []
+
+
+@pytest.mark.parametrize("worker", [ProcessWorker, ThreadWorker])
+def test_a_program_that_computes_is_paused_at_once(play, worker):
+    playing = play(
+        "robot.sleep(0.05)\nn = 0\nwhile n < 10**9:\n    n += 1\n", worker=worker, speed=None
+    )
+    begun(playing)
+    asked = monotonic()
+    playing.run.pause()
+    playing.observer.wait_for("held")
+    assert monotonic() - asked < PROMPT
+    assert playing.observer.lines[0] in {4, 5, 6}
+
+
+def test_a_breakpoint_set_while_the_program_runs_is_found(play):
+    playing = play("while True:\n    robot.sleep(0.02)\n    pass")
+    begun(playing)
+    playing.run.set_breakpoints([5])
+    playing.observer.wait_for("held")
+    playing.run.set_breakpoints([])
+    playing.run.resume()
+    assert playing.observer.wait_for("running", "held") == "running"
+    assert playing.observer.lines == [5]
+
+
+def test_a_breakpoint_on_the_first_line_holds_the_program_before_there_is_a_robot(play):
+    playing = play("pass", debugger=Debugger([1]))
+    playing.observer.wait_for("held")
+    assert playing.run.monitor is None
+    playing.run.resume()
+    assert playing.end().ended == "finished"
+
+
+def test_a_world_is_not_late_after_a_breakpoint(play):
+    playing = play("robot.sleep(0.1)\nrobot.sleep(0.1)", debugger=Debugger([4]))
+    playing.observer.wait_for("held")
+    threading.Event().wait(0.3)
+    playing.run.resume()
+    playing.end()
+    assert not playing.run.client.simulation.pacing.slipped
+
+
+def test_a_speed_set_before_there_is_a_robot_is_the_worlds(play):
+    playing = play("robot.sleep(0.1)", speed=5)
+    playing.end()
+    assert playing.run.client.simulation.pacing.factor == 5
+
+
+def test_a_pause_before_there_is_a_robot_holds_the_world_once_it_is_there(play):
+    debugger = Debugger()
+    debugger.pause()
+    playing = play("robot.sleep(1)", debugger=debugger)
+    playing.observer.wait_for("held")
+    assert playing.observer.lines == [1]
+    playing.run.resume()
+    assert playing.end().ended == "finished"
+
+
+def test_a_stop_ends_a_run_that_is_paused(play):
+    playing = play("robot.sleep(60)")
+    begun(playing)
+    playing.run.pause()
+    playing.observer.wait_for("paused")
+    asked = monotonic()
+    playing.run.stop()
+    assert playing.end().ended == "stopped"
+    assert monotonic() - asked < PROMPT
+
+
+def test_a_stop_ends_a_run_that_waits_for_input(play):
+    playing = play("input('Name?')\nrobot.sleep(60)")
+    playing.observer.wait_for("input")
+    playing.run.stop()
+    assert playing.end().ended == "stopped"
+
+
+def test_a_pause_during_input_holds_at_the_line_after_it(play):
+    playing = play("name = input('Name?')\nprint(name)")
+    playing.observer.wait_for("input")
+    playing.run.pause()
+    playing.observer.inputs.put("Ada")
+    playing.observer.wait_for("held")
+    assert playing.observer.lines == [4]
+
+
+def test_the_states_of_a_run_are_reported_in_order(play):
+    playing = play("robot.sleep(0.1)\npass", debugger=Debugger([4]), speed=None)
+    playing.observer.wait_for("held")
+    playing.run.resume()
+    playing.end()
+    assert playing.observer.told.get(timeout=1) == "running"
+    assert playing.observer.told.get(timeout=1) == "ended"
+
+
+def test_variables_are_reported_while_a_program_sleeps_but_only_if_enabled(play):
+    playing = play("speed = 7\nrobot.sleep(60)")
+    begun(playing)
+    assert all(type(told) is str for told in iter_queue(playing.observer.told))
+    playing.run.report_variables(enabled=True)
+    told = [playing.observer.told.get(timeout=5) for _ in range(3)]
+    asked = monotonic()
+    assert [one.shared for one in told] == 3 * [{"speed": "7"}]
+    playing.observer.told.get(timeout=5)
+    assert monotonic() - asked > 0.1
+
+
+def iter_queue(told):
+    while not told.empty():
+        yield told.get()
+
+
+def test_variables_are_reported_while_a_program_computes(play):
+    playing = play("robot.sleep(0.05)\nn = 0\nwhile n < 10**9:\n    n += 1\n", speed=None)
+    begun(playing)
+    playing.run.report_variables(enabled=True)
+    # The first notification may be from before the counting.
+    counts = {None}
+    while len(counts) < 3:
+        counts.add(playing.observer.told.get(timeout=5).shared.get("n"))
+
+
+WHENS = """
+@robot.when_start
+def start():
+    pass
+
+@robot.when
+def dance():
+    robot.sleep(0.1)
+
+@robot.when(lambda: False)
+def never():
+    pass
+
+dance.activate()
+robot.run()
+"""
+
+
+def test_the_whens_are_reported_with_their_state_and_time(play):
+    playing = play(WHENS)
+    begun(playing)
+    playing.run.report_variables(enabled=True)
+    whens = playing.observer.wait_for(Variables).whens
+    assert set(whens) == {"dance", "never"}
+    assert whens["never"] == (False, 0.0)
+    assert whens["dance"][0] is True
+
+
+SHY = """
+class Shy:
+    def __repr__(self):
+        print("looked at")
+        robot.move_straight()
+        robot.sleep(1)
+        return "Shy"
+
+shy = Shy()
+robot.sleep(1)
+pass
+"""
+
+
+@pytest.mark.parametrize("breakpoints", [(), (12,)])
+def test_to_look_at_a_variable_neither_moves_the_robot_nor_prints(play, breakpoints):
+    quiet = play(SHY, speed=None).end()
+    playing = play(SHY, speed=3.0, debugger=Debugger(breakpoints))
+    playing.run.report_variables(enabled=True)
+    if breakpoints:
+        playing.observer.wait_for("held")
+        playing.run.resume()
+    assert playing.end().trace_sha256 == quiet.trace_sha256
+
+
+def test_a_description_that_never_ends_can_be_stopped(play):
+    source = "class Slow:\n    def __repr__(self):\n        while True: pass\nslow = Slow()\n"
+    playing = play(source + "robot.sleep(60)")
+    begun(playing)
+    playing.run.report_variables(enabled=True)
+    playing.run.stop()
+    assert playing.end().ended == "stopped"
+
+
+def test_pausing_without_a_debugger_is_reported():
+    source = Program("program.py", HEADER, HEADER)
+    run = ProgramRun(source, robots.find("sim-ebo"))
+    with pytest.raises(LearnBlockError) as refused:
+        run.pause()
+    assert refused.value.phrase == Phrase("run-no-debugger")
+
+
+# The trace stays the same however the run is watched and controlled.
+
+
+class Stepper(Watcher):
+    """Step through this many lines and then resume."""
+
+    def __init__(self, debugger, steps):
+        steppings = itertools.cycle((debugger.step, debugger.step_over))
+        self._commands = itertools.islice(steppings, steps)
+        self._resume = debugger.resume
+        self.held_lines = 0
+
+    def held(self, line, variables):
+        self.held_lines += 1
+        next(self._commands, self._resume)()
+
+
+def robot_for(name):
+    """A twin that can run the example."""
+    source = running.read(EXAMPLES / name)
+    for robot in map(robots.find, TWINS):
+        if not any(found.severity == "error" for found in running.check(source, robot)):
+            return robot
+    raise AssertionError(f"no twin runs {name}")
+
+
+def session_of(name, *, seconds=2.0, **options):
+    robot = robot_for(name)
+    program = running.program(running.read(EXAMPLES / name), robot)
+    return ProgramRun(
+        program, robot, Options(world=WORLDS.get(name), seed=3, seconds=seconds), **options
+    )
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_example_that_is_debugged_leaves_the_trace_of_one_that_is_not(name):
+    expected = session_of(name).run()
+    debugger = Debugger(paused=True)
+    stepper = Stepper(debugger, 60)
+    assert session_of(name, debugger=Debugger()).run() == expected
+    assert session_of(name, debugger=debugger, watcher=stepper).run() == expected
+    assert stepper.held_lines > 5
+
+
+CAP = "n = 0\nwhile n < 3000:\n    n += 1\nrobot.sleep(0.1)\nn += 1\n"
+
+
+def test_the_cap_of_lines_at_one_time_holds_for_a_debugged_program_too(play):
+    traces = []
+    for debugger in (Debugger(), Debugger([6])):
+        playing = play("m = 0\n" + CAP, debugger=debugger, speed=None)
+        if debugger.control.breakpoints:
+            for _ in range(3):
+                playing.observer.wait_for("held")
+                playing.run.step_over()
+            playing.observer.wait_for("held")
+            playing.run.set_breakpoints([])
+            playing.run.resume()
+        traces.append(playing.end().trace_sha256)
+    text = HEADER + "m = 0\n" + CAP
+    plain = ProgramRun(Program("program.py", text, text), robots.find("sim-ebo")).run()
+    assert set(traces) == {plain.trace_sha256}
+
+
+@contextmanager
+def hammering(run):
+    """Read all of its state again and again, and pause now and then."""
+    over = threading.Event()
+
+    def hammer():
+        for look in itertools.count():
+            if over.is_set():
+                break
+            if run.monitor:
+                run.monitor.state(), run.monitor.sounds(), run.monitor.scene()
+            if run.monitor and look % 9 == 5:
+                run.monitor.camera()
+            if look % 7 == 3:
+                run.pause()
+                run.step()
+            if look % 5 == 4:
+                run.set_speed((None, 40.0, 15.0)[look % 3])
+            run.resume()
+
+    thread = threading.Thread(target=hammer)
+    thread.start()
+    try:
+        yield
+    finally:
+        over.set()
+        thread.join()
+
+
+@pytest.mark.parametrize("name", ["tags.bt", "line-ebo.bt"])
+def test_ten_runs_watched_paused_and_at_any_speed_leave_one_trace(name):
+    expected = session_of(name).run()
+    for speed in (None, 4.0, 30.0, 10.0, None, 100.0, 20.0, None, 50.0):
+        run = session_of(name, debugger=Debugger())
+        run.set_speed(speed)
+        run.report_variables(enabled=True)
+        with hammering(run):
+            assert run.run() == expected

@@ -1,0 +1,129 @@
+"""Every example on every twin, in both notations, more than once."""
+
+import hashlib
+import itertools
+import os
+import re
+import subprocess
+import sys
+import threading
+
+import pytest
+
+from learnblock import language, robots, running
+from learnblock.runtime.process import ProcessWorker, ThreadWorker
+from runs import EXAMPLES, TWINS, WORLDS, run_example, run_file
+
+NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
+#: In the order in which a robot that turns to the right reaches them.
+SEVEN = ("joy", "sadness", "anger", "surprise", "fear", "disgust", "neutral")
+PAIRS = list(itertools.product(NAMES, TWINS))
+
+
+def refusal(name, robot):
+    """Return the errors of the check, which prevent a program from running on a robot."""
+    found = running.check(running.read(EXAMPLES / name), robots.find(robot))
+    return [one for one in found if one.severity == "error"]
+
+
+@pytest.mark.parametrize(("name", "robot"), PAIRS)
+def test_an_example_runs_on_a_twin_or_is_refused_by_naming_the_missing_device(name, robot):
+    errors = refusal(name, robot)
+    if errors:
+        assert {error.code for error in errors} == {"missing-device"}
+        devices = robots.find(robot).load().device_names()
+        needs = [need for error in errors for need in error.message.values["devices"]]
+        lacking = {need.values["kind"] for need in needs}
+        assert lacking
+        assert not {device.partition(":")[0] for device in devices} & lacking
+    else:
+        finished = run_example(name, robot, world=WORLDS.get(name), seconds=8)
+        assert finished.report.error is None
+        assert finished.report.ended in {"finished", "time limit"}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_example_keeps_its_form_and_comes_back_from_python_unchanged(name):
+    source = running.read(EXAMPLES / name)
+    again = language.from_python(language.to_python(source.tree, "learnblock.robots.ebo").text)
+    assert again == source.tree
+    assert language.format(again) == source.text
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_block_text_and_python_of_an_example_leave_the_same_trace(name, tmp_path):
+    robot = next(robot for robot in TWINS if not refusal(name, robot))
+    python = tmp_path / "program.py"
+    tree = running.read(EXAMPLES / name).tree
+    python.write_text(language.to_python(tree, robots.module_of("cozmo")).text)
+    options = {"world": WORLDS.get(name), "seconds": 4}
+    of_block_text = run_example(name, robot, **options).report.trace_sha256
+    assert run_file(python, robot, **options).report.trace_sha256 == of_block_text
+
+
+def test_a_generated_file_runs_by_itself_with_the_same_trace(tmp_path):
+    module = robots.module_of("sim-cozmo")
+    program = tmp_path / "square.py"
+    program.write_text(language.to_python(running.read(EXAMPLES / "square.bt").tree, module).text)
+    environment = {**os.environ, "LEARNBLOCK_TRACE": str(tmp_path / "trace.jsonl")}
+    subprocess.run([sys.executable, program], env=environment, check=True)
+    trace = (tmp_path / "trace.jsonl").read_bytes()
+    assert trace == run_example("square.bt", "sim-cozmo").trace
+
+
+def busy(until):
+    """Load the machine until the end of the test."""
+    while not until.is_set():
+        hashlib.sha256(b"0" * 100_000).digest()
+
+
+def test_ten_runs_with_and_without_load_leave_one_trace():
+    options = {"world": "obstacles", "seed": 7, "seconds": 5}
+    quiet = {run_example("avoid.bt", "sim-ebo", **options).report.trace_sha256 for _ in range(5)}
+    until = threading.Event()
+    load = [threading.Thread(target=busy, args=(until,)) for _ in range(3)]
+    for thread in load:
+        thread.start()
+    try:
+        loaded = {
+            run_example("avoid.bt", "sim-ebo", **options).report.trace_sha256 for _ in range(5)
+        }
+    finally:
+        until.set()
+        for thread in load:
+            thread.join()
+    assert len(quiet | loaded) == 1
+
+
+@pytest.mark.parametrize("worker", [ProcessWorker, ThreadWorker])
+@pytest.mark.parametrize("pace", ["free", "5"])
+def test_neither_pace_nor_the_kind_of_worker_changes_the_trace(worker, pace):
+    options = {"world": "tags", "seed": 3, "seconds": 5}
+    expected = run_example("tags.bt", "sim-cozmo", **options).trace
+    actual = run_example("tags.bt", "sim-cozmo", worker=worker, pace=pace, **options).trace
+    assert actual == expected
+
+
+@pytest.mark.parametrize("robot", ["sim-ebo", "sim-cozmo"])
+def test_all_seven_faces_are_met_and_imitated(robot):
+    report = run_example("imitate.bt", robot, world="faces", seconds=54).report
+    met = [(goal.name, goal.state) for goal in report.goals]
+    assert met == [(emotion, "reached") for emotion in SEVEN]
+    # Before it sees a face, it is calm.
+    assert ["neutral", *SEVEN] == list(report.emotions)
+
+
+def test_another_seed_gives_another_path():
+    paths = [
+        run_example("square.bt", "sim-ev3", seed=seed, seconds=12).recorder.path for seed in (1, 2)
+    ]
+    assert paths[0] != paths[1]
+
+
+def test_the_page_of_examples_names_each_with_a_robot_that_can_run_it():
+    page = (EXAMPLES / "README.md").read_text(encoding="utf-8")
+    commands = re.findall(r"`learnblock run (\S+) --robot (\S+) --world (\S+)`", page)
+    assert sorted(name for name, _, _ in commands) == NAMES
+    for name, robot, world in commands:
+        assert refusal(name, robot) == []
+        assert world == WORLDS.get(name, world)

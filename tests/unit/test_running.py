@@ -1,0 +1,98 @@
+"""From a file to a run, as the docs describe it."""
+
+import dataclasses
+import re
+
+import pytest
+
+from learnblock import running
+from learnblock.errors import ProgramError, UnknownNameError
+from learnblock.running.source import LARGEST_PROGRAM
+from learnblock.runtime.ending import How
+from learnblock.runtime.limits import MEGABYTE, Limits
+from places import ROOT
+
+PAGE = (ROOT / "docs" / "running.md").read_text(encoding="utf-8")
+
+
+def test_the_page_lists_every_field_of_a_report_in_order():
+    report = PAGE.partition("| field | meaning |")[2].partition("The exit code")[0]
+    fields = [field.name for field in dataclasses.fields(running.Report)]
+    assert fields == re.findall(r"^\| `(\w+)` \|", report, re.MULTILINE)
+
+
+def test_the_page_lists_every_ending():
+    line = next(line for line in PAGE.splitlines() if line.startswith("| `ended` |"))
+    assert {*How, "refused"} == set(re.findall(r"`([a-z ]+)`", line)) - {"ended"}
+
+
+def test_the_page_lists_the_limits():
+    limits = Limits()
+    assert limits.memory == 2048 * MEGABYTE
+    assert limits.cpu == 3600
+    assert (limits.open_files, limits.file_size, limits.output) == (64, 16 * MEGABYTE, MEGABYTE)
+    assert limits.silence == 5
+    text = " ".join(PAGE.split())
+    assert "2 GB of memory, an hour of processor time, 64 open files of at most 16 MB" in text
+
+
+def test_a_python_file_names_its_robot_and_another_can_be_chosen(tmp_path):
+    path = tmp_path / "program.py"
+    path.write_text("from learnblock.robots.sim_ev3 import Robot\n\nrobot = Robot()\n")
+    source = running.read(path)
+    assert running.choose_robot(source).name == "sim-ev3"
+    assert running.choose_robot(source, "sim-cozmo").name == "sim-cozmo"
+
+
+def test_a_file_too_large_for_a_program_is_refused(tmp_path):
+    path = tmp_path / "huge.bt"
+    path.write_text("#" * (LARGEST_PROGRAM + 1))
+    with pytest.raises(ProgramError, match="too-large"):
+        running.read(path)
+
+
+def test_an_unknown_example_is_named():
+    with pytest.raises(UnknownNameError, match=r"Did you mean 'square\.bt'"):
+        running.example("sqare.bt")
+
+
+def codes(path):
+    return [one.code for one in running.check(running.read(path))]
+
+
+def test_a_program_may_import_files_next_to_it(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
+    path = tmp_path / "program.bt"
+    path.write_text('import "dance"\nfunction.waltz(3)\ngreet("Ana")\n')
+    assert codes(path) == ["unknown-library", "unknown-skill"]
+    (tmp_path / "dance.py").write_text("def waltz(robot, n): pass\ndef greet(name): pass\n")
+    assert codes(path) == []
+
+
+def test_a_python_file_may_import_any_package(tmp_path):
+    path = tmp_path / "program.py"
+    path.write_text(
+        "from numpy import *\nfrom learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n"
+    )
+    assert codes(path) == []
+    path.write_text(path.read_text().replace("numpy", "no_such_package"))
+    assert codes(path) == ["unknown-library"]
+
+
+def test_without_our_package_a_python_file_finds_no_library_and_no_skills_of_a_file(
+    tmp_path, monkeypatch
+):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
+    folder = tmp_path / "home" / "libraries" / "dance"
+    folder.mkdir(parents=True)
+    (folder / "library.toml").write_text('learnblock = 1\nname = "dance"\nversion = "1"\n')
+    (folder / "__init__.py").write_text("def waltz(robot): pass\n")
+    (tmp_path / "helper.py").write_text("def sway(robot): pass\n")
+    text = "from {0}{1} import *\nfrom learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n"
+    path = tmp_path / "program.py"
+    for package, expected in (("learnblock.libraries.", []), ("", ["unknown-library"])):
+        path.write_text(text.format(package, "dance"))
+        assert codes(path) == expected
+    for package, expected in (("learnblock.libraries.", []), ("", ["unknown-skill"])):
+        path.write_text(text.format(package, "helper") + "robot.sway()\n")
+        assert codes(path) == expected

@@ -1,0 +1,87 @@
+"""What every robot promises, asked of good clients and of ones that break each promise."""
+
+import pytest
+
+from learnblock import robots
+from learnblock.client import Client
+from learnblock.devices import Base, DistanceSensors, Gyroscope
+from learnblock.testing import CLAIMS, FakeRobot, NotConformingError, check_robot
+
+#: A fake robot's camera sees what a test gives it, by default nothing.
+NO_FRAME = {"its readings have the form and range of their device": "no frame is set"}
+
+
+@pytest.mark.parametrize("name", ["sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo"])
+def test_every_twin_conforms(name):
+    certificate = check_robot(robots.find(name).load())
+    assert certificate.passed
+    assert str(certificate).startswith(f"{name.replace('-', '_')} conforms")
+
+
+def test_the_fake_robot_conforms():
+    certificate = check_robot(FakeRobot, excused=NO_FRAME)
+    outcomes = {finding.claim: finding.outcome for finding in certificate.findings}
+    assert list(outcomes) == list(CLAIMS)
+    assert outcomes["positive rotation is to the right"] == "holds"
+    assert outcomes[next(iter(NO_FRAME))] == "excused"
+
+
+class Broken(FakeRobot):
+    """Each subclass breaks one promise."""
+
+    def __init__(self):
+        super().__init__(only=[Base, Gyroscope, DistanceSensors])
+
+
+class Backwards(Broken):
+    def connect(self):
+        super().connect()
+        base = self.device(Base)
+        move = base.functions["move"]
+        base.functions["move"] = lambda adv, rot: move(-adv, rot)
+
+
+class LeftHanded(Broken):
+    def connect(self):
+        super().connect()
+        base = self.device(Base)
+        move = base.functions["move"]
+        base.functions["move"] = lambda adv, rot: move(adv, -rot)
+
+
+class InCentimetres(Broken):
+    def connect(self):
+        super().connect()
+        self.set_reading(DistanceSensors, {"front": [-1.0]})
+
+
+class Liar(Broken):
+    @classmethod
+    def device_names(cls):
+        return frozenset({"Base:ROBOT", "Camera:ROBOT"})
+
+
+class Immortal(Broken):
+    def stop(self):
+        """Nothing stops it."""
+
+
+class Careless(Client):
+    def connect(self):
+        self.add(Gyroscope(read=lambda: 90.0, reset=lambda: None), "Z_AXIS")
+
+
+@pytest.mark.parametrize(
+    ("robot", "claim"),
+    [
+        (Backwards, "positive speed is forward"),
+        (LeftHanded, "positive rotation is to the right"),
+        (InCentimetres, "its readings have the form and range of their device"),
+        (Liar, "it has the devices it announces"),
+        (Immortal, "its motors stop however the program ends"),
+        (Careless, "its gyroscope reads 0 after a reset"),
+    ],
+)
+def test_a_client_that_breaks_a_rule_gets_the_name_of_the_rule(robot, claim):
+    with pytest.raises(NotConformingError, match=f"broken   {claim}"):
+        check_robot(robot)

@@ -1,0 +1,164 @@
+"""A robot whose program is gone without a word is stopped by its guardian, which then ends."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from time import monotonic
+
+import pytest
+
+from emulated import reachable
+from learnblock.ice import Adapter, Servant
+from learnblock.ice.robocomp import Layout, interfaces
+from learnblock.robots.guardian import TRIES_FOR, Guardian
+from learnblock.robots.rcis import Robot, Settings
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
+
+#: Drives, tells its guardian's number, and then either waits for its death or dies at once.
+PROGRAM = """
+from learnblock.robots.rcis import Robot
+import os, signal, sys
+
+robot = Robot()
+robot.set_move(60, 0)
+print(robot._guardian._process.pid, flush=True)
+if "--at-once" in sys.argv:
+    os.kill(os.getpid(), signal.SIGKILL)
+robot.sleep(60)
+"""
+#: Seconds after which the motors stand still, and mm that count as standing.
+LIMIT, STILL = 0.5, 1.0
+
+
+def runs(pid):
+    """Whether a process is there, and is not only waiting to be buried."""
+    try:
+        status = Path(f"/proc/{pid}/stat").read_text()
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+    # Its state stands behind its name in brackets.
+    return status.rpartition(")")[2].split()[0] != "Z"
+
+
+def gone_within(pid, seconds):
+    deadline = monotonic() + seconds
+    while runs(pid):
+        if monotonic() > deadline:
+            return False
+    return True
+
+
+def x_of(twin):
+    with twin.body() as body:
+        return body.pose[0]
+
+
+@pytest.fixture
+def begin(tmp_path):
+    """Run the program; answers its process and its guardian's number."""
+    begun = []
+
+    def begin(*options):
+        program = tmp_path / "drive.py"
+        program.write_text(PROGRAM)
+        command = [sys.executable, program, *options]
+        begun.append(subprocess.Popen(command, stdout=subprocess.PIPE, text=True))
+        return begun[-1], int(begun[-1].stdout.readline())
+
+    yield begin
+    for process in begun:
+        process.kill()
+        process.wait()
+        process.stdout.close()
+
+
+def wait_for(twin, seconds):
+    until = twin.time + seconds
+    while twin.time < until:
+        pass
+
+
+def test_a_killed_program_leaves_neither_a_driving_robot_nor_a_process(begin):
+    with reachable("rcis") as twin:
+        process, guardian = begin()
+        start = x_of(twin)
+        while x_of(twin) < start + 20:
+            assert process.poll() is None
+        assert runs(guardian)
+        process.send_signal(signal.SIGKILL)
+        wait_for(twin, LIMIT)
+        there = x_of(twin)
+        wait_for(twin, LIMIT)
+        assert abs(x_of(twin) - there) < STILL
+        assert gone_within(guardian, 2)
+
+
+def test_a_guardian_that_has_just_started_stops_the_robot(begin):
+    with reachable("rcis") as twin:
+        process, guardian = begin("--at-once")
+        process.wait()
+        assert gone_within(guardian, 5)
+        # Wheels need their time to stand.
+        wait_for(twin, 0.2)
+        there = x_of(twin)
+        wait_for(twin, LIMIT)
+        assert abs(x_of(twin) - there) < STILL
+
+
+def test_ctrl_c_does_not_end_a_guardian(tmp_path):
+    guardian = Guardian(Robot, Settings(base_port=1))
+    os.kill(guardian._process.pid, 0)
+    wait_until_it_ignores_ctrl_c(guardian._process.pid)
+    os.kill(guardian._process.pid, signal.SIGINT)
+    assert not gone_within(guardian._process.pid, 0.3)
+    guardian.dismiss()
+
+
+def wait_until_it_ignores_ctrl_c(pid):
+    bit = 1 << (signal.SIGINT - 1)
+    deadline = monotonic() + 10
+    while monotonic() < deadline:
+        status = Path(f"/proc/{pid}/status").read_text().split("SigIgn:")[1]
+        if int(status.split()[0], 16) & bit:
+            return
+    raise AssertionError("it never began")
+
+
+class Wheels:
+    def __init__(self):
+        self.told = []
+
+    def setSpeedBase(self, adv, rot):  # noqa: N802 - RoboComp's name
+        self.told.append((adv, rot))
+
+
+def test_a_guardian_that_is_dismissed_does_nothing():
+    wheels = Wheels()
+    with Adapter() as adapter:
+        known = interfaces(Layout.TOOL)["differentialrobot"]
+        port = adapter.serve({"differentialrobot": Servant(known, wheels)})
+        guardian = Guardian(Robot, Settings(base_port=port))
+        guardian.dismiss()
+        guardian.dismiss()
+        assert not runs(guardian._process.pid)
+        assert wheels.told == []
+
+
+def test_a_guardian_left_in_charge_stops_the_robot_and_ends():
+    wheels = Wheels()
+    with Adapter() as adapter:
+        known = interfaces(Layout.TOOL)["differentialrobot"]
+        port = adapter.serve({"differentialrobot": Servant(known, wheels)})
+        guardian = Guardian(Robot, Settings(base_port=port))
+        guardian.leave_in_charge()
+        assert gone_within(guardian._process.pid, 5)
+        assert wheels.told == [(0.0, 0.0)]
+
+
+def test_a_guardian_that_cannot_reach_its_robot_gives_up():
+    guardian = Guardian(Robot, Settings(base_port=1))
+    guardian.leave_in_charge()
+    assert gone_within(guardian._process.pid, TRIES_FOR + 3)

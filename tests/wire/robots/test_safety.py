@@ -1,0 +1,117 @@
+"""Whatever becomes of a program, its robot stands still half a second later.
+
+Through each real driver and its wire, to an emulator whose twin is watched.
+"""
+
+import os
+import signal
+import subprocess
+import sys
+from time import monotonic, sleep
+
+import pytest
+
+from emulated import reachable
+from learnblock.emulators import TWINS
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+
+#: Seconds after which the motors stand still, by the issue; mm that count as standing.
+LIMIT, STILL = 0.5, 1.0
+
+PROGRAM = """
+from learnblock.robots.{module} import Robot
+
+robot = Robot()
+robot.set_move(60, 0)
+robot.sleep(0.5)
+print("going", flush=True)
+{ending}
+"""
+
+ENDINGS = {
+    "comes to its end": "pass",
+    "raises": "1 / 0",
+    "leaves without a word": "import os\nos._exit(3)",
+    "kills itself": "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)",
+}
+LONG = "robot.sleep(60)"
+
+
+@pytest.fixture(params=sorted(TWINS))
+def emulation(request):
+    """A robot at the other end of its wire, which programs reach by the user's settings."""
+    with reachable(request.param) as twin:
+        yield request.param, twin
+
+
+@pytest.fixture
+def begin(tmp_path):
+    """Run a program; answer its process once the robot is on its way."""
+    begun = []
+
+    def begin(name, ending, *, hosted=True):
+        program = tmp_path / "program.py"
+        program.write_text(PROGRAM.format(module=name.replace("-", "_"), ending=ending))
+        command = ["-m", "learnblock", "run", program] if hosted else [program]
+        process = subprocess.Popen(
+            [sys.executable, *command],
+            stdout=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+        )
+        begun.append(process)
+        said = iter(process.stdout.readline, "")
+        assert "going\n" in said, "the program never got under way"
+        return process
+
+    yield begin
+    for process in begun:
+        process.kill()
+        process.wait()
+        process.stdout.close()
+
+
+def assert_stands(twin):
+    """It drove until now, and stands still in time."""
+    now = twin.time
+    deadline = monotonic() + 10
+    while twin.time < now + LIMIT + 0.5 and monotonic() < deadline:
+        sleep(0.01)  # leaves the processor to whatever has to stop the robot
+    driving = [x for time, (x, _, _) in twin.path if now - 0.4 < time <= now]
+    after = [x for time, (x, _, _) in twin.path if time >= now + LIMIT]
+    assert driving[-1] - driving[0] > 5, "it did not drive"
+    assert max(after) - min(after) < STILL, f"it went on driving: {after}"
+
+
+# What the host does then is the same for every robot.
+@pytest.mark.parametrize("emulation", ["cozmo"], indirect=True)
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_it_stops_when_its_program(emulation, begin, ending):
+    name, twin = emulation
+    process = begin(name, ENDINGS[ending])
+    assert_stands(twin)
+    process.wait(10)
+    assert is_alone(process)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+@pytest.mark.parametrize("hosted", [True, False], ids=["learnblock run", "python"])
+def test_it_stops_when_its_runner_gets_a_signal(emulation, begin, number, hosted):
+    name, twin = emulation
+    process = begin(name, LONG, hosted=hosted)
+    process.send_signal(number)
+    assert_stands(twin)
+    process.wait(10)
+    assert is_alone(process)
+
+
+def is_alone(process):
+    """Whether nothing that it started is left."""
+    deadline = monotonic() + 5
+    while monotonic() < deadline:
+        try:
+            os.killpg(process.pid, 0)
+        except ProcessLookupError:
+            return True
+    return False
