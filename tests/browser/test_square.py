@@ -81,7 +81,7 @@ def turn_a_corner(pupil, loop):
     pupil.put_below(stop, wait)
     turn = pupil.take("Driving", "lb_skill_set_orientation")
     pupil.put_below(turn, stop)
-    pupil.choose_theme(pupil.take("Variables", "variables_get", "angle"), pupil.hole(turn))
+    pupil.put_on(pupil.take("Variables", "variables_get", "angle"), pupil.hole(turn))
     for name, change in (("angle", "90"), ("times", "1")):
         count = pupil.take("Variables", "math_change")
         pupil.put_below(count, turn)

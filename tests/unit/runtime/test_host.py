@@ -22,7 +22,7 @@ robot.clock.sleep(0.1)
 """
 STOPPED = [("move", 100.0, 0.0), ("move", 0.0, 0.0), ("disconnect",)]
 FINISHED = Phrase("run-finished")
-BROKEN = "OSError: the cable is out"
+BROKEN = Phrase("OSError: the cable is out")
 needs_posix = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 
 
@@ -320,7 +320,7 @@ def test_a_robot_that_cannot_be_created_is_reported_at_its_line(run, error):
 
     result = run("", make_robot=fail)
     assert result.ending.line == 2
-    reason = f"{type(error).__name__}: {error}"
+    reason = Phrase(f"{type(error).__name__}: {error}")
     assert result.ending.phrase == Phrase("run-robot-not-created", reason=reason)
 
 
