@@ -4,6 +4,7 @@ import os
 import signal
 import sys
 from pathlib import Path
+from uuid import uuid4
 
 import pytest
 
@@ -17,8 +18,10 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-#: Folders whose tests need a browser, or the other end of a robot's wire.
-MARKED = ("browser", "wire")
+#: Folders whose tests need the other end of a robot's wire, or a browser. They come first: those
+#: of a wire keep time best beside each other, since they mostly wait, and a browser is started once
+#: if its tests follow each other.
+MARKED = ("wire", "browser")
 
 
 def pytest_xdist_auto_num_workers(config):
@@ -30,8 +33,9 @@ def pytest_xdist_auto_num_workers(config):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
+    items.sort(key=_turn)
     for item in items:
-        folder = item.path.relative_to(TESTS).parts[0]
+        folder = _folder(item)
         if folder in MARKED:
             item.add_marker(folder)
         # The tests of a file share fixtures, such as a server, so one worker runs them all.
@@ -39,10 +43,20 @@ def pytest_collection_modifyitems(items):
             item.add_marker(pytest.mark.xdist_group(str(item.path.relative_to(TESTS))))
 
 
+def _turn(item):
+    folder = _folder(item)
+    return MARKED.index(folder) if folder in MARKED else len(MARKED)
+
+
+def _folder(item):
+    return item.path.relative_to(TESTS).parts[0]
+
+
 @pytest.fixture(autouse=True)
 def own_home(tmp_path_factory, monkeypatch):
     """Use an empty home, so that no test sees or changes the files of the user who runs it."""
-    home = tmp_path_factory.mktemp("home")
+    # A name of its own: to number thousands of folders takes longer with each of them.
+    home = tmp_path_factory.mktemp(f"home-{uuid4().hex}", numbered=False)
     monkeypatch.setenv("LEARNBLOCK_HOME", str(home))
     for name in ("WORLD", "SEED", "PACE", "TRACE"):
         monkeypatch.delenv(f"LEARNBLOCK_{name}", raising=False)

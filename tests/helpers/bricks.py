@@ -15,33 +15,6 @@ WAYS = ("agent", "rpyc", "direct")
 SPEED = 6
 
 
-class TwinsClock:
-    """The time of the world behind the wire, so that a busy machine slows both ends alike."""
-
-    instant = None
-
-    def __init__(self, twin):
-        self._twin, self._began = twin, twin.time
-
-    def time(self):
-        return self._twin.time - self._began
-
-    def sleep(self, seconds):
-        until = self._twin.time + seconds
-        wait_for(lambda: self._twin.time >= until, "its world goes on", 60)
-
-    def charge(self):
-        """Do nothing: a real access takes its own time."""
-
-
-def follow(twin, monkeypatch):
-    """Let robots and programs use the time of a twin's world."""
-    # A world that is later than this does not catch up, because its robot could not keep up.
-    monkeypatch.setattr("learnblock.runtime.pacing.SLIP", 0.02)
-    monkeypatch.setattr("learnblock.client.client.WallClock", lambda: TwinsClock(twin))
-    monkeypatch.setattr("learnblock.runtime.remote._HostedWallClock", lambda wire: TwinsClock(twin))
-
-
 @contextmanager
 def brick(way, world="empty", *, speed=1, start=None):
     """Emulate a brick; the timeout is short, since only rpyc is slow on this machine."""
@@ -71,14 +44,6 @@ def relayed(way, **others):
 def port_of(settings):
     """Return the name of the setting that holds the port of the connection."""
     return f"{settings['connection']}_port"
-
-
-def wait_for(condition, what, seconds=5.0):
-    """Wait until the condition holds."""
-    deadline = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < deadline, f"in vain: {what}"
-        time.sleep(0.002)
 
 
 def x_of(twin):

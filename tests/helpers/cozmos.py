@@ -1,6 +1,5 @@
 """Cozmos in tests: an emulator, its twin, and a wire that can fail before the driver."""
 
-import time
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ from learnblock.client.clock import WallClock
 from learnblock.emulators.twin import Twin
 from learnblock.robots import connect, settings
 from learnblock.testing import Relay
+from waiting import wait_for
 
 pytest.importorskip("pycozmo", reason="pip install 'learnblock-studio[cozmo]'")
 
@@ -74,11 +74,3 @@ class FastClock(WallClock):
 
     def sleep(self, seconds: float) -> None:
         super().sleep(seconds / self.speed)
-
-
-def wait_for(condition: Any, what: str, seconds: float = 5.0) -> None:
-    """Wait until the condition holds."""
-    deadline = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < deadline, f"in vain: {what}"
-        time.sleep(0.002)

@@ -12,17 +12,20 @@ from learnblock import running
 from learnblock.errors import RobotConnectionError
 from learnblock.robots import find
 from learnblock.running import Options, ProgramRun
+from learnblock.runtime.process import ThreadWorker
 from learnblock.testing import Fault, Relay
 from runs import EXAMPLES, run_example
+from twins_time import follow
 
 PATIENCE = 0.8
 
 
-def assert_drives_like_its_twin(name, emulator, twin, example, *, until, tolerance):
+def assert_drives_like_its_twin(name, emulator, twin, example, monkeypatch, *, until, tolerance):
     """Run an example through driver and wire until something has happened to the twin.
 
     `tolerance` is the allowed distance from the twin's own path, in mm. Returns the emotions shown.
     """
+    follow(twin, monkeypatch)
     emulated = emulator(twin)
     try:
         settle(name, emulated.settings)
@@ -42,7 +45,7 @@ def run_until(happened, name, example):
     """Run an example until something has happened, or for a minute; return the report."""
     entry = find(name)
     program = running.program(running.read(EXAMPLES / example), entry)
-    run = ProgramRun(program, entry, Options(seconds=60))
+    run = ProgramRun(program, entry, Options(seconds=60), worker=ThreadWorker)
     over = threading.Event()
 
     def stop_in_time():

@@ -8,7 +8,7 @@ import msgspec
 
 from learnblock import robots, running
 from learnblock.running import Options, ProgramRun, Report
-from learnblock.runtime.process import ProcessWorker
+from learnblock.runtime.process import ThreadWorker
 from learnblock.runtime.trace import Recorder
 from places import ROOT
 
@@ -42,8 +42,8 @@ class Finished:
         return [line for line in lines if kind in line]
 
 
-def run_file(path: Path, robot: str, *, worker=ProcessWorker, **options) -> Finished:
-    """Run a program's file to its end."""
+def run_file(path: Path, robot: str, *, worker=ThreadWorker, **options) -> Finished:
+    """Run a program's file to its end; the kind of worker does not change its trace."""
     source = running.read(path)
     entry = robots.find(robot)
     trace = io.BytesIO()

@@ -24,6 +24,8 @@ HEADER = "from learnblock.robots.sim_ebo import Robot\nrobot = Robot()\n"
 #: The time from a command to its effect: about 50 ms on an idle machine.
 PROMPT = 1.0
 
+pytestmark = pytest.mark.spread
+
 
 class Observer(Watcher):
     """Queues the notifications for the thread of the test."""
@@ -384,7 +386,7 @@ def robot_for(name):
     raise AssertionError(f"no twin runs {name}")
 
 
-def session_of(name, *, seconds=2.0, **options):
+def session_of(name, *, seconds=1.0, **options):
     robot = robot_for(name)
     program = running.program(running.read(EXAMPLES / name), robot)
     return ProgramRun(
@@ -451,6 +453,7 @@ def hammering(run):
         thread.join()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["tags.bt", "line-ebo.bt"])
 def test_ten_runs_watched_paused_and_at_any_speed_leave_one_trace(name):
     expected = session_of(name).run()

@@ -19,6 +19,8 @@ NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
 SEVEN = ("joy", "sadness", "anger", "surprise", "fear", "disgust", "neutral")
 PAIRS = list(itertools.product(NAMES, TWINS))
 
+pytestmark = pytest.mark.spread
+
 
 def refusal(name, robot):
     """Return the errors of the check, which prevent a program from running on a robot."""
@@ -78,7 +80,7 @@ def busy(until):
 
 
 def test_ten_runs_with_and_without_load_leave_one_trace():
-    options = {"world": "obstacles", "seed": 7, "seconds": 5}
+    options = {"world": "obstacles", "seed": 7, "seconds": 5, "worker": ProcessWorker}
     quiet = {run_example("avoid.bt", "sim-ebo", **options).report.trace_sha256 for _ in range(5)}
     until = threading.Event()
     load = [threading.Thread(target=busy, args=(until,)) for _ in range(3)]

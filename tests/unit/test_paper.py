@@ -13,6 +13,8 @@ SQUARE_ROBOTS = ("sim-cozmo", "sim-ev3")
 TAG_ROBOTS = ("sim-ebo", "sim-cozmo")
 LINE_RUNS = (("line-ebo.bt", "sim-ebo"), ("line-thymio.bt", "sim-thymio"))
 
+pytestmark = pytest.mark.spread
+
 
 def pose_at(finished, time):
     """Return the robot's place at that time, within a tenth of a second."""
@@ -41,6 +43,7 @@ def test_the_square_has_four_equal_legs_right_corners_and_ends_where_it_began(ro
     assert math.dist(places[0][:2], end[:2]) < 0.05 * sum(legs)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("robot", TAG_ROBOTS)
 def test_three_tags_are_searched_approached_and_answered_with_joy_surprise_and_fear(robot):
     finished = run_example("tags.bt", robot, world="tags", seconds=62)
@@ -61,6 +64,7 @@ def test_three_tags_are_searched_approached_and_answered_with_joy_surprise_and_f
         assert (searching[2] - late[2]) % 360 > 5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("example", "robot"), LINE_RUNS)
 def test_a_lap_of_the_line_stays_within_half_a_body_width_with_joy_on_it(example, robot):
     finished = run_example(example, robot, world="line", seconds=142)

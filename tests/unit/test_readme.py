@@ -60,6 +60,7 @@ def test_every_page_it_names_is_there():
     assert [name for name in named if not (ROOT / name).exists()] == []
 
 
+@pytest.mark.slow
 def test_the_demonstration_shows_three_feelings_and_draws_a_picture(tmp_path):
     picture = tmp_path / "demo.png"
     result = CliRunner().invoke(main, ["demo", "--picture", str(picture)])

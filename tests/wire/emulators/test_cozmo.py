@@ -18,9 +18,10 @@ from pycozmo.image_encoder import ImageEncoder, str_to_image
 from pycozmo.tests.image_encoder_fixtures import FIXTURES
 from pycozmo.util import hex_load
 
-from cozmos import Cozmo, cozmo, wait_for
+from cozmos import Cozmo, cozmo
 from learnblock.emulators.cozmo import face, frames, picture
 from learnblock.emulators.cozmo.frames import DatagramError, Frame, FrameKind, decoded, encoded
+from waiting import wait_for
 
 # Frames.
 

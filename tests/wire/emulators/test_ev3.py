@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from bricks import brick, wait_for, x_of
+from bricks import brick, x_of
 from learnblock.devices import Base
 from learnblock.emulators import emulate
 from learnblock.emulators.ev3.bytecode import ByteCodeError, Code, Machine
@@ -17,6 +17,7 @@ from learnblock.emulators.ev3.ev3dev import RPYC
 from learnblock.emulators.ev3.sysfs import Attribute
 from learnblock.errors import UnknownNameError
 from learnblock.robots import connect
+from waiting import wait_for
 
 #: python-ev3dev2 on the emulator's files, as rpyc has it, without rpyc.
 EV3DEV2 = (

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from pycozmo import audio
 from pycozmo import protocol_encoder as packets
 
-from cozmos import FastClock, cozmo, wait_for
+from cozmos import FastClock, cozmo
 from learnblock.devices import (
     Accelerometer,
     Animator,
@@ -42,11 +42,12 @@ from learnblock.robots.cozmo import CozmoSettings, Robot, behaviours, face, soun
 from learnblock.robots.cozmo.camera import Picture
 from learnblock.robots.cozmo.link import batches, decoded
 from learnblock.robots.cozmo.odometry import Odometry
-from learnblock.runtime.process import ThreadWorker
 from learnblock.skills import cozmo as skills
 from learnblock.testing import Fault, check_robot
 from places import ROOT
 from runs import run_example
+from twins_time import follow
+from waiting import wait_for
 
 # What every robot promises.
 
@@ -84,18 +85,17 @@ def test_it_connects_over_a_slow_link_within_two_seconds():
 #: mm by which the path may be from the twin's own in lock-step, while time runs faster than ours
 #: on a machine that does other things as well. In real time it was 8 mm.
 TOLERANCE = 60
-PAPERS = [("square.bt", "empty", 80, 4.0), ("tags.bt", "tags", 26, 2.0)]
+PAPERS = [("square.bt", "empty", 80, 2.0), ("tags.bt", "tags", 26, 2.0)]
 
 
+@pytest.mark.spread
 @pytest.mark.parametrize(("name", "world", "seconds", "speed"), PAPERS)
 def test_the_papers_programs_drive_it_like_its_twin(name, world, seconds, speed, monkeypatch):
     own = run_example(name, "sim-cozmo", world=world, seconds=seconds)
-    monkeypatch.setattr(FastClock, "speed", speed)
-    monkeypatch.setattr("learnblock.client.client.WallClock", FastClock)
-    monkeypatch.setattr("learnblock.runtime.remote._HostedWallClock", lambda wire: FastClock())
     with cozmo(world, speed=speed) as there:
+        follow(there.twin, monkeypatch)
         there.is_default()
-        finished = run_example(name, "cozmo", seconds=seconds, worker=ThreadWorker)
+        finished = run_example(name, "cozmo", seconds=seconds)
         path = [pose for _, pose in there.twin.path]
         reached = {goal for goal, is_reached in there.twin.goals().items() if is_reached}
     assert finished.report.error is None

@@ -331,18 +331,20 @@ def test_a_scan_without_robots_finds_nothing(own_home):
 # its own; so the program is slower to react, and the tolerances allow for it.
 
 
-def test_it_follows_the_line_into_its_curve_as_its_twin_does():
+def test_it_follows_the_line_into_its_curve_as_its_twin_does(monkeypatch):
     with Twin("sim-ebo", "line", speed=2) as twin:
         assert_drives_like_its_twin(
-            "ebo", Emulator, twin, "line-ebo.bt", until=lambda twin: pose(twin)[1] > -400,
+            "ebo", Emulator, twin, "line-ebo.bt", monkeypatch,
+            until=lambda twin: pose(twin)[1] > -400,
             tolerance=20,
         )  # fmt: skip
 
 
-def test_it_visits_a_tag_and_looks_happy_as_its_twin_does():
+def test_it_visits_a_tag_and_looks_happy_as_its_twin_does(monkeypatch):
     with Twin("sim-ebo", "tags", speed=2) as twin:
         emotions = assert_drives_like_its_twin(
-            "ebo", Emulator, twin, "tags.bt", until=lambda twin: emotion(twin) == "joy",
+            "ebo", Emulator, twin, "tags.bt", monkeypatch,
+            until=lambda twin: emotion(twin) == "joy",
             tolerance=80,
         )  # fmt: skip
         assert emotions == ("neutral", "joy")

@@ -16,12 +16,10 @@ from bricks import (
     SPEED,
     WAYS,
     brick,
-    follow,
     mute_server,
     port_of,
     relayed,
     stands_after,
-    wait_for,
     x_of,
 )
 from learnblock.devices import Base, Bumper, DistanceSensors, GroundSensors, Gyroscope, Speaker
@@ -36,6 +34,8 @@ from learnblock.running import Options, ProgramRun, program, read
 from learnblock.runtime.process import ThreadWorker
 from learnblock.testing import Fault, check_robot
 from runs import EXAMPLES, run_file
+from twins_time import follow
+from waiting import wait_for
 
 
 def ev3(settings, **others):

@@ -10,12 +10,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from bricks import brick, wait_for
+from bricks import brick
 from learnblock.emulators.ev3 import AGENT
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.ev3 import agent, lines
 from learnblock.robots.ev3.brick import Drive, Look, Say, Tone
 from learnblock.robots.ev3.settings import Settings
+from waiting import wait_for
 
 SOURCE = AGENT.read_text()
 

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from bricks import stands_after, wait_for, x_of
+from bricks import stands_after, x_of
 from ev3_wires import Bytes
 from learnblock.devices import Base, Gyroscope
 from learnblock.emulators.ev3.firmware import Firmware
@@ -22,6 +22,7 @@ from learnblock.robots.ev3 import direct, scan
 from learnblock.robots.ev3.brick import Look
 from learnblock.robots.ev3.direct_link import Motor
 from learnblock.robots.ev3.link import Link
+from waiting import wait_for
 
 # Examples of LEGO's "EV3 Communication Developer Kit", chapter 4.
 

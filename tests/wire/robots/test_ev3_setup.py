@@ -10,13 +10,14 @@ import msgspec
 import paramiko
 import pytest
 
-from bricks import brick, wait_for
+from bricks import brick
 from learnblock.devices import Base
 from learnblock.errors import RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots import connect, settings
 from learnblock.robots.ev3 import Robot, Settings
 from ssh_brick import SshBrick
+from waiting import wait_for
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a brick's shell is one of POSIX")
 

@@ -274,9 +274,10 @@ def stands_soon(twin):
     return True
 
 
-def test_it_follows_the_line_as_its_twin_does():
+def test_it_follows_the_line_as_its_twin_does(monkeypatch):
     with Twin("sim-ebo", "line", speed=2) as twin:
         assert_drives_like_its_twin(
-            "rcis", Emulator, twin, "line-ebo.bt", until=lambda twin: pose(twin)[0] < -300,
+            "rcis", Emulator, twin, "line-ebo.bt", monkeypatch,
+            until=lambda twin: pose(twin)[0] < -300,
             tolerance=20,
         )  # fmt: skip

@@ -7,12 +7,15 @@ import pytest
 from emulated import reachable
 from learnblock import robots, running
 from learnblock.emulators import TWINS
+from learnblock.runtime.process import ProcessWorker
 from runs import EXAMPLES, WORLDS, run_example
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
 #: Seconds of each run: what is asked is that all its devices answer; the paper's own programs are
 #: run to their ends in the tests of each robot.
 SECONDS = 0.8
+
+pytestmark = pytest.mark.spread
 
 
 def missing(name, robot):
@@ -30,6 +33,6 @@ def test_an_example_runs_on_a_real_robot_or_is_refused_by_naming_the_missing_dev
         assert not {device.partition(":")[0] for device in devices} & set(lacking)
         return
     with reachable(robot, WORLDS.get(name, "empty")):
-        finished = run_example(name, robot, seconds=SECONDS)
+        finished = run_example(name, robot, seconds=SECONDS, worker=ProcessWorker)
     assert finished.report.error is None
     assert finished.report.ended in {"finished", "time limit"}
