@@ -268,7 +268,7 @@ def test_a_parameter_called_like_a_variable_is_renamed_alone():
 
 def test_a_word_of_the_language_has_help(program):
     assert told(program, "blocktext", "wh|en go").title == "when"
-    assert told(program, "blocktext", "acti|vate go").text == "Makes a `when` active."
+    assert told(program, "blocktext", "acti|vate go").text == "Starts a `when`."
     found = told(program, "blocktext", "acti|vate go", language="es")
     assert found.text == "Activa un `when`."
 
@@ -282,7 +282,7 @@ def test_help_on_an_argument_has_its_default():
     one = document("function.move_straight(advSpeed=3)\n")
     found = told(one, "blocktext", "adv|Speed=")
     assert found.title == "advSpeed"
-    assert "If it is left out, it is 40." in found.text
+    assert "Default: 40." in found.text
 
 
 def test_inside_the_brackets_of_a_call_the_help_is_about_the_call():
