@@ -158,7 +158,7 @@ def test_a_block_can_be_tried_with_arguments_before_it_is_saved(bench, pupil):
 def test_a_block_shows_its_translated_text_in_each_language(bench, pupil):
     bench.make(ZIGZAG.replace("zigzag(", "slalom("))
     bench.edit("slalom")
-    bench.dialog.get_by_role("textbox", name="Block text, Spanish").fill("hacer eslalon")
+    bench.dialog.get_by_role("textbox", name="Text on the block, Spanish").fill("hacer eslalon")
     bench.dialog.get_by_role("combobox", name="Category").fill("Dance")
     bench.dialog.get_by_role("combobox", name="Colour").select_option("motor")
     bench.dialog.get_by_role("combobox", name="Add language…").select_option("DE")

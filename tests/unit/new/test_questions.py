@@ -63,7 +63,7 @@ def test_every_device_can_be_answered(own_home):
         (0, "ebo", "There is already a robot 'ebo'."),
         (1, "a'b", "title cannot be"),
         (19, "a'b", "'a'b' is not a word."),
-        (3, "a b", "network.address cannot be 'a b'. Expected a text of 1 to 60"),
+        (3, "a b", "network.address cannot be 'a b'. Expected text of 1 to 60"),
         (4, "http", "network.port cannot be 'http'. Expected a whole number from 1 to 65535"),
         (5, "0", "wheels.radius cannot be '0'. Expected a number from 1 to 1000"),
         (8, "round", "body.shape cannot be 'round'. Expected one of box, disc"),

@@ -33,7 +33,7 @@ def test_a_description_may_name_every_device(read):
     ("old", "new", "message"),
     [
         ("port = 1\n", "port = 0\n", r"rover.toml:7:1: .*'network.port' is 0, but must be a whole"),
-        ("port = 1\n", "", "The key 'port' is missing in 'network'"),
+        ("port = 1\n", "", "The key 'port' is missing from 'network'"),
         ("robot.local", "a b", r"'network.address' is \"a b\", .* letters, digits, \."),
         ("robot.local", "x; rm", r"'network.address' is"),
         ("robot.local", "x\\n", r"'network.address' is"),
@@ -45,7 +45,7 @@ def test_a_description_may_name_every_device(read):
             'title = "\\"\\"\\"',
             r"rover.toml:2:1: .*'title' is .*letters, digits, spaces",
         ),
-        ('title = "', f'title = "{"x" * 80}', "a text of 0 to 60 characters"),
+        ('title = "', f'title = "{"x" * 80}', "text of 0 to 60 characters"),
         ('world = "tags"', 'world = "tag"', r"rover.toml:3:1: .* no world 'tag'. Did you mean"),
         ("[gyroscope]", '[gyroscope]\nkey = "X"', "must be Z_AXIS, not X"),
         ('slot = "Rear"', 'slot = "a\\"b"', r"wrong-key The slot 'a\"b' is not a word"),
@@ -63,7 +63,7 @@ def test_a_mistake_is_reported_with_its_line(read, old, new, message):
 
 
 def test_values_from_other_sources_are_checked_too():
-    with pytest.raises(RobotDescriptionError, match="The key 'body' is missing in the file"):
+    with pytest.raises(RobotDescriptionError, match="The key 'body' is missing from the file"):
         plan_of({})
 
 

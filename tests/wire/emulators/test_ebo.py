@@ -98,7 +98,7 @@ def test_without_a_broker_it_has_no_camera_and_explains_why(emulation, monkeypat
 
 
 def test_a_broker_that_does_not_start_is_reported():
-    with pytest.raises(LearnBlockError, match="The broker mosquitto does not start at"):
+    with pytest.raises(LearnBlockError, match="The mosquitto broker did not start at"):
         Broker("/bin/true")
 
 

@@ -130,6 +130,6 @@ def test_another_brick_at_the_same_address_is_not_trusted(server, chosen):
 def test_an_agent_that_does_not_start_is_reported_with_its_output(server, chosen, emulation):
     (emulation.brick.folder / "bin" / "python3").write_text("#!/bin/sh\necho no memory\nexit 1\n")
     began = time.monotonic()
-    with pytest.raises(RobotConnectionError, match="does not start on the EV3: no memory"):
+    with pytest.raises(RobotConnectionError, match="did not start on the EV3: no memory"):
         Robot.set_up(chosen, str)
     assert time.monotonic() - began < 10

@@ -2,7 +2,7 @@
 
 # What to write instead of a wrong value; shown behind a sentence that names the value.
 block-expects-number = Write a number.
-block-expects-text = Write a text in quotes.
+block-expects-text = Write text in quotes.
 block-expects-truth = Write True or False.
 block-expects-list = Write a list.
 block-expects-tag = Write the number or the name of a tag.
@@ -21,12 +21,12 @@ block-range-step = The step must be above zero and fit into the range.
 
 # Type hints.
 block-unknown-hint = { $hint } has no field on a block. Write float, int, str, bool, list, Colour, Angle, TagName, Annotated[float, Range(0, 100)] or Literal["a", "b"].
-block-hint-range-not-number = { $hint } has a range, but only numbers have ranges.
+block-hint-range-not-number = { $hint } has a range, but only numbers can have one.
 block-hint-range-form = { $hint } is not a range. Write Range(0, 100) or Range(0, 10, step=1).
 # $problem is a whole sentence.
-block-hint-range = { $hint } is wrong. { $problem }
+block-hint-range = { $hint } is not valid. { $problem }
 block-hint-range-number = { $hint } in a Range is not a number.
-block-hint-choices = Literal[{ $hint }] is wrong. Write at most { $most } different texts of one line, such as Literal["slow", "fast"].
+block-hint-choices = Literal[{ $hint }] is not valid. Write at most { $most } different choices of one line each, such as Literal["slow", "fast"].
 
 # Files in the blocks and skills folders, and plugins. $reason is the operating system's.
 block-file-unreadable = { $file } cannot be read: { $reason }
@@ -41,11 +41,11 @@ block-where-block = the block '{ $name }'
 block-where-nameless-block = the block
 block-where-parameter = the parameter '{ $name }' of { $block }
 block-where-nameless-parameter = a parameter of { $block }
-block-duplicate-key = The key '{ $key }' is here twice. Keep one.
+block-duplicate-key = The key '{ $key }' appears twice. Keep one.
 block-not-object = { $value } must be an object {"{...}"}, because it describes { $where }.
 block-unknown-key = There is no key '{ $key }' for { $where }. Known keys: { $known }.
 block-unknown-key-like = There is no key '{ $key }' for { $where }. Did you mean '{ $suggestion }'?
-block-missing-key = The key '{ $key }' is missing for { $where }. { $key ->
+block-missing-key = The key '{ $key }' is missing from { $where }. { $key ->
     [type] It is the kind of the block or of the parameter, such as "motor" or "float".
     [category] It is the tab of the palette, such as "Base".
     [name] It is the name of the Python function or of its parameter.
@@ -53,13 +53,13 @@ block-missing-key = The key '{ $key }' is missing for { $where }. { $key ->
 }
 block-unknown-value = '{ $key }' of { $where } is { $value }. Write one of: { $known }.
 block-unknown-value-like = '{ $key }' of { $where } is { $value }. Did you mean '{ $suggestion }'?
-block-not-text = '{ $key }' of { $where } is { $value }. Write a text in double quotes that is not empty.
+block-not-text = '{ $key }' of { $where } is { $value }. Write some text in double quotes.
 block-bad-name = Python cannot use the name '{ $value }'. Use letters, digits and _, such as turn_left.
 block-empty-shape = 'shape' of { $where } is empty. Write ["blockVertical"] for a statement, or ["blockLeft"] for a value.
 block-two-shapes = 'shape' of { $where } is both a statement and a value. Write ["blockVertical"] for a statement, or ["blockLeft"] for a value.
 block-not-translations = '{ $key }' of { $where } is { $value }. Write {"{\"EN\": \"...\", \"ES\": \"...\"}"}.
 block-bad-language = { $value } in '{ $key }' of { $where } is not a language. Write a code such as EN, ES or PT-BR.
-block-duplicate-language = The language { $language } is in '{ $key }' of { $where } twice. Keep one.
+block-duplicate-language = The language { $language } appears twice in '{ $key }' of { $where }. Keep one.
 block-bad-need = { $value } in 'needs' of { $where } is not a device. Write a device such as Base, or one with its key, such as JointMotor:CAMERA.
 block-not-list = '{ $key }' of { $where } is { $value }. Write a list, such as { $example }.
 block-bad-default = The default { $value } of { $where } does not fit the type { $type }. { $type ->
@@ -70,13 +70,13 @@ block-bad-default = The default { $value } of { $where } does not fit the type {
     [colour] Write a colour, such as "#ff8800".
     [angle] Write degrees, such as 90.
     [apriltext] Write a tag's number, such as 8, or its name, such as "ball".
-   *[other] Write a text in double quotes, such as "Up".
+   *[other] Write text in double quotes, such as "Up".
 }
 block-bad-range = 'range' of { $where } is { $value }. { $problem }
 block-range-form = Write [0, 100], or [0, 10, 1] with a step.
-block-range-not-number = Only numbers have a range.
+block-range-not-number = Only numbers can have a range.
 block-choices-type = 'choices' of { $where } needs the type "choice".
-block-bad-choices = 'choices' of { $where } is { $value }. Write at most { $most } different texts of one line, such as ["slow", "fast"].
+block-bad-choices = 'choices' of { $where } is { $value }. Write at most { $most } different choices of one line each, such as ["slow", "fast"].
 block-unknown-choice = 'choiceNames' of { $where } translates { $value }, which is not one of its choices.
 block-unknown-choice-like = 'choiceNames' of { $where } translates { $value }, which is not one of its choices. Did you mean '{ $suggestion }'?
 block-not-choice-names = 'choiceNames' of { $where } is { $value }. Write {"{\"slow\": {\"ES\": \"lento\"}}"}.

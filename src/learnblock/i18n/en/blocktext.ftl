@@ -6,7 +6,7 @@
 blocktext-too-long = The program has { $characters } characters, which is too long. The limit is { $limit }.
 # $number: such as U+0000
 blocktext-forbidden-character = The character { $number } is not allowed in a program. Remove it.
-blocktext-second-main = A program can only have one 'main'. Join the two.
+blocktext-second-main = A program can only have one 'main'. Combine the two.
 
 ## What was expected: $wanted and $found are noun phrases from the messages below
 
@@ -62,24 +62,24 @@ blocktext-is = Write '==' to compare. Block-Text has no 'is'.
 blocktext-assignment-in-condition = Write '==' to compare. '=' sets a variable.
 blocktext-not-needs-brackets = Put 'not' and what follows it in brackets, as in '(not x)'.
 blocktext-without-space = Write '{ $operator }' without a space.
-blocktext-slice = Write 'sublist(values, from, to)' for a part of a list.
+blocktext-slice = Write 'sublist(values, from, to)' for part of a list.
 blocktext-unclosed-bracket = This '{ $opening }' is never closed. Write '{ $closing }' where it ends.
-blocktext-too-deep = This is nested too deeply. Store a part of it in a variable.
-blocktext-number-too-long = A number of { $digits } digits is too long. It must have fewer than { $limit }.
+blocktext-too-deep = This is nested too deeply. Store part of it in a variable.
+blocktext-number-too-long = A number with { $digits } digits is too long. It must have fewer than { $limit }.
 blocktext-bad-number = '{ $text }' is not a number. Write one such as 40 or 0.5.
 # $text: such as 3m
 blocktext-number-with-letters = '{ $text }' is neither a number nor a name. Write numbers without a unit, and begin names with a letter.
 
-## Texts
+## Text
 
 # $quote: the character that opens the text
 blocktext-missing-quote = There is no closing { $quote } on this line. Write { $quote } where the text ends.
-blocktext-triple-quote = Write one quote on each side of a text. '\n' in it begins a new line.
-blocktext-join-texts = Join two texts with '+'.
+blocktext-triple-quote = Write one quote on each side of the text. Use '\n' for a new line.
+blocktext-join-texts = Use '+' to join two pieces of text.
 # $prefix: a letter such as f
-blocktext-string-prefix = Block-Text has no '{ $prefix }' before a text. Join texts with '+' and 'str(...)'.
+blocktext-string-prefix = Block-Text has no '{ $prefix }' before quotes. Join text with '+' and 'str(...)'.
 # $escape: such as \u
-blocktext-escape-without-number = '{ $escape }' needs the number of a character after it. Write '\\' for a backslash.
+blocktext-escape-without-number = '{ $escape }' must be followed by the number of a character. Write '\\' for a backslash.
 blocktext-no-character-number = There is no character with the number { $number }. Write '\\' for a backslash.
 blocktext-no-character-name = There is no character named '{ $name }'. Write '\\' for a backslash.
 
@@ -96,8 +96,8 @@ blocktext-call-needs-brackets = Write 'function.{ $skill }()'. A call needs its 
 blocktext-missing-brackets = Write the arguments of '{ $name }' in brackets: '{ $name }(...)'.
 blocktext-duplicate-argument = The argument '{ $name }' is given twice. Remove one.
 blocktext-argument-order = Write arguments without a name before '{ $name }='.
-blocktext-unused-value = This value is not used. Set a variable with it.
-blocktext-unused-result = This value is not used. Set a variable with it, or write only the call.
+blocktext-unused-value = This value is not used. Store it in a variable.
+blocktext-unused-result = This value is not used. Store it in a variable, or write only the call.
 blocktext-call-as-target = A call can't be set. Write a variable before '='.
 blocktext-second-assignment = Set one variable per line, with one '='.
 blocktext-duplicate-parameter = Two parameters are called '{ $name }'. Rename one.

@@ -19,7 +19,7 @@ check-skill-with-error = The skill '{ $name }' can't be used because of an error
 check-unknown-when = There is no 'when { $name }'. Write one, or check the name.
 check-unknown-when-near = There is no 'when { $name }'. Did you mean '{ $near }'?
 # $word: def or when
-check-defined-twice = There is another '{ $word } { $name }' in line { $line }. Rename one or join them.
+check-defined-twice = There is another '{ $word } { $name }' on line { $line }. Rename one or combine them.
 check-function-and-variable = '{ $name }' is both a function and a variable. Rename one.
 
 ## Libraries
@@ -55,15 +55,15 @@ check-missing-argument = { $count ->
 }
 check-unknown-argument = '{ $call }' has no argument '{ $name }', only: { $known }.
 check-unknown-argument-near = '{ $call }' has no argument '{ $name }'. Did you mean '{ $near }'?
-check-no-named-arguments = '{ $call }' has no argument '{ $name }'. Give its arguments without names.
-check-number-expected = '{ $parameter }' of '{ $call }' must be a number, not a text.
-check-number-in-quotes = '{ $parameter }' of '{ $call }' must be a number, not a text. Write { $number } without quotes.
+check-no-named-arguments = '{ $call }' has no argument named '{ $name }'. Write only the values, without names.
+check-number-expected = '{ $parameter }' of '{ $call }' must be a number, not text.
+check-number-in-quotes = '{ $parameter }' of '{ $call }' must be a number, not text. Write { $number } without quotes.
 # $value, $choices: as written in the program
-check-outside-range = '{ $parameter }' of '{ $call }' is { $value } here. It goes from { $least } to { $most }.
+check-outside-range = '{ $parameter }' of '{ $call }' is { $value } here. It should be between { $least } and { $most }.
 check-unknown-choice = '{ $parameter }' of '{ $call }' is { $value } here. The choices are: { $choices }.
 check-not-a-colour = '{ $parameter }' of '{ $call }' is { $value } here. Write a colour such as "#ff8800".
 check-whole-number = 'for ... from ... to' counts in whole numbers, not { $number }.
-check-text-for-number = This is a text, but it must be a number.
+check-text-for-number = This is text, but it must be a number.
 check-step-zero = With 'step 0' the loop would never end. Write another step.
 
 ## Devices
@@ -86,14 +86,14 @@ check-device = { $kind ->
     [Gyroscope] gyroscope
     [Infrared] infrared receiver
     [JointMotor] { $key ->
-        [CAMERA] motor for its camera
+        [CAMERA] camera motor
        *[other] motor { $key }
     }
-    [Led] light
+    [Led] LED
     [LightSensor] light sensor
     [MP3] music player
-    [Matrix] matrix of lights
-    [RGBLed] coloured light
+    [Matrix] LED matrix
+    [RGBLed] coloured LED
     [Speaker] speaker
    *[other] { $kind } { $key }
 }
@@ -106,12 +106,12 @@ check-too-many-loops = More than { $limit } loops are nested here, which is too 
 check-outside-loop = '{ $word }' only works inside a loop.
 check-outside-function = 'return' only works inside a 'def'.
 # $word: break, continue or return
-check-unreachable-after-jump = This is never reached because of '{ $word }' in line { $line }.
-check-unreachable-after-loop = This is never reached because the 'while True' loop in line { $line } never ends.
-check-unreachable-after-branches = This is never reached because no branch of the 'if' in line { $line } continues here.
+check-unreachable-after-jump = This is never reached because of '{ $word }' on line { $line }.
+check-unreachable-after-loop = This is never reached because the 'while True' loop on line { $line } never ends.
+check-unreachable-after-branches = This is never reached because no branch of the 'if' on line { $line } continues here.
 check-sensor-outside-loop = 'function.{ $skill }' is checked only once, when the program gets here. Put the 'if' inside 'while True:' to keep checking, or use a 'when'.
 
 ## A program that can't run. $problem: a message from above, or from another file
 
 check-program-error = The program has an error. { $problem }
-check-program-error-in-line = The program has an error in line { $line }. { $problem }
+check-program-error-in-line = The program has an error on line { $line }. { $problem }

@@ -9,7 +9,7 @@ cli-stop-with-ctrl-c = Press Ctrl-C to stop.
 
 # $value is a setting's default.
 cli-default = default: { $value }
-cli-default-without-value = --default needs the name of a setting, and no value.
+cli-default-without-value = --default takes the name of a setting, without a value.
 cli-value-or-default = Give either a value or --default.
 
 cli-formatted = Formatted { $file }
@@ -35,7 +35,7 @@ cli-skill-returns = {"  "}Returns: { $kind ->
 cli-skill-needs = {"  "}Needs: { $devices }
 cli-skill-needs-nothing = {"  "}Needs: no device
 
-cli-blocks-none = You have no custom blocks yet. Make one in the page, or run: learnblock blocks import FILE
+cli-blocks-none = You have no custom blocks yet. Make one on the page, or run: learnblock blocks import FILE
 
 cli-library-broken = broken: { $problem }
 cli-library-none = No libraries are installed. Install one with: learnblock library import FILE
@@ -56,6 +56,6 @@ cli-tags-print = Open { $file } in a browser and print it at 100 %.
 # Followed by commands.
 cli-new-next = Next:
 cli-new-robot-test = The test lists the functions that you still have to write, and what each must do.
-cli-new-skill = Next, change what the skill does. Its Block-Text is { $call }.
+cli-new-skill = Next, change what the skill does. In Block-Text, it is { $call }.
 
-cli-emotions-question = Switch it on for all real cameras?
+cli-emotions-question = Turn it on for all real cameras?

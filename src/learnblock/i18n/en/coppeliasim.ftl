@@ -8,7 +8,7 @@ coppeliasim-closed = The connection to CoppeliaSim at { $place } is closed. Run 
 coppeliasim-refused = CoppeliaSim at { $place } reported an error: { $reason }
 # $answer is what CoppeliaSim answered to the function $name, shortened.
 coppeliasim-bad-answer = CoppeliaSim at { $place } gave an unexpected answer to { $name }: { $answer }
-coppeliasim-not-started = The simulation in CoppeliaSim at { $place } does not start. Does CoppeliaSim show an error?
+coppeliasim-not-started = The simulation in CoppeliaSim at { $place } did not start. Does CoppeliaSim show an error?
 coppeliasim-stopped = The simulation in CoppeliaSim at { $place } was stopped. Run the program again.
 coppeliasim-no-object = The scene has no object { $path }. Change the setting '{ $setting }' to an object of the scene.
 coppeliasim-no-script = The scene in CoppeliaSim has no object { $path } with LearnBlock's script. To add it, run: learnblock robots setup coppeliasim
@@ -21,6 +21,6 @@ coppeliasim-setup-done =
       1. Choose Add > Dummy, and rename the dummy to LearnBlock.
       2. Select it, then choose Add > Script > Simulation script > Non threaded > Lua
          (before version 4.7: Add > Associated child script > Non threaded > Lua).
-      3. Double-click the script's icon, replace all of its text with the file's, and close it.
+      3. Double-click the script's icon, replace all of its text with the text of the file, and close it.
       4. Press play: a robot appears at the dummy. Save the scene.
     Then run: learnblock robots test coppeliasim

@@ -14,11 +14,11 @@ custom-file-version = This block has format { $version }, but this LearnBlock re
 # The source. $reason is Python's.
 custom-source-too-large = The source is too long: the limit is { $limit } characters.
 custom-not-python = This is not valid Python: { $reason }
-custom-no-function = No function takes the robot. Write one, such as 'def dance(robot, times: int = 3):'.
+custom-no-function = No function takes the robot as its first parameter. Write one, such as 'def dance(robot, times: int = 3):'.
 custom-async = '{ $name }' is async, which a block cannot be. Write 'def { $name }'.
 custom-no-robot = '{ $name }' is not a block, because it does not take the robot. Make 'robot' its first parameter, or name a helper '_{ $name }'.
 custom-first-parameter = The first parameter of '{ $name }' receives the robot, so name it 'robot' instead of '{ $parameter }'. Other parameters follow it.
-custom-duplicate-function = '{ $name }' is also defined in line { $line }, and only this one counts. Rename one of them.
+custom-duplicate-function = '{ $name }' is also defined on line { $line }, and only this one is used. Rename one of them.
 custom-unfit-parameter = A block cannot set the parameter '{ $parameter }' of '{ $name }'. Remove the *, or give it a default.
 custom-python-word = '{ $name }' means '{ $plain }' in Block-Text. Choose another name.
 # $problem is a whole sentence.
@@ -36,11 +36,11 @@ custom-taken-by-skill = LearnBlock already has a skill '{ $name }'. Choose anoth
 # Configurations that no longer fit the source.
 custom-stale-function = The configuration describes '{ $name }', but there is no such function. This part is ignored.
 custom-stale-parameter = '{ $block }' has no parameter '{ $parameter }'. This part of the configuration is ignored.
-custom-stale-type = '{ $parameter }' of '{ $block }' is { $actual } in the function but { $chosen } in the configuration. The function counts.
+custom-stale-type = '{ $parameter }' of '{ $block }' is { $actual } in the function but { $chosen } in the configuration. The function takes precedence.
 custom-stale-shape = '{ $block }' is { $kind ->
     [value] a value
    *[statement] a statement
-} in the function but not in the configuration. The function counts.
+} in the function but not in the configuration. The function takes precedence.
 
 # Imports in the source.
 custom-import-relative = An import cannot begin with a dot here, because each file of blocks is separate. Import packages by name.

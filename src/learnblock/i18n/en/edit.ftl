@@ -8,8 +8,8 @@ edit-function-exists = There is already a function '{ $name }'. Choose another n
 edit-when-exists = There is already a 'when { $name }'. Choose another name.
 edit-name-of-state = '{ $name }' is the state of 'when { $when }'. Choose another name.
 edit-language-function = '{ $name }' is a function of the language. Choose another name.
-edit-when-start = 'when start' can't be renamed, since only this name runs at the start.
-edit-used-in-line = The Python code in line { $line } uses '{ $name }'. Change it there by hand.
+edit-when-start = 'when start' can't be renamed, because only this name runs at the start.
+edit-used-in-line = The Python code on line { $line } uses '{ $name }'. Change it there by hand.
 edit-used-in-python = The Python code of the program uses '{ $name }'. Change it there by hand.
 
 ## Functions for a library. $function: the function that needs something else

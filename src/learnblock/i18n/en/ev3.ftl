@@ -37,7 +37,7 @@ ev3-not-understood = The EV3 at { $place } did not understand a command. Run: le
 ev3-complaint = The EV3 at { $place } reported: { $reason }
 ev3-closed = The connection to the EV3 at { $place } is closed. Run the program again.
 ev3-silent = The EV3 at { $place } stopped answering. Is it on and in range?
-ev3-link-broke = The connection to the EV3 at { $place } broke. Is it on and in range?
+ev3-link-broke = The connection to the EV3 at { $place } was lost. Is it on and in range?
 ev3-garbled = The data from { $place } does not come from an EV3. Check the address and the port in the robot settings.
 
 # learnblock robots setup ev3: what it is doing, and what went wrong.
@@ -49,4 +49,4 @@ ev3-setup-other-brick = The EV3 at { $place } is not the one that was set up bef
 ev3-setup-no-login = The EV3 at { $place } does not accept the password of '{ $user }'. Change it with: learnblock robots set ev3 password
 ev3-setup-broke = The EV3 at { $place } ended the connection ({ $reason }). Run the command again.
 # $output is what the agent printed on the brick.
-ev3-setup-not-started = The agent does not start on the EV3: { $output }
+ev3-setup-not-started = The agent did not start on the EV3: { $output }

@@ -1,16 +1,16 @@
-# Files that a person wrote or chose.
+# Files written or chosen by users.
 
-# A value that a file may not hold: $place is its place in the file, $reason a sentence.
+# A value that is not allowed: $place is its position in the file, $reason a sentence.
 file-wrong-value = { $place }: { $reason }
 file-too-large = { $name } is too large: the limit is { $limit } MB.
 # $size and $limit are numbers of bytes.
 file-too-many-bytes = The file has { $size } bytes, but it can have at most { $limit }.
 # $position counts the bytes of the file from 0.
-file-not-utf-8 = Byte { $position } of the file is not UTF-8. Save the file with the encoding UTF-8.
+file-not-utf-8 = Byte { $position } of the file is not UTF-8. Save the file as UTF-8.
 # $reason is Python's own text.
 file-not-python = This is not valid Python: { $reason }.
 
-# Where in a file something is; these stand within other sentences.
+# A position in a file; these are parts of other sentences.
 file-itself = the file
 file-place = '{ $path }'
 
@@ -18,7 +18,7 @@ file-place = '{ $path }'
 file-unknown-key = The key '{ $key }' is unknown in { $place }.
 file-unknown-key-of = { file-unknown-key } Known keys: { $known }.
 file-unknown-key-like = { file-unknown-key } Did you mean '{ $suggestion }'?
-file-missing-key = The key '{ $key }' is missing in { $place }.
+file-missing-key = The key '{ $key }' is missing from { $place }.
 
 # Several mistakes in one file: each a sentence, with its line where it has one.
 file-at-line = Line { $line }: { $problem }

@@ -6,7 +6,7 @@ ice-unknown-address = There is no computer with this name. Check the address.
 ice-hung-up = The component closed the connection.
 ice-closed = The connection to the component is closed.
 # $reason is a message of the operating system.
-ice-broken = The connection to the component broke ({ $reason }).
+ice-broken = The connection to the component was lost ({ $reason }).
 ice-unexpected-message = The component sent an unexpected message ({ $kind }).
 # $reason is another phrase of this file.
 ice-garbled = The component sent a message that can't be read. { $reason }
@@ -21,6 +21,6 @@ ice-value-count = { $expected ->
 ice-too-short = The message is too short: { $expected } bytes should follow, but only { $left } do.
 ice-too-long = The message is too long: { $left } bytes are left over.
 ice-unknown-encoding = The encoding { $version } is not supported.
-ice-not-ice = The data is not a message of Ice: { $start }
+ice-not-ice = The data is not an Ice message: { $start }
 ice-compressed = The message is compressed, which is not supported.
 ice-message-size = The message has { $size } bytes; at most { $limit } are allowed.

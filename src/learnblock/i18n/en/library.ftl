@@ -10,7 +10,7 @@ library-limits = A library can have at most { $most } files with { $limit } byte
 library-not-plain-file = { $file } is not a plain file. Remove it from the library.
 library-two-files = The library has two files named '{ $file }'.
 library-not-zip = This file is damaged or not a library.
-library-file-outside = The file '{ $file }' would be outside of the library.
+library-file-outside = The file '{ $file }' would be outside the library.
 library-link = '{ $file }' is a link. Replace it with the file.
 library-encrypted = '{ $file }' is encrypted or compressed in an unknown way.
 # $known lists names of files.
@@ -35,14 +35,14 @@ library-skill-exists = The library already has a skill '{ $skill }'. Choose anot
 library-bad-skill-name = '{ $name }' cannot be the name of a skill. Use letters, digits and _.
 
 # Names that are taken. $place is one of the places below.
-library-clash = The skill '{ $skill }' of the library { $library } is already in { $place }. Rename it with --rename { $skill }=NEW.
+library-clash = The skill '{ $skill }' of the library { $library } already exists in { $place }. Rename it with --rename { $skill }=NEW.
 library-place-library = the library { $library }
 library-place-block = your custom block { $block }
 library-place-plugin = a plugin
 library-place-learnblock = LearnBlock
 library-place-robot = every robot
 
-library-two-names = Its library.toml has the name { $name }, but its folder is { $folder }.
+library-two-names = library.toml has the name { $name }, but the folder is named { $folder }.
 library-same-name = Two of these libraries have the same name. Import only one of them.
 library-not-newer = Version { $installed } of the library { $library } is installed, and { $version } is not newer. Add --replace to install it anyway.
 # One file of a library cannot be read. $problem begins with the line.

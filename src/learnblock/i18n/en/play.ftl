@@ -18,5 +18,5 @@ play-wrong-count =
                *[other] The function '{ $function }' takes { $least } to { $most } values, but got { $count }.
             }
     }
-play-bad-number = { $value } is not a number that a block can pass on.
-play-bad-value = A block can pass on numbers, texts, lists, true and false only.
+play-bad-number = { $value } is not a number that a block can use.
+play-bad-value = A block can only use numbers, text, lists, true and false.

@@ -9,12 +9,12 @@ project-character = The character U+{ $code } can't be saved. Remove it from the
 project-too-large = The project has { $size } bytes, but a project can have at most { $limit }.
 project-type = LearnBlock can't open this type of file. Choose a .bt, .py or .learnblock file.
 # $start is how the file of a project starts.
-project-none = This file is damaged or not a LearnBlock project. The file of a project starts with { $start }.
-project-not-utf-8 = This file is damaged or not a LearnBlock project: the byte { $byte } is not UTF-8.
+project-none = This file is damaged or not a LearnBlock project. A project file starts with { $start }.
+project-not-utf-8 = This file is damaged or not a LearnBlock project: byte { $byte } is not UTF-8.
 # $reason is a technical text in English.
 project-damaged = This file is damaged or not a LearnBlock project: { $reason }. Use an older copy of the file.
 project-too-deep = The brackets in this file are nested too deeply for a project.
-project-version = This project has version { $version } of the format, but this LearnBlock reads version { $known }. Open it with a newer LearnBlock.
+project-version = This project uses version { $version } of the format, but this LearnBlock reads version { $known }. Open it with a newer LearnBlock.
 # $kind is robot or world; $value is what the file says.
 project-path = { $kind ->
         [robot] The robot is { $value }, but a project can only name a robot, such as '{ $example }'.
@@ -22,17 +22,17 @@ project-path = { $kind ->
     }
 # $place is where in the file; $expected is one of the sentences below.
 project-value = { $place } is { $value }. { $expected }
-project-value-wrong = { $place } is wrong. { $expected }
-project-expects-blocktext = It must be the list of the program's lines.
-project-expects-python = It must be the list of the lines of Python.
+project-value-wrong = { $place } is not valid. { $expected }
+project-expects-blocktext = It must be a list of the program's lines.
+project-expects-python = It must be a list of the Python program's lines.
 project-expects-robot = It must be the name of a robot, such as 'sim-ebo'.
 project-expects-world = It must be the name of a world, such as 'line'.
-project-expects-breakpoints = It must be a list of the ids of at most { $limit } blocks.
+project-expects-breakpoints = It must be a list of at most { $limit } block ids.
 project-expects-shown = It must be the name of a block set, such as 'first-steps'.
 project-expects-block-sets = It must be a list of at most { $limit } block sets.
 # $example is JSON.
 project-expects-libraries = It must give the version of each library, such as { $example }.
-project-expects-workspace = Remove the workspace from the file, and the blocks are laid out again.
+project-expects-workspace = Remove the workspace from the file to lay the blocks out again.
 
 ## Folder
 

@@ -1,6 +1,6 @@
 # Errors in Python: in a Python program, or in a part of a program that is Python.
 
-python-too-deep = This Python is nested too deeply. Store a part of it in a variable.
+python-too-deep = This Python is nested too deeply. Store part of it in a variable.
 # Any other error. $reason: the message of Python, in English
 python-syntax = This is not valid Python: { $reason }.
 python-invalid-syntax = Python does not understand this. Check for typos and for missing symbols.

@@ -15,7 +15,7 @@ report-ended = { $how ->
     [stopped] stopped
    *[other] ended
 }
-report-ended-time-limit = at the time limit of { $seconds } s (another: --for SECONDS)
+report-ended-time-limit = at the time limit of { $seconds } s (change it with --for SECONDS)
 
 # $state is reached, failed or open; $time is seconds of the robot's time.
 report-goal = { $name }: { $state ->

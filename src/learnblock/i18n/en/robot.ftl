@@ -1,7 +1,7 @@
 # Robots of any kind: their class, their devices and skills, their settings.
 
 # $device is the type of device in the programming interface, such as Base.
-robot-key-taken = This robot already has a device of the type { $device } with the key '{ $key }'. Give the second one a different key.
+robot-key-taken = This robot already has a device of type { $device } with the key '{ $key }'. Give the second one a different key.
 robot-stopped = The robot has been stopped, so it can't be used any more. Run the program again.
 robot-skill-name-taken = A skill can't be called '{ $name }', because every robot already has that name. Choose another name.
 robot-unknown-skill = This robot has no skill '{ $name }'.
@@ -51,13 +51,13 @@ robot-unknown-layout = { $robot ->
 
 # What a setting means, shown below its field and on the command line.
 robot-setting-patience = timeout in seconds
-robot-setting-address = network name or number
+robot-setting-address = host name or IP address
 robot-setting-port = network port
 robot-setting-serial-port = serial port, such as /dev/ttyUSB0 or COM3
 robot-setting-baud = bits per second
 robot-setting-length = mm
 robot-setting-speed = mm/s
-robot-setting-voice = voice of espeak-ng
+robot-setting-voice = espeak-ng voice
 robot-setting-colour = colour pictures at half the width; otherwise grey
 robot-setting-stop-at-cliff = stop where the floor ends
 robot-setting-volume = volume in percent
@@ -65,14 +65,14 @@ robot-setting-camera-port = network port; 0 for no camera
 robot-setting-layout = message layout of the components; auto detects it
 robot-setting-connection = agent or rpyc on ev3dev, direct for LEGO's firmware; auto tries them in turn
 robot-setting-device = LEGO's firmware by USB or Bluetooth: a device such as /dev/hidraw0
-robot-setting-token = secret shared with the agent, made by setup
+robot-setting-token = secret shared with the agent, created by setup
 robot-setting-user = user name on ev3dev
 robot-setting-password = password of that user
-robot-setting-full-speed = degrees/s of a wheel's motor at 100 %
+robot-setting-full-speed = wheel motor speed at 100 %, in degrees/s
 robot-setting-thymio-connection = auto uses Thymio Suite if it is running, else a cable, else tcp
 robot-setting-thymio-device = serial port; empty for the first Thymio found
 robot-setting-track = distance between the wheels in mm
-robot-setting-speed-unit = mm/s of a wheel at motor speed 1
+robot-setting-speed-unit = wheel speed at motor speed 1, in mm/s
 robot-setting-scene = LearnBlock's script, the paper's scene, or a robot by the names of its parts
 robot-setting-script = object with the script; empty for the default
 robot-setting-object = path of an object in the scene, such as /Robot/sonar

@@ -12,8 +12,8 @@ run-time-limit =
 run-too-much-output = The program printed more than { $megabytes } MB and was stopped. Does one of its loops print without waiting?
 run-no-robot =
     { $seconds ->
-        [one] The program did not create its robot within { $seconds } second and was stopped. Does it ever reach its line with Robot()?
-       *[other] The program did not create its robot within { $seconds } seconds and was stopped. Does it ever reach its line with Robot()?
+        [one] The program did not create its robot within { $seconds } second and was stopped. Does it ever reach the line with Robot()?
+       *[other] The program did not create its robot within { $seconds } seconds and was stopped. Does it ever reach the line with Robot()?
     }
 run-no-call =
     { $seconds ->
@@ -29,7 +29,7 @@ run-processor-time =
        *[other] The program used more than { $seconds } seconds of processor time and was stopped.
     }
 # $signal is a name such as SIGKILL.
-run-killed = The operating system ended the program with the signal { $signal }.
+run-killed = The operating system ended the program with signal { $signal }.
 
 # Mistakes in a program.
 
@@ -38,17 +38,17 @@ run-did-you-mean = { $error }. Did you mean '{ $suggestion }'?
 # $type and $failed are Python's names of errors.
 run-error-without-text = The error { $type } has no readable message: its __str__ raised { $failed }.
 run-second-robot = A program can have only one robot at a time. Remove the second Robot() from it.
-run-input-ended = The program asked for input, but there is no more.
+run-input-ended = The program asked for input, but there is none left.
 # $event is Python's name of what was attempted, such as os.fork.
 run-no-processes = A robot program is not allowed to start or stop other programs ({ $event }).
-run-variable-uses-robot = The text of a variable cannot use the robot or print.
+run-variable-uses-robot = The __str__ of a variable cannot use the robot or print.
 # $reason is Python's own message.
 run-value-not-sendable = A value cannot be sent to the robot: { $reason }.
 # $size and $limit are numbers of bytes.
 run-value-too-large = A value of { $size } bytes is too large to be sent to the robot: the limit is { $limit } bytes.
 run-no-program-file = LEARNBLOCK_TRACE records a program that runs from a file, but no file is running.
 
-# Failures of the robot. $reason is a sentence or somebody else's error message.
+# Failures of the robot. $reason is a sentence or another program's error message.
 
 run-robot-not-created = The robot could not be created. { $reason }
 run-robot-not-stopped = The robot could not be stopped. { $reason }
@@ -56,7 +56,7 @@ run-robot-not-stopped = The robot could not be stopped. { $reason }
 run-call-failed = The robot did not carry out '{ $function }'. { $reason }
 run-robot-stopped = The robot has been stopped and accepts no more commands.
 # $device is a type of device; $known lists the types there are.
-run-unknown-device = The robot has a device of the type { $device }, which programs cannot use. Known types: { $known }.
+run-unknown-device = The robot has a device of type { $device }, which programs cannot use. Known types: { $known }.
 run-message-too-long = A message of { $size } bytes on the link between robot and program is too long.
 run-not-a-message = A message on the link between robot and program is damaged: { $reason }.
 run-no-debugger = This run cannot be paused because it was started without a debugger.
@@ -65,4 +65,4 @@ run-no-debugger = This run cannot be paused because it was started without a deb
 
 run-unknown-file-type = LearnBlock can run .bt files (Block-Text) and .py files (Python) only.
 # $byte is a number such as 0xe9.
-run-not-utf-8 = The byte { $byte } is not UTF-8. Save the file with the encoding UTF-8.
+run-not-utf-8 = Byte { $byte } is not UTF-8. Save the file as UTF-8.

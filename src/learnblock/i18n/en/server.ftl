@@ -19,7 +19,7 @@ server-no-window = A window needs pywebview. Run pip install 'learnblock-studio[
 # The title of the page below.
 server-incomplete-address-title = This address is incomplete
 server-incomplete-address = Open the whole address that LearnBlock printed when it started. It ends in ?token= and a long word, and is new each time.
-server-wrong-address = LearnBlock doesn't answer at this address or to this page. Open the address that LearnBlock printed; behind a proxy, start LearnBlock with --allow-host NAME.
+server-wrong-address = LearnBlock does not accept this address or this page. Open the address that LearnBlock printed; behind a proxy, start LearnBlock with --allow-host NAME.
 server-not-built-title = The page has not been built
 server-not-built = This LearnBlock runs from its sources, without a built page. Build the page with Node.js, and reload:
 server-no-floor-picture = The floor of this world has no picture.
@@ -40,6 +40,6 @@ server-world-exists = You already have a world '{ $name }'. Choose another name,
 ## For contributors: learnblock dev
 
 server-dev-no-watchfiles = learnblock dev needs watchfiles. Run pip install -e '.[dev]'.
-server-dev-no-checkout = learnblock dev needs the sources of LearnBlock, with the folder frontend. To use the page, run learnblock.
+server-dev-no-checkout = learnblock dev needs the sources of LearnBlock, including the frontend folder. To use the page, run learnblock.
 server-dev-no-node = learnblock dev needs Node.js { $version } or newer.
 server-dev-started = The page with hot reload: { $address }

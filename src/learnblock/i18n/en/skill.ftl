@@ -1,7 +1,7 @@
 # Skills that fail, and files of skills that cannot be loaded. $file is such as skills/dance.py.
 
 skill-not-function = In { $file }, '{ $name }' is no longer a function once the file has run. Give the other value a different name.
-skill-file-syntax = { $file } can't be loaded because of a mistake in line { $line }: { $reason }.
+skill-file-syntax = { $file } can't be loaded because of a mistake on line { $line }: { $reason }.
 # $reason is an error of the file in English, such as ZeroDivisionError: division by zero
 skill-file-broken = { $file } can't be loaded ({ $reason }). Correct the file and run the program again.
 # A turn that takes too long; $turned and $angle in degrees.

@@ -7,14 +7,14 @@ toml-too-deep = Too many brackets are nested inside each other.
 # $place is a key such as 'wall[2].height'; $value is the value in the file; $allowed is one of the descriptions below.
 toml-wrong-value = { $place } is { $value }, but must be { $allowed }.
 toml-wrong-value-like = { toml-wrong-value } Did you mean '{ $suggestion }'?
-toml-missing-value = The key '{ $key }' is missing in { $place }. It must be { $allowed }.
+toml-missing-value = The key '{ $key }' is missing from { $place }. It must be { $allowed }.
 # A header with one pair of brackets where several tables are allowed.
 toml-single-table = '{ $name }' is a single table, but there can be several. Write its header as [[{ $name }]].
 
-# What a value must be. These stand within the sentences above and below a field of the settings.
+# What a value must be: parts of the sentences above, also shown below a field of the settings.
 toml-number = a number from { $least } to { $most }
 toml-whole-number = a whole number from { $least } to { $most }
-toml-text = a text of { $least } to { $most } characters
+toml-text = text of { $least } to { $most } characters
 toml-boolean = true or false
 toml-table = a table of keys and values
 toml-choice = { $count ->

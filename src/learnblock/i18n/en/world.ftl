@@ -18,7 +18,7 @@ world-picture-outside = The floor picture '{ $picture }' has to be in the same f
 world-picture-missing = There is no floor picture '{ $picture }' in the folder of the world's file.
 world-picture-too-large = The floor picture '{ $picture }' is larger than { $limit } MB.
 world-picture-not-png = The floor picture '{ $picture }' is not a PNG picture. Save it as PNG.
-world-picture-too-many-pixels = The floor picture '{ $picture }' has { $width } by { $height } pixels. At most { $limit } pixels a side are allowed.
+world-picture-too-many-pixels = The floor picture '{ $picture }' has { $width } by { $height } pixels. Each side can be at most { $limit } pixels.
 world-picture-damaged = The floor picture '{ $picture }' is damaged.
 world-bad-name = A world cannot be called '{ $name }'. Use up to 40 letters, digits, hyphens, underscores and spaces.
 

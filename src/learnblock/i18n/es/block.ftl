@@ -17,11 +17,11 @@ block-range-order = El primer número tiene que ser menor que el segundo.
 block-range-step = El paso tiene que ser mayor que cero y caber en el intervalo.
 
 block-unknown-hint = { $hint } no tiene campo en un bloque. Escribe float, int, str, bool, list, Colour, Angle, TagName, Annotated[float, Range(0, 100)] o Literal["a", "b"].
-block-hint-range-not-number = { $hint } tiene un intervalo, pero solo los números lo tienen.
+block-hint-range-not-number = { $hint } tiene un intervalo, pero solo los números pueden tenerlo.
 block-hint-range-form = { $hint } no es un intervalo. Escribe Range(0, 100) o Range(0, 10, step=1).
-block-hint-range = { $hint } está mal. { $problem }
+block-hint-range = { $hint } no es válido. { $problem }
 block-hint-range-number = { $hint } en un Range no es un número.
-block-hint-choices = Literal[{ $hint }] está mal. Escribe como mucho { $most } textos distintos de una línea, por ejemplo Literal["slow", "fast"].
+block-hint-choices = Literal[{ $hint }] no es válido. Escribe como mucho { $most } opciones distintas de una línea cada una, por ejemplo Literal["slow", "fast"].
 
 block-file-unreadable = No se puede leer { $file }: { $reason }
 block-plugin-unreadable = No se puede leer el plugin '{ $plugin }': { $reason }
@@ -33,7 +33,7 @@ block-where-block = el bloque '{ $name }'
 block-where-nameless-block = el bloque
 block-where-parameter = el parámetro '{ $name }' en { $block }
 block-where-nameless-parameter = un parámetro en { $block }
-block-duplicate-key = La clave '{ $key }' está aquí dos veces. Deja una.
+block-duplicate-key = La clave '{ $key }' aparece dos veces. Deja una.
 block-not-object = { $value } tiene que ser un objeto {"{...}"}, porque describe { $where }.
 block-unknown-key = No existe la clave '{ $key }' para { $where }. Claves: { $known }.
 block-unknown-key-like = No existe la clave '{ $key }' para { $where }. ¿Querías decir '{ $suggestion }'?
@@ -45,13 +45,13 @@ block-missing-key = Falta la clave '{ $key }' para { $where }. { $key ->
 }
 block-unknown-value = En { $where }, '{ $key }' es { $value }. Escribe uno de estos: { $known }.
 block-unknown-value-like = En { $where }, '{ $key }' es { $value }. ¿Querías decir '{ $suggestion }'?
-block-not-text = En { $where }, '{ $key }' es { $value }. Escribe un texto entre comillas dobles que no esté vacío.
+block-not-text = En { $where }, '{ $key }' es { $value }. Escribe algún texto entre comillas dobles.
 block-bad-name = Python no puede usar el nombre '{ $value }'. Usa letras, cifras y _, por ejemplo turn_left.
 block-empty-shape = En { $where }, 'shape' está vacío. Escribe ["blockVertical"] para una instrucción o ["blockLeft"] para un valor.
 block-two-shapes = En { $where }, 'shape' es a la vez una instrucción y un valor. Escribe ["blockVertical"] para una instrucción o ["blockLeft"] para un valor.
 block-not-translations = En { $where }, '{ $key }' es { $value }. Escribe {"{\"EN\": \"...\", \"ES\": \"...\"}"}.
 block-bad-language = { $value }, en '{ $key }' para { $where }, no es un idioma. Escribe un código como EN, ES o PT-BR.
-block-duplicate-language = El idioma { $language } está dos veces en '{ $key }' para { $where }. Deja uno.
+block-duplicate-language = El idioma { $language } aparece dos veces en '{ $key }' para { $where }. Deja uno.
 block-bad-need = { $value }, en 'needs' para { $where }, no es un dispositivo. Escribe uno como Base, o con su clave, como JointMotor:CAMERA.
 block-not-list = En { $where }, '{ $key }' es { $value }. Escribe una lista, por ejemplo { $example }.
 block-bad-default = El valor por defecto { $value } para { $where } no encaja en el tipo { $type }. { $type ->
@@ -66,9 +66,9 @@ block-bad-default = El valor por defecto { $value } para { $where } no encaja en
 }
 block-bad-range = En { $where }, 'range' es { $value }. { $problem }
 block-range-form = Escribe [0, 100], o [0, 10, 1] con un paso.
-block-range-not-number = Solo los números tienen intervalo.
+block-range-not-number = Solo los números pueden tener un intervalo.
 block-choices-type = En { $where }, 'choices' necesita el tipo "choice".
-block-bad-choices = En { $where }, 'choices' es { $value }. Escribe como mucho { $most } textos distintos de una línea, por ejemplo ["slow", "fast"].
+block-bad-choices = En { $where }, 'choices' es { $value }. Escribe como mucho { $most } opciones distintas de una línea cada una, por ejemplo ["slow", "fast"].
 block-unknown-choice = En { $where }, 'choiceNames' traduce { $value }, que no es ninguna de sus opciones.
 block-unknown-choice-like = En { $where }, 'choiceNames' traduce { $value }, que no es ninguna de sus opciones. ¿Querías decir '{ $suggestion }'?
 block-not-choice-names = En { $where }, 'choiceNames' es { $value }. Escribe {"{\"slow\": {\"ES\": \"lento\"}}"}.

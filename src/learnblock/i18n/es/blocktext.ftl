@@ -74,7 +74,7 @@ blocktext-number-with-letters = '{ $text }' no es ni un número ni un nombre. Es
 
 # $quote: the character that opens the text
 blocktext-missing-quote = En esta línea falta { $quote } para cerrar. Escribe { $quote } donde termina el texto.
-blocktext-triple-quote = Escribe una sola comilla a cada lado de un texto. '\n' empieza una línea nueva dentro de él.
+blocktext-triple-quote = Escribe una sola comilla a cada lado del texto. Usa '\n' para una línea nueva.
 blocktext-join-texts = Une dos textos con '+'.
 # $prefix: a letter such as f
 blocktext-string-prefix = En Block-Text no hay '{ $prefix }' delante de un texto. Une textos con '+' y 'str(...)'.
@@ -94,10 +94,10 @@ blocktext-skill-of-robot = Escribe 'function.{ $skill }(...)' para usar esta hab
 blocktext-dot = En Block-Text no hay '{ $name }': las funciones se llaman sin punto, como en 'append(values, 1)' o 'sqrt(9)'. Escribe otro código de Python entre acentos graves o en un bloque 'python:'.
 blocktext-call-needs-brackets = Escribe 'function.{ $skill }()'. Una llamada lleva paréntesis.
 blocktext-missing-brackets = Escribe los argumentos de '{ $name }' entre paréntesis: '{ $name }(...)'.
-blocktext-duplicate-argument = El argumento '{ $name }' está dos veces. Quita uno.
+blocktext-duplicate-argument = El argumento '{ $name }' aparece dos veces. Quita uno.
 blocktext-argument-order = Escribe los argumentos sin nombre antes de '{ $name }='.
-blocktext-unused-value = Este valor no se usa. Dáselo a una variable.
-blocktext-unused-result = Este valor no se usa. Dáselo a una variable, o escribe solo la llamada.
+blocktext-unused-value = Este valor no se usa. Guárdalo en una variable.
+blocktext-unused-result = Este valor no se usa. Guárdalo en una variable, o escribe solo la llamada.
 blocktext-call-as-target = A una llamada no se le puede dar un valor. Escribe una variable antes de '='.
 blocktext-second-assignment = Da valor a una sola variable por línea, con un solo '='.
 blocktext-duplicate-parameter = Dos parámetros se llaman '{ $name }'. Cambia el nombre de uno.

@@ -55,11 +55,11 @@ check-missing-argument = { $count ->
 }
 check-unknown-argument = '{ $call }' no tiene ningún argumento '{ $name }', solo: { $known }.
 check-unknown-argument-near = '{ $call }' no tiene ningún argumento '{ $name }'. ¿Querías decir '{ $near }'?
-check-no-named-arguments = '{ $call }' no tiene ningún argumento '{ $name }'. Escribe sus argumentos sin nombre.
+check-no-named-arguments = '{ $call }' no tiene ningún argumento llamado '{ $name }'. Escribe solo los valores, sin nombres.
 check-number-expected = '{ $parameter }' de '{ $call }' tiene que ser un número, no un texto.
 check-number-in-quotes = '{ $parameter }' de '{ $call }' tiene que ser un número, no un texto. Escribe { $number } sin comillas.
 # $value, $choices: as written in the program
-check-outside-range = '{ $parameter }' de '{ $call }' es { $value } aquí. Va de { $least } a { $most }.
+check-outside-range = '{ $parameter }' de '{ $call }' es { $value } aquí. Debería estar entre { $least } y { $most }.
 check-unknown-choice = '{ $parameter }' de '{ $call }' es { $value } aquí. Las opciones son: { $choices }.
 check-not-a-colour = '{ $parameter }' de '{ $call }' es { $value } aquí. Escribe un color como "#ff8800".
 check-whole-number = 'for ... from ... to' cuenta con números enteros, no con { $number }.
@@ -86,14 +86,14 @@ check-device = { $kind ->
     [Gyroscope] giroscopio
     [Infrared] receptor de infrarrojos
     [JointMotor] { $key ->
-        [CAMERA] motor para su cámara
+        [CAMERA] motor de la cámara
        *[other] motor { $key }
     }
-    [Led] luz
+    [Led] LED
     [LightSensor] sensor de luz
     [MP3] reproductor de música
-    [Matrix] matriz de luces
-    [RGBLed] luz de colores
+    [Matrix] matriz de LED
+    [RGBLed] LED de colores
     [Speaker] altavoz
    *[other] { $kind } { $key }
 }

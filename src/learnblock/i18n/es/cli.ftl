@@ -7,7 +7,7 @@ cli-wrote = Escrito: { $file }
 cli-stop-with-ctrl-c = Pulsa Ctrl-C para terminar.
 
 cli-default = por defecto: { $value }
-cli-default-without-value = --default necesita el nombre de un ajuste, y ningún valor.
+cli-default-without-value = --default lleva el nombre de un ajuste, sin ningún valor.
 cli-value-or-default = Indica un valor o --default, pero no los dos.
 
 cli-formatted = Con formato: { $file }

@@ -11,11 +11,11 @@ custom-file-version = Este bloque tiene el formato { $version }, pero este Learn
 
 custom-source-too-large = El código es demasiado largo: el límite es { $limit } caracteres.
 custom-not-python = Esto no es Python válido: { $reason }
-custom-no-function = Ninguna función recibe el robot. Escribe una, por ejemplo 'def dance(robot, times: int = 3):'.
+custom-no-function = Ninguna función recibe el robot como primer parámetro. Escribe una, por ejemplo 'def dance(robot, times: int = 3):'.
 custom-async = '{ $name }' es async, y un bloque no puede serlo. Escribe 'def { $name }'.
 custom-no-robot = '{ $name }' no es un bloque porque no recibe el robot. Pon 'robot' como primer parámetro, o llámala '_{ $name }' si solo ayuda a otras.
 custom-first-parameter = El primer parámetro de '{ $name }' recibe el robot: llámalo 'robot' en vez de '{ $parameter }'. Los demás parámetros van detrás.
-custom-duplicate-function = '{ $name }' también está definida en la línea { $line }, y solo vale esta. Cambia el nombre de una de las dos.
+custom-duplicate-function = '{ $name }' también está definida en la línea { $line }, y solo se usa esta. Cambia el nombre de una de las dos.
 custom-unfit-parameter = Un bloque no puede dar el parámetro '{ $parameter }' de '{ $name }'. Quita el *, o dale un valor por defecto.
 custom-python-word = '{ $name }' significa '{ $plain }' en Block-Text. Elige otro nombre.
 custom-bad-hint = Tipo de '{ $parameter }' en '{ $function }': { $problem }

@@ -35,7 +35,7 @@ ev3-not-understood = El EV3 en { $place } no ha entendido una orden. Ejecuta: le
 ev3-complaint = El EV3 en { $place } ha informado: { $reason }
 ev3-closed = La conexión con el EV3 en { $place } está cerrada. Ejecuta el programa otra vez.
 ev3-silent = El EV3 en { $place } ha dejado de responder. ¿Está encendido y cerca?
-ev3-link-broke = Se ha cortado la conexión con el EV3 en { $place }. ¿Está encendido y cerca?
+ev3-link-broke = Se ha perdido la conexión con el EV3 en { $place }. ¿Está encendido y cerca?
 ev3-garbled = Los datos que llegan de { $place } no son de un EV3. Revisa la dirección y el puerto en los ajustes del robot.
 
 # learnblock robots setup ev3: qué está haciendo y qué ha fallado.
@@ -46,4 +46,4 @@ ev3-setup-done = El agente está en marcha y los programas para el robot 'ev3' y
 ev3-setup-other-brick = El EV3 en { $place } no es el que se preparó antes. Si lo has cambiado o reinstalado, borra su línea en { $file }.
 ev3-setup-no-login = El EV3 en { $place } no acepta la contraseña de '{ $user }'. Cámbiala con: learnblock robots set ev3 password
 ev3-setup-broke = El EV3 en { $place } ha cortado la conexión ({ $reason }). Repite la orden.
-ev3-setup-not-started = El agente no arranca en el EV3: { $output }
+ev3-setup-not-started = El agente no ha arrancado en el EV3: { $output }

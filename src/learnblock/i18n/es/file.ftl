@@ -4,13 +4,13 @@
 file-wrong-value = { $place }: { $reason }
 file-too-large = { $name } es demasiado grande: el límite es { $limit } MB.
 file-too-many-bytes = El archivo tiene { $size } bytes, pero puede tener como máximo { $limit }.
-file-not-utf-8 = El byte { $position } del archivo no es UTF-8. Guarda el archivo con la codificación UTF-8.
+file-not-utf-8 = El byte { $position } del archivo no es UTF-8. Guarda el archivo como UTF-8.
 file-not-python = Esto no es Python válido: { $reason }.
 
 file-itself = el archivo
 file-place = '{ $path }'
 
-file-unknown-key = La clave '{ $key }' no se conoce en { $place }.
+file-unknown-key = Clave desconocida en { $place }: '{ $key }'.
 file-unknown-key-of = { file-unknown-key } Claves conocidas: { $known }.
 file-unknown-key-like = { file-unknown-key } ¿Querías decir '{ $suggestion }'?
 file-missing-key = Falta la clave '{ $key }' en { $place }.

@@ -31,14 +31,14 @@ library-two-meanings = '{ $name }' tiene aquí también otro significado. Cámbi
 library-skill-exists = La biblioteca ya tiene una habilidad '{ $skill }'. Elige otro nombre.
 library-bad-skill-name = '{ $name }' no puede ser el nombre de una habilidad. Usa letras, cifras y _.
 
-library-clash = La habilidad '{ $skill }' de la biblioteca { $library } ya está en { $place }. Cámbiale el nombre con --rename { $skill }=NUEVO.
+library-clash = La habilidad '{ $skill }' de la biblioteca { $library } ya existe en { $place }. Cámbiale el nombre con --rename { $skill }=NUEVO.
 library-place-library = la biblioteca { $library }
 library-place-block = tu bloque propio { $block }
 library-place-plugin = un plugin
 library-place-learnblock = LearnBlock
 library-place-robot = todos los robots
 
-library-two-names = Su library.toml tiene el nombre { $name }, pero su carpeta es { $folder }.
+library-two-names = library.toml tiene el nombre { $name }, pero la carpeta se llama { $folder }.
 library-same-name = Dos de estas bibliotecas tienen el mismo nombre. Importa solo una.
 library-not-newer = Está instalada la versión { $installed } de la biblioteca { $library }, y { $version } no es más nueva. Añade --replace para instalarla igualmente.
 library-broken-file = { $file }: { $problem }

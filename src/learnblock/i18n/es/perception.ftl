@@ -6,14 +6,14 @@ perception-emotions-off =
     Unión Europea, el artículo 5, apartado 1, letra f), del Reglamento de IA (Reglamento (UE)
     2024/1689) prohíbe los sistemas que deducen las emociones de las personas en la educación y en
     el trabajo, salvo por motivos médicos o de seguridad. Otras leyes y las normas de tu centro
-    también pueden prohibirlo. Las caras dibujadas y simuladas no son de ninguna persona: en ellas el
-    reconocimiento funciona siempre.
+    también pueden prohibirlo. Las caras dibujadas y simuladas no son personas: con ellas el
+    reconocimiento siempre funciona.
 
     Solo debería activarlo una persona adulta que lo use donde la ley lo permite. Las imágenes nunca
     se guardan, y solo se envían a los componentes que tú configures.
 # $why es el texto anterior.
 perception-component-not-allowed =
-    El componente { $component } no se ha iniciado porque podría ver caras de personas.
+    El componente { $component } no se ha iniciado porque podría ver caras de personas reales.
 
     { $why }
 
@@ -39,12 +39,12 @@ perception-frame-not-array = Una imagen tiene que ser un array de numpy de uint8
 perception-frame-not-uint8 = Los valores de una imagen tienen que ser uint8, no { $type }.
 perception-frame-wrong-shape = Una imagen tiene que tener la forma (alto, ancho, 3), no { $shape }.
 perception-frame-empty = La imagen está vacía: su forma es { $shape }.
-perception-frame-too-large = La imagen con la forma { $shape } es demasiado grande. Un lado tiene como máximo { $limit } píxeles.
+perception-frame-too-large = La imagen con la forma { $shape } es demasiado grande. Cada lado puede tener como máximo { $limit } píxeles.
 # $name es focal o size.
 perception-tag-size = '{ $name }' vale { $value }, pero tiene que ser mayor que 0.
 perception-no-weights = Faltan los pesos del detector de emociones ({ $path }). Instala LearnBlock otra vez desde su carpeta de código, que los crea: pip install -e .
 # Imágenes enviadas a un componente. $depth es el número de bytes de cada píxel.
-perception-picture-not-rgb = Se ha enviado una imagen de { $width } por { $height } píxeles con { $depth } bytes cada uno. Envía RGB con 3 bytes por píxel.
+perception-picture-not-rgb = Se ha enviado una imagen de { $width } por { $height } píxeles con { $depth } bytes por píxel. Envía RGB con 3 bytes por píxel.
 perception-picture-too-large = Una imagen de { $width } por { $height } píxeles es demasiado grande. Se permiten como máximo 1920 por 1200 píxeles.
 perception-picture-wrong-size = Una imagen de { $width } por { $height } píxeles tiene { $expected } bytes, pero se han enviado { $size }.
 

@@ -16,5 +16,5 @@ play-wrong-count =
                *[other] La función «{ $function }» recibe de { $least } a { $most } valores, pero se le han dado { $count }.
             }
     }
-play-bad-number = { $value } no es un número que un bloque pueda dar.
-play-bad-value = Un bloque solo puede dar números, textos, listas, verdadero y falso.
+play-bad-number = { $value } no es un número que un bloque pueda usar.
+play-bad-value = Un bloque solo puede usar números, textos, listas, verdadero y falso.

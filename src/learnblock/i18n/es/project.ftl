@@ -7,26 +7,26 @@ project-name-device = Windows reserva el nombre '{ $name }' para un dispositivo.
 project-character = El carácter U+{ $code } no se puede guardar. Quítalo del programa.
 project-too-large = El proyecto tiene { $size } bytes, pero un proyecto puede tener como máximo { $limit }.
 project-type = LearnBlock no puede abrir este tipo de archivo. Elige un archivo .bt, .py o .learnblock.
-project-none = Este archivo está dañado o no es un proyecto de LearnBlock. El archivo de un proyecto empieza por { $start }.
+project-none = Este archivo está dañado o no es un proyecto de LearnBlock. Un archivo de proyecto empieza por { $start }.
 project-not-utf-8 = Este archivo está dañado o no es un proyecto de LearnBlock: el byte { $byte } no es UTF-8.
 project-damaged = Este archivo está dañado o no es un proyecto de LearnBlock: { $reason }. Usa una copia anterior del archivo.
 project-too-deep = Este archivo tiene demasiados paréntesis unos dentro de otros para ser un proyecto.
-project-version = Este proyecto tiene la versión { $version } del formato, pero este LearnBlock lee la versión { $known }. Ábrelo con un LearnBlock más nuevo.
+project-version = Este proyecto usa la versión { $version } del formato, pero este LearnBlock lee la versión { $known }. Ábrelo con un LearnBlock más nuevo.
 project-path = { $kind ->
         [robot] El robot es { $value }, pero un proyecto solo puede nombrar un robot, como '{ $example }'.
        *[world] El mundo es { $value }, pero un proyecto solo puede nombrar un mundo, como '{ $example }'.
     }
 project-value = { $place } es { $value }. { $expected }
-project-value-wrong = { $place } está mal. { $expected }
-project-expects-blocktext = Debe ser la lista de las líneas del programa.
-project-expects-python = Debe ser la lista de las líneas de Python.
+project-value-wrong = { $place } no es válido. { $expected }
+project-expects-blocktext = Debe ser una lista con las líneas del programa.
+project-expects-python = Debe ser una lista con las líneas del programa en Python.
 project-expects-robot = Debe ser el nombre de un robot, como 'sim-ebo'.
 project-expects-world = Debe ser el nombre de un mundo, como 'line'.
 project-expects-breakpoints = Debe ser una lista con los identificadores de { $limit } bloques como máximo.
 project-expects-shown = Debe ser el nombre de un conjunto de bloques, como 'first-steps'.
 project-expects-block-sets = Debe ser una lista de { $limit } conjuntos de bloques como máximo.
 project-expects-libraries = Debe dar la versión de cada biblioteca, como { $example }.
-project-expects-workspace = Quita el espacio de trabajo del archivo y los bloques se colocarán de nuevo.
+project-expects-workspace = Quita el espacio de trabajo del archivo para colocar los bloques de nuevo.
 
 ## Folder
 

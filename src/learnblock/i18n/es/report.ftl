@@ -14,7 +14,7 @@ report-ended = { $how ->
     [stopped] detenido
    *[other] acabado
 }
-report-ended-time-limit = en el límite de { $seconds } s (otro: --for SEGUNDOS)
+report-ended-time-limit = en el límite de { $seconds } s (cámbialo con --for SEGUNDOS)
 
 report-goal = { $name }: { $state ->
     [reached] logrado

@@ -1,6 +1,6 @@
 # Robots de cualquier tipo: su clase, sus dispositivos y habilidades, sus ajustes.
 
-robot-key-taken = Este robot ya tiene un dispositivo del tipo { $device } con la clave '{ $key }'. Dale otra clave al segundo.
+robot-key-taken = Este robot ya tiene un dispositivo de tipo { $device } con la clave '{ $key }'. Dale otra clave al segundo.
 robot-stopped = El robot se ha parado y ya no se puede usar. Ejecuta el programa otra vez.
 robot-skill-name-taken = Una habilidad no se puede llamar '{ $name }', porque todos los robots ya tienen ese nombre. Elige otro nombre.
 robot-unknown-skill = Este robot no tiene ninguna habilidad '{ $name }'.
@@ -47,7 +47,7 @@ robot-unknown-layout = { $robot ->
 
 # Qué significa un ajuste; aparece debajo de su campo y en la línea de órdenes.
 robot-setting-patience = tiempo máximo de espera en segundos
-robot-setting-address = nombre o número en la red
+robot-setting-address = nombre del equipo o dirección IP
 robot-setting-port = puerto de red
 robot-setting-serial-port = puerto serie, como /dev/ttyUSB0 o COM3
 robot-setting-baud = bits por segundo
@@ -61,14 +61,14 @@ robot-setting-camera-port = puerto de red; 0 sin cámara
 robot-setting-layout = formato de mensajes de los componentes; auto lo averigua
 robot-setting-connection = agent o rpyc con ev3dev, direct con el firmware de LEGO; auto los prueba por orden
 robot-setting-device = firmware de LEGO por USB o Bluetooth: un dispositivo como /dev/hidraw0
-robot-setting-token = secreto compartido con el agente, lo crea setup
+robot-setting-token = secreto compartido con el agente, creado por setup
 robot-setting-user = nombre de usuario en ev3dev
 robot-setting-password = contraseña de ese usuario
-robot-setting-full-speed = grados/s del motor de una rueda al 100 %
+robot-setting-full-speed = velocidad del motor de una rueda al 100 %, en grados/s
 robot-setting-thymio-connection = auto usa Thymio Suite si está en marcha; si no, un cable; si no, tcp
 robot-setting-thymio-device = puerto serie; vacío para el primer Thymio que se encuentre
 robot-setting-track = distancia entre las ruedas en mm
-robot-setting-speed-unit = mm/s de una rueda con velocidad de motor 1
+robot-setting-speed-unit = velocidad de una rueda con velocidad de motor 1, en mm/s
 robot-setting-scene = el script de LearnBlock, la escena del artículo o un robot por los nombres de sus partes
 robot-setting-script = objeto con el script; vacío para el habitual
 robot-setting-object = ruta de un objeto en la escena, como /Robot/sonar

@@ -37,10 +37,10 @@ run-did-you-mean = { $error }. ¿Querías decir '{ $suggestion }'?
 # $type y $failed son nombres de errores de Python.
 run-error-without-text = El error { $type } no tiene un mensaje legible: su __str__ ha fallado con { $failed }.
 run-second-robot = Un programa solo puede tener un robot a la vez. Quita el segundo Robot().
-run-input-ended = El programa ha pedido un texto, pero no hay más.
+run-input-ended = El programa ha pedido un texto, pero ya no queda ninguno.
 # $event es el nombre que Python da a lo que se intentó, como os.fork.
 run-no-processes = Un programa de robot no puede iniciar ni detener otros programas ({ $event }).
-run-variable-uses-robot = El texto de una variable no puede usar el robot ni escribir.
+run-variable-uses-robot = El __str__ de una variable no puede usar el robot ni escribir.
 # $reason es el mensaje de Python.
 run-value-not-sendable = No se puede enviar un valor al robot: { $reason }.
 # $size y $limit son números de bytes.
@@ -55,7 +55,7 @@ run-robot-not-stopped = No se ha podido detener el robot. { $reason }
 run-call-failed = El robot no ha podido hacer '{ $function }'. { $reason }
 run-robot-stopped = El robot se ha detenido y ya no acepta órdenes.
 # $device es un tipo de dispositivo; $known es la lista de los tipos que hay.
-run-unknown-device = El robot tiene un dispositivo del tipo { $device }, que los programas no pueden usar. Tipos conocidos: { $known }.
+run-unknown-device = El robot tiene un dispositivo de tipo { $device }, que los programas no pueden usar. Tipos conocidos: { $known }.
 run-message-too-long = Un mensaje de { $size } bytes entre el robot y el programa es demasiado largo.
 run-not-a-message = Un mensaje entre el robot y el programa está dañado: { $reason }.
 run-no-debugger = Esta ejecución no se puede pausar porque se inició sin depurador.
@@ -64,4 +64,4 @@ run-no-debugger = Esta ejecución no se puede pausar porque se inició sin depur
 
 run-unknown-file-type = LearnBlock solo puede ejecutar archivos .bt (Block-Text) y .py (Python).
 # $byte es un número como 0xe9.
-run-not-utf-8 = El byte { $byte } no es UTF-8. Guarda el archivo con la codificación UTF-8.
+run-not-utf-8 = El byte { $byte } no es UTF-8. Guarda el archivo como UTF-8.

@@ -15,9 +15,9 @@ server-no-window = Una ventana necesita pywebview. Ejecuta pip install 'learnblo
 
 server-incomplete-address-title = Esta dirección está incompleta
 server-incomplete-address = Abre la dirección completa que LearnBlock mostró al empezar. Termina en ?token= y una palabra larga, y cada vez es distinta.
-server-wrong-address = LearnBlock no responde en esta dirección ni a esta página. Abre la dirección que LearnBlock mostró; detrás de un proxy, inicia LearnBlock con --allow-host NOMBRE.
+server-wrong-address = LearnBlock no acepta esta dirección o esta página. Abre la dirección que LearnBlock mostró; detrás de un proxy, inicia LearnBlock con --allow-host NOMBRE.
 server-not-built-title = La página no está construida
-server-not-built = Este LearnBlock se ejecuta desde sus fuentes, sin una página construida. Construye la página con Node.js y vuelve a cargar:
+server-not-built = Este LearnBlock se ejecuta desde su código fuente, sin una página construida. Construye la página con Node.js y vuelve a cargar:
 server-no-floor-picture = El suelo de este mundo no tiene ninguna imagen.
 
 ## Messages from a page
@@ -34,6 +34,6 @@ server-world-exists = Ya tienes un mundo '{ $name }'. Elige otro nombre, o guard
 ## For contributors: learnblock dev
 
 server-dev-no-watchfiles = learnblock dev necesita watchfiles. Ejecuta pip install -e '.[dev]'.
-server-dev-no-checkout = learnblock dev necesita las fuentes de LearnBlock, con la carpeta frontend. Para usar la página, ejecuta learnblock.
+server-dev-no-checkout = learnblock dev necesita el código fuente de LearnBlock, incluida la carpeta frontend. Para usar la página, ejecuta learnblock.
 server-dev-no-node = learnblock dev necesita Node.js { $version } o más nuevo.
 server-dev-started = La página, que se recarga sola: { $address }

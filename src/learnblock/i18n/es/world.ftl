@@ -18,7 +18,7 @@ world-picture-outside = La imagen del suelo '{ $picture }' tiene que estar en la
 world-picture-missing = No hay ninguna imagen del suelo '{ $picture }' en la carpeta del archivo del mundo.
 world-picture-too-large = La imagen del suelo '{ $picture }' ocupa más de { $limit } MB.
 world-picture-not-png = La imagen del suelo '{ $picture }' no es una imagen PNG. Guárdala como PNG.
-world-picture-too-many-pixels = La imagen del suelo '{ $picture }' tiene { $width } por { $height } píxeles. Se permiten como máximo { $limit } píxeles por lado.
+world-picture-too-many-pixels = La imagen del suelo '{ $picture }' tiene { $width } por { $height } píxeles. Cada lado puede tener como máximo { $limit } píxeles.
 world-picture-damaged = La imagen del suelo '{ $picture }' está dañada.
 world-bad-name = Un mundo no puede llamarse '{ $name }'. Usa hasta 40 letras, cifras, guiones, guiones bajos y espacios.
 

@@ -146,7 +146,7 @@ def test_an_error_in_a_function_that_is_tried_has_the_line_of_its_source(page):
             {"source": WALTZ, "arguments": [1, 2]},
             "The function 'waltz' takes 0 to 1 values, but got 2",
         ),
-        ({"source": WALTZ, "arguments": [{}]}, "A block can pass on numbers, texts"),
+        ({"source": WALTZ, "arguments": [{}]}, "A block can only use numbers, text"),
     ],
 )
 def test_a_block_that_cannot_be_tried_is_refused(page, values, message):

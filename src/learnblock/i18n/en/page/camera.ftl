@@ -1,14 +1,14 @@
 # The robot's camera and display.
 
 page-camera-camera = Robot camera
-page-camera-picture = Camera picture; what is recognised is listed below
+page-camera-picture = Camera picture. Everything recognised in it is listed below.
 page-camera-found = Recognised in the picture
 page-camera-no-camera = This robot has no camera.
 page-camera-tag = Tag
 page-camera-face = Face
 page-camera-feeling-face = Face: { $emotion }
 page-camera-line = Line
-page-camera-lamps = Lamps
+page-camera-lamps = Lights
 page-camera-off = off
 page-camera-fear = afraid
 page-camera-surprise = surprised

@@ -12,4 +12,4 @@ page-console-time-limit = Time limit reached after { $seconds } s.
 page-console-error = Stopped by an error after { $seconds } s.
 page-console-no-call = Stopped after { $seconds } s: the program did not use the robot for too long.
 page-console-output-limit = Stopped after { $seconds } s: the program printed too much.
-page-console-killed = Ended from outside after { $seconds } s.
+page-console-killed = Ended by the system after { $seconds } s.

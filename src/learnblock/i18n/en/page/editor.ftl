@@ -1,7 +1,7 @@
 # The world editor. Codes with key- name what can be set of an object.
 
-page-editor-plan = Map of the world from above. Tab selects the next object, arrow keys move it.
-page-editor-help = Tab selects the next object. Arrow keys move it by 10 mm (Shift: 100 mm, Alt: 1 mm), [ and ] turn it, Delete deletes it, Ctrl+D duplicates it. Double-click a corner to remove it.
+page-editor-plan = Map of the world from above. Tab selects the next object; arrow keys move it.
+page-editor-help = Tab selects the next object. Arrow keys move it by 10 mm (Shift: 100 mm, Alt: 1 mm), [ and ] turn it, Delete deletes it, and Ctrl+D duplicates it. Double-click a corner to remove it.
 page-editor-palette = Add to the world
 page-editor-add = Add to the world: { $sort }
 page-editor-actions = Edit

@@ -3,10 +3,10 @@
 page-history-title = History
 page-history-versions = Versions
 page-history-runs = Runs
-page-history-no-versions = No versions yet. LearnBlock keeps one with every run.
+page-history-no-versions = No versions yet. LearnBlock saves one with every run.
 page-history-no-runs = The program has not been run yet.
 page-history-restore = Restore
-page-history-restore-of = Restore the version of { $date }
+page-history-restore-of = Restore the version from { $date }
 page-history-lines = { $lines ->
     [one] 1 line
    *[other] { $lines } lines

@@ -25,7 +25,7 @@ page-libraries-too-many = { $most ->
    *[other] You can import at most { $most } libraries at a time.
     }
 page-libraries-nothing-runs = Nothing in a library runs until one of your programs uses it.
-page-libraries-installed = Version { $version } is installed, the same or a newer one.
+page-libraries-installed = Version { $version } is already installed. It is the same or newer.
 page-libraries-replace = Replace { $names }
 page-libraries-leave-out = Skip { $name }
 page-libraries-clash = The name { $skill } is already used: { $place }.

@@ -19,7 +19,7 @@ page-problems-ended-time-limit = Time is up
 page-problems-ended-stopped = Stopped
 page-problems-ended-no-call = Stopped: did not use the robot for too long
 page-problems-ended-output-limit = Stopped: printed too much
-page-problems-ended-killed = Ended from outside
+page-problems-ended-killed = Ended by the system
 page-problems-goals-reached = { $reached } of { $all ->
     [one] 1 goal
    *[other] { $all } goals
@@ -45,11 +45,11 @@ page-problems-trace = Trace
 page-problems-run-zero-division-error = You can't divide by zero. Check the number after the division sign ({ $message }).
 page-problems-run-name-error = A name has no value. Give it one first, or check its spelling ({ $message }).
 page-problems-run-unbound-local-error = A variable is used before it has a value. Set it first ({ $message }).
-page-problems-run-type-error = These values don't go together. Check whether each is a number, a text or a list ({ $message }).
+page-problems-run-type-error = These values don't go together. Check whether each is a number, text or a list ({ $message }).
 page-problems-run-value-error = A value does not fit here. Check the values ({ $message }).
 page-problems-run-index-error = There is no item at that position. The first position is 0 ({ $message }).
 page-problems-run-key-error = There is no entry with that name ({ $message }).
-page-problems-run-attribute-error = This value has nothing of that name. Check the name after the dot ({ $message }).
+page-problems-run-attribute-error = This value has nothing with that name. Check the name after the dot ({ $message }).
 page-problems-run-recursion-error = A function keeps calling itself. Add a condition that ends it ({ $message }).
 page-problems-open-own-at = Open the block { $name } at line { $line }
 page-problems-open-own = Open the block { $name }

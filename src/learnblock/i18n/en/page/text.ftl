@@ -2,7 +2,7 @@
 
 page-text-blocktext = Block-Text
 page-text-python = Python
-page-text-leaving = To leave the editor, press Escape and then Tab. F8 goes to the next problem, Ctrl+I explains the word at the cursor.
+page-text-leaving = To leave the editor, press Escape and then Tab. F8 goes to the next problem, and Ctrl+I explains the word at the cursor.
 page-text-toolbar = Code tools
 page-text-undo = Undo
 page-text-redo = Redo
@@ -10,7 +10,7 @@ page-text-find = Find
 page-text-format = Tidy up
 page-text-breakpoint = Breakpoint on this line
 page-text-help = Explain the word at the cursor
-page-text-definition = Go to the definition
+page-text-definition = Go to definition
 page-text-rename = Rename
 page-text-reveal = Show in the other views
 page-text-rename-to = New name of “{ $name }”:

@@ -1,6 +1,6 @@
 # The view of the world.
 
-page-world-label = The world. Arrow keys turn the view, plus and minus zoom, W says where the robot is, P places the robot with the keyboard.
+page-world-label = The world. Arrow keys turn the view, plus and minus zoom, W says where the robot is, and P places the robot with the keyboard.
 page-world-image = World: { $title }.
 page-world-image-empty = The world is empty.
 page-world-no3d = This browser can't show the world in 3D. Programs still run. To see the world, turn on hardware acceleration or WebGL in the browser's settings, or use a newer browser.
@@ -16,7 +16,7 @@ page-world-tool-trail = Show the robot's trail
 page-world-tool-beams = Show distance sensor beams
 page-world-tool-place = Place robot with keyboard
 page-world-tool-where = Where is the robot?
-page-world-placing = Arrow keys move the robot by 10 mm (with Shift 100 mm), comma and full stop turn it. Press Escape to finish.
+page-world-placing = Arrow keys move the robot by 10 mm (Shift: 100 mm); comma and full stop turn it. Press Escape to finish.
 page-world-placed = The robot stays here.
 page-world-not-now = The robot can't be moved while a program is running. Pause or stop the program first.
 page-world-robot = { $robot } at { $place }

@@ -1,7 +1,7 @@
 # La cámara y la pantalla del robot.
 
 page-camera-camera = Cámara del robot
-page-camera-picture = Imagen de la cámara; lo que reconoce está en la lista de abajo
+page-camera-picture = Imagen de la cámara. Lo que reconoce está en la lista de abajo.
 page-camera-found = Reconocido en la imagen
 page-camera-no-camera = Este robot no tiene cámara.
 page-camera-tag = Etiqueta

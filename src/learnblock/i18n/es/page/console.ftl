@@ -12,4 +12,4 @@ page-console-time-limit = Tiempo límite alcanzado a los { $seconds } s.
 page-console-error = Detenido por un error a los { $seconds } s.
 page-console-no-call = Detenido a los { $seconds } s: el programa llevaba demasiado tiempo sin usar el robot.
 page-console-output-limit = Detenido a los { $seconds } s: el programa ha escrito demasiado.
-page-console-killed = Terminado desde fuera a los { $seconds } s.
+page-console-killed = Terminado por el sistema a los { $seconds } s.

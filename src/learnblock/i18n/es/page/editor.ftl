@@ -1,7 +1,7 @@
 # El editor de mundos.
 
 page-editor-plan = Plano del mundo visto desde arriba. El tabulador pasa al siguiente objeto y las flechas lo mueven.
-page-editor-help = El tabulador pasa al siguiente objeto. Las flechas lo mueven 10 mm (Mayús: 100 mm, Alt: 1 mm), [ y ] lo giran, Supr lo borra, Ctrl+D lo duplica. Haz doble clic en una esquina para quitarla.
+page-editor-help = El tabulador pasa al siguiente objeto. Las flechas lo mueven 10 mm (Mayús: 100 mm, Alt: 1 mm), [ y ] lo giran, Supr lo borra y Ctrl+D lo duplica. Haz doble clic en una esquina para quitarla.
 page-editor-palette = Añadir al mundo
 page-editor-add = Añadir al mundo: { $sort }
 page-editor-actions = Editar

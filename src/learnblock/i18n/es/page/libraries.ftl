@@ -25,7 +25,7 @@ page-libraries-too-many = { $most ->
    *[other] Puedes importar como mucho { $most } bibliotecas a la vez.
     }
 page-libraries-nothing-runs = Nada de una biblioteca se ejecuta hasta que la use un programa tuyo.
-page-libraries-installed = Está instalada la versión { $version }, que es la misma o más nueva.
+page-libraries-installed = Ya está instalada la versión { $version }, que es la misma o más nueva.
 page-libraries-replace = Reemplazar { $names }
 page-libraries-leave-out = Omitir { $name }
 page-libraries-clash = El nombre { $skill } ya está en uso: { $place }.

@@ -19,7 +19,7 @@ page-problems-ended-time-limit = Se acabó el tiempo
 page-problems-ended-stopped = Parado
 page-problems-ended-no-call = Detenido: demasiado tiempo sin usar el robot
 page-problems-ended-output-limit = Detenido: escribió demasiado
-page-problems-ended-killed = Terminado desde fuera
+page-problems-ended-killed = Terminado por el sistema
 page-problems-goals-reached = { $all ->
     [one] { $reached } de 1 objetivo alcanzado
    *[other] { $reached } de { $all } objetivos alcanzados

@@ -2,7 +2,7 @@
 
 page-text-blocktext = Block-Text
 page-text-python = Python
-page-text-leaving = Para salir del editor, pulsa Escape y después el tabulador. F8 va al siguiente problema, Ctrl+I explica la palabra bajo el cursor.
+page-text-leaving = Para salir del editor, pulsa Escape y después el tabulador. F8 va al siguiente problema y Ctrl+I explica la palabra bajo el cursor.
 page-text-toolbar = Herramientas del código
 page-text-undo = Deshacer
 page-text-redo = Rehacer

@@ -1,6 +1,6 @@
 # La vista del mundo.
 
-page-world-label = El mundo. Las flechas giran la vista, más y menos acercan y alejan, W dice dónde está el robot, P coloca el robot con el teclado.
+page-world-label = El mundo. Las flechas giran la vista, más y menos acercan y alejan, W dice dónde está el robot y P coloca el robot con el teclado.
 page-world-image = Mundo: { $title }.
 page-world-image-empty = El mundo está vacío.
 page-world-no3d = Este navegador no puede mostrar el mundo en 3D. Los programas funcionan igualmente. Para ver el mundo, activa la aceleración por hardware o WebGL en los ajustes del navegador, o usa un navegador más reciente.
@@ -16,7 +16,7 @@ page-world-tool-trail = Mostrar el rastro del robot
 page-world-tool-beams = Mostrar los rayos de los sensores de distancia
 page-world-tool-place = Colocar el robot con el teclado
 page-world-tool-where = ¿Dónde está el robot?
-page-world-placing = Las flechas mueven el robot 10 mm (con Mayús 100 mm); la coma y el punto lo giran. Pulsa Escape para terminar.
+page-world-placing = Las flechas mueven el robot 10 mm (Mayús: 100 mm); la coma y el punto lo giran. Pulsa Escape para terminar.
 page-world-placed = El robot se queda aquí.
 page-world-not-now = El robot no se puede mover mientras se ejecuta un programa. Pausa o para antes el programa.
 page-world-robot = { $robot } a { $place }
