@@ -91,7 +91,7 @@ def test_errors_are_in_the_reader_s_language():
     command = ["--language", "es", "robots", "set", "cozmo", "--default"]
     shown = CliRunner().invoke(main, command)
     assert shown.exit_code == 2
-    assert "--default necesita el nombre de un ajuste" in shown.output
+    assert "--default lleva el nombre de un ajuste" in shown.output
 
 
 def test_help_does_not_change_the_commands_that_english_uses():
