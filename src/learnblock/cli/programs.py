@@ -98,7 +98,7 @@ def format_command(
 ) -> None:
     """Format Block-Text programs.
 
-    The form is fixed: four spaces for each level, and one space where spaces belong.
+    The style is fixed: four spaces per level, and one space where needed.
     """
     changed = [file for file in files if _format(file, only_check=only_check, to_stdout=to_stdout)]
     if as_json:

@@ -45,10 +45,10 @@ def is_back_obstacle(robot: "Client", threshold: float = 200) -> bool:
 
 
 def is_obstacle_free(robot: "Client", threshold: float = 200) -> bool:
-    """Is the way free ahead, on the left and on the right?
+    """Is the way clear ahead, on the left and on the right?
 
     Args:
-        threshold: the distance in mm that must be free.
+        threshold: the distance in mm that must be clear.
     """
     nearest = _nearest(robot, "front", "left", "right")
     return nearest is not None and nearest >= number("threshold", threshold)

@@ -9,11 +9,11 @@ if TYPE_CHECKING:
 
 
 def led(robot: "Client", intensity: float, slot: str = "Up") -> None:
-    """Switch a lamp on or off.
+    """Switch an LED on or off.
 
     Args:
         intensity: 0 switches it off, anything above switches it on.
-        slot: which lamp, by its place.
+        slot: which LED, by its position.
     """
     on = number("intensity", intensity) > 0
     lamp = robot.device(Led, slot)
@@ -22,13 +22,13 @@ def led(robot: "Client", intensity: float, slot: str = "Up") -> None:
 
 
 def RGBled(robot: "Client", red: int, green: int, blue: int, slot: str = "Up") -> None:
-    """Give a lamp a colour.
+    """Set the colour of an LED.
 
     Args:
         red: 0 to 255.
         green: 0 to 255.
         blue: 0 to 255.
-        slot: which lamp, by its place.
+        slot: which LED, by its position.
     """
     lamp = robot.device(RGBLed, slot)
     if lamp is not None:

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 def matrix_number(robot: "Client", number: float, intensity: int = 4) -> None:
-    """Show a number on the matrix of lamps.
+    """Show a number on the LED matrix.
 
     Args:
         number: what to show.
@@ -21,7 +21,7 @@ def matrix_number(robot: "Client", number: float, intensity: int = 4) -> None:
 
 
 def matrix_text(robot: "Client", text: str, intensity: int = 4, column: int = 0) -> None:
-    """Show a text on the matrix of lamps.
+    """Show text on the LED matrix.
 
     Args:
         text: what to show.
@@ -34,7 +34,7 @@ def matrix_text(robot: "Client", text: str, intensity: int = 4, column: int = 0)
 
 
 def matrix_icon(robot: "Client", icon: str, intensity: int = 4) -> None:
-    """Show an icon on the matrix of lamps.
+    """Show an icon on the LED matrix.
 
     Args:
         icon: the icon's name.

@@ -21,7 +21,7 @@ def select_audio(robot: "Client", folder: int, song: int) -> None:
 
 
 def send_action(robot: "Client", action: str = "Play") -> None:
-    """Press a key of the music player.
+    """Press a button of the music player.
 
     Args:
         action: what to do, such as ``Play`` or ``Pause``.

@@ -82,7 +82,7 @@ help-emulate-with-seed = Semilla de todo el ruido.
 help-format =
     Da formato a programas de Block-Text.
 
-    La forma es fija: cuatro espacios por nivel, y un espacio donde hace falta.
+    El estilo es fijo: cuatro espacios por nivel, y un espacio donde hace falta.
 help-format-with-check = No cambia nada; sale con 1 si cambiaría algo.
 help-format-with-stdout = Muestra el resultado sin cambiar nada.
 help-format-with-json = { help-blocks-with-json }
