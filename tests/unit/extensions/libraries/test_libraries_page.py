@@ -49,4 +49,4 @@ def test_the_manifest_is_valid():
 def test_the_limits_on_the_page_are_those_of_the_code():
     from learnblock.extensions.libraries.contents import LARGEST, MOST_FILES
 
-    assert f"at most {MOST_FILES}, with {LARGEST // 2**20} MB together" in PAGE
+    assert f"at most {MOST_FILES}, with {LARGEST // 2**20} MB in total" in PAGE
