@@ -85,7 +85,7 @@ def test_several_are_imported_at_once_and_a_clash_is_resolved_by_a_new_name(run)
     exported(run)
     code, said = run("library", "import", "dance.lblib", "songs")
     assert code == 1
-    assert "The skill 'waltz' of the library songs is already in the library dance." in said
+    assert "The skill 'waltz' of the library songs already exists in the library dance." in said
     assert run("library", "list")[1] == NONE_INSTALLED
     code, said = run("library", "import", "songs", "--rename", "waltz=ball_waltz")
     assert (code, said) == (0, "Imported songs 1.0.0: ball_waltz\n")

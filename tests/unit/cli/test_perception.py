@@ -83,7 +83,7 @@ def test_switching_emotions_off_asks_nothing():
             ("set", "webcam", "front"),
             "'webcam' is \"front\", but must be a whole number from 0 to 63",
         ),
-        (("set", "apriltag", "here"), "'apriltag' is \"here\", but must be a text"),
+        (("set", "apriltag", "here"), "'apriltag' is \"here\", but must be text"),
         (("set", "webcm", "0"), "Did you mean 'webcam'?"),
         (("set", "webcam"), "Give either a value or --default."),
         (("set", "webcam", "0", "--default"), "Give either a value or --default."),

@@ -105,9 +105,9 @@ def test_the_reason_for_a_missing_reply_is_reported_by_ices_name(data, kind, sen
 @pytest.mark.parametrize(
     ("header", "sentence"),
     [
-        (b"HTTP/1.1 200 O", "not a message of Ice"),
-        (HEADER.pack(b"IceP", 2, 0, 1, 0, 0, 0, 14), "not a message of Ice"),
-        (HEADER.pack(b"IceP", 1, 0, 1, 0, 7, 0, 14), "not a message of Ice"),
+        (b"HTTP/1.1 200 O", "not an Ice message"),
+        (HEADER.pack(b"IceP", 2, 0, 1, 0, 0, 0, 14), "not an Ice message"),
+        (HEADER.pack(b"IceP", 1, 0, 1, 0, 7, 0, 14), "not an Ice message"),
         (HEADER.pack(b"IceP", 1, 0, 1, 0, 2, 2, 14), "compressed"),
         (HEADER.pack(b"IceP", 1, 0, 1, 0, 2, 0, 13), "The message has 13 bytes"),
         (HEADER.pack(b"IceP", 1, 0, 1, 0, 2, 0, LARGEST + 1), f"at most {LARGEST:,} are allowed"),

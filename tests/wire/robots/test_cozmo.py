@@ -409,7 +409,7 @@ def test_a_robot_taken_over_by_another_program_stops_and_the_first_program_gets_
         wait_for(lambda: there.speed() > 40, "it drives")
         with there.robot() as second:
             wait_for(lambda: there.speed() < 1, "it stands")
-            with pytest.raises(RobotConnectionError, match="is no other program using it"):
+            with pytest.raises(RobotConnectionError, match="not in use by another program"):
                 wait_for(first.check_link, "it is told")
             second.device(Base).move(0, 45)
             second.check_link()
