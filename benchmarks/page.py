@@ -34,7 +34,7 @@ STARTS = 5
 #: The time in which frames are counted, in ms.
 WATCHED = 8000
 #: The time in which the largest program appears on a slow machine, in ms.
-PATIENCE = 120_000
+TIMEOUT = 120_000
 #: The edit changes the number in its second line.
 HEAD = "main:\n    function.sleep(1)\n"
 BODY = """\
@@ -267,7 +267,7 @@ def visitor(browser: Browser) -> Iterator[Page]:
     """Open a page that has already shown the tour."""
     likes = json.dumps({"tourDone": True, "language": "en", "sound": False})
     context = browser.new_context(viewport={"width": 1800, "height": 900}, locale="en")
-    context.set_default_timeout(PATIENCE)
+    context.set_default_timeout(TIMEOUT)
     context.add_init_script(f"localStorage['learnblock.preferences'] ??= {json.dumps(likes)}")
     context.add_init_script(path=GIVEN)
     try:

@@ -26,7 +26,7 @@ ROUNDS, CALLS = 7, 200
 LITTLE = 20.0
 LOSSES = (0.0, 0.02, 0.1, 0.2)
 #: The seconds after which a sound counts as lost.
-PATIENCE = 5.0
+TIMEOUT = 5.0
 TONE = sound.packed(sound.tone(440, 1.0))
 
 
@@ -117,7 +117,7 @@ def latency(robot: Any, machine: Any) -> float:
 def arrived(machine: Any) -> str:
     """Return how much of a sound arrives, and how long that takes."""
     began = monotonic()
-    while len(machine.heard) < len(TONE) and monotonic() - began < PATIENCE:
+    while len(machine.heard) < len(TONE) and monotonic() - began < TIMEOUT:
         threading.Event().wait(0.005)
     return f"{len(machine.heard):2}/{len(TONE)} in {monotonic() - began:.1f} s"
 

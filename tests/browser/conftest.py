@@ -13,7 +13,7 @@ from urllib.parse import urlsplit
 import pytest
 from playwright.sync_api import Browser, Error, expect, sync_playwright
 
-from browser.pupil import PATIENCE, Pupil
+from browser.pupil import TIMEOUT, Pupil
 from places import ROOT
 
 #: The folder for the screenshots of the tests.
@@ -121,7 +121,7 @@ def own_server(tmp_path):
 @pytest.fixture(scope="package")
 def browser():
     """A browser that closes after these tests: its event loop would disturb the others."""
-    expect.set_options(timeout=PATIENCE)
+    expect.set_options(timeout=TIMEOUT)
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
             executable_path=chromium(), args=["--no-sandbox", *SOFTWARE_RENDERING]

@@ -28,7 +28,7 @@ if __name__ == "__main__":
 
 from browser.acts import ROOMS, Monkey
 from browser.conftest import ARTEFACTS, SOFTWARE_RENDERING, Server, chromium
-from browser.pupil import PATIENCE, Pupil
+from browser.pupil import TIMEOUT, Pupil
 
 #: Actions between two checks that the page still answers.
 ROUND = 100
@@ -204,7 +204,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args()
-    expect.set_options(timeout=PATIENCE)
+    expect.set_options(timeout=TIMEOUT)
     with tempfile.TemporaryDirectory() as home, sync_playwright() as playwright:
         browser = playwright.chromium.launch(
             executable_path=chromium(), args=["--no-sandbox", *SOFTWARE_RENDERING]

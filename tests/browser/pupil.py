@@ -8,7 +8,7 @@ from urllib.parse import urlsplit
 from playwright.sync_api import expect
 
 #: The timeout of a test in ms, long enough for a busy computer.
-PATIENCE = 20_000
+TIMEOUT = 20_000
 LONGEST_RUN = 90_000
 WORKSPACE = "[data-region=blocks] .blocklySvg > .blocklyWorkspace"
 #: The initial scale of the workspace; the measures below are at scale 1.
@@ -47,7 +47,7 @@ class Pupil:
         self._pictures = artefacts / re.sub(r"[^\w-]+", "-", test)
         options = {"viewport": {"width": 1366, "height": 768}, "locale": language, **options}
         self.context = browser.new_context(**options)
-        self.context.set_default_timeout(PATIENCE)
+        self.context.set_default_timeout(TIMEOUT)
         if not tour:
             likes = json.dumps(
                 {"tourDone": True, "language": language, "theme": theme, "sound": False}

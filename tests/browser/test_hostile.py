@@ -10,7 +10,7 @@ from websockets.sync.client import connect
 
 from browser.conftest import Server
 from browser.hostile import PROGRAM, disordered, malformed, stream
-from pages import PATIENCE, Visitor, english
+from pages import TIMEOUT, Visitor, english
 
 #: The number of messages sent over one connection.
 BREATH = 100
@@ -218,7 +218,7 @@ def close_code(page):
 
 def status(server, path, **headers):
     """Send an HTTP request; return the status of the answer."""
-    connection = http.client.HTTPConnection("127.0.0.1", server.port, timeout=PATIENCE)
+    connection = http.client.HTTPConnection("127.0.0.1", server.port, timeout=TIMEOUT)
     connection.request("GET", path, headers=headers)
     response = connection.getresponse()
     connection.close()

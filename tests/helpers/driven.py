@@ -17,7 +17,7 @@ from learnblock.testing import Fault, Relay
 from runs import EXAMPLES, run_example
 from twins_time import follow
 
-PATIENCE = 0.8
+TIMEOUT = 0.8
 
 
 def assert_drives_like_its_twin(name, emulator, twin, example, monkeypatch, *, until, tolerance):
@@ -94,7 +94,7 @@ def away(point, leg):
 def assert_told_when_gone(kind, chosen, setting, *, sentence, fault, use):
     """Return the error of a component whose wire fails, also at the start; it works afterwards."""
     with Relay(("127.0.0.1", port_of(chosen, setting))) as relay:
-        through = {**with_port(chosen, setting, relay.port), "patience": PATIENCE}
+        through = {**with_port(chosen, setting, relay.port), "patience": TIMEOUT}
         robot = kind(**through)
         use(robot)
         relay.fault = fault
@@ -111,7 +111,7 @@ def assert_told(sentence, call):
     with pytest.raises(RobotConnectionError, match=f"{sentence} 127"):
         call()
     # Twice its timeout, as it may have to connect again.
-    assert monotonic() - began < 2 * PATIENCE + 2
+    assert monotonic() - began < 2 * TIMEOUT + 2
 
 
 def port_of(chosen, setting):

@@ -69,7 +69,7 @@ class Bytes(wires.Stream):
         super().__init__()
         self.data = data
 
-    def read(self, most, patience):
+    def read(self, most, timeout):
         piece, self.data = self.data[:most], self.data[most:]
         return piece
 

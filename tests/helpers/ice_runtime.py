@@ -19,7 +19,7 @@ from slices import slice_text
 _FOLDER = TESTS / "helpers" / "ice"
 #: Debian's package belongs to Debian's Python.
 PYTHON = "/usr/bin/python3"
-PATIENCE = 20
+TIMEOUT = 20
 
 
 def require_ice():
@@ -49,7 +49,7 @@ class Components:
 
     def told(self):
         """Return the next command that an object received."""
-        line = self._lines.get(timeout=PATIENCE)
+        line = self._lines.get(timeout=TIMEOUT)
         assert line is not None, "the components have ended"
         return json.loads(line)
 

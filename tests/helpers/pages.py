@@ -15,7 +15,7 @@ from learnblock.server.app import create_app
 from learnblock.server.serve import _config
 
 TOKEN = "the-token-of-the-tests"
-PATIENCE = 20
+TIMEOUT = 20
 
 
 class Server:
@@ -44,16 +44,16 @@ class Server:
 
         self._server.startup = started
         self._thread.start()
-        assert self._started.wait(PATIENCE)
+        assert self._started.wait(TIMEOUT)
 
     def stop(self):
         self._server.should_exit = True
-        self._thread.join(PATIENCE)
+        self._thread.join(TIMEOUT)
         assert not self._thread.is_alive()
 
     def get(self, path, **headers):
         """Return the response to a request, with its `body`."""
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE)
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=TIMEOUT)
         connection.request("GET", path, headers=headers)
         response = connection.getresponse()
         response.body = response.read()
@@ -104,7 +104,7 @@ class Visitor:
         self.socket.send(text)
 
     def next(self):
-        message = self.socket.recv(timeout=PATIENCE)
+        message = self.socket.recv(timeout=TIMEOUT)
         if isinstance(message, bytes):
             return {"kind": "bytes", "data": message}
         message = json.loads(message)

@@ -19,7 +19,7 @@ from learnblock.robots.real import require
 #: The values of EBO's own program.
 TOPIC, FRAMES_PER_SECOND = "camara", 20
 #: The most seconds until the broker listens.
-PATIENCE = 5.0
+TIMEOUT = 5.0
 #: Debian installs servers in folders that are only on root's path.
 _FOLDERS = ("/usr/sbin", "/usr/local/sbin")
 
@@ -75,10 +75,10 @@ class Broker:
         self._ending.close()
 
     def _await(self, host: str) -> None:
-        deadline = monotonic() + PATIENCE
+        deadline = monotonic() + TIMEOUT
         while self._process.poll() is None and monotonic() < deadline:
             try:
-                socket.create_connection((host, self.port), PATIENCE).close()
+                socket.create_connection((host, self.port), TIMEOUT).close()
             except ConnectionRefusedError:
                 threading.Event().wait(0.01)
             else:

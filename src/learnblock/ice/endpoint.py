@@ -17,13 +17,13 @@ class Endpoint(Closing):
     Args:
         host: the computer's name or IP address.
         port: the component's port.
-        patience: the timeout of a call in seconds.
+        timeout: limit of a call in seconds.
     """
 
-    def __init__(self, host: str, port: int, patience: float) -> None:
+    def __init__(self, host: str, port: int, timeout: float) -> None:
         self.host = host
         self.port = port
-        self.patience = patience
+        self.timeout = timeout
         self._lock = threading.Lock()
         self._connection: Connection | None = None
         self._closed = threading.Event()
@@ -42,7 +42,7 @@ class Endpoint(Closing):
         Raises:
             IceLinkError: the component cannot be reached, or does not answer in time.
         """
-        deadline = monotonic() + self.patience
+        deadline = monotonic() + self.timeout
         connection, is_new = self._connected(deadline)
         try:
             return connection.call(opening, parameters, deadline)

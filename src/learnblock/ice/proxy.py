@@ -32,13 +32,13 @@ class Proxy(Closing):
         self._prepared: dict[str, tuple[Operation, bytes]] = {}
 
     @classmethod
-    def parse(cls, text: str, interface: Interface, patience: float = 5.0) -> Self:
+    def parse(cls, text: str, interface: Interface, timeout: float = 5.0) -> Self:
         """The proxy that Ice writes as ``identity:tcp -h HOST -p PORT``.
 
         Args:
             text: the text of the proxy.
             interface: the object's interface.
-            patience: the timeout of a call in seconds.
+            timeout: limit of a call in seconds.
 
         Raises:
             IceEncodingError: the text is not such a proxy.
@@ -48,7 +48,7 @@ class Proxy(Closing):
         port = options.get("p", "")
         if found is None or not port.isdecimal() or not 0 < int(port) < 65536:
             raise IceEncodingError("ice-bad-proxy", text=text)
-        endpoint = Endpoint(options.get("h", "localhost"), int(port), patience)
+        endpoint = Endpoint(options.get("h", "localhost"), int(port), timeout)
         return cls(interface, found["identity"], endpoint)
 
     def __repr__(self) -> str:

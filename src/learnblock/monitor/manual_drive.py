@@ -10,7 +10,7 @@ from learnblock.runtime.pacing import Pacing
 from learnblock.simulator import RobotBody
 
 #: Seconds after the last command until the robot stops: the page may be gone.
-PATIENCE = 0.5
+TIMEOUT = 0.5
 #: An object that moves less than this in a step, in mm or degrees, is at rest.
 STANDSTILL = 1e-3
 
@@ -42,7 +42,7 @@ class ManualDrive:
         with self._simulation.lock:
             self._body.drive(adv, rot)
         with self._state:
-            self._until = monotonic() + PATIENCE
+            self._until = monotonic() + TIMEOUT
             if self._thread is None and not self._closed:
                 self._thread = threading.Thread(target=self._run, name="hand", daemon=True)
                 self._thread.start()

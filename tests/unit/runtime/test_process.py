@@ -125,10 +125,10 @@ def test_a_process_dies_with_its_host():
 
 def ended(process):
     """Wait until a process is gone, or is a zombie."""
-    patience = threading.Event()
+    pause = threading.Event()
     status = Path(f"/proc/{process}/stat")
     for _ in range(500):
         if not status.exists() or status.read_text().split()[2] == "Z":
             return True
-        patience.wait(0.01)
+        pause.wait(0.01)
     return False

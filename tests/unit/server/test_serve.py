@@ -18,7 +18,7 @@ from learnblock.server.serve import Service, _bound, _listening, serve
 from pages import TOKEN, Visitor
 
 RUNNING = "main:\n    while True:\n        function.sleep(0.1)\n    end\nend\n"
-PATIENCE = 20
+TIMEOUT = 20
 
 
 @contextmanager
@@ -31,7 +31,7 @@ def learnblock(*options, stop=signal.SIGTERM):
         yield process, process.stdout.readline().split()[-1]
     finally:
         process.send_signal(stop)
-        process.wait(PATIENCE)
+        process.wait(TIMEOUT)
         process.stdout.close()
 
 
@@ -70,7 +70,7 @@ def test_at_the_end_every_program_ends_and_every_project_is_saved(tmp_path, stop
             assert len(programs) == 1
             began = time.monotonic()
             process.send_signal(stop)
-            assert process.wait(PATIENCE) == 0
+            assert process.wait(TIMEOUT) == 0
         assert time.monotonic() - began < 2.5
         with pytest.raises(ProcessLookupError):
             os.kill(int(programs[0]), 0)
@@ -86,8 +86,8 @@ def test_a_killed_server_leaves_no_program_and_loses_no_more_than_a_second(tmp_p
             page.hear("RunState", state="running")
             programs = children(process)
             process.kill()
-            process.wait(PATIENCE)
-        ends = time.monotonic() + PATIENCE
+            process.wait(TIMEOUT)
+        ends = time.monotonic() + TIMEOUT
         while Path("/proc", programs[0]).exists() and time.monotonic() < ends:
             pass
         assert not Path("/proc", programs[0]).exists()
@@ -182,7 +182,7 @@ def test_without_pywebview_a_window_says_what_it_needs():
 
 def test_a_page_is_answered_by_plain_http():
     with learnblock("--port", "0") as (_, address):
-        connection = http.client.HTTPConnection(address.split("/")[2], timeout=PATIENCE)
+        connection = http.client.HTTPConnection(address.split("/")[2], timeout=TIMEOUT)
         connection.request("GET", f"/?token={TOKEN}")
         assert connection.getresponse().headers["Content-Type"].startswith("text/html")
         connection.close()

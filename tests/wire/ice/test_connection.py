@@ -28,7 +28,7 @@ COUNTER = Interface(
 )
 BASE = interfaces(Layout.TOOL)["differentialrobot"]
 #: Seconds a call may take here, and what it may take more.
-PATIENCE, MORE = 0.6, 2.0
+TIMEOUT, MORE = 0.6, 2.0
 
 
 class Counter:
@@ -42,8 +42,8 @@ class Counter:
     again = double
 
 
-def proxy_to(port, interface=COUNTER, identity="it", patience=PATIENCE):
-    return Proxy.parse(f"{identity}:tcp -h 127.0.0.1 -p {port}", interface, patience)
+def proxy_to(port, interface=COUNTER, identity="it", timeout=TIMEOUT):
+    return Proxy.parse(f"{identity}:tcp -h 127.0.0.1 -p {port}", interface, timeout)
 
 
 @pytest.fixture
@@ -62,12 +62,12 @@ def told(sentence):
     began = monotonic()
     with pytest.raises(IceLinkError, match=sentence):
         yield
-    assert monotonic() - began < PATIENCE + MORE
+    assert monotonic() - began < TIMEOUT + MORE
 
 
 def test_many_threads_get_their_own_replies(counter):
     _, relay, _ = counter
-    with proxy_to(relay.port, patience=20) as proxy, ThreadPoolExecutor(8) as pool:
+    with proxy_to(relay.port, timeout=20) as proxy, ThreadPoolExecutor(8) as pool:
         assert list(pool.map(lambda n: proxy.call("double", n), range(500))) == [
             2 * number for number in range(500)
         ]
@@ -84,7 +84,7 @@ def test_a_call_that_hangs_holds_up_no_other():
         let_go.wait(5)
         connection.sendall(reply_to(first, 1))
 
-    with peer(serve) as port, proxy_to(port, patience=5) as proxy, ThreadPoolExecutor(1) as pool:
+    with peer(serve) as port, proxy_to(port, timeout=5) as proxy, ThreadPoolExecutor(1) as pool:
         hanging = pool.submit(proxy.call, "double", 1)
         heard.wait(5)
         assert proxy.call("double", 2) == 2
@@ -130,7 +130,7 @@ def test_a_missing_component_is_reported():
 @pytest.mark.parametrize("host", ["no.such.host.invalid", "two words", "x" * 70, "a..b", "\udc80"])
 def test_an_address_that_does_not_exist_is_reported(host):
     with (
-        Endpoint(host, 5, patience=5) as endpoint,
+        Endpoint(host, 5, timeout=5) as endpoint,
         pytest.raises(IceLinkError, match="There is no computer with this name"),
     ):
         Proxy(COUNTER, "it", endpoint).ping()
@@ -145,7 +145,7 @@ def test_a_failing_link_is_reported_and_the_next_call_reconnects(counter, fault)
         began = monotonic()
         with pytest.raises(IceLinkError):
             proxy.call("double", 10 + number)
-        assert monotonic() - began < PATIENCE + MORE
+        assert monotonic() - began < TIMEOUT + MORE
         relay.fault = Fault.NONE
         assert proxy.call("double", 20 + number) == 2 * (20 + number)
     assert servant.asked[-1] == 22
@@ -220,7 +220,7 @@ def test_a_call_lost_with_its_connection_is_repeated_if_that_is_harmless():
     with socket.create_server(("127.0.0.1", 0)) as listener:
         thread = threading.Thread(target=serve, args=(listener,), daemon=True)
         thread.start()
-        with proxy_to(listener.getsockname()[1], patience=5) as proxy:
+        with proxy_to(listener.getsockname()[1], timeout=5) as proxy:
             assert [proxy.call("again", 1), proxy.call("again", 2)] == [7, 7]
         thread.join(5)
     assert [body[-4:] for body in heard] == [struct.pack("<i", n) for n in (1, 2, 2)]
@@ -245,7 +245,7 @@ def test_a_closed_proxy_makes_no_call_and_can_be_closed_again(counter):
 
 def test_closing_wakes_a_call_that_waits(counter):
     _, relay, _ = counter
-    patient = proxy_to(relay.port, patience=30)
+    patient = proxy_to(relay.port, timeout=30)
     patient.ping()
     relay.fault = Fault.SILENT
     with ThreadPoolExecutor(1) as pool:

@@ -28,7 +28,7 @@ from places import ROOT
 from runs import run_example, run_file
 
 #: Seconds; a robot that does not answer shall not hold the tests up.
-PATIENCE = 1.0
+TIMEOUT = 1.0
 
 
 class Place:
@@ -41,7 +41,7 @@ class Place:
 
     def settings(self, scene="script", **others):
         named = dict(self.scene.parts) if scene == "names" else {"scene": scene}
-        return {"port": self.port, "patience": PATIENCE, **named, **others}
+        return {"port": self.port, "patience": TIMEOUT, **named, **others}
 
     def robot(self, scene="script", **others):
         return Robot(**self.settings(scene, **others))
@@ -374,16 +374,16 @@ def test_a_missing_coppeliasim_is_reported_in_time():
         port = taken.getsockname()[1]
         began = monotonic()
         with pytest.raises(RobotConnectionError, match=f"Can't reach CoppeliaSim at .*:{port}"):
-            Robot(port=port, patience=PATIENCE)
-    assert monotonic() - began < PATIENCE + 1
+            Robot(port=port, patience=TIMEOUT)
+    assert monotonic() - began < TIMEOUT + 1
 
 
 def test_another_server_at_the_port_is_reported_in_time():
     with socket.create_server(("127.0.0.1", 0)) as web:
         began = monotonic()
         with pytest.raises(RobotConnectionError, match="Can't reach CoppeliaSim"):
-            Robot(port=web.getsockname()[1], patience=PATIENCE)
-    assert monotonic() - began < PATIENCE + 1
+            Robot(port=web.getsockname()[1], patience=TIMEOUT)
+    assert monotonic() - began < TIMEOUT + 1
 
 
 @pytest.mark.parametrize(
@@ -402,7 +402,7 @@ def test_another_server_at_the_port_is_reported_in_time():
 )
 def test_a_missing_object_of_the_scene_is_reported_by_name(place, chosen, sentence):
     with pytest.raises(RobotConnectionError, match=sentence):
-        Robot(port=place.port, patience=PATIENCE, **chosen)
+        Robot(port=place.port, patience=TIMEOUT, **chosen)
 
 
 def test_a_connection_leaves_the_names_of_the_users_program_alone(place, monkeypatch):

@@ -181,7 +181,7 @@ def test_a_base_with_failing_hardware_is_reported(tmp_path):
 
 
 def test_a_picture_arrives_in_red_green_and_blue(broker, publisher):
-    camera = StreamedCamera("127.0.0.1", broker.port, patience=5)
+    camera = StreamedCamera("127.0.0.1", broker.port, timeout=5)
     camera.open()
     frame = camera.read()
     assert (frame.shape, frame.dtype) == ((240, 320, 3), np.uint8)
@@ -193,7 +193,7 @@ def test_a_picture_arrives_in_red_green_and_blue(broker, publisher):
 
 @pytest.mark.parametrize("nonsense", [b"", b"\xff\xd8 no picture"])
 def test_a_damaged_picture_is_skipped(broker, publisher, nonsense):
-    camera = StreamedCamera("127.0.0.1", broker.port, patience=5)
+    camera = StreamedCamera("127.0.0.1", broker.port, timeout=5)
     camera.open()
     frame = camera.read()
     publisher.picture = nonsense
@@ -204,7 +204,7 @@ def test_a_damaged_picture_is_skipped(broker, publisher, nonsense):
 
 
 def test_a_camera_without_a_broker_is_reported(broker):
-    camera = StreamedCamera("127.0.0.1", 1, patience=1)
+    camera = StreamedCamera("127.0.0.1", 1, timeout=1)
     with pytest.raises(RobotConnectionError) as caught:
         camera.open()
     assert caught.value.phrase == Phrase("ebo-camera-unreachable", place="127.0.0.1:1")
@@ -212,7 +212,7 @@ def test_a_camera_without_a_broker_is_reported(broker):
 
 
 def test_a_camera_that_sends_nothing_is_reported(broker):
-    camera = StreamedCamera("127.0.0.1", broker.port, patience=0.3)
+    camera = StreamedCamera("127.0.0.1", broker.port, timeout=0.3)
     with pytest.raises(RobotConnectionError, match=r"has sent no picture for 0\.3 seconds"):
         camera.open()
     camera.close()
@@ -221,7 +221,7 @@ def test_a_camera_that_sends_nothing_is_reported(broker):
 @pytest.mark.parametrize("fault", [Fault.CUT, Fault.SILENT, Fault.GARBAGE])
 def test_a_stream_that_ends_is_reported(broker, publisher, fault):
     with Relay(("127.0.0.1", broker.port)) as relay:
-        camera = StreamedCamera("127.0.0.1", relay.port, patience=0.5)
+        camera = StreamedCamera("127.0.0.1", relay.port, timeout=0.5)
         camera.open()
         relay.fault = fault
         with pytest.raises(RobotConnectionError, match=r"has sent no picture for 0\.5 seconds"):

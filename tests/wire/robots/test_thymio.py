@@ -40,7 +40,7 @@ from runs import run_example
 #: Seconds within which the motors stand still, by the issue, and mm that count as standing.
 STOPPING, STILL = 0.5, 1.0
 #: A reading takes a step of the playground's, 30 ms, to come about and another one to arrive.
-PATIENCE = 2.0
+TIMEOUT = 2.0
 #: The accelerometer is always 0 there.
 EXCUSED = {"its accelerometer shows 1 g upwards at rest": "the playground simulates none"}
 SMALL_ROUND = """
@@ -77,11 +77,11 @@ def ground(shared):
 
 @pytest.fixture
 def robot(ground):
-    with Robot(**ground.settings, patience=PATIENCE) as robot:
+    with Robot(**ground.settings, patience=TIMEOUT) as robot:
         yield robot
 
 
-def until(condition, seconds=PATIENCE):
+def until(condition, seconds=TIMEOUT):
     deadline = monotonic() + seconds
     while not condition():
         if monotonic() > deadline:

@@ -27,7 +27,7 @@ from learnblock.robots.thymio.node import READ
 from learnblock.robots.thymio.program import DRIVE, EVENTS, source
 from learnblock.testing import Fault, Relay
 
-PATIENCE = 1.0
+TIMEOUT = 1.0
 #: From which a locale is made.
 ENGLISH = Path("/usr/share/i18n/locales/en_US")
 
@@ -120,7 +120,7 @@ def thymio():
 
 
 def connect(port, **others):
-    return Robot(**{"connection": "suite", "suite_port": port, "patience": PATIENCE, **others})
+    return Robot(**{"connection": "suite", "suite_port": port, "patience": TIMEOUT, **others})
 
 
 def until(condition, seconds=3.0):

@@ -15,7 +15,7 @@ from learnblock.errors import EmulatorError
 #: Seconds between two checks of the files; the kernel's own loop takes 2 ms.
 PERIOD = 0.004
 #: The most seconds until a process listens.
-PATIENCE = 20.0
+TIMEOUT = 20.0
 #: rpyc's classic server, with python-ev3dev2 using our files. The kernel takes each write as the
 #: whole value; an ordinary file keeps the rest of a longer value, so that each value ends its line.
 RPYC = """
@@ -126,7 +126,7 @@ def _port(process: subprocess.Popen[str]) -> int:
     """The port in the output of a process."""
     assert process.stdout  # noqa: S101 - opened as a pipe
     # A process that hangs is killed, which ends `readline`.
-    limit = threading.Timer(PATIENCE, process.kill)
+    limit = threading.Timer(TIMEOUT, process.kill)
     limit.start()
     try:
         said = process.stdout.readline()

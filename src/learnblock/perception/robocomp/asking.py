@@ -33,7 +33,7 @@ class Asked(Closing):
         host: where the component is.
         port: where it listens.
         order: which of a picture's numbers it reads as the rows; None detects it where possible.
-        patience: seconds within which it has to answer.
+        timeout: limit of a call in seconds.
     """
 
     #: The detector's name, and the object's.
@@ -41,10 +41,10 @@ class Asked(Closing):
     identity: ClassVar[str]
 
     def __init__(
-        self, host: str, port: int, *, order: Order | None = None, patience: float = 2.0
+        self, host: str, port: int, *, order: Order | None = None, timeout: float = 2.0
     ) -> None:
         interface = interfaces(Layout.TOOL)[self.identity]
-        self._proxy = Proxy(interface, self.identity, Endpoint(host, port, patience))
+        self._proxy = Proxy(interface, self.identity, Endpoint(host, port, timeout))
         self._order = order
         self._is_known = False
 

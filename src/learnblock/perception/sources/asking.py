@@ -19,7 +19,7 @@ def chosen_components(settings: PerceptionSettings) -> "Mapping[str, Asked]":
     order = None if settings.layout == "auto" else Order(settings.layout)
     places = {AskedTags: settings.apriltag, AskedEmotions: settings.emotionrecognition}
     return {
-        kind.name: kind(*_place(place), order=order, patience=settings.patience)
+        kind.name: kind(*_place(place), order=order, timeout=settings.patience)
         for kind, place in places.items()
         if place
     }

@@ -13,7 +13,7 @@ from learnblock.perception.sources.frames import frame_of
 #: The size we request; a webcam may send another one.
 SIZE = (640, 480)
 #: Seconds within which it has to send its first picture: some take long to start.
-PATIENCE = 10.0
+TIMEOUT = 10.0
 
 
 class Webcam(Closing):
@@ -21,12 +21,12 @@ class Webcam(Closing):
 
     Args:
         source: its number, 0 for the first one; or another source that OpenCV can open.
-        patience: seconds within which it has to send its first picture.
+        timeout: how long to wait for the first picture, in seconds.
     """
 
-    def __init__(self, source: int | str, patience: float = PATIENCE) -> None:
+    def __init__(self, source: int | str, timeout: float = TIMEOUT) -> None:
         self._source = source
-        self._patience = patience
+        self._timeout = timeout
         self._turn = threading.Lock()
         self._thread: threading.Thread | None = None
         self._closed = threading.Event()
@@ -46,7 +46,7 @@ class Webcam(Closing):
         """
         with self._turn:
             self._switch_on()
-            if not self._settled.wait(self._patience):
+            if not self._settled.wait(self._timeout):
                 raise RobotConnectionError("perception-webcam-silent", webcam=str(self._source))
             if self._trouble:
                 raise RobotConnectionError(self._trouble, webcam=str(self._source))

@@ -26,16 +26,16 @@ class Remote:
     Args:
         address: the computer on which it runs.
         port: the port of its remote API.
-        patience: the timeout in seconds.
+        timeout: how long to wait for an answer, in seconds.
 
     Raises:
         MissingPackageError: the vendor's client is not installed.
     """
 
-    def __init__(self, address: str, port: int, patience: float) -> None:
+    def __init__(self, address: str, port: int, timeout: float) -> None:
         library = require("coppeliasim_zmqremoteapi_client", "coppeliasim")
         self.place = f"{address}:{port}"
-        self._patience = patience
+        self._timeout = timeout
         self._zmq = library.zmq
         with _main_module_unchanged():
             self._client = _client_class(library)(address, port)
@@ -101,8 +101,8 @@ class Remote:
         """Set time limits: without them the client waits forever if nothing answers."""
         options = {
             zmq.LINGER: 0,
-            zmq.RCVTIMEO: round(1000 * self._patience / ATTEMPTS),
-            zmq.SNDTIMEO: round(1000 * self._patience / ATTEMPTS),
+            zmq.RCVTIMEO: round(1000 * self._timeout / ATTEMPTS),
+            zmq.SNDTIMEO: round(1000 * self._timeout / ATTEMPTS),
             # A request may be sent again, and a late answer to the first one is dropped.
             zmq.REQ_RELAXED: 1,
             zmq.REQ_CORRELATE: 1,
@@ -115,7 +115,7 @@ class Remote:
             if self._lost:
                 raise RobotConnectionError(self._lost.code, **self._lost.values)
             for _ in range(ATTEMPTS):
-                self._client.deadline = monotonic() + self._patience / ATTEMPTS
+                self._client.deadline = monotonic() + self._timeout / ATTEMPTS
                 try:
                     return request()
                 except self._zmq.Again:

@@ -17,12 +17,12 @@ class Simulation:
 
     Args:
         remote: the connection to CoppeliaSim.
-        patience: seconds in which it must start.
+        timeout: how long to wait for the start, in seconds.
     """
 
-    def __init__(self, remote: Remote, patience: float) -> None:
+    def __init__(self, remote: Remote, timeout: float) -> None:
         self._remote = remote
-        self._patience = patience
+        self._timeout = timeout
         self._ours = False
 
     def start(self) -> None:
@@ -33,7 +33,7 @@ class Simulation:
         """
         real_time = self._remote.constant("boolparam_realtime_simulation")
         self._remote.call("setBoolParam", real_time, True)  # noqa: FBT003 - as the API has it
-        deadline, pause = monotonic() + self._patience, Event()
+        deadline, pause = monotonic() + self._timeout, Event()
         while (state := self._state()) not in MOVING:
             if monotonic() > deadline:
                 raise RobotConnectionError("coppeliasim-not-started", place=self._remote.place)

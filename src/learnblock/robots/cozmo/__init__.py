@@ -179,12 +179,12 @@ class Robot(RealRobot[CozmoSettings]):
         self.add(Animator(play=stage.act))
 
 
-def _session(address: str, port: int, patience: float) -> "Session":
+def _session(address: str, port: int, timeout: float) -> "Session":
     require("pycozmo", "cozmo")
     # It needs pycozmo, which is installed only by owners of a Cozmo.
     from learnblock.robots.cozmo.session import Session  # noqa: PLC0415
 
-    return Session(address, port, patience)
+    return Session(address, port, timeout)
 
 
 def _ground(*, on_cliff: bool) -> dict[str, float | None]:

@@ -28,20 +28,20 @@ _STOP = _ENABLE + _ENABLE + _STOP_ALL_MOTORS
 _PACKETS_IN_STOP = 3
 
 
-def halt(address: str, port: int, patience: float) -> None:
+def halt(address: str, port: int, timeout: float) -> None:
     """Connect to the robot, stop its motors and disconnect.
 
     Args:
         address: its network name or number.
         port: its UDP port.
-        patience: the timeout in seconds.
+        timeout: how long to wait for an answer, in seconds.
 
     Raises:
         RobotConnectionError: the robot does not answer.
     """
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as wire:
         wire.connect(resolved(address, port))
-        if not _insist(wire, _frame(_RESET, 1, 1, 0), patience, least=1, kind=_CONNECT):
+        if not _insist(wire, _frame(_RESET, 1, 1, 0), timeout, least=1, kind=_CONNECT):
             raise RobotConnectionError("cozmo-no-answer", place=f"{address}:{port}")
         stop = _frame(_PACKETS, 1, _PACKETS_IN_STOP, 1, _STOP)
         _insist(wire, stop, FAREWELL, least=_PACKETS_IN_STOP)
@@ -63,18 +63,18 @@ def resolved(address: str, port: int) -> Address:
 
 
 def _insist(
-    wire: socket.socket, frame: bytes, patience: float, *, least: int, kind: int | None = None
+    wire: socket.socket, frame: bytes, timeout: float, *, least: int, kind: int | None = None
 ) -> bool:
     """Send a frame until it is acknowledged, and return whether it was.
 
     Args:
         wire: the socket to the robot.
         frame: the frame.
-        patience: the timeout in seconds.
+        timeout: how long to wait for an answer, in seconds.
         least: the number that has to be acknowledged.
         kind: the kind of the first packet in the robot's answer; None accepts any.
     """
-    until = monotonic() + patience
+    until = monotonic() + timeout
     while monotonic() < until:
         _send(wire, frame)
         again = monotonic() + RETRY

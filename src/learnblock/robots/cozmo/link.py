@@ -166,15 +166,15 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
         """Seconds since the last frame from the robot."""
         return monotonic() - float(self.recv_thread.heard)
 
-    def establish(self, patience: float) -> bool:
-        """Request the connection until the robot accepts it or `patience` seconds have passed."""
+    def establish(self, timeout: float) -> bool:
+        """Request the connection until the robot accepts it or `timeout` seconds have passed."""
         began = asked = monotonic()
         while not self._welcomed.is_set():
             asked = monotonic()
-            if asked - began > patience:
+            if asked - began > timeout:
                 return False
             self.connect()
-            self._welcomed.wait(min(RETRY, patience))
+            self._welcomed.wait(min(RETRY, timeout))
         # The robot restarts the connection at each request. Nothing else may be sent before it has
         # received the last one, which takes at most as long as its first answer took.
         threading.Event().wait(asked - began)

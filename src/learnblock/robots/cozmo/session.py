@@ -37,7 +37,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
     Args:
         address: its network name or number.
         port: its UDP port.
-        patience: the timeout in seconds.
+        timeout: how long to wait for an answer, in seconds.
 
     Attributes:
         odometry: the robot's pose.
@@ -48,7 +48,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
 
     conn: Link
 
-    def __init__(self, address: str, port: int, patience: float) -> None:
+    def __init__(self, address: str, port: int, timeout: float) -> None:
         place = resolved(address, port)
         super().__init__(place, auto_initialize=False)
         # pycozmo's own connection was never started.
@@ -58,7 +58,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         self.odometry = Odometry()
         self._reception = Reception()
         self._place = f"{address}:{port}"
-        self._patience = patience
+        self._timeout = timeout
         self._reported = False
         self._calibrating: set[Any] = set()
         self._lights: dict[str, Any] = dict.fromkeys(units.LIGHTS, lights.off_light)
@@ -87,7 +87,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
             RobotConnectionError: it has been silent for too long.
         """
         silence = self.conn.silence
-        if silence > self._patience:
+        if silence > self._timeout:
             raise RobotConnectionError("cozmo-silent", place=self._place, seconds=round(silence, 1))
 
     def status(self) -> RobotStatus:
@@ -144,8 +144,8 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
     # Connecting.
 
     def _introduce(self) -> None:
-        until = monotonic() + self._patience
-        if not self.conn.establish(self._patience):
+        until = monotonic() + self._timeout
+        if not self.conn.establish(self._timeout):
             raise RobotConnectionError("cozmo-no-answer", place=self._place)
         self._enable_robot()
         self._await(lambda: self.serial_number, until)

@@ -20,12 +20,12 @@ class StreamedCamera:
     Args:
         address: the broker's address.
         port: the broker's port.
-        patience: the timeout in seconds for the broker's answer and for a picture.
+        timeout: how long to wait for the broker's answer and for a picture, in seconds.
     """
 
-    def __init__(self, address: str, port: int, patience: float) -> None:
+    def __init__(self, address: str, port: int, timeout: float) -> None:
         self._place = address, port
-        self._patience = patience
+        self._timeout = timeout
         self._seen = threading.Event()
         self._came = monotonic()
         self._latest: bytes | None = None
@@ -33,7 +33,7 @@ class StreamedCamera:
         self._frame: Frame | None = None
         mqtt = require("paho.mqtt.client", "ebo")
         self._client: Any = mqtt.Client(mqtt.CallbackAPIVersion.VERSION2)
-        self._client.connect_timeout = patience
+        self._client.connect_timeout = timeout
         self._client.on_connect = self._subscribe
         self._client.on_message = self._receive
 
@@ -51,7 +51,7 @@ class StreamedCamera:
                 "ebo-camera-unreachable", place=f"{address}:{port}"
             ) from error
         self._client.loop_start()
-        if not self._seen.wait(self._patience):
+        if not self._seen.wait(self._timeout):
             raise self._silent()
 
     def read(self) -> "Frame | None":
@@ -75,7 +75,7 @@ class StreamedCamera:
         Raises:
             RobotConnectionError: they do not.
         """
-        if monotonic() - self._came > self._patience:
+        if monotonic() - self._came > self._timeout:
             raise self._silent()
 
     def close(self) -> None:
@@ -94,7 +94,7 @@ class StreamedCamera:
     def _silent(self) -> RobotConnectionError:
         address, port = self._place
         return RobotConnectionError(
-            "ebo-camera-silent", place=f"{address}:{port}", seconds=self._patience
+            "ebo-camera-silent", place=f"{address}:{port}", seconds=self._timeout
         )
 
 

@@ -42,7 +42,7 @@ class DirectLink(Link):
 
     def __init__(self, settings: Settings, on_state: Callable[[State], None]) -> None:
         super().__init__(settings.device or f"{settings.address}:{settings.direct_port}", on_state)
-        self._patience = settings.patience
+        self._timeout = settings.patience
         self._counter = 0
         self._motors = [Motor("ABCD".index(port)) for port in (settings.left, settings.right)]
         self._per_percent = settings.full_speed / 100
@@ -115,7 +115,7 @@ class DirectLink(Link):
     def _asked(self, orders: bytes, question: Question) -> tuple[float, ...]:
         self._counter = (self._counter + 1) % 0x10000
         self._wire.send(direct.command(self._counter, orders, question))
-        deadline = monotonic() + self._patience
+        deadline = monotonic() + self._timeout
         while True:
             reply = self._wire.receive(deadline - monotonic())
             try:

@@ -8,24 +8,24 @@ from time import monotonic
 from learnblock.errors import RobotNotFoundError
 
 
-def dial(address: str, port: int, patience: float) -> socket.socket:
-    """Make a TCP connection; `patience` is also the timeout of each send and receive.
+def dial(address: str, port: int, timeout: float) -> socket.socket:
+    """Make a TCP connection; `timeout` is also the timeout of each send and receive.
 
     Args:
         address: a name or an IP address.
         port: the port.
-        patience: the timeout in seconds.
+        timeout: how long to wait, in seconds.
 
     Raises:
         RobotNotFoundError: no program answers there in time.
     """
-    deadline = monotonic() + patience
-    number = resolve(address, patience)
+    deadline = monotonic() + timeout
+    number = resolve(address, timeout)
     try:
         connection = socket.create_connection((number, port), max(0.1, deadline - monotonic()))
     except OSError as error:
         raise RobotNotFoundError("ev3-no-answer", place=f"{address}:{port}") from error
-    connection.settimeout(patience)
+    connection.settimeout(timeout)
     connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     return connection
 
@@ -38,7 +38,7 @@ def hang_up(connection: socket.socket) -> None:
     connection.close()
 
 
-def resolve(name: str, patience: float) -> str:
+def resolve(name: str, timeout: float) -> str:
     """The IP address of a computer.
 
     Raises:
@@ -48,7 +48,7 @@ def resolve(name: str, patience: float) -> str:
     search = threading.Thread(target=_resolve, args=(name, found), name="resolve", daemon=True)
     search.start()
     # The system's own limit is many seconds for an unknown .local name.
-    search.join(patience)
+    search.join(timeout)
     if not found:
         raise RobotNotFoundError("ev3-not-found", address=name)
     return found[0]

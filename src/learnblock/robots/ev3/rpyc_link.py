@@ -86,15 +86,15 @@ class RpycLink(Link):
     def hang_up(self) -> None:
         hang_up(self._socket)
 
-    def _connected(self, patience: float) -> Any:
+    def _connected(self, timeout: float) -> Any:
         stream = _bounded_stream(self._rpyc)(self._socket)
         try:
             # A classic client would let the brick execute any code on this computer, and needs many
             # round trips to start.
             connection = self._rpyc.connect_stream(
-                stream, self._rpyc.core.service.FakeSlaveService, {"sync_request_timeout": patience}
+                stream, self._rpyc.core.service.FakeSlaveService, {"sync_request_timeout": timeout}
             )
-            connection.ping(timeout=patience)
+            connection.ping(timeout=timeout)
             return connection
         except Exception as error:
             raise RobotNotFoundError("ev3-not-rpyc", place=self.place) from error

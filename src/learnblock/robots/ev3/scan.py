@@ -77,24 +77,24 @@ def _ev3dev(seconds: float) -> Iterator[Found]:
         known = Settings()
     addresses = {known.address, Settings().address}
     for address in sorted(addresses):
-        patience = seconds / len(addresses) / 2
-        if _is_agent(address, known.agent_port, patience):
+        timeout = seconds / len(addresses) / 2
+        if _is_agent(address, known.agent_port, timeout):
             yield {"connection": "agent", "address": address}
-        elif _listens(address, known.rpyc_port, patience):
+        elif _listens(address, known.rpyc_port, timeout):
             yield {"connection": "rpyc", "address": address}
 
 
-def _is_agent(address: str, port: int, patience: float) -> bool:
+def _is_agent(address: str, port: int, timeout: float) -> bool:
     try:
-        with dial(address, port, patience) as connection:
+        with dial(address, port, timeout) as connection:
             return bool(lines.greeting(connection.recv(lines.LONGEST_LINE)))
     except (OSError, ValueError):
         return False
 
 
-def _listens(address: str, port: int, patience: float) -> bool:
+def _listens(address: str, port: int, timeout: float) -> bool:
     try:
-        dial(address, port, patience).close()
+        dial(address, port, timeout).close()
     except RobotNotFoundError:
         return False
     return True

@@ -19,7 +19,7 @@ from learnblock.storage.home import home
 AGENT, TOKEN = "learnblock-agent.py", ".learnblock-token"
 LOG, PID = ".learnblock-log", ".learnblock-pid"
 #: Seconds in which the brick must accept the login and run a command; its processor is slow.
-PATIENCE = 30.0
+TIMEOUT = 30.0
 #: Ends an agent that is already running; its old process id may belong to another process now.
 END = """
 agent=$(cat {pid} 2> /dev/null)
@@ -84,9 +84,9 @@ def _logged_in(settings: Settings) -> Iterator[Any]:
             settings.user,
             settings.password,
             sock=dial(settings.address, settings.ssh_port, settings.patience),
-            timeout=PATIENCE,
-            banner_timeout=PATIENCE,
-            auth_timeout=PATIENCE,
+            timeout=TIMEOUT,
+            banner_timeout=TIMEOUT,
+            auth_timeout=TIMEOUT,
             # Keys of other computers must not be offered to a brick.
             allow_agent=False,
             look_for_keys=False,
@@ -124,7 +124,7 @@ def _execute(client: Any, script: str) -> None:
     Raises:
         RobotConnectionError: it fails; the error contains its output.
     """
-    _, out, _ = client.exec_command(f"sh -c {shlex.quote(script)}", timeout=PATIENCE)
+    _, out, _ = client.exec_command(f"sh -c {shlex.quote(script)}", timeout=TIMEOUT)
     output = out.read().decode("utf-8", "replace").strip()
     if out.channel.recv_exit_status():
         raise RobotConnectionError("ev3-setup-not-started", output=output[-500:])

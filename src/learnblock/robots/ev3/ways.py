@@ -15,7 +15,7 @@ from learnblock.robots.ev3.rpyc_link import RpycLink
 from learnblock.robots.ev3.settings import Settings
 
 #: Seconds for which a busy brick is asked again: it drops a client after 1.5 seconds of silence.
-PATIENCE = 1.8
+TIMEOUT = 1.8
 
 _LINKS: dict[str, Callable[[Settings, Callable[[State], None]], Link]] = {
     "agent": AgentLink,
@@ -43,7 +43,7 @@ def open_link(settings: Settings, on_state: Callable[[State], None]) -> Link:
 
 def _when_free(attempt: Callable[[], Link]) -> Link:
     """Try again while the brick still waits for a program that is gone."""
-    deadline = monotonic() + PATIENCE
+    deadline = monotonic() + TIMEOUT
     while True:
         try:
             return attempt()

@@ -34,11 +34,11 @@ class Wire(Protocol):
             OSError: sending fails.
         """
 
-    def receive(self, patience: float) -> bytes:
+    def receive(self, timeout: float) -> bytes:
         """The next message, without its length.
 
         Raises:
-            OSError: nothing arrived within `patience` seconds, or the connection broke.
+            OSError: nothing arrived within `timeout` seconds, or the connection broke.
             ValueError: the data is not a message.
         """
 
@@ -55,8 +55,8 @@ class Stream:
     def send(self, message: bytes) -> None:
         self.write(message)
 
-    def receive(self, patience: float) -> bytes:
-        deadline = monotonic() + patience
+    def receive(self, timeout: float) -> bytes:
+        deadline = monotonic() + timeout
         size = int.from_bytes(self.take(2, deadline), "little")
         if not 3 <= size <= LARGEST:
             raise ValueError(f"a message of {size} bytes")
@@ -75,7 +75,7 @@ class Stream:
     def write(self, data: bytes) -> None:
         raise NotImplementedError
 
-    def read(self, most: int, patience: float) -> bytes:
+    def read(self, most: int, timeout: float) -> bytes:
         raise NotImplementedError
 
 
@@ -86,11 +86,11 @@ class WiFi(Stream):
         RobotNotFoundError: no such firmware answers there.
     """
 
-    def __init__(self, address: str, port: int, patience: float) -> None:
+    def __init__(self, address: str, port: int, timeout: float) -> None:
         super().__init__()
-        self._socket = dial(address, port, patience)
+        self._socket = dial(address, port, timeout)
         try:
-            self._unlock(f"{address}:{port}", patience)
+            self._unlock(f"{address}:{port}", timeout)
         except BaseException:
             self._socket.close()
             raise
@@ -98,17 +98,17 @@ class WiFi(Stream):
     def write(self, data: bytes) -> None:
         self._socket.sendall(data)
 
-    def read(self, most: int, patience: float) -> bytes:
-        self._socket.settimeout(max(0.001, patience))
+    def read(self, most: int, timeout: float) -> bytes:
+        self._socket.settimeout(max(0.001, timeout))
         return self._socket.recv(most)
 
     def close(self) -> None:
         hang_up(self._socket)
 
-    def _unlock(self, place: str, patience: float) -> None:
+    def _unlock(self, place: str, timeout: float) -> None:
         try:
             self.write(UNLOCK)
-            answer = self.take(len(UNLOCKED), monotonic() + patience)
+            answer = self.take(len(UNLOCKED), monotonic() + timeout)
         except OSError as error:
             raise RobotNotFoundError("ev3-firmware-silent", place=place) from error
         if answer != UNLOCKED:
@@ -133,8 +133,8 @@ class DeviceFile(Stream):
         while data:
             data = data[self._once(self._write, data, deadline) :]
 
-    def read(self, most: int, patience: float) -> bytes:
-        return self._once(self._read, most, monotonic() + patience)
+    def read(self, most: int, timeout: float) -> bytes:
+        return self._once(self._read, most, monotonic() + timeout)
 
     def close(self) -> None:
         with self._lock:
@@ -172,22 +172,22 @@ class Usb(DeviceFile):
         # The report's number comes first; the brick uses no numbers, which is 0.
         self.write(b"\0" + message.ljust(LARGEST, b"\0"))
 
-    def receive(self, patience: float) -> bytes:
-        report = self.take(LARGEST, monotonic() + patience)
+    def receive(self, timeout: float) -> bytes:
+        report = self.take(LARGEST, monotonic() + timeout)
         size = int.from_bytes(report[:2], "little")
         if not 3 <= size <= LARGEST - 2:
             raise ValueError(f"a message of {size} bytes")
         return report[2 : 2 + size]
 
 
-def open_wire(device: str, address: str, port: int, patience: float) -> Wire:
+def open_wire(device: str, address: str, port: int, timeout: float) -> Wire:
     """Open the device if one is named, or else a Wi-Fi connection.
 
     Raises:
         RobotNotFoundError: no brick answers.
     """
     if not device:
-        return WiFi(address, port, patience)
+        return WiFi(address, port, timeout)
     return Usb(device) if Path(device).name.startswith("hidraw") else DeviceFile(device)
 
 

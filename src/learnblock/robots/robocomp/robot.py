@@ -82,7 +82,7 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
     @classmethod
     def halt(cls, settings: RoboCompT) -> None:
         # A guardian has to be quick; it tries again if the timeout was too short.
-        proxy = cls.proxy("differentialrobot", settings, settings.base_port, patience=0.5)
+        proxy = cls.proxy("differentialrobot", settings, settings.base_port, timeout=0.5)
         with closing(Component(cls.name(), "base", proxy)) as base:
             base.ask("setSpeedBase", 0.0, 0.0)
 
@@ -101,7 +101,7 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
     def answers(cls, settings: RoboCompT, seconds: float) -> bool:
         """Whether a robot of this kind answers there within a few seconds."""
         with closing(
-            cls.proxy("differentialrobot", settings, settings.base_port, patience=seconds)
+            cls.proxy("differentialrobot", settings, settings.base_port, timeout=seconds)
         ) as base:
             try:
                 base.check()
@@ -123,11 +123,11 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
         port: int,
         *,
         layout: Layout | None = None,
-        patience: float | None = None,
+        timeout: float | None = None,
     ) -> Proxy:
         """A proxy for one of the components; it connects at the first call."""
         interface = interfaces(layout or cls.usual_layout)[identity]
-        endpoint = Endpoint(settings.address, port, patience or settings.patience)
+        endpoint = Endpoint(settings.address, port, timeout or settings.patience)
         return Proxy(interface, identity, endpoint)
 
     def component(self, identity: str, part: str, port: int) -> Component:

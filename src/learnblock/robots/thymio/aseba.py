@@ -36,8 +36,8 @@ class AsebaLink(Link):
         RobotConnectionError: no Thymio answers, or it does not run our program.
     """
 
-    def __init__(self, wire: Wire, patience: float) -> None:
-        super().__init__(wire, patience)
+    def __init__(self, wire: Wire, timeout: float) -> None:
+        super().__init__(wire, timeout)
         self._frames = Frames()
         self._node: Node | None = None
         self._values: tuple[int, ...] = ()

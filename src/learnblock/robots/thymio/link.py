@@ -22,16 +22,16 @@ class Link:
 
     Args:
         wire: carries the data; the link closes it.
-        patience: the timeout in seconds for each step of connecting.
+        timeout: limit of each step of connecting, in seconds.
 
     Attributes:
         place: the robot's address or port, for errors.
     """
 
-    def __init__(self, wire: Wire, patience: float) -> None:
+    def __init__(self, wire: Wire, timeout: float) -> None:
         self.place = wire.name
         self._wire = wire
-        self._patience = patience
+        self._timeout = timeout
         self._changed = threading.Condition()
         self._lost: Phrase | None = None
         self._heard = monotonic()
@@ -102,7 +102,7 @@ class Link:
         Raises:
             RobotConnectionError: the step is not done in time.
         """
-        if not self.wait(condition, self._patience):
+        if not self.wait(condition, self._timeout):
             phrase = self._lost or Phrase(otherwise, place=self.place)
             raise RobotConnectionError(phrase.code, **phrase.values)
 

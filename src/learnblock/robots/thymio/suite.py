@@ -70,8 +70,8 @@ class SuiteLink(Link):
         RobotConnectionError: no Thymio answers or is free, or it does not run our program.
     """
 
-    def __init__(self, wire: Wire, patience: float) -> None:
-        super().__init__(wire, patience)
+    def __init__(self, wire: Wire, timeout: float) -> None:
+        super().__init__(wire, timeout)
         self._packets = Packets()
         self._values: dict[str, tuple[int, ...]] = {}
         self._node: Any = None

@@ -47,16 +47,16 @@ class TcpWire:
     Args:
         address: the name or IP address of the other end.
         port: the port of the other end.
-        patience: the timeout in seconds.
+        timeout: how long to wait for the connection, in seconds.
 
     Raises:
         RobotConnectionError: no program answers there.
     """
 
-    def __init__(self, address: str, port: int, patience: float) -> None:
+    def __init__(self, address: str, port: int, timeout: float) -> None:
         self.name = f"{address}:{port}"
         try:
-            self._socket = socket.create_connection((address, port), timeout=patience)
+            self._socket = socket.create_connection((address, port), timeout=timeout)
         except OSError as error:
             raise RobotConnectionError("thymio-no-listener", place=self.name) from error
         # A command is a few bytes, and should not wait for more of them.

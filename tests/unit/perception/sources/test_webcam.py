@@ -91,7 +91,7 @@ def refusal(webcam):
 
 
 def test_a_webcam_that_sends_nothing_is_reported(held):
-    with Webcam(0, patience=0.05) as webcam:
+    with Webcam(0, timeout=0.05) as webcam:
         assert refusal(webcam) == Phrase("perception-webcam-silent", webcam="0")
 
 

@@ -45,7 +45,7 @@ def test_a_foreign_component_finds_our_tags_whichever_number_it_reads_as_the_row
     objects = ("apriltag", {"order": str(order)})
     with (
         components(tmp_path, layout, objects, quiet=True) as running,
-        AskedTags("127.0.0.1", running.ports[0], patience=10) as asked,
+        AskedTags("127.0.0.1", running.ports[0], timeout=10) as asked,
     ):
         (tag,) = asked.detect(Sight(SQUARE))
         assert (tag.id, tag.center, tag.pose) == (7, (39, 79), None)
@@ -55,7 +55,7 @@ def test_a_foreign_component_finds_our_tags_whichever_number_it_reads_as_the_row
 
 def test_robocomps_rows_are_sent_to_a_component_that_shows_nothing(tmp_path):
     with components(tmp_path, Layout.ROBOT, "apriltag") as running:
-        with AskedTags("127.0.0.1", running.ports[0], patience=10) as asked:
+        with AskedTags("127.0.0.1", running.ports[0], timeout=10) as asked:
             (tag,) = asked.detect(Sight(blank(180, 200)))
         assert (tag.id, tag.center) == (8, (160, 120))
         # After two pictures of a tag, which it did not find.
@@ -66,7 +66,7 @@ def test_robocomps_rows_are_sent_to_a_component_that_shows_nothing(tmp_path):
 def test_a_chosen_order_is_not_detected(tmp_path):
     with components(tmp_path, Layout.TOOL, "apriltag") as running:
         place = "127.0.0.1", running.ports[0]
-        with AskedTags(*place, order=Order.COLUMNS, patience=10) as asked:
+        with AskedTags(*place, order=Order.COLUMNS, timeout=10) as asked:
             asked.detect(Sight(blank()))
         assert running.told() == ["processimage", 320, 240, 3, 230_400]
 
@@ -80,7 +80,7 @@ def test_a_foreign_component_names_emotions_differently(tmp_path, layout):
     objects = ("emotionrecognition", {"found": found})
     frame = a_face("joy")
     with components(tmp_path, layout, objects) as running:
-        with AskedEmotions("127.0.0.1", running.ports[0], patience=10) as asked:
+        with AskedEmotions("127.0.0.1", running.ports[0], timeout=10) as asked:
             assert asked.detect(Sight(frame)) == (
                 FaceEmotion(Face(10, 20, 50, 50), "joy", 1.0),
                 FaceEmotion(Face(100, 50, 60, 60), "surprise", 1.0),
@@ -161,7 +161,7 @@ def test_the_wait_for_a_component_ends_at_the_timeout(tmp_path):
     objects = ("apriltag", {"wait": 30})
     with (
         components(tmp_path, Layout.TOOL, objects, quiet=True) as running,
-        AskedTags("127.0.0.1", running.ports[0], patience=0.5) as asked,
+        AskedTags("127.0.0.1", running.ports[0], timeout=0.5) as asked,
     ):
         began = time.monotonic()
         with pytest.raises(RobotConnectionError, match="did not answer in time"):
