@@ -1,6 +1,6 @@
 """Blocks: skills described by block configurations in JSON, and the palette made from them.
 
-Entered through this module, and through `known` for every block that a program may use, with the
+Use them through this module. `known` has every block that a program may use, including the
 custom blocks and installed libraries of this computer.
 """
 

@@ -2,14 +2,14 @@
 
 A block set is a TOML file; the user's are in the folder ``sets`` of `home`:
 
-    [title]
+
     en = "First steps"
 
     [show]
     categories = ["Distances"]
     blocks = ["lb_main", "function.move_straight"]
 
-It may name blocks that do not exist here, such as another user's custom blocks.
+A set may name blocks that do not exist here, such as another user's custom blocks.
 """
 
 import re
@@ -66,11 +66,11 @@ class BlockSet(Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=Tr
     shown by name, everything is shown that is not hidden.
 
     Args:
-        name: of its file, which does not contain it.
-        title: by language.
-        description: by language.
-        show: only these.
-        hide: all except these.
+        name: the name of its file; the file does not contain it.
+        title: the title, by language.
+        description: the description, by language.
+        show: show only these.
+        hide: show all except these.
     """
 
     name: Annotated[str, Meta(max_length=60)] = ""
@@ -87,7 +87,7 @@ def built_in() -> Mapping[str, BlockSet]:
 
 
 def own() -> tuple[tuple[BlockSet, ...], tuple[BlockSetError, ...]]:
-    """The user's own sets, and the errors of files that are wrong."""
+    """The user's own sets, and the errors of invalid files."""
     sets, errors = [], []
     for file in sorted(_own_folder().glob("*.toml"))[:MOST_OWN]:
         try:
@@ -105,7 +105,7 @@ def read(file: Path) -> BlockSet:
     """The set in a file.
 
     Raises:
-        BlockSetError: it has mistakes.
+        BlockSetError: it is invalid.
         OSError: the file cannot be read.
     """
     found = toml_source.read(file, BlockSet, BlockSetError, lambda _: ())
@@ -113,14 +113,14 @@ def read(file: Path) -> BlockSet:
 
 
 def parse(text: str, name: str) -> BlockSet:
-    """The set in a file's text.
+    """The set in the text of a file.
 
     Args:
         text: TOML.
-        name: of the set.
+        name: the name of the set.
 
     Raises:
-        BlockSetError: the text or the name is wrong.
+        BlockSetError: the text or the name is invalid.
     """
     filename = f"{name}.toml"
     document = toml_source.parse(text, filename, BlockSetError)
@@ -131,7 +131,7 @@ def parse(text: str, name: str) -> BlockSet:
 
 
 def write(block_set: BlockSet) -> str:
-    """The text of a set's file."""
+    """A set as the text of its file."""
     unnamed = msgspec.structs.replace(block_set, name="")
     return toml_source.write(unnamed, block_set.name, BlockSetError)
 
@@ -140,7 +140,7 @@ def save_own(block_set: BlockSet, *, replace: bool) -> None:
     """Save a set in the user's folder.
 
     Raises:
-        BlockSetError: its name is not allowed, or is taken.
+        BlockSetError: its name is not allowed or is taken.
         OSError: the file cannot be written.
     """
     file = _own_file(block_set.name)
@@ -164,7 +164,7 @@ def delete_own(name: str) -> None:
 
 
 def checked_name(name: str) -> str:
-    """The name in the form that is used for files.
+    """The name in the form used for files.
 
     Raises:
         BlockSetError: it is the name of a built-in set, or not a file name.

@@ -1,6 +1,6 @@
-"""The definitions of our blocks in Blockly's JSON.
+"""The definitions of our blocks, in Blockly's JSON.
 
-A block whose shape varies names its extension or mutator in the page:
+A block with a variable shape names its extension or mutator in the page:
 ``lb_when_mutator``, ``lb_arguments_mutator``, ``lb_compare_mutator``, ``lb_when_names``,
 ``lb_code_field``. An extension adds its field to the dummy input ``PLACE``.
 """
@@ -30,7 +30,7 @@ _CHECKS = {
 def definitions(
     configurations: Iterable[BlockConfiguration], language: str
 ) -> list[dict[str, Any]]:
-    """Every block of ours; skills have their words in a language such as ``es``."""
+    """All our blocks; the words of skills are in `language`, such as ``es``."""
     skills = [skill_definition(one, language) for one in configurations if is_skill_block(one)]
     return [*_hats(), *_statements(), *_values(), *skills]
 
@@ -136,7 +136,7 @@ def _values() -> list[Definition]:
 
 
 def skill_definition(configuration: BlockConfiguration, language: str) -> Definition:
-    """The block of a skill, with its words in a language such as ``es``."""
+    """The block of a skill, with its words in `language`, such as ``es``."""
     shape = {"output": None} if configuration.returns_value else _STATEMENT
     return {
         "type": SKILL + configuration.name,
@@ -174,7 +174,7 @@ def _parameter(parameter: Parameter, language: str) -> Definition:
 
 
 def _field(parameter: Parameter, language: str) -> Definition:
-    """The choices of the field, under a key that our page knows and Blockly does not."""
+    """The choices of the field, under a key that only our page knows."""
     if parameter.choices:
         names = parameter.choice_names
         return {
@@ -189,5 +189,5 @@ def _field(parameter: Parameter, language: str) -> Definition:
 
 
 def _plain(text: str) -> str:
-    """A text in which Blockly finds no inputs to insert."""
+    """A string in which Blockly finds no inputs."""
     return text.replace("%", "%%")

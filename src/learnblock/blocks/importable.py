@@ -9,7 +9,7 @@ class Importable:
 
     Args:
         libraries: modules with skills and nothing else.
-        files: Python files beside the program, with anything that they define.
+        files: Python files beside the program, with everything that they define.
     """
 
     libraries: frozenset[str] = frozenset()

@@ -1,4 +1,4 @@
-"""The blocks of libraries, read from the files of each without running any."""
+"""The blocks of libraries, read from their files without running any."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -13,7 +13,7 @@ from learnblock.errors import LearnBlockError, LibraryError
 from learnblock.storage import skill_files, toml_source
 from learnblock.storage.home import home
 
-#: A folder with this file is a library.
+#: A folder that contains this file is a library.
 MANIFEST = "library.toml"
 #: The configurations of a library's blocks.
 CONFIGURATIONS = "blocks.json"
@@ -39,7 +39,7 @@ def importable(beside: Path | None = None, modules: frozenset[str] = frozenset()
 
     Args:
         beside: the program's folder.
-        modules: those that it imports; they may be in folders inside that one.
+        modules: the modules that it imports; they may be in subfolders.
     """
     libraries = frozenset(installed())
     if beside is None:
@@ -51,10 +51,10 @@ def importable(beside: Path | None = None, modules: frozenset[str] = frozenset()
 
 
 def blocks_beside(folder: Path, modules: frozenset[str]) -> Iterator[BlockConfiguration]:
-    """The blocks of the libraries and files beside a program that it imports.
+    """The blocks of the libraries and files that a program imports.
 
     Raises:
-        LearnBlockError: one of them is wrong.
+        LearnBlockError: one of them is invalid.
         OSError: one of them cannot be read.
     """
     nearby = _in_folder(folder)
@@ -70,11 +70,11 @@ def blocks(name: str, files: Mapping[str, str]) -> tuple[BlockConfiguration, ...
     """The blocks of a library, or of a Python file that is imported like one.
 
     Args:
-        name: that programs import.
-        files: the text of each by its name.
+        name: the name that programs import.
+        files: the text of each file, by name.
 
     Raises:
-        LearnBlockError: one of them is wrong.
+        LearnBlockError: one of them is invalid.
     """
     titles = _titles(files.get(MANIFEST, ""))
     category = titles.get("EN") or name.replace("_", " ").capitalize()
@@ -87,7 +87,7 @@ def blocks(name: str, files: Mapping[str, str]) -> tuple[BlockConfiguration, ...
 
 
 def skills_in(filename: str, source: str) -> tuple[Signature, ...]:
-    """The skills in a file that programs import; it may have other functions, too.
+    """The skills in a file that programs import; it may have other functions too.
 
     Raises:
         ProgramError: it is not valid Python.
@@ -98,7 +98,7 @@ def skills_in(filename: str, source: str) -> tuple[Signature, ...]:
 
 
 def texts(folder: Path) -> dict[str, str]:
-    """The texts of a library's files, by their names.
+    """The texts of a library's files, by name.
 
     Raises:
         LearnBlockError: one of them is too large.

@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 
 
 def all_configurations() -> Configurations:
-    """Every block by name: ours, the user's, those of plugins and of installed libraries.
+    """Every block by name: built in, custom, from plugins and from installed libraries.
 
     A skill without a configuration gets one from its signature and docstring. A file in the
-    ``blocks`` folder of `home` describes such a skill better, or adds translations to any block.
-    A file with a mistake is left out and reported in `Configurations.problems`.
+    ``blocks`` folder of `home` can describe such a skill better, or adds translations to any block.
+    An invalid file is left out and reported in `Configurations.problems`.
     """
     search = _Search({**builtin()})
     for path in skill_files.own_files():
@@ -90,7 +90,7 @@ class _Search:
             self.found[block.name] = self.described(block)
 
     def described(self, block: BlockConfiguration) -> BlockConfiguration:
-        """A configured block, completed from what was known of it before."""
+        """A configured block, completed from its earlier configuration."""
         before = self.found.get(block.name)
         signature = self.signatures.get(block.name)
         if before is None:

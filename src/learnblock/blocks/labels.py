@@ -14,23 +14,23 @@ _PLACE = re.compile(r"\{(\w+)\}")
 
 
 def translated(texts: Mapping[str, str], language: str, otherwise: str) -> str:
-    """A text of a configuration in a language, or else in English, or else `otherwise`."""
+    """A text of a configuration in a language, else in English, else `otherwise`."""
     code = language.upper()
     return texts.get(code) or texts.get(code.partition("-")[0]) or texts.get("EN") or otherwise
 
 
 def label(block: BlockConfiguration, language: str) -> str:
-    """The label for a reader, its parameters in brackets: ``drive forward at (speed) mm/s``."""
+    """The label with its parameters in brackets: ``drive forward at (speed) mm/s``."""
     return sentence(block, language, lambda one: f"({parameter_name(one, language)})")
 
 
 def sentence(block: BlockConfiguration, language: str, field: Callable[[Parameter], str]) -> str:
-    """The label with a text in place of each parameter.
+    """The label with a replacement for each parameter.
 
     Args:
         block: the skill.
         language: such as ``es``.
-        field: the text in place of a parameter.
+        field: returns the replacement for a parameter.
     """
     parameters = {one.name: one for one in block.parameters}
     text = translated(block.languages, language, block.name)
@@ -43,7 +43,7 @@ def sentence(block: BlockConfiguration, language: str, field: Callable[[Paramete
 
     def filled(place: re.Match[str]) -> str:
         name = place[1]
-        # A field can be shown once only, and braces that name no parameter are text.
+        # A field can be shown only once, and braces that name no parameter are plain text.
         return field(parameters.pop(name)) if name in parameters else place[0]
 
     return " ".join([_PLACE.sub(filled, text), *following])

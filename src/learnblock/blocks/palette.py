@@ -18,7 +18,7 @@ _TRANSLATIONS = Path(__file__).parent / "translations"
 def palette(configurations: Mapping[str, BlockConfiguration], language: str) -> dict[str, Any]:
     """Definitions, toolbox and words of the blocks.
 
-    The types of inputs only guide the user who drags a block. Programs mix types, so the page's
+    Input types only guide the user who drags a block. Programs mix types, so the page's
     connection checker must accept any value in any input when a workspace is loaded.
 
     Args:
@@ -35,7 +35,7 @@ def palette(configurations: Mapping[str, BlockConfiguration], language: str) -> 
 
 
 def _titles(configurations: Mapping[str, BlockConfiguration], language: str) -> dict[str, str]:
-    """The tab names of libraries, which bring their own."""
+    """The names of the tabs that libraries bring."""
     return {
         category_word(one.category): translated(one.titles, language, one.category)
         for one in configurations.values()
@@ -57,7 +57,7 @@ def languages() -> tuple[str, ...]:
 
 @cache
 def translation(language: str) -> Mapping[str, str]:
-    """The words of the built-in blocks of the language, by the name of their message."""
+    """The words of the built-in blocks of the language, by message name."""
     known = languages()
     chosen = next((one for one in (language, language.partition("-")[0]) if one in known), "en")
     return MappingProxyType({**_words("en"), **_words(chosen)})

@@ -43,7 +43,7 @@ def reference() -> str:
 
 
 def _documentation() -> Iterator[tuple[str, str]]:
-    """The name and docstring of each of our skills."""
+    """The name and docstring of each built-in skill."""
     for path in (Path(__file__).parents[1] / "skills").glob("*.py"):
         for function in skill_files.functions(
             skill_files.parse(path.read_text("utf-8"), str(path))
@@ -72,7 +72,7 @@ def _labels(block: BlockConfiguration) -> str:
 
 
 def _markdown(docstring: str) -> str:
-    """A docstring in Google style as Markdown: its sections' entries become a list."""
+    """A docstring in Google style as Markdown: the entries of its sections become a list."""
     lines: list[str] = []
     prefix = ""
     for line in docstring.splitlines():

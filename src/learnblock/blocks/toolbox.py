@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
 
-#: The start of the type of a skill's block; the skill's name follows.
+#: The prefix of the type of a skill's block; the skill's name follows.
 SKILL = "lb_skill_"
 
 
@@ -16,10 +16,10 @@ class Shadow(NamedTuple):
     """The default value of an input, shown until a block is dropped on it.
 
     Args:
-        type: of the block: math_number, text, logic_boolean, or one of the page's blocks for
+        type: the block's type: math_number, text, logic_boolean, or one of the page's blocks for
             parameters: lb_slider, lb_angle, lb_choice, lb_colour and lb_tag.
-        field: of its value.
-        value: a number, a text, or ``TRUE`` or ``FALSE``.
+        field: the name of the field for its value.
+        value: a number, a string, or ``TRUE`` or ``FALSE``.
     """
 
     type: str
@@ -110,8 +110,8 @@ def _shown_number(parameter: Parameter) -> float:
     return usual
 
 
-# The tabs of the language: their words in the translations, the style of the tab, and the types of
-# the blocks, with fields where their defaults differ from the block's own, and an extra state where
+# The tabs of the language: the key of their name, their style, and the types of
+# the blocks, with fields if their defaults differ from the block's, and an extra state if
 # it is needed. If several blocks have the same type, all but the first have a `variant`, by which
 # block sets refer to them; a call is identified by the name of the called function.
 _TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
@@ -248,7 +248,7 @@ def is_skill_block(configuration: BlockConfiguration) -> bool:
 
 
 def category_word(category: str) -> str:
-    """The name of a category of skills in the translations."""
+    """The key of a skill category's name in the translations."""
     return "LB_SKILLS_" + "_".join(category.upper().split())
 
 
@@ -273,7 +273,7 @@ def _item(entry: tuple[str, dict[str, Any]]) -> dict[str, Any]:
 
 
 def _inputs(kind: str, state: Mapping[str, Any]) -> dict[str, Any]:
-    """The shadows of a block; only the last input of a list may lack one."""
+    """The shadows of a block; only the last input of a list may have none."""
     last = state.get("fields", {}).get("WHERE") == "LAST"
     shadows = {
         name: {"shadow": shadow.block()}
@@ -317,6 +317,6 @@ def skill_block(configuration: BlockConfiguration) -> dict[str, Any]:
 
 
 def _is_shown(parameter: Parameter) -> bool:
-    """Whether an unchanged block shows what a call of it does."""
+    """Whether an unchanged block shows what its call does."""
     has_default = parameter.required or parameter.default is not None
     return has_default and parameter_shadow(parameter) is not None

@@ -1,7 +1,7 @@
-"""What a person may read: phrases by code, and their words in each language.
+"""Messages for people: phrases by code, and their words in each language.
 
 A phrase is a code with named values. Its words are in ``i18n/LANGUAGE/AREA.ftl``, where the area
-is what the code begins with: ``check-unknown-skill`` is in ``check.ftl``. The page uses the same
+is the first part of the code: ``check-unknown-skill`` is in ``check.ftl``. The page uses the same
 files.
 
     >>> str(Phrase("file-too-large", name="square.bt", limit=4))

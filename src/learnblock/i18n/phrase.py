@@ -1,4 +1,4 @@
-"""Something to say to a person: a code and named values."""
+"""A message for a person: a code and named values."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,21 +6,21 @@ from typing import Union
 
 from learnblock.i18n.words import ENGLISH, is_code, words
 
-#: What a phrase's words may show. Numbers follow the reader's language, so a number that is a name
-#: (a port, an identifier) is given as a string; a tuple is shown as a list with commas.
+#: The values of a phrase. Numbers are formatted for the language, so a number used as a name
+#: (a port, an identifier) is passed as a string; a tuple is shown as a list with commas.
 Value = Union[str, int, float, "Phrase", tuple[Union[str, "Phrase"], ...]]
 
 
 @dataclass(frozen=True, slots=True, init=False)
 class Phrase:
-    """Something to say to a person.
+    """A message for a person.
 
     ``str(phrase)`` is the English text; `learnblock.i18n.translate` gives it in another language.
 
     Args:
-        code: names the words, such as ``check-unknown-skill``. Text that is not a code, such as
+        code: the key of the words, such as ``check-unknown-skill``. Any other text, such as
             the message of a library's exception, is shown as it is.
-        values: what the words show, by name.
+        values: the values inserted into the words, by name.
     """
 
     code: str
@@ -31,7 +31,7 @@ class Phrase:
         object.__setattr__(self, "values", values)
 
     def __hash__(self) -> int:
-        # A mapping has no hash, and diagnostics are compared in sets.
+        # Mappings are not hashable, but diagnostics are compared in sets.
         return hash((self.code, frozenset(self.values.items())))
 
     def __str__(self) -> str:
@@ -51,7 +51,7 @@ def translate(phrase: Phrase, language: str) -> str:
     Text that is not a code of ours is returned as it is.
 
     Raises:
-        ValueError: the words of a phrase are wrong, such as a value that is missing.
+        ValueError: the words of a phrase are invalid, or a value is missing.
     """
     if not is_code(phrase.code):
         return phrase.code

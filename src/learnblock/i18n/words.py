@@ -1,4 +1,4 @@
-"""The words of codes: Fluent files, one for each language and area, read when first needed."""
+"""The words of codes: Fluent files, one for each language and area, read on first use."""
 
 import re
 from functools import cache
@@ -10,14 +10,14 @@ if TYPE_CHECKING:
 
 ENGLISH = "en"
 
-# Not importlib.resources, whose import would add to the start of every program.
+# Not importlib.resources, whose import would slow the start of every program.
 _FOLDER = Path(__file__).parent
 _CODE = re.compile(r"[a-z][a-z0-9]*(?:-[a-z0-9]+)+")
 
 
 @cache
 def languages() -> tuple[str, ...]:
-    """The codes of the languages there are, English first."""
+    """The codes of the available languages, English first."""
     found = sorted(one.name for one in _FOLDER.iterdir() if _is_language(one))
     return (ENGLISH, *(name for name in found if name != ENGLISH))
 
@@ -28,10 +28,10 @@ def is_code(text: str) -> bool:
 
 
 def words(code: str, values: dict[str, str | int | float], language: str) -> str | None:
-    """The words of a code in exactly that language, or None if it has none.
+    """The words of a code in exactly that language, or None.
 
     Raises:
-        ValueError: the words are wrong, or a value that they show is missing.
+        ValueError: the words are invalid, or a value in them is missing.
     """
     bundle = _bundle(language, code.partition("-")[0])
     if bundle is None or not bundle.has_message(code):
@@ -51,7 +51,7 @@ def _bundle(language: str, area: str) -> "FluentBundle | None":
     file = _FOLDER / language / f"{area}.ftl"
     if not file.is_file():
         return None
-    # Imported late: Fluent takes a tenth of a second, and `--help` needs no phrase.
+    # Imported late: loading Fluent takes a tenth of a second, and `--help` needs no phrase.
     from fluent.runtime import FluentBundle, FluentResource  # noqa: PLC0415
 
     bundle = FluentBundle([language], use_isolating=False)

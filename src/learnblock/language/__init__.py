@@ -1,6 +1,6 @@
-"""Three notations round one syntax tree: pure functions from text to tree to text."""
+"""Three notations for one syntax tree: pure functions that convert text to trees and back."""
 
-from learnblock.language.blocktext.format import format  # noqa: A004 - the verb of every formatter
+from learnblock.language.blocktext.format import format  # noqa: A004 - the usual name in formatters
 from learnblock.language.blocktext.parser import parse, recover
 from learnblock.language.check.check import check
 from learnblock.language.python.generation import PythonText, to_python

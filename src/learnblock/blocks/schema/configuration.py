@@ -25,11 +25,11 @@ class Parameter:
     Args:
         name: the parameter's name in the function.
         type: the kind of values that the field accepts.
-        default: a float, int, str, bool, list or None of that type; see `required`.
-        required: whether there is no default, so that every call must give a value.
+        default: the default of that type: a float, int, str, bool, list or None; see `required`.
+        required: whether every call must give a value, because there is no default.
         translations: the name for readers, by upper-case language code.
-        range: of a number, if it is limited.
-        choices: the texts of the type ``choice``.
+        range: the range of a number, if it is limited.
+        choices: the strings of the type ``choice``.
         choice_names: translations of the choices, by the choice and then by upper-case language
             code; programs contain the choice itself.
     """
@@ -44,7 +44,7 @@ class Parameter:
     choice_names: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
     def objection(self, value: object) -> Phrase | None:
-        """A suggestion for a number or text that the field does not offer; None if it does.
+        """A suggestion if the field does not offer a number or string; None if it does.
 
         >>> str(Parameter("speed", "float", range=Range(0, 100)).objection(120))
         'Choose a number from 0 to 100.'
@@ -60,7 +60,7 @@ class Parameter:
 
 
 def is_colour(value: object) -> bool:
-    """Whether it is a text such as ``#ff8800``."""
+    """Whether it is a string such as ``#ff8800``."""
     return isinstance(value, str) and bool(_COLOUR.fullmatch(value))
 
 
@@ -69,14 +69,15 @@ class BlockConfiguration:
     """One skill as a block.
 
     Args:
-        type: motor, perceptual, proprioceptive, express, control, operator or others: the colour.
+        type: the kind, which sets the colour: motor, perceptual, proprioceptive, express, control,
+            operator or others.
         category: the tab of the palette.
         name: the function's name, as programs write it.
-        parameters: in the order of the function.
+        parameters: in the order of the function's signature.
         shapes: ``blockVertical`` is a statement, ``blockLeft`` and ``blockBoth`` are values.
         languages: the label, by upper-case language code; see `learnblock.blocks.labels`.
         tooltip: a sentence of help, by upper-case language code.
-        needs: the devices without which it has no effect: ``Base``, or ``JointMotor:CAMERA`` for
+        needs: the devices that it needs to have an effect: ``Base``, or ``JointMotor:CAMERA`` for
             the device with that key.
         library: the library that a program must import, if any.
         titles: the name of the tab of a library, by upper-case language code.
@@ -105,12 +106,12 @@ class BlockConfiguration:
 
 
 class Configurations(Mapping[str, BlockConfiguration]):
-    """Blocks by name, and the mistakes in the files of others.
+    """Blocks by name, and the errors of files that could not be read.
 
     Args:
         blocks: by name.
-        broken: the reasons why skills of a broken file cannot be used, by name.
-        problems: the errors of broken files.
+        broken: why the skills of invalid files cannot be used, by name of the skill.
+        problems: the errors of invalid files.
     """
 
     def __init__(
@@ -133,6 +134,6 @@ class Configurations(Mapping[str, BlockConfiguration]):
         return len(self._blocks)
 
     def extended(self, more: Mapping[str, BlockConfiguration]) -> "Configurations":
-        """These blocks and some more, which replace those of the same name."""
+        """These blocks and others, which replace those with the same name."""
         broken = {name: why for name, why in self.broken.items() if name not in more}
         return Configurations({**self._blocks, **more}, broken, self.problems)

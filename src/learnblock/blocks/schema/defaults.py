@@ -1,6 +1,6 @@
 """Defaults of parameters, in the JSON of a configuration.
 
-They may be written as texts, like those in the paper's example.
+They may be written as strings, like those in the paper's example.
 """
 
 import json
@@ -59,7 +59,7 @@ def _to_tag(value: object) -> int | str:
     return _to_int(value)
 
 
-#: The conversion of a JSON value to a default of each type.
+#: How a JSON value becomes a default, by type.
 DEFAULTS: Mapping[ParameterType, Callable[[object], object]] = {
     "float": _to_float,
     "int": _to_int,

@@ -1,4 +1,4 @@
-"""Limits of what the field of a parameter can offer: its range and its choices."""
+"""Limits for the ranges and choices of parameters."""
 
 import math
 from typing import TypeGuard
@@ -23,5 +23,5 @@ def range_problem(found: Range) -> Phrase | None:
 
 
 def is_choice(value: object) -> TypeGuard[str]:
-    """Whether a value can be a choice: a short text in one line."""
+    """Whether a value can be a choice: a short string on one line."""
     return isinstance(value, str) and value.isprintable() and 0 < len(value) <= LONGEST_CHOICE

@@ -33,7 +33,7 @@ TABS = (
 
 
 def load_configurations(source: Path | str) -> tuple[BlockConfiguration, ...]:
-    """The block configurations in a file or a text, which holds one or a list of them.
+    """The block configurations in a file or a string: one, or a list of them.
 
         >>> load_configurations('''{"type": "motor", "category": "Dance", "name": "waltz",
         ...                         "shape": ["blockVertical"], "languages": {"EN": "waltz"}}''')
@@ -54,7 +54,7 @@ def load_configurations(source: Path | str) -> tuple[BlockConfiguration, ...]:
 @cache
 def builtin() -> Mapping[str, BlockConfiguration]:
     """The built-in blocks by name, in the order of the palette."""
-    # The tests check them, so that they can be loaded quickly here.
+    # The tests check them, so they can be loaded here without checks.
     blocks = [_trusted(raw) for tab in TABS for raw in _built_in(tab)]
     return MappingProxyType({block.name: block for block in blocks})
 
@@ -110,7 +110,7 @@ def _trusted_parameter(raw: dict[str, Any]) -> Parameter:
 
 
 def completed(block: BlockConfiguration, known: BlockConfiguration) -> BlockConfiguration:
-    """`block`, completed by the configuration that was known before."""
+    """`block`, completed from its earlier configuration."""
     same = {parameter.name: parameter for parameter in known.parameters}
     parameters = tuple(
         replace(one, translations={**same[one.name].translations, **one.translations})

@@ -1,4 +1,4 @@
-"""Block configurations from JSON values, with all their mistakes."""
+"""Block configurations from JSON values, and all the mistakes in them."""
 
 import json
 import keyword
@@ -45,14 +45,14 @@ _PARAMETER_KEYS = {
     "choices": False,
     "choiceNames": False,
 }
-# More of them at once are of no use.
+# Reporting more of them at once does not help.
 _MOST_PROBLEMS = 100
 _LANGUAGE = re.compile(r"[A-Z]{2,3}(-[A-Z0-9]{2,8})*")
 _DEVICE = re.compile(r"[A-Za-z]\w*(:\w+)?")
 
 
 def read(document: Document) -> tuple[tuple[BlockConfiguration, ...], tuple[Diagnostic, ...]]:
-    """The configurations in a document that holds one or a list of them, and its mistakes."""
+    """The configurations in a document (one, or a list), and its mistakes."""
     reader = _Reader(document)
     return tuple(reader.blocks()), tuple(
         sorted(reader.problems, key=lambda problem: (problem.line, problem.column))
@@ -74,7 +74,8 @@ class _Reader:
         self._refuse_repeated([block.name for block in blocks], paths, None)
         return blocks
 
-    # Blocks and parameters. A mistake is noted and replaced, so that all mistakes are found.
+    # Blocks and parameters. A mistake is recorded and its value replaced, so that the rest is
+    # checked too.
 
     def _block(self, value: object, path: Path) -> BlockConfiguration:
         who = _block_name(value)
@@ -152,7 +153,7 @@ class _Reader:
         return self._words(fields[key], (*path, key), who, key)
 
     def _words(self, value: object, path: Path, who: Phrase, key: str) -> str:
-        """A text in one line; line breaks become spaces."""
+        """A string on one line; line breaks become spaces."""
         if isinstance(value, str) and value.strip():
             return " ".join(value.split())
         message = Phrase("block-not-text", where=who, key=key, value=_shown(value))
@@ -284,7 +285,7 @@ class _Reader:
     def _refuse_repeated(
         self, names: Sequence[str], paths: Sequence[Path], who: Phrase | None
     ) -> None:
-        """Refuse names that are there twice: of blocks, or of the parameters of one block."""
+        """Refuse duplicate names of blocks, or of the parameters of one block."""
         seen: set[str] = set()
         for name, path in zip(names, paths, strict=True):
             if name and name in seen:
@@ -360,7 +361,7 @@ def _unknown_choice(name: str, choices: Sequence[str], who: Phrase) -> Phrase:
 
 
 def _shown(value: object) -> str:
-    """A value as JSON, cut if it is long."""
+    """A value as JSON, shortened if it is long."""
     return _shorten(json.dumps(value, ensure_ascii=False))
 
 

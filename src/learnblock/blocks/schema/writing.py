@@ -9,7 +9,7 @@ from learnblock.fields import Range
 
 
 def written(configurations: Iterable[BlockConfiguration]) -> str:
-    """The text of a file of configurations."""
+    """Configurations as the text of a file."""
     return json.dumps(list(map(_block, configurations)), indent=2, ensure_ascii=False) + "\n"
 
 

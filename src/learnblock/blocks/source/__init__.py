@@ -1,1 +1,1 @@
-"""Blocks from Python source: what a function's signature and type hints say about its block."""
+"""Blocks from Python source: a function's signature and type hints define its block."""

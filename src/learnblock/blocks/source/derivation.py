@@ -54,16 +54,16 @@ def derived(signature: Signature, filename: str) -> BlockConfiguration:
 
 
 def category_of(filename: str) -> str:
-    """The default tab of the blocks in a file."""
+    """The default tab for the blocks in a file."""
     return Path(filename).stem.replace("_", " ").strip().capitalize() or "Others"
 
 
 def fitted(
     chosen: BlockConfiguration, signature: Signature, known: BlockConfiguration
 ) -> BlockConfiguration:
-    """A configuration, adapted to the function as it is now.
+    """A configuration, adapted to the current function.
 
-    The function determines its parameters, their defaults and the types of hints. Everything else
+    The function determines its parameters, their defaults and hinted types. Everything else
     is as `chosen`, or else as `known`.
     """
     by_name = {parameter.name: parameter for parameter in chosen.parameters}
@@ -103,7 +103,7 @@ def _fitted_parameter(chosen: Parameter | None, argument: Argument, known: Param
     )
 
 
-#: The types that may be chosen instead of a hint's type, because they are the same in Python.
+#: The types that may replace the type of a hint, because they are the same in Python.
 _FINER: Mapping[str, frozenset[str]] = {
     "float": frozenset(("float", "int", "angle")),
     "int": frozenset(("int", "float", "angle", "apriltext")),
@@ -112,7 +112,7 @@ _FINER: Mapping[str, frozenset[str]] = {
 
 
 def may_be(argument: Argument, field: FieldType) -> bool:
-    """Whether a field chosen for a parameter fits the function's hint or default."""
+    """Whether the field chosen for a parameter is compatible with its hint or default."""
     if not argument.is_said or field == argument.field:
         return True
     is_plain = argument.field.range is None
@@ -133,7 +133,7 @@ def derive_plugin(point: "EntryPoint") -> Iterator[tuple[Signature, BlockConfigu
 
 
 def _source_of(point: "EntryPoint") -> Path:
-    """The file of a plugin's module, found without importing its packages."""
+    """The file of a plugin's module, found without importing the packages around it."""
     package, *rest = point.module.split(".")
     spec = importlib.util.find_spec(package)
     candidates = [] if spec is None else list(_candidates(spec, rest))
@@ -144,7 +144,7 @@ def _source_of(point: "EntryPoint") -> Path:
 
 
 def _candidates(package: ModuleSpec, inside: list[str]) -> Iterator[Path]:
-    """The files that a module inside a package may have; those of the package for no name."""
+    """The files that a module inside a package may have; "" is the package itself."""
     if not inside:
         yield Path(package.origin or "")
         return

@@ -61,7 +61,7 @@ def _parsed(text: str) -> ast.expr:
 
 
 def _alternatives(hint: ast.expr) -> Iterator[ast.expr]:
-    """The parts of ``a | b``, without None."""
+    """The members of ``a | b``, without None."""
     ahead = [hint]
     while ahead:
         match ahead.pop():

@@ -22,7 +22,7 @@ _BY_DEFAULT: dict[str, ParameterType] = {
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A place in a file: line and columns from 1."""
+    """A position in a file: line and columns, counted from 1."""
 
     line: int
     column: int
@@ -34,14 +34,14 @@ class Argument:
     """A parameter after the robot.
 
     Args:
-        name: of the parameter.
-        field: of its hint, or else of its default; a number if it has neither.
+        name: the name of the parameter.
+        field: the field for its hint, else for its default; a number if it has neither.
         is_said: whether the hint or the default determines the field.
         required: whether there is no default.
         default: a float, int, str, bool or list; None if it is not a literal.
         is_constant: whether the default is a literal.
         wrong: the mistake in its hint, or None.
-        place: of its name.
+        place: the position of its name.
     """
 
     name: str
@@ -59,14 +59,14 @@ class Signature:
     """The signature of a skill's function.
 
     Args:
-        name: of the function.
+        name: the name of the function.
         robot: the name of its first parameter.
         arguments: the other parameters, in order.
         answers: whether it returns a value.
-        is_said: whether a hint says so; otherwise, its `return` statements do.
+        is_said: whether a hint says so; otherwise it follows from the `return` statements.
         summary: the first paragraph of its docstring, if any.
         unfit: parameters that a block cannot set: ``*args``, and keyword-only ones without default.
-        place: of its name.
+        place: the position of its name.
     """
 
     name: str
@@ -80,7 +80,7 @@ class Signature:
 
 
 def signatures(source: str, filename: str) -> tuple[Signature, ...]:
-    """The signatures in a Python file; of several functions of one name, the last counts.
+    """The signatures in a Python file; if several functions have the same name, the last one.
 
     Raises:
         ProgramError: the source is not valid Python.
@@ -153,13 +153,13 @@ def _constant(expression: ast.expr | None) -> tuple[object, bool]:
 
 
 def _is_plain(value: object) -> bool:
-    """Whether JSON can hold the value."""
+    """Whether the value can be stored as JSON."""
     if isinstance(value, list):
         return all(map(_is_plain, value))
     if isinstance(value, float):
         return math.isfinite(value)
     if isinstance(value, str):
-        # A file cannot hold half a character, such as "\ud800".
+        # A file cannot contain half a character, such as "\ud800".
         return value.encode("utf-8", "ignore").decode() == value
     return value is None or isinstance(value, int)
 

@@ -1,4 +1,4 @@
-"""Parse the blocks that statements of Block-Text form, from a header to its ``end``.
+"""Parse the blocks of Block-Text, from a header to its ``end``.
 
 A block whose first line has an error keeps its body and its ``end``.
 """
@@ -178,7 +178,7 @@ class BlockParser(ExpressionParser):
 
     def body_ends(self, token: Token) -> bool:
         if token.kind in TOP_LEVEL:
-            # One that is indented like a part of the block does not end it.
+            # An `end` that is indented like a part of the block does not close it.
             return token.column <= self.openers[-1].column
         if token.kind in {"elif", "else"}:
             return any(opener.kind in _IF_PARTS for opener in self.openers)
@@ -211,7 +211,7 @@ class BlockParser(ExpressionParser):
         self.report("missing-end", message, blamed)
 
     def statement(self, token: Token) -> Statement | None:
-        """Read one statement; return None for what belongs elsewhere."""
+        """Read one statement; return None if it belongs elsewhere."""
         raise NotImplementedError
 
 

@@ -72,7 +72,7 @@ class ExpressionParser(TokenReader):
     def __init__(self, tokens: Tokens) -> None:
         super().__init__(tokens)
         self.height = 0
-        self.nesting = 0  # of brackets
+        self.nesting = 0  # the nesting depth of brackets
 
     def expression(self, level: int = 1) -> Expression:
         kinds = self.kinds
@@ -107,7 +107,7 @@ class ExpressionParser(TokenReader):
         return exponent
 
     def grow(self, height: int) -> None:
-        """Join the last tree and one of `height` into a tree that is higher than both."""
+        """Join the last tree and one of height `height` into a tree above both."""
         self.height = max(height, self.height) + 1
         if self.height > MAX_HEIGHT:
             raise slips.too_deep(self.before)
@@ -362,7 +362,7 @@ _ATOMS: dict[str, Callable[[ExpressionParser, Token], Expression]] = {
 
 
 def name_of(token: Token) -> Name:
-    """The variable with the name in a token."""
+    """The variable named by a token."""
     _, text, line, column = token
     return Name(text, new(Span, (line, column, line, column + len(text))))
 

@@ -28,8 +28,8 @@ from learnblock.language.tree.strings import quote
 from learnblock.language.tree.writer import ProgramWriter, comment_text
 
 
-def format(program: Program) -> str:  # noqa: A001 - every formatter calls it so
-    """Write a program in Block-Text; equal trees give equal texts."""
+def format(program: Program) -> str:  # noqa: A001 - the usual name in formatters
+    """Write a program in Block-Text; equal trees give equal text."""
     return _Writer().program(program)
 
 
@@ -59,7 +59,7 @@ class _Writer(ProgramWriter):
         self.closed(f"repeat {self.count(node)}", node)
 
     def count(self, node: Repeat) -> str:
-        """The count, in brackets where it would read as an index: ``repeat [1][0]:``."""
+        """The count, in brackets if it would be read as an index: ``repeat [1][0]:``."""
         text = self.expression(node.count)
         return f"({text})" if text.startswith("[") else text
 

@@ -1,4 +1,4 @@
-"""Block-Text into tokens: one compiled pattern, one pass."""
+"""Split Block-Text into tokens, in one pass with one compiled pattern."""
 
 import re
 import unicodedata
@@ -88,9 +88,9 @@ class Token(NamedTuple):
     Args:
         kind: a keyword or operator is its own kind; else name, number, string, raw, comment,
             newline, blank (lines), python (a raw block), bad or eof.
-        text: as written; a name in its NFKC form.
-        line: from 1.
-        column: from 1.
+        text: as written; names in their NFKC form.
+        line: the line, from 1.
+        column: the column, from 1.
     """
 
     kind: str
@@ -172,7 +172,7 @@ class _Lexer:
         self.text = text
         self.result = Tokens()
         self.line, self.line_start = 1, 0
-        self.depth = 0  # of open brackets
+        self.depth = 0  # the number of open brackets
         self.soft: list[tuple[int, Token]] = []  # line ends inside brackets, with their index
         self.statement = 0  # index of the first token of the logical line
 
@@ -230,7 +230,7 @@ class _Lexer:
         self.line, self.line_start, self.depth = line, line_start, depth
 
     def line_break(self, text: str, line: int, column: int, *, soft: bool) -> int:
-        """Add a line end, or note one inside brackets; return the number of lines."""
+        """Add a line end, or record one inside brackets; return the number of lines."""
         tokens = self.result.tokens
         token = Token("newline", "\n", line, column)
         lines = 1 if text == "\n" else len(_LINE_END.findall(text))
@@ -252,7 +252,7 @@ class _Lexer:
         return first_of_line and not _ARGUMENT.match(self.text, after)
 
     def restore_line_ends(self) -> None:
-        """Put back the line ends that were left out after a bracket that is never closed."""
+        """Put back the line ends that were skipped after a bracket that is never closed."""
         tokens = self.result.tokens
         first = self.soft[0][0]
         tail, tokens[first:] = tokens[first:], []

@@ -87,7 +87,7 @@ _BUILTINS = [
 ]
 _WHEN = "_when"
 _PYTHON = frozenset(keyword.kwlist)
-# The empty name is for ``_``, which counts the rounds of `repeat`.
+# The empty name is for ``_``, the loop variable of `repeat`.
 RESERVED = (
     _PYTHON
     | {*_BUILTINS, "math", "random", "statistics", "time"}
@@ -130,14 +130,14 @@ def attribute_from_python(name: str) -> str:
 
 
 def stem(name: str) -> str:
-    """A name without any ``_when`` at its end."""
+    """A name without trailing ``_when``s."""
     while name.endswith(_WHEN) and name != _WHEN:
         name = name.removesuffix(_WHEN)
     return name
 
 
 def clashes(variables: Iterable[str]) -> dict[str, int]:
-    """For the stem of each variable, how many ``_when`` the longest variable of that stem has."""
+    """The number of ``_when`` in the longest variable of each stem."""
     found: dict[str, int] = {}
     for variable in variables:
         key = stem(variable)
@@ -150,7 +150,7 @@ def when_to_python(name: str, clashing: Mapping[str, int]) -> str:
     """The name in Python of a ``when``, which in Block-Text may share the name of a variable.
 
     Args:
-        name: in Block-Text.
+        name: the name in Block-Text.
         clashing: the `clashes` of all other names of the program.
     """
     count = clashing.get(stem(name))
@@ -158,7 +158,7 @@ def when_to_python(name: str, clashing: Mapping[str, int]) -> str:
 
 
 def when_from_python(name: str, clashing: Mapping[str, int]) -> str | None:
-    """The name in Block-Text of a ``when``; None if the function has the name of a variable."""
+    """The name in Block-Text of a ``when``; None if the function's name is that of a variable."""
     plain = from_python(name)
     if plain is None:
         return None

@@ -38,7 +38,7 @@ def parse(text: str, filename: str = "program.bt") -> Program:
     """Read a program in Block-Text.
 
     Raises:
-        ProgramError: with every error of the file.
+        ProgramError: the program is invalid; it lists every error in the file.
     """
     program, diagnostics = recover(text)
     if diagnostics:
@@ -200,7 +200,7 @@ def _notes_at_end(items: list[Item | Main]) -> list[Item | Main]:
 
 
 def _says_nothing(items: list[Item | Main], index: int) -> bool:
-    """Whether an item is a plain ``robot()``, which is implied in every program."""
+    """Whether an item is a plain ``robot()``, which every program implies."""
     item = items[index]
     if not isinstance(item, Setup) or item.arguments or item.keywords or item.comment is not None:
         return False

@@ -1,6 +1,6 @@
 """The slips that beginners make, each with what to write instead.
 
-A function here takes the tokens around the place where reading failed, and works out what was
+A function here takes the tokens around the position where parsing failed, and infers what was
 meant.
 """
 
@@ -78,7 +78,7 @@ _OPENERS = (
     "deactivate",
     "import",
 )
-# Words that begin a block, here or in another language.
+# Words that begin a block, in Block-Text or in another language.
 _ALL_BLOCK_OPENERS = frozenset(
     (
         *_BLOCK_OPENERS,
@@ -100,8 +100,8 @@ _VALUES = frozenset(("name", "number", "string"))
 _LINE_ENDS = frozenset(("newline", "comment"))
 
 
-class Slip(Exception):  # noqa: N818 - no error to report: it unwinds the parser to the statement
-    """Why a statement cannot be read."""
+class Slip(Exception):  # noqa: N818 - not an error: it unwinds the parser to the statement
+    """The reason why a statement cannot be parsed."""
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         self.diagnostic = diagnostic
@@ -119,7 +119,7 @@ def slip(token: Token, code: str, message: Phrase) -> Slip:
 
 
 def symbol(text: str) -> Phrase:
-    """A symbol or a word of the language, as a noun phrase."""
+    """A symbol or word of the language, as a noun phrase."""
     return Phrase("blocktext-token", text=text)
 
 
@@ -128,7 +128,7 @@ def too_deep(token: Token) -> Slip:
 
 
 def unexpected(token: Token, before: Token, wanted: Phrase) -> Slip:
-    """A token in place of the one that is `wanted`, which is a noun phrase."""
+    """A token instead of the expected one; `wanted` is a noun phrase."""
     if token.kind == "bad":
         return bad_character(token)
     if token.kind == "=" and before.kind in KEYWORDS:
@@ -140,7 +140,7 @@ def unexpected(token: Token, before: Token, wanted: Phrase) -> Slip:
 
 
 def reserved(token: Token) -> Slip:
-    """A keyword where a name belongs."""
+    """A keyword where a name is expected."""
     return slip(token, "reserved-word", Phrase("blocktext-reserved-word", word=token.text))
 
 
@@ -198,7 +198,7 @@ def dotted(token: Token, third: Token) -> Slip:
 
 
 def odd_name(token: Token, following: Token, third: Token) -> Slip:
-    """A variable followed by a dot or a text."""
+    """A variable followed by a dot or a string."""
     if following.kind == ".":
         return dotted(token, third)
     if following.kind == "string" and token.text.lower() in _STRING_PREFIXES:
@@ -221,7 +221,7 @@ def no_value(token: Token, before: Token, operators: frozenset[str]) -> Slip:
 
 
 def two_strings(token: Token, following: Token) -> Slip:
-    """A text directly after a text."""
+    """A string directly after a string."""
     if token.text in {'""', "''"} and following.column == token.column + 2:
         return slip(token, "triple-quote", Phrase("blocktext-triple-quote"))
     return slip(following, "unexpected", Phrase("blocktext-join-texts"))

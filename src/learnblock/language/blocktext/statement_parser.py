@@ -83,7 +83,7 @@ class StatementParser(BlockParser):
         self.skip_line()
 
     def statement(self, token: Token) -> Statement | None:
-        """Read one statement; return None for what belongs elsewhere."""
+        """Read one statement; return None if it belongs elsewhere."""
         self.nesting = 0
         read = _READERS.get(token.kind)
         if read is not None:
@@ -215,7 +215,7 @@ class StatementParser(BlockParser):
         return Repeat(count, self.block(token), comment, self.line_span(token))
 
     def line_is_header(self) -> bool:
-        """Whether this line ends in a colon, or at least begins as a ``repeat`` loop would."""
+        """Whether this line ends in a colon, or at least begins like a ``repeat`` loop."""
         return self.kinds[self.index + 1] != "(" or self.line_ends_in_colon()
 
     def for_loop(self, token: Token) -> ForEach | ForRange:
@@ -251,7 +251,7 @@ class StatementParser(BlockParser):
         self.index += 1
 
 
-# One for each of `STATEMENT_STARTS`.
+# One method for each of `STATEMENT_STARTS`.
 _READERS: dict[str, Callable[[StatementParser, Token], Statement]] = {
     "name": StatementParser.name_statement,
     "function": StatementParser.perform,

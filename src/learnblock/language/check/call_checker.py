@@ -29,15 +29,15 @@ _OPEN_ENDED = frozenset(name for name, (_, most) in BUILTINS.items() if most is 
 
 
 class CallChecker:
-    """Checks each expression by itself."""
+    """Checks each expression on its own."""
 
     def __init__(self, findings: Findings) -> None:
         self.findings = findings
         self.report = findings.report
-        self.parameters: frozenset[str] = frozenset()  # of the function being checked
+        self.parameters: frozenset[str] = frozenset()  # those of the function being checked
 
     def own_expressions(self, item: Item) -> None:
-        """Check the expressions of a statement, without those of the bodies inside it."""
+        """Check the expressions of a statement, except those in its bodies."""
         for expression in expressions(item):
             for node in within(expression):
                 self.expression(node)
@@ -226,7 +226,7 @@ class CallChecker:
 
 
 def _constant(node: Expression) -> float | str | None:
-    """The value of a literal number or text."""
+    """The value of a literal number or string."""
     match node:
         case String(value=text):
             return text

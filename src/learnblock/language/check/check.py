@@ -53,13 +53,13 @@ def check(
     devices: frozenset[str] | None = None,
     importable: Importable | None = None,
 ) -> list[Diagnostic]:
-    """Find the errors and likely mistakes of a program without running it, in order of the text.
+    """Find the errors and likely mistakes of a program without running it, in source order.
 
     Args:
         program: the tree.
         skills: the skills of the robot, by name.
-        devices: those of the chosen robot, as ``Type:KEY``; None if no robot is chosen.
-        importable: what an ``import`` can name; None if that is unknown.
+        devices: the devices of the chosen robot, as ``Type:KEY``; None if no robot is chosen.
+        importable: the modules that an ``import`` can name; None if unknown.
     """
     if _is_only_raw(program):
         return _raw_problems(program)
@@ -195,7 +195,7 @@ class _Checker:
                 self.report("wrong-type", Phrase("check-step-zero"), number.span)
 
     def sensors_outside_loops(self) -> None:
-        """Report an ``if`` on a sensor outside any loop: it checks once, which is seldom meant."""
+        """Report an ``if`` on a sensor outside any loop: it checks once, rarely the intention."""
         for item in (*self.findings.program.items, *self.findings.main):
             if isinstance(item, If):
                 self.sensor_outside_loop(item)

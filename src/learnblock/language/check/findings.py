@@ -19,8 +19,8 @@ class Findings:
     Args:
         program: the tree.
         skills: the skills of the robot, by name.
-        devices: those of the chosen robot; None if no robot is chosen.
-        importable: what an ``import`` can name; None if that is unknown.
+        devices: the devices of the chosen robot; None if no robot is chosen.
+        importable: the modules that an ``import`` can name; None if unknown.
     """
 
     def __init__(
@@ -70,7 +70,7 @@ def unknown_when(name: str, whens: Iterable[str]) -> Phrase:
 
 
 def python_error(text: str, mode: str) -> SyntaxError | None:
-    """The syntax error in a text; `mode` is ``exec`` for statements, ``eval`` for an expression."""
+    """The syntax error in Python source; `mode` is ``exec`` for statements, else ``eval``."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

@@ -80,7 +80,7 @@ class _Order:
         set_so_far = set(self.findings.raw_names)
         for item in program.items:
             if isinstance(item, Def | When):
-                # It may be called at any time, so what it sets may be set already.
+                # It may be called at any time, so the variables that it sets may already be set.
                 set_so_far.update(_sets(item.body))
         self.block((*program.items, *self.findings.main), set_so_far)
 
@@ -92,7 +92,7 @@ class _Order:
                 self.read(node, known)
             if (name := set_by(item)) is not None:
                 known.add(name)
-            # A variable set in one branch counts as set: only certain errors are reported.
+            # A variable set in one branch counts as set: only definite errors are reported.
             for inner in bodies(item):
                 self.block(inner, known)
 

@@ -1,4 +1,4 @@
-"""Extract functions from a program for a library, with everything that they need."""
+"""Extract functions from a program for a library, with everything they need."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ from learnblock.language.tree.traversal import set_by, statements, within
 
 
 def with_needed(program: Program, names: Iterable[str]) -> tuple[str, ...]:
-    """The names of functions and of those that they call, in the order of the program.
+    """The names of functions and of the functions they call, in program order.
 
     Raises:
         UnknownNameError: the program has no such function.
@@ -49,7 +49,7 @@ def with_needed(program: Program, names: Iterable[str]) -> tuple[str, ...]:
 
 
 def extracted(program: Program, names: Iterable[str], filename: str) -> str:
-    """Extract functions as Block-Text, with those that they call and the variables they share.
+    """Extract functions as Block-Text, with the functions they call and the variables they share.
 
     Args:
         program: the program that defines them.
@@ -102,7 +102,7 @@ class _Extraction:
 
     @cached_property
     def shared(self) -> dict[str, Span]:
-        """The variables that the functions share with the program, and where each is first used."""
+        """The variables that the functions share with the program, and each one's first use."""
         found: dict[str, Span] = {}
         ahead = [(name, span) for one in self.functions for name, span in self.used(one)]
         for name, span in ahead:
@@ -134,7 +134,7 @@ class _Extraction:
                 yield item
             comments.clear()
 
-    # Why they may not work without the rest.
+    # Reasons why functions may not work without the rest.
 
     def problems(self) -> Iterator[Diagnostic]:
         for function in self.functions:
@@ -208,7 +208,7 @@ class _Extraction:
 
     @cached_property
     def set_elsewhere(self) -> dict[str, Span]:
-        """Where the rest of the program first sets each variable, unnoticed by a library."""
+        """Where the rest of the program first sets each variable, which a library would not do."""
         taken = {id(one) for one in (*self.functions, *self.beginnings.values())}
         found: dict[str, Span] = {}
         for item in self.symbols.items:

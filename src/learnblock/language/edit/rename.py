@@ -40,7 +40,7 @@ def rename(program: Program, sort: Sort, name: str, new: str) -> Program:
     """Rename a variable, a function or a ``when``.
 
     Args:
-        program: the tree; the spans of the result are those of the old names.
+        program: the tree; the spans of the result are still those of the old names.
         sort: the kind of name.
         name: the old name; ``function.variable`` for a local variable of one function.
         new: the new name.
@@ -91,7 +91,7 @@ def _variable(symbols: Symbols, name: str, new: str) -> Program:
 
 
 def _scopes_of(symbols: Symbols, scope: str, name: str) -> tuple[Item, ...]:
-    """The items of the top level in which `name` is this variable."""
+    """The items of the top level in which `name` means this variable."""
     owners = tuple(item for item in symbols.items if name in symbols.own(item))
     if scope:
         owners = tuple(item for item in owners if getattr(item, "name", "") == scope)

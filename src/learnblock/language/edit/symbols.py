@@ -46,7 +46,7 @@ class Symbols:
 
     @cached_property
     def variables(self) -> dict[str, Span]:
-        """The variables of the whole program, and where each is first set, or else first read."""
+        """The variables of the whole program, and where each is first set, else first read."""
         read: dict[str, Span] = {}
         written: dict[str, Span] = {}
         for item in self.items:
@@ -81,7 +81,7 @@ class Symbols:
         return found
 
     def owner(self, line: int) -> Def | When | None:
-        """The function or ``when`` at a line of the text."""
+        """The function or ``when`` at a line of the source."""
         for item in self.program.items:
             if isinstance(item, Def | When) and item.span.line <= line <= item.span.end_line:
                 return item

@@ -66,7 +66,7 @@ class CommentReader(ExpressionReader):
     def found_raw_ends(self) -> dict[int, int]:
         """The line of the ``# end`` for the line of each ``# python`` of the same indentation."""
         found: dict[int, int] = {}
-        ends: dict[int, int] = {}  # the next ``# end`` below, by its column
+        ends: dict[int, int] = {}  # the next ``# end`` below, by column
         for number in range(len(self.lines), 0, -1):
             text = self.lines[number - 1]
             indent = len(text) - len(text.lstrip())
@@ -102,7 +102,7 @@ class CommentReader(ExpressionReader):
         return comment.text
 
     def header_comment(self, start: int, body: list[ast.stmt]) -> str | None:
-        """The comment after the colon of a block that begins in line `start`."""
+        """The comment after the colon of a block that begins on line `start`."""
         for line in range(start, max(start_of(body[0]), start + 1)):
             comment = self.comment_of(line)
             if comment is not None and start_of(body[0]) > line:

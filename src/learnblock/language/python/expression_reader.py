@@ -1,4 +1,4 @@
-"""Read expressions of Python; those without an equivalent in Block-Text stay raw Python."""
+"""Read expressions of Python; those without an equivalent in Block-Text remain raw Python."""
 
 import ast
 from collections.abc import Callable
@@ -49,7 +49,7 @@ _COMPARE: dict[type[ast.cmpop], str] = {
 _MAX_HEIGHT = MAX_HEIGHT - 20
 
 
-class Unlike(Exception):  # noqa: N818 - no error: such Python is kept as raw Python
+class Unlike(Exception):  # noqa: N818 - not an error: such Python stays raw Python
     """This Python has no equivalent in Block-Text."""
 
 
@@ -57,7 +57,7 @@ class ExpressionReader:
     """Reads expressions.
 
     Args:
-        lines: those of the file.
+        lines: the lines of the file.
         whens: the names in Block-Text of the ``when``s, by their names in Python.
         functions: the names in Block-Text of the user's functions.
     """
@@ -65,7 +65,7 @@ class ExpressionReader:
     def __init__(self, lines: list[str], whens: dict[str, str], functions: set[str]) -> None:
         self.lines, self.whens, self.functions = lines, whens, functions
         self.when_names = frozenset(whens.values())
-        self.height = 0  # of the expression that is being read, so far
+        self.height = 0  # the height, so far, of the expression being read
 
     def called(self, name: str) -> str:
         """The name in Block-Text of a function."""
@@ -89,7 +89,7 @@ class ExpressionReader:
         finally:
             self.height -= 1
 
-    def exact(self, node: ast.expr) -> Expression:  # noqa: PLR0911 - one a kind
+    def exact(self, node: ast.expr) -> Expression:  # noqa: PLR0911 - one for each kind
         span = span_of(node)
         match node:
             case ast.Constant():
@@ -220,7 +220,7 @@ class ExpressionReader:
         return RawExpression(text, span_of(node))
 
     def segment(self, node: ast.expr) -> str:
-        """The text of an expression on a single line."""
+        """The source of an expression on a single line."""
         end = node.end_col_offset
         if node.end_lineno != node.lineno or end is None:
             raise Unlike

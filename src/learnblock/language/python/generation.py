@@ -1,4 +1,4 @@
-"""Generate Python from a tree: plain teaching code, with the source of each line."""
+"""Generate Python from a tree: simple code for learners, with the source of each line."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -33,7 +33,7 @@ def to_python(program: Program, robot_module: str | None = DEFAULT_ROBOT) -> Pyt
     """Write a program as Python, for one robot.
 
     Args:
-        program: one that was read from Python keeps its text, except for the robot's import.
+        program: a program that was read from Python keeps its text, except for the robot's import.
         robot_module: the module from which ``Robot`` is imported: the only difference between
             robots. None keeps the one in the text.
     """
@@ -45,7 +45,7 @@ def to_python(program: Program, robot_module: str | None = DEFAULT_ROBOT) -> Pyt
 
 
 def canonical(program: Program, robot_module: str) -> PythonText:
-    """Write a program as Python in its canonical form, even if it was read from other Python."""
+    """Write a program as Python in its canonical form, even if it was read from Python."""
     writer = PythonWriter(program, frozenset())
     text = writer.program(robot_module)
     if writer.clashes:
@@ -78,7 +78,7 @@ def _kept(program: Program, text: str, robot_module: str | None) -> PythonText:
 
 
 def _raw_lines(program: Program) -> Iterator[tuple[int, int, Node]]:
-    """The lines of a program that consists of raw Python: the first is below ``python:``."""
+    """The lines of a program that consists of raw Python, starting below ``python:``."""
     node = program.items[0]
     assert isinstance(node, Raw)  # noqa: S101 - checked by the caller
     below = node.span.line + (1 if node.span.line else 0)

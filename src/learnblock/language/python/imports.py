@@ -14,8 +14,8 @@ def to_python(module: str) -> str:
 def from_python(module: str) -> str | None:
     """The import of Block-Text for ``from MODULE import *``; None if only Python can import it.
 
-    A plain ``from dance import *`` is the older spelling, which finds the file ``dance.py``. The
-    modules of Python and of LearnBlock have no import in Block-Text.
+    A plain ``from dance import *`` is the older spelling, which finds the file ``dance.py``.
+    Block-Text cannot import the modules of Python and of LearnBlock.
     """
     inside = module.removeprefix(f"{PACKAGE}.")
     if inside != module:

@@ -1,4 +1,4 @@
-"""Read Python as a tree: generated Python and ordinary variants of it; the rest as raw Python.
+"""Read Python as a tree: generated Python and ordinary variants of it; the rest becomes raw Python.
 
 This module reads the file as a whole; statements and expressions have their own modules.
 """
@@ -52,10 +52,10 @@ def from_python(text: str, filename: str = "program.py") -> Program:
     """Read a program in Python.
 
     A file that does not create a robot as generated programs do becomes one block of raw Python.
-    `to_python` returns every file byte for byte.
+    `to_python` returns every such file byte for byte.
 
     Raises:
-        ProgramError: it is not valid Python.
+        ProgramError: the file is not valid Python.
     """
     tree = _parsed(text, filename)
     try:
@@ -241,7 +241,7 @@ class _Reader(StatementReader):
         return found
 
     def head(self) -> list[Item]:
-        """The items above the line that creates the robot, and a `Setup` if that line needs one."""
+        """The items above the line that creates the robot, and a `Setup` if that needs one."""
         skeleton = self.skeleton
         others = [node for node in skeleton.head if not self.is_own_import(node)]
         line = skeleton.importing.lineno
@@ -255,7 +255,7 @@ class _Reader(StatementReader):
         return self.with_setup([*above, *below_items])
 
     def is_own_import(self, node: ast.stmt) -> bool:
-        """Whether a statement is an import that generated Python adds by itself; if so, note it."""
+        """Whether a statement is an import that generated Python adds; if so, record it."""
         if node.lineno in self.raw_lines:
             return False
         match node:
@@ -354,7 +354,7 @@ class _Reader(StatementReader):
         return body if any(map(acts, body)) else (*body, Pass())
 
     def shares_enough(self, node: ast.FunctionDef, body: Body, parameters: tuple[str, ...]) -> bool:
-        """Whether a function means the same where it shares all variables that it sets."""
+        """Whether a function keeps its meaning if it shares all variables that it sets."""
         declared: set[str] = set()
         for first in node.body:
             if not isinstance(first, ast.Global):
@@ -376,7 +376,7 @@ def _declared_whens(whens: frozenset[str], clashes: dict[str, int]) -> dict[str,
 
 
 def _begins(tree: ast.Module, lines: list[int]) -> dict[int, int]:
-    """For each of the sorted `lines` inside a statement, where the innermost one begins."""
+    """For each of the sorted `lines` inside a statement, the start of the innermost statement."""
     begins: dict[int, int] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.stmt):

@@ -20,7 +20,7 @@ _KEEPS_VARIABLES = (
 
 
 class Scopes:
-    """The places where the names of a file are used."""
+    """The uses of the names in a file."""
 
     def __init__(self, tree: ast.Module) -> None:
         self.tree = tree
@@ -44,7 +44,7 @@ class Scopes:
         return mentioned
 
     def may_be_shared(self, own: set[str], function: ast.FunctionDef) -> bool:
-        """Whether sharing the `own` variables of a function would change nothing."""
+        """Whether a function's `own` variables could be shared without changing its meaning."""
         if not own:
             return True
         inner = (node for node in ast.walk(function) if node is not function)

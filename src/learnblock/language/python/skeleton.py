@@ -1,4 +1,4 @@
-"""Recognize the parts of a Python file that creates a robot as generated programs do."""
+"""Recognize the parts of a Python file that creates a robot like generated programs."""
 
 import ast
 from dataclasses import dataclass, field
@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 
 @dataclass(slots=True)
 class Skeleton:
-    """The statements of a file, split where it imports and creates its robot.
+    """The statements of a file, split at the import and creation of the robot.
 
     Args:
         importing: the statement that imports ``Robot``.
         creating: the statement ``robot = Robot(...)``.
         head: the other statements before `creating`.
-        rest: those after it.
+        rest: the statements after it.
     """
 
     importing: ast.ImportFrom
@@ -23,7 +23,7 @@ class Skeleton:
 
 
 def skeleton_of(tree: ast.Module) -> Skeleton | None:
-    """The parts of a file, or None if it creates no robot or does so in another way."""
+    """The parts of a file, or None if it does not create a robot in this way."""
     importing: ast.ImportFrom | None = None
     head: list[ast.stmt] = []
     for index, statement in enumerate(tree.body):

@@ -9,7 +9,7 @@ def to_skills(program: Program, origin: str) -> str:
     """The Python of a program that consists of functions and the variables that they share.
 
     Args:
-        program: of a library.
+        program: the program of a library.
         origin: the file of the program.
     """
     writer = _SkillWriter(program, frozenset())

@@ -146,7 +146,7 @@ class StatementReader(CommentReader):
         """Read an item of the top level, or a statement."""
         raise NotImplementedError
 
-    def statement(self, node: ast.stmt) -> Statement:  # noqa: PLR0911 - one a kind
+    def statement(self, node: ast.stmt) -> Statement:  # noqa: PLR0911 - one for each kind
         comment = self.comment_of(end_of(node))
         span = span_of(node)
         match node:
@@ -320,7 +320,7 @@ def _statement(item: Item) -> Statement:
 
 
 def stripped(body: Body) -> Body:
-    """A body without blank lines at its ends or in a row."""
+    """A body without leading, trailing or consecutive blank lines."""
     kept: list[Statement] = []
     for item in body:
         if not isinstance(item, Blank) or (kept and not isinstance(kept[-1], Blank)):
@@ -331,7 +331,7 @@ def stripped(body: Body) -> Body:
 
 
 def acts(item: Statement) -> bool:
-    """Whether a statement does something: a body of others is empty."""
+    """Whether a statement does something; without such a statement, a body is empty."""
     if isinstance(item, Raw):
         return raw_python.code_lines(item.text)
     return not isinstance(item, Comment | Blank)

@@ -1,13 +1,13 @@
-"""The messages about Python that cannot be parsed.
+"""Messages about Python that cannot be parsed.
 
-Python reports syntax errors only in English, so the frequent ones have messages of ours.
+Python reports syntax errors only in English, so the frequent ones have our own messages.
 """
 
 import re
 
 from learnblock.i18n import Phrase
 
-# A whole message of Python, and the code of ours; the named groups are its values.
+# A complete Python message, and the code of ours; the named groups become its values.
 _MESSAGES = tuple(
     (re.compile(pattern), code)
     for pattern, code in (
@@ -43,7 +43,7 @@ _MESSAGES = tuple(
 
 
 def syntax_message(error: SyntaxError) -> Phrase:
-    """The message about a syntax error; Python's own if we have none."""
+    """The message about a syntax error; Python's if we have none."""
     for pattern, code in _MESSAGES:
         found = pattern.fullmatch(error.msg)
         if found:

@@ -1,4 +1,4 @@
-"""Write a tree as Python in its canonical form, formatted as by the usual formatters."""
+"""Write a tree as Python in its canonical form, formatted like common formatters do."""
 
 import ast
 import re
@@ -268,14 +268,14 @@ class PythonWriter(ProgramWriter):
             for index, argument in enumerate(node.arguments)
         ]
         if name == "sublist" and not all(map(_simple, node.arguments[1:])):
-            # As Python formatters do: spaces if a bound is not simple.
+            # Like Python formatters: spaces if a bound is not simple.
             return f"{written[0]}[{written[1]} : {written[2]}]"
         return template.python.format(*written)
 
     def unary(self, node: Unary, level: int) -> str:
         operand = node.operand
         if node.operator != "not" and isinstance(operand, Binary) and operand.operator == "**":
-            # As Python formatters do, because the precedence is little known.
+            # Like Python formatters, because the precedence is not widely known.
             text = f"{node.operator}({self.power(operand)})"
             return f"({text})" if level > SIGN else text
         return super().unary(node, level)
@@ -283,7 +283,7 @@ class PythonWriter(ProgramWriter):
     def power(self, node: Binary) -> str:
         left = self.expression(node.left, TIGHTEST)
         right = self.expression(node.right, SIGN)
-        # As Python formatters do: no spaces if both sides are simple.
+        # Like Python formatters: no spaces if both sides are simple.
         hugged = _simple(node.left) and _simple(node.right)
         return f"{left}**{right}" if hugged else f"{left} ** {right}"
 

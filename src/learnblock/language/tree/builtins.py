@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-# The least and the most arguments of each (None: any number). The same names as in Python.
+# The minimum and maximum number of arguments (None: any number). The names are Python's.
 BUILTINS: Mapping[str, tuple[int, int | None]] = MappingProxyType(
     {
         "abs": (1, 1),
@@ -25,7 +25,7 @@ BUILTINS: Mapping[str, tuple[int, int | None]] = MappingProxyType(
     }
 )
 
-# Blockly's standard Math, Text and Lists categories. Angles are degrees, positions count from 0.
+# Blockly's standard Math, Text and Lists categories. Angles are degrees, positions start at 0.
 _TEMPLATES = """
 sqrt(x)                     math.sqrt({0})
 exp(x)                      math.exp({0})
@@ -134,7 +134,7 @@ def recognized(node: ast.expr) -> tuple[Template, list[ast.expr]] | None:
 
 
 def _shape(node: ast.AST) -> str:
-    """A key that rules out most templates quickly."""
+    """A key for ruling out most templates quickly."""
     match node:
         case ast.Call(func=ast.Attribute(attr=name)) | ast.Call(func=ast.Name(id=name)):
             return name

@@ -116,7 +116,7 @@ class ExpressionWriter:
         return f"({text})" if level > COMPARE else text
 
     def receiver(self, node: Expression) -> str:
-        """The text of an expression before a dot or a bracket."""
+        """The source of an expression before a dot or a bracket."""
         text = self.expression(node, TIGHTEST)
         return f"({text})" if isinstance(node, Number) else text
 

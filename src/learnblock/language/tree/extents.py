@@ -6,13 +6,13 @@ from itertools import takewhile
 from learnblock.language.tree.nodes import Item, Main, Program
 from learnblock.language.tree.traversal import statements
 
-#: First and last line, from 1; (0, 0) is nowhere.
+#: First and last line, from 1; (0, 0) means nowhere.
 Extent = tuple[int, int]
 NOWHERE: Extent = (0, 0)
 
 
 def every(program: Program) -> list[Item | Main]:
-    """Every item and statement of a program, including `main`, in order of the text."""
+    """Every item and statement of a program, including `main`, in source order."""
     main = () if program.main is None else (program.main,)
     # `statements` also enters the bodies of items.
     return list(statements((*program.items, *main)))

@@ -1,4 +1,4 @@
-"""The blank lines of the top level: those of the layout and those of the author.
+"""The blank lines of the top level: those from the layout and those from the author.
 
 A blank line separates definitions, ``main`` and the robot's setup; a comment directly above one
 belongs to it. These blank lines are not in the tree, so that adding them does not change it.
@@ -19,7 +19,7 @@ class Placed(NamedTuple):
         item: anything but a `Blank`.
         apart: whether the layout separates it from the previous one.
         blank: whether the author wrote a blank line before it.
-        leads: the definition that it is, or that it is a comment directly above.
+        leads: the definition that it is or, for a comment, that it is directly above.
     """
 
     item: Item | Main
@@ -56,7 +56,7 @@ def normalized(items: Iterable[Item | Main]) -> list[Item | Main]:
 def prologue_length(items: Sequence[Item]) -> int:
     """The number of items above the robot's import in Python.
 
-    These are the items up to the last ``import`` of the first lines, or else the comment at the
+    These are the items up to the last ``import`` in the first lines, or else the comment at the
     beginning of the file, if a blank line follows it.
     """
     imports = 0

@@ -1,4 +1,4 @@
-"""The comments in generated Python that mark what Python itself cannot express.
+"""The comments in generated Python that mark what Python cannot express.
 
 ``# main`` is above the statements of `main`, ``# end`` above what follows them, and a block of raw
 Python is between ``# python`` and ``# end``. A user's comment that looks like a marker gets another
@@ -22,8 +22,8 @@ class NotedComment(NamedTuple):
     """A comment of a Python file.
 
     Args:
-        column: from 0.
-        text: without the ``#`` and the white space around it.
+        column: the column, from 0.
+        text: the comment without the ``#`` and surrounding white space.
         own_line: whether nothing else is on its line.
         inside: whether it is inside brackets.
     """
@@ -35,7 +35,7 @@ class NotedComment(NamedTuple):
 
 
 class Notes(NamedTuple):
-    """The parts of a file that Python's syntax tree omits, by line from 1.
+    """The parts of a file that Python's syntax tree omits, by line (from 1).
 
     Args:
         comments: the comment of each line that has one.
@@ -47,7 +47,7 @@ class Notes(NamedTuple):
 
 
 def notes(text: str) -> Notes | None:
-    """The comments of Python text and its lines inside strings; None if it cannot be read."""
+    """The comments of Python source and its lines inside strings; None if it cannot be parsed."""
     found = Notes({}, set())
     depth = 0
     opened: list[int] = []
@@ -105,7 +105,7 @@ def raw_lines(text: str, indent: str) -> list[str]:
 
 
 def raw_text(lines: list[str], first: int, indent: str, in_string: set[int]) -> str:
-    """The raw Python in the `lines` of a file, which begin at line number `first`."""
+    """The raw Python in the `lines` of a file, which begin at line `first`."""
     result = []
     for number, line in enumerate(lines, first):
         kept = line
@@ -118,7 +118,7 @@ def raw_text(lines: list[str], first: int, indent: str, in_string: set[int]) -> 
 
 
 def raw_names(text: str) -> set[str]:
-    """The variables that Python text reads or sets; empty if it is not valid Python."""
+    """The variables that Python source reads or sets; empty if it is not valid Python."""
     try:
         tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -130,8 +130,8 @@ def variable_names(tree: ast.AST, whens: Container[str] | None = None) -> set[st
     """The variables of a Python tree.
 
     Args:
-        tree: of a file or a part of one.
-        whens: names that count only if more than their state is used; None for all names.
+        tree: the tree of a file or a part of one.
+        whens: names that are listed only if more than their state is used; None for all names.
     """
     names: set[str] = set()
     states: set[int] = set()

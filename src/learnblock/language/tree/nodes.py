@@ -1,6 +1,6 @@
 """The syntax tree that the three notations share: one class for each rule of the grammar.
 
-A node has the place where it was written (`span`), which is ignored when two trees are compared.
+A node has its position in the source (`span`), which is ignored when two trees are compared.
 Comments and blank lines are part of the tree: `Comment` and `Blank` are statements, and a statement
 has the comment at the end of its line. Blank lines that the layout adds to every program, such as
 the one before a ``def``, are not in the tree.
@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 
 class Span(NamedTuple):
-    """Where a node was written: lines and columns from 1; `end_column` is after the last."""
+    """The position of a node: lines and columns from 1; `end_column` is after the last one."""
 
     line: int = 0
     column: int = 0
@@ -24,7 +24,7 @@ NOWHERE = Span()
 
 @dataclass(frozen=True, slots=True)
 class Number:
-    """A number, with the spelling of its author: ``40``, ``0.5``, ``1e3``, ``0xFF``."""
+    """A number, as the author spelled it: ``40``, ``0.5``, ``1e3``, ``0xFF``."""
 
     text: str
     span: Span = field(default=NOWHERE, compare=False)
@@ -32,7 +32,7 @@ class Number:
 
 @dataclass(frozen=True, slots=True)
 class String:
-    """A text; `value` is its content, without quotes and escapes."""
+    """A string; `value` is its content, without quotes and escapes."""
 
     value: str
     span: Span = field(default=NOWHERE, compare=False)
@@ -294,7 +294,7 @@ class Pass:
 
 @dataclass(frozen=True, slots=True)
 class Activate:
-    """Make the ``when`` of this name active."""
+    """Make the ``when`` with this name active."""
 
     name: str
     comment: str | None = None
@@ -303,7 +303,7 @@ class Activate:
 
 @dataclass(frozen=True, slots=True)
 class Deactivate:
-    """Make the ``when`` of this name inactive."""
+    """Make the ``when`` with this name inactive."""
 
     name: str
     comment: str | None = None
@@ -344,7 +344,7 @@ Body = tuple[Statement, ...]
 
 @dataclass(frozen=True, slots=True)
 class Import:
-    """``import "dance"``: a library, or everything that the Python file ``dance.py`` defines."""
+    """``import "dance"``: a library, or everything defined in the Python file ``dance.py``."""
 
     module: str
     comment: str | None = None
@@ -385,7 +385,7 @@ class When:
 
 @dataclass(frozen=True, slots=True)
 class Main:
-    """The statements of ``main``, which run after the others of the top level."""
+    """The statements of ``main``, which run after all others of the top level."""
 
     body: Body
     span: Span = field(default=NOWHERE, compare=False)
@@ -400,9 +400,9 @@ class Program:
 
     Args:
         items: the top level, in order, without `main`.
-        main: written last.
+        main: the statements of `main`, which is written last.
         ending: comments and blank lines after `main`.
-        python: the Python it was read from, if `to_python` would write other text.
+        python: the Python it was read from, if `to_python` would write it differently.
     """
 
     items: tuple[Item, ...] = ()
@@ -413,12 +413,12 @@ class Program:
 
     @property
     def functions(self) -> dict[str, Def]:
-        """The user's functions by name; of several with the same name, the last."""
+        """The user's functions by name; if several have the same name, the last."""
         return {item.name: item for item in self.items if type(item) is Def}
 
     @property
     def whens(self) -> dict[str, When]:
-        """The ``when``s by name; of several with the same name, the last."""
+        """The ``when``s by name; if several have the same name, the last."""
         return {item.name: item for item in self.items if type(item) is When}
 
 

@@ -36,7 +36,7 @@ def last(end: Expression, direction: int) -> Expression | None:
 
 
 def direction(step: Expression | None) -> int:
-    """1 for a loop that counts up, -1 for one that counts down, 0 if only the run can tell."""
+    """1 for a loop that counts up, -1 for one that counts down, 0 if unknown before the run."""
     if step is None or isinstance(step, Number):
         return 1
     if isinstance(step, Unary) and isinstance(step.operand, Number):

@@ -1,4 +1,4 @@
-"""String literals of Block-Text: from quotes and escapes to the text, and back."""
+"""String literals of Block-Text: conversion between the literal and its content."""
 
 import re
 
@@ -25,17 +25,17 @@ _PLAIN = re.compile(r"[ -!#-\[\]-~]*")
 
 
 def unquote(literal: str) -> str:
-    """The text of a string literal, with the escapes of Python.
+    """The content of a string literal, with the escapes of Python.
 
     Raises:
-        EscapeError: an escape names no character.
+        EscapeError: an escape does not name a character.
     """
     body = literal[1:-1]
     return _ESCAPE.sub(_meant, body) if "\\" in body else body
 
 
 def quote(value: str) -> str:
-    """A string literal for `value`, in double quotes unless that takes more escapes."""
+    """A string literal for `value`, in double quotes unless that needs more escapes."""
     if _PLAIN.fullmatch(value):
         return f'"{value}"'
     mark = "'" if value.count('"') > value.count("'") else '"'

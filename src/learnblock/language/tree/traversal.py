@@ -31,7 +31,7 @@ from learnblock.language.tree.nodes import (
 
 
 def set_by(node: Item | Main) -> str | None:
-    """The variable that a statement sets, if any, without its bodies."""
+    """The variable that a statement itself sets, if any; its bodies are ignored."""
     match node:
         case Assign(target=Name(name=name)) | ForEach(target=Name(name=name)):
             return name
@@ -68,7 +68,7 @@ def bodies(node: Item | Main) -> tuple[Body, ...]:
 
 
 def statements(body: tuple[Item, ...]) -> Iterator[Item]:
-    """Every statement of a body and of the bodies inside it, in order of the text."""
+    """Every statement of a body and of the bodies inside it, in source order."""
     ahead: list[Item] = list(reversed(body))
     while ahead:
         statement = ahead.pop()
@@ -116,7 +116,7 @@ _OPERANDS: dict[type, Callable[[Any], tuple[Expression, ...]]] = {
 
 
 def expressions(node: Item | Main) -> tuple[Expression, ...]:
-    """The expressions of a statement, without those of its bodies."""
+    """The expressions of a statement, except those in its bodies."""
     get = _EXPRESSIONS.get(type(node))
     return () if get is None else get(node)
 

@@ -66,7 +66,7 @@ def comment_text(text: str) -> str:
 
 
 class ProgramWriter(ExpressionWriter):
-    """Writes items and statements; a subclass has a method for each that its notation writes."""
+    """Writes items and statements; a subclass has a method for each one in its notation."""
 
     items: ClassVar[dict[type[Item | Main], Callable[[Any, Any], None]]] = {}
 

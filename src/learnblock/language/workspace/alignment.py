@@ -1,7 +1,7 @@
 """Match the statements of an edited program to those of the program before.
 
-First come equal beginnings and ends, then equal statements that occur once in both, in order;
-between those, statements of the same kind are matched. All steps take linear time, except for
+First, equal beginnings and ends are matched, then equal statements that occur once in both;
+between those, statements of the same kind are matched in order. All steps take linear time, except
 sorting the statements that occur once.
 """
 
@@ -74,7 +74,7 @@ def _between(
 
 
 def _unique(new: Sequence[Group], old: Sequence[Group], gap: _Gap) -> list[tuple[int, int]]:
-    """Equal statements that occur once in both ranges, as far as their order is the same."""
+    """Equal statements that occur once in both ranges, limited to those in the same order."""
     part, old_part = new[gap.start : gap.end], old[gap.old_start : gap.old_end]
     if not part or not old_part:
         return []

@@ -16,7 +16,7 @@ from learnblock.language.workspace.blocks import Block
 from learnblock.language.workspace.literals import Literal, literal
 from learnblock.language.workspace.notes import NO_NOTES, Notes
 
-#: The fields of parameters, with the blocks that show such values everywhere else.
+#: The fields of parameters, with the blocks that show such values elsewhere.
 _PLAIN = {
     "lb_slider": "math_number",
     "lb_angle": "math_number",
@@ -27,7 +27,7 @@ _PLAIN = {
 
 
 class Given(NamedTuple):
-    """The names of the parameters with positional and with keyword arguments."""
+    """The names of the parameters passed by position and by keyword."""
 
     arguments: tuple[str, ...]
     keywords: tuple[str, ...]
@@ -37,9 +37,9 @@ def given(names: Sequence[str], present: Mapping[str, bool], notes: Notes) -> Gi
     """Decide which arguments a call has, and which of them are keyword arguments.
 
     Args:
-        names: those of all parameters.
+        names: the names of all parameters.
         present: whether each differs from its default.
-        notes: those of the block.
+        notes: the notes of the block.
     """
     by_name = [name for name in notes.keywords if name in present]
     stated = {*names[: max(notes.given, 0)], *by_name}
@@ -83,7 +83,7 @@ def noted(
 
 
 def differs(shadow: Block, parameter: Parameter) -> bool:
-    """Whether a shadow differs from the default of the parameter."""
+    """Whether a shadow's value differs from the parameter's default."""
     default = parameter_shadow(parameter)
     return (
         default is None
@@ -101,7 +101,7 @@ def shadow_literal(node: Expression, shadow: Shadow, parameter: Parameter | None
 
 
 def tag(node: Expression, shadow: Block) -> Expression:
-    """The tag in the text of a shadow: a number, if the text is one."""
+    """The tag in a shadow's text: a number if the text is a number."""
     if isinstance(node, String) and shadow.data is None and _is_number(node.value):
         return Number(node.value)
     return node

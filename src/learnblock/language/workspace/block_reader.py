@@ -12,7 +12,7 @@ from learnblock.language.workspace.blocks import Block, FieldValue, Workspace
 from learnblock.language.workspace.notes import writable
 from learnblock.language.workspace.types import MANUALLY_DISABLED, as_name, is_name, is_word
 
-# No one reads more problems at once; no real block has more inputs.
+# Nobody reads more problems at once, and no real block has more inputs.
 MAX_PROBLEMS = 100
 MAX_INPUTS = 1000
 
@@ -38,7 +38,7 @@ class BlockReader:
         self.nodes: dict[str, Expression] = {}
         self.missing: dict[tuple[str, str], Expression] = {}
         self.height = 0
-        # No other node gets the `id()` of one that is kept alive.
+        # Keep nodes alive, so that no other node gets the same `id()`.
         self.alive: list[Node] = []
 
     def report(self, block: Block, code: str, message: Phrase) -> None:
@@ -46,12 +46,12 @@ class BlockReader:
             self.problems.append((block.id, Diagnostic(code, message)))
 
     def note(self, node: Node, block: Block) -> None:
-        """Note the block of a node."""
+        """Record the block of a node."""
         self.ids[id(node)] = block.id
         self.alive.append(node)
 
     def made(self, node: Made, block: Block) -> Made:
-        """Note the block of a node, and of the nodes inside it that have no block yet."""
+        """Record the block of a node, and of the nodes inside it that have no block yet."""
         for one in within(node):
             self.ids.setdefault(id(one), block.id)
         return node
@@ -70,7 +70,7 @@ class BlockReader:
         return writable(value) if isinstance(value, str) else ""
 
     def name(self, block: Block, text: object) -> str:
-        """A name; if the text cannot be one, report it and return the most similar name."""
+        """A name; if the text is not a valid name, report it and return the most similar name."""
         if isinstance(text, str) and is_name(text):
             return text
         nearest = as_name(text) if isinstance(text, str) else "_"
@@ -103,7 +103,7 @@ def is_disabled(block: Block) -> bool:
 
 
 def plugged(block: Block, name: str) -> Block | None:
-    """The block in an input, or else its shadow; None if it is empty or its block is disabled."""
+    """The block in an input, else its shadow; None if it is empty or its block is disabled."""
     found = block.inputs.get(name)
     if found is None:
         return None

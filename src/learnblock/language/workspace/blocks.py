@@ -2,7 +2,7 @@
 
 Blockly nests each block in the one above. JSON decoders fail on that after a few hundred
 statements, so the form for messages and files is flat: a stack is a list of blocks, from the top.
-The rest (`fields`, `extraState`, shadows) is as Blockly writes it, so that the page needs only a
+The rest (`fields`, `extraState`, shadows) is in Blockly's own format, so that the page needs only a
 dozen lines to convert it.
 """
 
@@ -10,7 +10,7 @@ from typing import Any
 
 from msgspec import Struct, field
 
-#: The value of a field: a text, a number, a checkbox, or ``{"id": ...}`` of a variable.
+#: The value of a field: a string, a number, a checkbox, or ``{"id": ...}`` of a variable.
 FieldValue = str | float | bool | dict[str, str] | None
 
 
@@ -18,7 +18,7 @@ class BlockComment(Struct, omit_defaults=True):
     """The comment of a block.
 
     Args:
-        text: without ``#``; each line is a line of the program.
+        text: the comment without ``#``; each line is a line of the program.
         pinned: whether its bubble is open.
         width: the width of the bubble.
         height: the height of the bubble.
@@ -34,17 +34,17 @@ class Block(Struct, omit_defaults=True):
     """A block.
 
     Args:
-        type: such as ``math_number`` or ``lb_skill_move_straight``.
-        id: stays the same when other parts of the program are edited.
-        x: the position of the first block of a stack; None lets the page choose one.
-        y: see `x`.
-        fields: by name.
-        inputs: by name.
+        type: the type, such as ``math_number`` or ``lb_skill_move_straight``.
+        id: an identifier that stays the same when other parts of the program are edited.
+        x: the horizontal position of the first block of a stack; None lets the page choose.
+        y: the vertical position; see `x`.
+        fields: the fields by name.
+        inputs: the inputs by name.
         extraState: the state of the type's mutator.
-        comment: or None.
-        data: what the block cannot show but the program needs, as JSON.
+        comment: the comment, if any.
+        data: details that the program needs but the block cannot show, as JSON.
         collapsed: whether it is folded.
-        disabledReasons: why it is disabled, in Blockly's terms.
+        disabledReasons: why it is disabled, as Blockly's codes.
         inline: whether its inputs are in one row; None for the default.
     """
 

@@ -31,7 +31,7 @@ class WorkspaceProgram:
     """The program in a workspace.
 
     Args:
-        program: valid even where blocks are missing.
+        program: the program, valid even if blocks are missing.
         block_ids: as in `WorkspaceText`.
         problems: the diagnostics, each with the id of its block.
     """
@@ -50,10 +50,10 @@ def to_workspace(
 
     Args:
         program: the tree.
-        configurations: those of the skills that have blocks, by name.
-        previous: the workspace before an edit. Blocks that remain keep their id, position, look
+        configurations: the configurations of the skills that have blocks, by name.
+        previous: the workspace before an edit. Remaining blocks keep their id, position, appearance
             and comment bubble; blocks outside the program, disabled blocks and empty inputs
-            remain, too.
+            remain too.
 
     Raises:
         ProgramError: the blocks of `previous` are nested too deeply.

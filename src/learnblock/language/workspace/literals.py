@@ -1,4 +1,4 @@
-"""Numbers and texts in the fields of blocks, which cannot show every spelling of a program."""
+"""Numbers and strings in fields of blocks, which cannot show every spelling."""
 
 import math
 import sys
@@ -23,7 +23,7 @@ class Literal(NamedTuple):
         type: the type of the block.
         field: the field that shows it.
         value: the value of that field.
-        notes: what the field cannot show.
+        notes: details that the field cannot show.
     """
 
     type: str
@@ -33,7 +33,7 @@ class Literal(NamedTuple):
 
 
 def literal(node: Expression) -> Literal | None:
-    """The block for a number, a text or a truth value; None for anything else."""
+    """The block for a number, a string or a truth value; None for anything else."""
     match node:
         case Number(text=text):
             return _number(text)
@@ -47,7 +47,7 @@ def literal(node: Expression) -> Literal | None:
 
 
 def number(value: FieldValue, notes: Notes) -> Number | Unary | None:
-    """The number in a block, with the noted spelling if it is the same number."""
+    """The number in a block, with the stored spelling if it is the same number."""
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         return None
     spelled = notes.number
@@ -57,7 +57,7 @@ def number(value: FieldValue, notes: Notes) -> Number | Unary | None:
 
 
 def text(value: str, notes: Notes) -> String:
-    """The text in a block, or the noted one that it represents."""
+    """The string in a block, or the stored one that it represents."""
     if notes.quoted is None or notes.quoted[0] != value:
         return String(value)
     try:

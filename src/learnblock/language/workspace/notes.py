@@ -1,6 +1,6 @@
-"""What a block stores besides what it shows, so that programs survive the conversion.
+"""Details that a block stores but does not show, so that programs survive the conversion.
 
-The `data` of a block is `Notes` as JSON. Later changes of the user take precedence: a note that no
+The `data` of a block is `Notes` as JSON. Later changes by the user take precedence: a note that no
 longer matches its block is ignored.
 """
 
@@ -17,17 +17,17 @@ class Notes(Struct, omit_defaults=True):
     """The details of a program that a block cannot show.
 
     Args:
-        blank: there is a blank line above it.
+        blank: whether there is a blank line above it.
         above: how many lines of its comment are above it; None for all of them.
-        ends: the parts that the other lines are at the end of; an ``if`` has a part for each
+        ends: the parts whose ends have the other lines; an ``if`` has a part for each
             condition and one for ``else``, any other block has one.
         number: the spelling of the number.
-        quoted: a text that no field can show: as shown, and as written in the program.
-        given: how many positional arguments there are, even if they equal their defaults.
+        quoted: a string that no field can show: as shown, and as written in the program.
+        given: the number of positional arguments, including those equal to their defaults.
         keywords: the names of the keyword arguments.
-        step: the step of a ``for`` is given, even if it equals its default.
-        unfinished: the last line of Python has no line feed.
-        apart: there is a blank line above the ``return`` of a function.
+        step: whether a ``for`` has a step even though it equals the default.
+        unfinished: whether the last line of Python has no line feed.
+        apart: whether there is a blank line above the ``return`` of a function.
     """
 
     blank: bool = False
@@ -58,7 +58,7 @@ _UNWRITABLE = re.compile("[\x00\ud800-\udfff]")
 
 
 def notes_of(block: Block) -> Notes:
-    """The notes of a block; `NO_NOTES` if its data is something else."""
+    """The notes of a block; `NO_NOTES` if its data is anything else."""
     if block.data is None:
         return NO_NOTES
     try:
@@ -68,7 +68,7 @@ def notes_of(block: Block) -> Notes:
 
 
 def writable(text: str) -> str:
-    """A text without the characters that are not allowed in programs."""
+    """A string without the characters that are not allowed in programs."""
     return _UNWRITABLE.sub("\ufffd", text)
 
 

@@ -79,7 +79,7 @@ class WorkspaceReader(StatementReader):
         self.entries.append((group, block, hat))
 
     def sets_up(self, group: Group, block: Block) -> bool:
-        """Whether a block that creates the robot is at the beginning and not implied anyway."""
+        """Whether a block that creates the robot comes first and is not implied anyway."""
         setup = group.statement
         if any(type(one.statement) not in {Comment, Import} for one, _, _ in self.entries):
             self.report(block, "misplaced-block", Phrase("workspace-robot-not-first"))
@@ -88,7 +88,7 @@ class WorkspaceReader(StatementReader):
         return noted or setup != Setup()
 
     def top_statement(self, block: Block, notes: Notes, ends: Ends) -> Item | None:
-        """Read a block under the start block, where more than statements are allowed."""
+        """Read a block under the start block, where more than statements is allowed."""
         match block.type:
             case "lb_import":
                 return import_of(self, block, ends)

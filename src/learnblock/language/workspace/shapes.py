@@ -50,11 +50,11 @@ class Shape(NamedTuple):
 
     Args:
         type: the type of the block.
-        fields: by name; a variable is a `Name`.
+        fields: the fields by name; a variable is a `Name`.
         values: the plugged-in values, by input.
         bodies: the statements inside, by input.
         extra: its extra state.
-        notes: what it cannot show.
+        notes: details that the block cannot show.
         ends: the comments at the ends of its lines.
     """
 
@@ -103,7 +103,7 @@ class Shaper:
         return own or self.library_call(node) or any_call("lb_call_value", node)
 
     def library_call(self, node: Call) -> Shape | None:
-        """The shape of a call for which Blockly has a block, or None."""
+        """The shape of a call if Blockly has a block for it, else None."""
         if node.keywords or node.name in self.functions:
             return None
         if node.name == "pop" and 1 <= len(node.arguments) <= 2:

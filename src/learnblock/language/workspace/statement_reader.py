@@ -82,7 +82,7 @@ class StatementReader(ValueReader):
     depth = 0
 
     def chain(self, blocks: Iterable[Block]) -> list[Group]:
-        """Read the blocks of a stack, without those that have no content."""
+        """Read the blocks of a stack, except those without content."""
         return [group for block in blocks if (group := self.group(block)) is not None]
 
     def group(self, block: Block, read: "Reading | None" = None) -> Group | None:
@@ -90,7 +90,7 @@ class StatementReader(ValueReader):
 
         Args:
             block: the block.
-            read: how to read it, where more than statements are allowed.
+            read: how to read it, where more than statements is allowed.
         """
         if self.depth == MAX_BLOCKS and block.type in _OPENERS:
             message = Phrase("blocktext-too-many-blocks", limit=MAX_BLOCKS)
@@ -105,7 +105,7 @@ class StatementReader(ValueReader):
         return self.found(block, lead, statement)
 
     def found(self, block: Block, lead: Lead, statement: Item | Main) -> Group:
-        """Note the content of a block."""
+        """Record the content of a block."""
         for note in lead:
             self.note(note, block)
         self.note(statement, block)
@@ -127,7 +127,7 @@ class StatementReader(ValueReader):
         return None
 
     def body(self, block: Block, name: str) -> Body:
-        """The statements in an input, or `pass` if they do nothing."""
+        """The statements in an input, or `pass` if there are none that do anything."""
         body = self.statements(block, name)
         return body if _does_something(body) else (*body, self.idle(block))
 

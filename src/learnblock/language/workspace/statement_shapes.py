@@ -76,7 +76,7 @@ class StatementShaper(Shaper):
 
 
 def _library_statement(call: Call) -> Shape | None:
-    """The shape of a library function for which Blockly has a statement, or None."""
+    """The shape of a library function if Blockly has a statement for it, else None."""
     match call:
         case Call("print", (value,)):
             return Shape("text_print", values={"TEXT": value})
@@ -181,7 +181,7 @@ def _when(_: StatementShaper, node: When) -> Shape:
 
 
 def _busy(bodies: dict[str, Body]) -> dict[str, Body]:
-    """The bodies, those that do nothing without any block."""
+    """The bodies; those that do nothing have no blocks."""
     return {name: () if body == _IDLE else body for name, body in bodies.items()}
 
 

@@ -13,7 +13,7 @@ FUNCTION, ANSWERING_FUNCTION = "procedures_defnoreturn", "procedures_defreturn"
 #: The blocks that begin a part of the program; a stack under any other block is loose.
 HATS = frozenset((MAIN, START, WHEN, FUNCTION, ANSWERING_FUNCTION))
 
-#: Begins the names of unknown skills, which share a block with other calls.
+#: The prefix of unknown skills' names, which share a block with other calls.
 SKILL_PREFIX = "function."
 
 MANUALLY_DISABLED = "MANUALLY_DISABLED"
@@ -34,7 +34,7 @@ class Library(NamedTuple):
 
     Args:
         type: the type of the block.
-        inputs: those for the arguments, in order.
+        inputs: the inputs for the arguments, in order.
         field: the field that selects the function, or "".
         value: the value of that field.
         extra: the extra state of the block.
@@ -63,7 +63,7 @@ def _splitting(mode: str) -> Library:
     return Library("lists_split", ("INPUT", "DELIM"), "MODE", mode, {"mode": mode})
 
 
-#: By name and number of arguments.
+#: The blocks of functions, by name and number of arguments.
 LIBRARY: Mapping[tuple[str, int], Library] = MappingProxyType(
     {
         ("len", 1): Library("lists_length", ("VALUE",)),
@@ -95,7 +95,7 @@ LIBRARY: Mapping[tuple[str, int], Library] = MappingProxyType(
         ),
     }
 )
-#: The functions that each type of block can be, by the value of its field.
+#: The functions that each type of block can represent, by the value of its field.
 FUNCTIONS_OF: Mapping[str, Mapping[str, tuple[str, Library]]] = MappingProxyType(
     {
         kind: {
@@ -109,17 +109,17 @@ _NAME = re.compile(r"[^\W\d]\w*")
 
 
 def is_word(text: str) -> bool:
-    """Whether a text can name a skill or an argument."""
+    """Whether a string can name a skill or an argument."""
     return bool(_NAME.fullmatch(text)) and unicodedata.normalize("NFKC", text) == text
 
 
 def is_name(text: str) -> bool:
-    """Whether a text can name a variable, a function or a ``when``."""
+    """Whether a string can name a variable, a function or a ``when``."""
     return is_word(text) and text not in KEYWORDS
 
 
 def as_name(text: str) -> str:
-    """The most similar name to a text."""
+    """The valid name most similar to a string."""
     plain = re.sub(r"\W+", "_", unicodedata.normalize("NFKC", text).strip())
     if not _NAME.fullmatch(plain):
         plain = "_" + plain

@@ -65,7 +65,7 @@ class ValueWriter:
     # Blocks that are kept.
 
     def stays(self, node: Expression, old: Block) -> bool:
-        """Whether a block has this value already; if so, keep it with everything inside."""
+        """Whether a block already has this value; if so, keep it with everything inside."""
         earlier = self.before.nodes.get(old.id)
         if old.id in self.taken or type(earlier) is not type(node) or earlier != node:
             return False
@@ -76,13 +76,13 @@ class ValueWriter:
         return True
 
     def keep_values(self, node: Expression, earlier: Expression) -> None:
-        """Note the blocks of an equal value as those of this one."""
+        """Record the blocks of an equal value as those of this one."""
         ids, before = self.ids, self.before.ids
         for one, other in zip(within(node), within(earlier), strict=True):
             ids[id(one)] = before[id(other)]
 
     def has_changed(self, nodes: Iterable[Node]) -> bool:
-        """Whether nodes use a name that now has other blocks."""
+        """Whether nodes use a name whose blocks have changed."""
         return any(isinstance(one, Name | Call) and one.name in self.changed for one in nodes)
 
     def has_changed_within(self, statement: Item | Main) -> bool:
@@ -99,7 +99,7 @@ class ValueWriter:
 
         Args:
             node: the value.
-            old: the block that it may have been, or that may be inside it now.
+            old: the block that it may have been, or that may now be inside it.
         """
         if old is not None and self.stays(node, old):
             return old
@@ -121,7 +121,7 @@ class ValueWriter:
         Args:
             shape: the content.
             old: the block that it may have been.
-            inputs: those with statements.
+            inputs: the inputs with statements.
         """
         same = old if old is not None and self.may_be(shape, old) else None
         block = Block(shape.type, next(self.new_ids) if same is None else same.id)
@@ -160,7 +160,7 @@ class ValueWriter:
         Args:
             shape: the content of the block.
             same: the old block, if it keeps its id.
-            old: the block that it may have been, or that may be inside it now.
+            old: the block that it may have been, or that may now be inside it.
         """
         shadows = self.shadows(shape.type)
         source = old if old is not None and {shape.type, old.type} <= _CALLS else same
@@ -180,7 +180,7 @@ class ValueWriter:
     def keep_missing(
         self, node: Expression, old: Block, name: str, inputs: dict[str, Input]
     ) -> None:
-        """An input stays as empty as it was."""
+        """An input that stays empty."""
         self.ids[id(node)] = old.id
         if name in old.inputs:
             inputs[name] = old.inputs[name]
@@ -192,13 +192,13 @@ class ValueWriter:
         old: Input | None,
         wrapped: Block | None,
     ) -> Input:
-        """A value plugged in: in the shadow if that can show it, and else in a block over it.
+        """The input with a value: in the shadow if that can show it, else in a block over it.
 
         Args:
             node: the value.
-            shadow: of the input, if it has one, and the parameter that it is for.
-            old: what was in the input.
-            wrapped: a block that may be within this input now.
+            shadow: the shadow of the input, if any, and its parameter.
+            old: the previous content of the input.
+            wrapped: a block that may now be inside this input.
         """
         inner = None if old is None else old.block
         under = None if old is None else old.shadow
@@ -249,14 +249,14 @@ _LANGUAGE: Mapping[str, Mapping[str, tuple[Shadow, Parameter | None]]] = {
 
 
 def _keep_looks(block: Block, old: Block) -> None:
-    """Copy the position and the look that the user chose for a block."""
+    """Copy the position and appearance that the user chose for a block."""
     block.x, block.y = old.x, old.y
     block.collapsed, block.inline = old.collapsed, old.inline
     block.disabledReasons = old.disabledReasons
 
 
 def _changed(new: StatementShaper, old: StatementShaper) -> frozenset[str]:
-    """The names that have other blocks than before."""
+    """The names whose blocks have changed."""
     whens = new.whens ^ old.whens
     functions = {
         name

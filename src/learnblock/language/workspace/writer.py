@@ -1,4 +1,4 @@
-"""Write a program as a workspace, and keep what else was in the earlier workspace."""
+"""Write a program as a workspace, and keep the rest of the earlier workspace."""
 
 from collections.abc import Mapping, Sequence
 
@@ -45,7 +45,7 @@ class WorkspaceWriter(ValueWriter):
         super().__init__(program, configurations, before, in_use)
         self.previous = previous
         self.set_aside = before.variables.keys() - in_use.variables
-        # The blocks below hats, which should not be there.
+        # The blocks below hats, where they do not belong.
         self.tails = {stack[0].id: stack[1:] for stack in previous.stacks if len(stack) > 1}
         self.stacks: list[list[Block]] = []
         self.has_main = program.main is not None
@@ -134,7 +134,7 @@ class WorkspaceWriter(ValueWriter):
         Args:
             group: the statement and its comments.
             old: the block that it was.
-            equal: whether the content of that block is the same.
+            equal: whether the content of that block is unchanged.
         """
         if old is not None and equal and self.can_stay(group, old):
             return old
@@ -164,7 +164,7 @@ class WorkspaceWriter(ValueWriter):
         return True
 
     def keep(self, group: Group, earlier: Group) -> None:
-        """Note the blocks of an equal statement as those of this one."""
+        """Record the blocks of an equal statement as those of this one."""
         ids, before = self.ids, self.before.ids
         for note, other in zip(group.lead, earlier.lead, strict=True):
             ids[id(note)] = before[id(other)]
