@@ -40,7 +40,7 @@ class Emulator:
         self._zmq = require("zmq", "coppeliasim")
         self._twin = twin
         self.scene = TwinScene(twin)
-        #: The simulated time until which each client waits for a step.
+        #: The simulated time until which each client is waiting for a step.
         self._waiting: dict[object, float] = {}
         self._context = self._zmq.Context()
         self._socket = self._context.socket(self._zmq.REP)
@@ -108,7 +108,7 @@ class Emulator:
         return {**functions, **{name: {"const": value} for name, value in CONSTANTS.items()}}
 
     def _step(self, client: object) -> Mapping[str, Any]:
-        """Let a client wait until the world has made a step."""
+        """Make a client wait until the world has advanced by a step."""
         until = self._waiting.setdefault(client, self._twin.time + _STEP)
         if self._twin.time < until:
             return {"func": "_*wait*_", "args": []}

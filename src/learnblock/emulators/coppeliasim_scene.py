@@ -2,7 +2,7 @@
 
 The scene offers the robot in three ways: with the functions of our scene script under
 ``/LearnBlock``, with those of the paper's script under ``/Funciones``, and with joints and sensors
-under ``/Robot``. CoppeliaSim counts metres, and radians counterclockwise.
+under ``/Robot``. CoppeliaSim uses metres, and radians counterclockwise.
 """
 
 import math
@@ -31,7 +31,7 @@ class SceneError(Exception):
 
 
 class TwinScene:
-    """The scene; its simulation is stopped at first.
+    """The scene; its simulation is initially stopped.
 
     Args:
         twin: the simulated robot.
@@ -70,7 +70,7 @@ class TwinScene:
 
     @property
     def parts(self) -> Mapping[str, Any]:
-        """The settings that drive its robot by the names of its parts."""
+        """The settings for driving its robot by the names of its parts."""
         sensors = {
             side: tuple(f"/Robot/{side}{number}" for number in numbers)
             for side, numbers in self._sides.items()

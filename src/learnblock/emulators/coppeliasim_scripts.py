@@ -8,7 +8,7 @@ from typing import Any
 from learnblock.devices import NOTHING_SEEN
 from learnblock.emulators.twin import Twin
 
-#: The seconds of silence after which our scene script stops the motors.
+#: The seconds without a call after which our scene script stops the motors.
 WATCHDOG = 0.35
 #: The types of devices that our scene script supports.
 DEVICES = (
@@ -45,13 +45,13 @@ class OurScript:
         self._move(0, 0)
 
     def watch(self) -> None:
-        """Stop the motors if the program is silent."""
+        """Stop the motors if the program has made no call for too long."""
         if self._alive and monotonic() - self._heard > WATCHDOG:
             self._alive = False
             self._move(0, 0)
 
     def _hear(self) -> None:
-        """Note a call, which resumes the last drive command after a silence."""
+        """Record a call, which resumes the last drive command after a pause."""
         self._heard = monotonic()
         if not self._alive:
             self._alive = True

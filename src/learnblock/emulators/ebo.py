@@ -1,4 +1,4 @@
-"""Emulates EBO: four components and a broker with the camera's pictures, which move a twin."""
+"""Emulates EBO: four components that move a twin, and a broker with the camera's pictures."""
 
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack

@@ -18,7 +18,7 @@ from learnblock.robots.real import require
 
 #: The values of EBO's own program.
 TOPIC, FRAMES_PER_SECOND = "camara", 20
-#: The most seconds until the broker listens.
+#: The maximum number of seconds until the broker listens.
 TIMEOUT = 5.0
 #: Debian installs servers in folders that are only on root's path.
 _FOLDERS = ("/usr/sbin", "/usr/local/sbin")
@@ -38,10 +38,10 @@ class Broker:
         host: the local address on which it listens.
 
     Attributes:
-        port: its port, a free one.
+        port: its port, chosen from the free ones.
 
     Raises:
-        EmulatorError: it does not start to listen.
+        EmulatorError: it does not start listening.
     """
 
     def __init__(self, program: str, host: str = "127.0.0.1") -> None:

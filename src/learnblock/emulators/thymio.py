@@ -22,9 +22,9 @@ from learnblock.simulator import WorldDescription, load_robot
 from learnblock.simulator.geometry import Pose
 
 PROGRAM = "asebaplayground"
-#: The most seconds until it listens.
+#: The maximum number of seconds until it listens.
 STARTING = 20.0
-#: The most seconds until it ends after SIGTERM.
+#: The maximum number of seconds until it ends after SIGTERM.
 ENDING = 2.0
 
 
@@ -128,7 +128,7 @@ def _environment(folder: str) -> dict[str, str]:
 
 
 def _listens(port: int) -> bool:
-    """Whether it listens; waits until it has dropped us, since it confuses quick clients."""
+    """Whether it listens; waits until our connection is closed: it mixes up quick clients."""
     with suppress(OSError), socket.create_connection(("127.0.0.1", port), timeout=ENDING) as probe:
         probe.shutdown(socket.SHUT_WR)
         return probe.recv(1) == b""

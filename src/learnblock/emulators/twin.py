@@ -32,7 +32,7 @@ class Twin(Closing):
         path: (time s, pose) of the robot every 0.1 s.
 
     Raises:
-        LearnBlockError: there is no such robot or world, or no room in the world.
+        LearnBlockError: there is no such robot or world, or the world has no room.
     """
 
     def __init__(
@@ -82,7 +82,7 @@ class Twin(Closing):
         if self._thread.is_alive():
             self._thread.join()
 
-    # As a witness of its world.
+    # The methods of a witness of its world.
 
     def pose(self, time: float, pose: Pose) -> None:
         self.path.append((time, pose))

@@ -53,7 +53,7 @@ class Connection:
         self._await_validation(deadline)
 
     def is_usable(self, deadline: float) -> bool:
-        """Whether a call may be tried, after processing everything received so far."""
+        """Whether a call may be tried, once everything received so far is processed."""
         with self._turn:
             while not self._calls and self._failure is None and self._stream.has_news():
                 try:
@@ -140,7 +140,7 @@ class Connection:
                 self._pass_on()
 
     def _may_receive(self, call: _Call, deadline: float) -> bool:
-        """Wait until it is this thread's turn to receive, or its call is over."""
+        """Wait until it is this thread's turn to receive, or its call has ended."""
         with self._turn:
             left = deadline - monotonic()
             if not self._turn.wait_for(lambda: call.is_over or not self._receives, left):

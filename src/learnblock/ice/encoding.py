@@ -1,4 +1,4 @@
-"""Ice's encodings 1.0 and 1.1: sizes, texts and encapsulations as bytes."""
+"""Ice's encodings 1.0 and 1.1: sizes, strings and encapsulations as bytes."""
 
 import struct
 from typing import Any
@@ -99,7 +99,7 @@ class Reader:
         return size
 
     def count(self, least: int) -> int:
-        """The number of elements that follow, each of `least` bytes or more.
+        """The number of elements that follow, each with at least `least` bytes.
 
         Raises:
             IceEncodingError: they do not fit into the data, so no memory is allocated for them.

@@ -37,7 +37,7 @@ class Endpoint(Closing):
         Args:
             opening: see `Connection.call`.
             parameters: see `Connection.call`.
-            again: whether the call may be repeated if it is unknown whether it was received.
+            again: whether to repeat a call that may already have been received.
 
         Raises:
             IceLinkError: the component cannot be reached, or does not answer in time.
@@ -55,13 +55,13 @@ class Endpoint(Closing):
 
     def close(self) -> None:
         """Close the connection for good; calling it twice is harmless."""
-        # Not under the lock, which a connecting thread holds.
+        # Not under the lock, because a connecting thread has it.
         self._closed.set()
         if self._connection:
             self._connection.close()
 
     def _connected(self, deadline: float) -> tuple[Connection, bool]:
-        """A usable connection, and whether it was made just now."""
+        """A usable connection, and whether it is new."""
         with self._lock:
             if self._closed.is_set():
                 raise IceLinkError("ice-closed")
@@ -71,6 +71,6 @@ class Endpoint(Closing):
                 self._connection.close()
             self._connection = Connection(self.host, self.port, deadline)
             if self._closed.is_set():
-                # Closed while it was connecting.
+                # The endpoint was closed during the connection attempt.
                 self._connection.close()
             return self._connection, True

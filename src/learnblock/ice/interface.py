@@ -81,7 +81,7 @@ OBJECT = (
 
 
 def write_all(writer: Writer, types: Sequence[Type], values: Sequence[Any]) -> None:
-    """Write parameters.
+    """Encode parameters.
 
     Raises:
         IceEncodingError: their number or types are wrong.
@@ -94,7 +94,7 @@ def write_all(writer: Writer, types: Sequence[Type], values: Sequence[Any]) -> N
 
 
 def read_all(reader: Reader, types: Sequence[Type]) -> tuple[Any, ...]:
-    """Read parameters, and check that nothing else follows.
+    """Decode parameters, and check that nothing else follows.
 
     Raises:
         IceEncodingError: the data does not contain them.

@@ -183,7 +183,7 @@ def refusal(asked: Request, refused: Refusal, sentence: str) -> bytes:
         writer.pack(_BYTE, _LAST)
         writer.text(refused.type_id)
     else:
-        # It uses no classes; the length of a slice precedes it and counts itself.
+        # It uses no classes; the length of a slice precedes it and includes itself.
         writer.pack(_BYTE, 0)
         writer.text(refused.type_id)
         writer.pack(_INT, _INT.size + len(members.data))
@@ -241,7 +241,7 @@ def _read_refusal(reader: Reader) -> IceRefusedError:
 
 
 def _what(reader: Reader) -> str:
-    """An exception's text; exceptions of other programs may have other members, or none."""
+    """An exception's text; exceptions from other programs may have other members or none."""
     try:
         return reader.text()
     except IceEncodingError:

@@ -81,7 +81,7 @@ class Proxy(Closing):
         """Check that the object exists.
 
         Raises:
-            IceError: it does not.
+            IceError: it does not exist.
         """
         self.call("ice_ping")
 

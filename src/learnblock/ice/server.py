@@ -45,7 +45,7 @@ class Servant:
 class Adapter(Closing):
     """Listens for calls and lets servants answer them, one after the other in one thread.
 
-    It is a context manager and listens until its end.
+    It is a context manager and listens until the end of its block.
 
     Args:
         host: the local address on which it listens.
@@ -60,7 +60,7 @@ class Adapter(Closing):
         self._thread.start()
 
     def serve(self, servants: Mapping[str, Servant], port: int = 0) -> int:
-        """Listen on one more port.
+        """Listen on another port.
 
         Args:
             servants: the servants by identity.

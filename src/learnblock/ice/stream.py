@@ -25,12 +25,12 @@ class Stream:
         try:
             self._inwards = socket.create_connection((host, port), _left(deadline))
         except UnicodeError as error:
-            # The text cannot be a name at all.
+            # The string cannot be a host name at all.
             raise IceLinkError("ice-unknown-address") from error
         except OSError as error:
             raise _link_error(error) from error
         self._inwards.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        # A timeout belongs to a socket object: two objects give sending and receiving their own.
+        # A timeout belongs to a socket object, so sending and receiving use separate ones.
         self._outwards = self._inwards.dup()
         self._outwards.settimeout(_left(deadline))
         self._received = bytearray()
@@ -99,7 +99,7 @@ class Stream:
 
 
 def _left(deadline: float) -> float:
-    """The seconds left, at least enough to find data that has already arrived."""
+    """The seconds left, but at least enough to read data that has already arrived."""
     return max(deadline - monotonic(), 0.001)
 
 

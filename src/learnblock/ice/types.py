@@ -35,7 +35,7 @@ class Type(ABC):
 
     @abstractmethod
     def write(self, writer: Writer, value: Any) -> None:
-        """Write a value; a wrong value raises any error."""
+        """Write a value; any error may be raised if it is invalid."""
 
     @abstractmethod
     def read(self, reader: Reader) -> Any:

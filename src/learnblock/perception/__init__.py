@@ -1,4 +1,4 @@
-"""Images in, detections out. OpenCV is loaded with the first frame."""
+"""Detection in images. OpenCV is loaded with the first frame."""
 
 from learnblock.perception.detections import (
     ColouredObject,

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from learnblock.errors import FrameError
 
 Frame = NDArray[np.uint8]
-#: Pixels; no camera's picture has a longer side, and OpenCV would search one row of millions of
+#: The limit in pixels; no camera exceeds it, and OpenCV would search one row of millions of
 #: pixels for hours.
 LONGEST_SIDE = 8192
 

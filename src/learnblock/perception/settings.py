@@ -53,7 +53,7 @@ class PerceptionSettings(Settings, frozen=True):
     video: Video = ""
 
     def permits(self, detector: str, *, drawn: bool) -> bool:
-        """Whether a detector may be used: the only place that decides it.
+        """Whether a detector may be used: the only function that decides this.
 
         Args:
             detector: its name, such as ``emotions``.

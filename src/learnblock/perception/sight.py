@@ -1,4 +1,4 @@
-"""The detections in a frame: each detector runs once at most, and only on request."""
+"""The detections in a frame: each detector runs at most once, and only on request."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,16 +14,16 @@ if TYPE_CHECKING:
 
 
 class Sight:
-    """One frame, which each detector searches once at most.
+    """One frame, which each detector searches at most once.
 
     Detections are kept for later requests and for other detectors: emotions are read from the faces
     that have been found.
 
     Args:
         frame: RGB, uint8, shape (height, width, 3).
-        focal: the lens's focal length in pixels, where it is known; it gives the poses of tags.
+        focal: the lens's focal length in pixels, if known; it gives the poses of tags.
         tag_size: the side of the tags' black square in mm.
-        detectors: by their names; ours by default.
+        detectors: the detectors by name; ours by default.
     """
 
     def __init__(
@@ -43,7 +43,7 @@ class Sight:
         """Run the detector called `name`.
 
         Raises:
-            UnknownNameError: there is no detector of this name.
+            UnknownNameError: there is no detector with this name.
             FrameError: the frame is not a picture.
         """
         if name not in self._detectors:
@@ -54,7 +54,7 @@ class Sight:
 
 
 class Detector(Protocol):
-    """Something that finds one kind of thing."""
+    """A detector of one kind of object."""
 
     @property
     def name(self) -> str: ...
@@ -84,7 +84,7 @@ def detect(name: str, frame: "Frame") -> Any:
     """Run the detector called `name` on `frame`, RGB uint8 of shape (height, width, 3).
 
     Raises:
-        UnknownNameError: there is no detector of this name.
+        UnknownNameError: there is no detector with this name.
         FrameError: `frame` is not a picture.
     """
     return Sight(frame).detect(name)

@@ -1,4 +1,4 @@
-"""The dictionary of tags: names that the user gave to AprilTags, in ``tags.toml`` of `home`.
+"""The dictionary of tags: the user's names for AprilTags, in ``tags.toml`` of `home`.
 
 Each line names one tag:
 
@@ -19,7 +19,7 @@ from learnblock.storage.home import home
 LAST_TAG = 586
 MOST_NAMES = 2000
 LONGEST_NAME = 100
-#: Bytes of a dictionary.
+#: The limit of a dictionary in bytes.
 LARGEST = 256 * 1024
 
 
@@ -27,9 +27,9 @@ def tag_id(tag: int | str) -> int:
     """Find the number of a tag by its number or by its name in the dictionary.
 
     Raises:
-        TagNumberError: there is no such number.
+        TagNumberError: there is no tag with this number.
         UnknownNameError: no tag has this name.
-        TagNamesError: ``tags.toml`` is wrong.
+        TagNamesError: ``tags.toml`` is invalid.
     """
     number = _whole(tag)
     if number is None:
@@ -51,7 +51,7 @@ def tag_names() -> Mapping[str, int]:
     """The user's names with the number of each tag; empty without a dictionary.
 
     Raises:
-        TagNamesError: ``tags.toml`` is wrong.
+        TagNamesError: ``tags.toml`` is invalid.
     """
     path = file()
     try:
@@ -62,10 +62,10 @@ def tag_names() -> Mapping[str, int]:
 
 
 def parse(source: str, filename: str) -> Mapping[str, int]:
-    """Read the text of a dictionary: TOML, or CSV if the file's name ends in .csv.
+    """Parse the text of a dictionary: TOML, or CSV if the file's name ends in .csv.
 
     Raises:
-        TagNamesError: it is wrong; the diagnostics say where.
+        TagNamesError: it is invalid; the diagnostics say where.
     """
     if len(source) > LARGEST:
         message = Phrase("perception-tags-too-large", size=len(source), limit=LARGEST)
@@ -75,15 +75,15 @@ def parse(source: str, filename: str) -> Mapping[str, int]:
     problems = list(_problems(table, source))
     if problems:
         raise TagNamesError(filename, problems, source)
-    # The check has made sure that all values are whole numbers.
+    # The check ensures that all values are whole numbers.
     return table  # type: ignore[return-value]
 
 
 def write(names: Mapping[str, int], *, as_csv: bool = False) -> str:
-    """Make the text of a dictionary, which `parse` can read.
+    """Format a dictionary as text that `parse` can read.
 
     Raises:
-        TagNamesError: a name or a number is wrong.
+        TagNamesError: a name or a number is invalid.
     """
     problems = list(_problems(names, ""))
     if problems:
@@ -92,10 +92,10 @@ def write(names: Mapping[str, int], *, as_csv: bool = False) -> str:
 
 
 def save_names(names: Mapping[str, int]) -> None:
-    """Replace all names in the user's dictionary by these.
+    """Replace all names in the user's dictionary with these.
 
     Raises:
-        TagNamesError: a name or a number is wrong.
+        TagNamesError: a name or a number is invalid.
         OSError: the file cannot be written.
     """
     save(file(), write(names).encode())
@@ -123,7 +123,7 @@ def _to_toml(names: Mapping[str, int]) -> str:
 
 
 def _from_csv(source: str) -> Mapping[str, object]:
-    """Lines of a name and a number; a heading in the first line is skipped."""
+    """Lines of a name and a number; a header in the first line is skipped."""
     import csv  # noqa: PLC0415 - as above
 
     rows = [row for row in csv.reader(source.splitlines()) if any(row)]

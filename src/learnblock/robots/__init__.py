@@ -1,8 +1,8 @@
-"""Layer 3 of the robot side: one module per robot, each with a class ``Robot(Client)``.
+"""The robots: one module for each, with a class ``Robot(Client)``.
 
-A robot has an id and a module: ``sim-ebo`` is `learnblock.robots.sim_ebo`. Robots of others come
+A robot has an id and a module: ``sim-ebo`` is `learnblock.robots.sim_ebo`. Third-party robots come
 from entry points of the group ``learnblock.robots`` (id = module) and from the ``robots`` folder of
-`learnblock.storage.home`, a file each, and are used like ours.
+`learnblock.storage.home`, one file each, and are used like ours.
 """
 
 import importlib
@@ -35,9 +35,9 @@ class RobotEntry:
 
     Args:
         name: its id, such as ``sim-ebo``.
-        module: the module that holds its class ``Robot``, as a program imports it.
+        module: the module with its class ``Robot``, as a program imports it.
         path: the module's file, if it is in the user's folder.
-        simulated: whether it lives in the embedded simulator; None if that is known only after
+        simulated: whether it belongs to the embedded simulator; None if that is known only after
             loading it.
     """
 
@@ -60,7 +60,7 @@ class RobotEntry:
 
 
 def entries() -> dict[str, RobotEntry]:
-    """All robots by name; a built-in robot wins over another one with the same name."""
+    """All robots by name; a built-in robot wins over others with the same name."""
     ours = {name: _our_own(name) for name in _OURS}
     return {**_users(), **_plugins(), **ours}
 
@@ -81,7 +81,7 @@ def find(name: str) -> RobotEntry:
 
 
 def connect(name: str, **arguments: Any) -> Client:
-    """Connect to a robot; the arguments are those of its class.
+    """Connect to a robot; the arguments are passed to its class.
 
     Raises:
         UnknownNameError: there is no such robot.
@@ -109,7 +109,7 @@ def _our_own(name: str) -> RobotEntry:
 
 
 def _plugins() -> dict[str, RobotEntry]:
-    from importlib.metadata import entry_points  # noqa: PLC0415 - it searches all that is installed
+    from importlib.metadata import entry_points  # noqa: PLC0415 - it searches all packages
 
     points = entry_points(group="learnblock.robots")
     return {point.name: RobotEntry(point.name, point.module) for point in points}
@@ -132,7 +132,7 @@ def _import(entry: RobotEntry) -> ModuleType:
     except LearnBlockError:
         raise
     except Exception as error:
-        # A robot's module may be a user's or a plugin's code, and raise any error.
+        # The module may be a user's or a plugin's code, which can raise any error.
         raise LearnBlockError(
             "robot-not-loaded", name=entry.name, reason=f"{type(error).__name__}: {error}"
         ) from error

@@ -21,13 +21,13 @@ from learnblock.errors import LearnBlockError
 from learnblock.robots.real import RealRobot
 from learnblock.robots.settings import RobotSettings
 
-#: Seconds for which it tries to reach a robot that does not answer, and between two attempts.
-#: It must not try longer, since another program may use the robot by then.
+#: Seconds for which to retry a robot that does not answer, and seconds between attempts.
+#: It must not retry longer, because another program may be using the robot by then.
 TRIES_FOR, PAUSE = 5.0, 0.1
 
 
 class Guardian:
-    """A process that stops the robot's motors when this process ends in any way.
+    """A process that stops the robot's motors when this process ends for any reason.
 
     Args:
         robot: the class whose `halt` stops the motors.
@@ -56,13 +56,13 @@ class Guardian:
         self._pipe.close()
 
     def leave_in_charge(self) -> None:
-        """Leave stopping the motors to the guardian, which tries for some seconds and ends."""
+        """Let the guardian stop the motors; it retries for some seconds and then ends."""
         self._pipe.close()
         threading.Thread(target=self._process.wait, name="guardian", daemon=True).start()
 
 
 def _guard(module: str) -> None:
-    # Ctrl-C is meant for the program; the guardian starts to work when the program ends.
+    # Ctrl-C is meant for the program; the guardian starts working when the program ends.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     robot: Any = robots.find(module).load()
     settings = msgspec.json.decode(sys.stdin.buffer.readline(), type=robot.settings_type)

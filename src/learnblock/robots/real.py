@@ -35,7 +35,7 @@ class RealRobot(Client, Generic[SettingsT]):
         chosen: settings by name, which override those in the user's file.
 
     Raises:
-        SettingsError: a setting is wrong.
+        SettingsError: a setting is invalid.
         RobotConnectionError: the robot cannot be reached.
     """
 
@@ -60,7 +60,7 @@ class RealRobot(Client, Generic[SettingsT]):
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:  # noqa: ARG003 - for subclasses
-        """Look for such robots, and yield the settings that reach each of them.
+        """Look for such robots, and yield the settings for reaching each of them.
 
         Args:
             seconds: the time limit.
@@ -85,7 +85,7 @@ class RealRobot(Client, Generic[SettingsT]):
 
         Args:
             settings: how to reach the robot.
-            report: is called with each step.
+            report: called with each step.
 
         Raises:
             LearnBlockError: the robot needs no setup, or it failed.
@@ -94,7 +94,7 @@ class RealRobot(Client, Generic[SettingsT]):
 
 
 def require(package: str, robot: str) -> ModuleType:
-    """Import a library that only one robot needs.
+    """Import a library that only this robot needs.
 
     Raises:
         MissingPackageError: it is not installed.
@@ -108,7 +108,7 @@ def require(package: str, robot: str) -> ModuleType:
 
 
 def not_written(function: Callable[..., Any], *given: object) -> NotWrittenError:
-    """The error of a function that its author still has to write, as `learnblock new` makes it.
+    """The error for a function that its author has not written yet, as `learnblock new` makes it.
 
         def heading(self) -> float:
             'Return how far the robot has turned, degrees, clockwise.'

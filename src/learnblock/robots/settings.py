@@ -56,17 +56,17 @@ def load(robot: str, kind: type[SettingsT], chosen: Mapping[str, Any] | None = N
         chosen: settings by name, which override those of the file.
 
     Raises:
-        SettingsError: a value or a name is wrong, in the file or among those chosen.
+        SettingsError: a value or a name in the file or in `chosen` is invalid.
     """
     return table(robot, kind).load(chosen)
 
 
 def change(robot: str, kind: type[SettingsT], name: str, text: str | None) -> SettingsT:
-    """Change one setting, given as text, in the user's file; None restores its default.
+    """Change one setting, given as a string, in the user's file; None restores its default.
 
     Raises:
         UnknownNameError: the robot has no such setting.
-        SettingsError: the value is wrong, or the file already contains a mistake.
+        SettingsError: the value is invalid, or the file already is.
     """
     return table(robot, kind).change(name, text)
 
@@ -75,7 +75,7 @@ def describe(robot: str, kind: type[RobotSettings]) -> Iterator[Described]:
     """Describe every setting of a robot with its current value.
 
     Raises:
-        SettingsError: the user's file contains a mistake.
+        SettingsError: the user's file is invalid.
     """
     return table(robot, kind).describe()
 

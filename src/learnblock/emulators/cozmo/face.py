@@ -29,7 +29,7 @@ def pixels(run_lengths: bytes) -> Pixels:
     It is drawn column by column. The two high bits of a byte are its kind: 0 for empty columns, 1
     for repetitions of the previous column, 2 and 3 for a run of 1 to 16 and of 17 to 32 pixels
     downwards, lit if one of the two low bits is set. The rest of an unfinished column is empty.
-    (pycozmo.image_encoder; its decoder is wrong if a long run ends within a column)
+    (pycozmo.image_encoder; its decoder fails if a long run ends within a column)
 
     Raises:
         ValueError: the run lengths exceed the screen.

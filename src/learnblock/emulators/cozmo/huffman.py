@@ -10,7 +10,7 @@ from functools import cache
 
 DHT, SOS, END = 0xC4, 0xDA, b"\xff\xd9"
 
-#: Symbols by their codes, texts of 0 and 1.
+#: Symbols by their codes, strings of 0 and 1.
 Table = Mapping[str, int]
 
 

@@ -1,4 +1,4 @@
-"""The robot's reports of its state, about thirty a second."""
+"""The robot's reports of its state, about thirty per second."""
 
 import math
 from typing import Any

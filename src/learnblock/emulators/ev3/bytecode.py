@@ -187,7 +187,7 @@ class Machine:
 
 
 def _put(reply: bytearray, start: int, form: str, value: float) -> None:
-    """Write a result; the firmware requires a position that is a multiple of its size."""
+    """Write a result; the firmware requires its position to be a multiple of its size."""
     size = struct.calcsize(form)
     if start % size or start + size > len(reply):
         raise ByteCodeError(f"no place for a result at {start}")

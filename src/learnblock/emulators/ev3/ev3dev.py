@@ -14,7 +14,7 @@ from learnblock.errors import EmulatorError
 
 #: Seconds between two checks of the files; the kernel's own loop takes 2 ms.
 PERIOD = 0.004
-#: The most seconds until a process listens.
+#: The maximum number of seconds until a process listens.
 TIMEOUT = 20.0
 #: rpyc's classic server, with python-ev3dev2 using our files. The kernel takes each write as the
 #: whole value; an ordinary file keeps the rest of a longer value, so that each value ends its line.

@@ -57,7 +57,7 @@ class Firmware:
         self._listener.close()
 
     def attach(self, file: int, *, reports: bool) -> None:
-        """Also serve a client at a file, as with Bluetooth, or with USB in reports.
+        """Also serve a client through a file, as with Bluetooth, or with USB in reports.
 
         Args:
             file: the brick's end, closed with the brick.
@@ -128,7 +128,7 @@ class Firmware:
                     os.write(file, replies.ljust(REPORT, b"\0"))
 
     def _read(self, file: int) -> bytes:
-        """Read the next data; nothing at the end."""
+        """Read the next data; empty at the end."""
         while not self._closed.is_set():
             ready, _, _ = select.select([file], [], [], 0.1)
             if ready:

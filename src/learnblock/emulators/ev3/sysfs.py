@@ -13,7 +13,7 @@ from learnblock.emulators.ev3.vehicle import FASTEST, LEFT, RIGHT, Vehicle
 
 #: Characters of every file, more than any value, so that each value overwrites the last one.
 WIDTH = 64
-#: Of a full set of batteries.
+#: The voltage of a full set of batteries.
 MICROVOLTS = 7_800_000
 
 #: The start of every address.
@@ -36,7 +36,7 @@ class Attribute:
         self._write()
 
     def show(self, value: object) -> None:
-        """Show a value to readers."""
+        """Make a value visible to readers."""
         if str(value) != self.value:
             self.value = str(value)
             self._write()
@@ -155,7 +155,7 @@ class Sensor(Device):
             self["mode"].show(mode)
 
     def unplug(self) -> None:
-        """Pull its cable: the kernel forgets it."""
+        """Unplug it: the kernel removes it."""
         self.plugged = False
         for attribute in self._attributes.values():
             attribute.lose()

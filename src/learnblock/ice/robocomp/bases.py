@@ -52,7 +52,7 @@ def base_state(layout: Layout) -> Structure:
 
 
 def generic_base(layout: Layout) -> Interface:
-    """The questions to every base."""
+    """The queries that every base answers."""
     return Interface("::RoboCompGenericBase::GenericBase", _questions(layout))
 
 

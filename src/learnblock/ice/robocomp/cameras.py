@@ -53,7 +53,7 @@ class PointXYZ:
 
 @dataclass(frozen=True, slots=True)
 class CameraParameters:
-    """One of the two cameras: pixels, bytes, frames a second."""
+    """One of the two cameras: pixels, bytes, frames per second."""
 
     focal: Int = 0
     width: Int = 0
@@ -79,7 +79,7 @@ class RGBDParams:
 
 
 def rgbd(layout: Layout) -> Interface:
-    """A camera of colour and depth; ``getData`` gives RGB bytes and distances in mm, packed."""
+    """A colour and depth camera; ``getData`` returns RGB bytes and distances in mm, packed."""
     failed = (Refusal("::RoboCompRGBD::HardwareFailedException"),)
     registration = Enumeration(Registration)
     pixels, depths, points = (

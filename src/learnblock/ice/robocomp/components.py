@@ -24,7 +24,7 @@ class Parameter:
 
 
 def common_behavior() -> Interface:
-    """The component itself: its period in ms, its parameters, and how to end it."""
+    """The component itself: its period in ms, its parameters, and an operation that ends it."""
     parameters = Dictionary(STRING, Structure.of(Parameter))
     return Interface(
         "::RoboCompCommonBehavior::CommonBehavior",

@@ -1,7 +1,7 @@
-"""What detectors find: plain values that travel between processes.
+"""The results of detectors: plain values that can be sent between processes.
 
 Columns grow to the right and rows downwards. Thresholds are given for a frame of 320 by 240 pixels
-and scale with the frame that a detection carries the size of.
+and scale with the frame size, which each detection contains.
 """
 
 from collections.abc import Mapping

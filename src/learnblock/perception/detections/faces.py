@@ -7,15 +7,15 @@ from learnblock.perception.detections.points import Point
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """A face in a frame, by the rectangle around it.
+    """A face in a frame, as the rectangle around it.
 
     Args:
         x: column of its left edge, pixels.
         y: row of its top edge, pixels.
-        width: pixels.
-        height: pixels.
-        frame_width: pixels.
-        frame_height: pixels.
+        width: in pixels.
+        height: in pixels.
+        frame_width: in pixels.
+        frame_height: in pixels.
     """
 
     x: int
@@ -67,9 +67,9 @@ class FaceEmotion:
     """A face in a frame and its emotion.
 
     Args:
-        face: where it is.
+        face: the face.
         emotion: ``fear``, ``surprise``, ``anger``, ``sadness``, ``disgust``, ``joy`` or
-            ``neutral``, as `learnblock.devices.Emotion` names them.
+            ``neutral``, as in `learnblock.devices.Emotion`.
         confidence: how sure the classifier is, 0 to 1.
     """
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-# Pixels of a colour that make a line, and red and black pixels in the centre that make a crossing.
+# The minimum pixels of a colour in a line, and of red and black in the centre of a crossing.
 LINE_PIXELS = 20
 CROSSING_PIXELS = 40
 
@@ -16,8 +16,8 @@ class LineView:
         left: pixels in the left three eighths of the columns.
         center: pixels in the two eighths between.
         right: pixels in the right three eighths.
-        frame_width: pixels.
-        frame_height: pixels.
+        frame_width: in pixels.
+        frame_height: in pixels.
     """
 
     colour: str
@@ -29,7 +29,7 @@ class LineView:
 
     @property
     def is_there(self) -> bool:
-        """Some side has more than 20 pixels."""
+        """Whether a side has more than 20 pixels."""
         return self.has_more(LINE_PIXELS, max(self.left, self.center, self.right))
 
     def has_more(self, threshold: int, count: int) -> bool:
@@ -49,7 +49,7 @@ class LineView:
         return self.is_there and self._side() == "right"
 
     def _side(self) -> str:
-        """The side with the most pixels; of equal sides the center, then the left."""
+        """The side with the most pixels; if equal, the center, then the left."""
         counts = {"center": self.center, "left": self.left, "right": self.right}
         return max(counts, key=counts.__getitem__)
 
@@ -64,5 +64,5 @@ class Lines:
 
     @property
     def is_crossing(self) -> bool:
-        """A red and a black line meet: the center has more than 40 pixels of each."""
+        """Whether a red and a black line meet: the center has more than 40 pixels of each."""
         return all(view.has_more(CROSSING_PIXELS, view.center) for view in (self.red, self.black))

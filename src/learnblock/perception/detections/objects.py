@@ -4,24 +4,24 @@ from dataclasses import dataclass
 
 from learnblock.perception.detections.points import Point
 
-# The columns, of a frame 320 wide, between which an object counts as being in the centre.
+# The columns, of a frame 320 wide, between which an object is in the centre.
 LEFT_BORDER, RIGHT_BORDER = 120, 200
 
 
 @dataclass(frozen=True, slots=True)
 class ColouredObject:
-    """A connected patch of one colour in a frame, by the rectangle around it.
+    """A connected patch of one colour in a frame, as the rectangle around it.
 
     Args:
         colour: ``red``, ``orange``, ``yellow``, ``green``, ``blue`` or ``purple``.
         center: (column, row) of its centre of mass in pixels.
-        area: its pixels.
+        area: the number of its pixels.
         x: column of its left edge, pixels.
         y: row of its top edge, pixels.
-        width: pixels.
-        height: pixels.
-        frame_width: pixels.
-        frame_height: pixels.
+        width: in pixels.
+        height: in pixels.
+        frame_width: in pixels.
+        frame_height: in pixels.
     """
 
     colour: str

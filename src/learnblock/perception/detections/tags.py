@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from learnblock.perception.detections.points import Point
 
-# A tag within this many pixels of the middle column counts as being in the centre.
+# A tag within this many pixels of the middle column is in the centre.
 CENTRE_REACH = 40
 
 
@@ -17,9 +17,9 @@ class TagPose:
         x: mm to the right of the lens's axis.
         y: mm below it.
         z: mm ahead.
-        yaw: degrees, clockwise seen from above; 0 where the tag's face is square to the axis.
+        yaw: degrees, clockwise seen from above; 0 if the tag's face is perpendicular to the axis.
         pitch: degrees by which its upper edge leans away from the lens.
-        roll: degrees, clockwise as the camera sees it; 0 where its first corner is the top left.
+        roll: degrees, clockwise as the camera sees it; 0 if its first corner is at the top left.
     """
 
     x: float
@@ -40,9 +40,9 @@ class Tag:
         corners: (column, row) of the black square's top left, top right, bottom right and bottom
             left, named for a tag that is upright as `learnblock.simulator.textures.tag`
             draws it.
-        pose: where it is seen from the lens, or None where the lens or the tag's size is not known.
-        frame_width: pixels.
-        frame_height: pixels.
+        pose: its pose relative to the lens; None if the lens or the tag's size is unknown.
+        frame_width: in pixels.
+        frame_height: in pixels.
     """
 
     id: int
@@ -54,12 +54,12 @@ class Tag:
 
     @property
     def distance(self) -> float | None:
-        """From the lens to its centre in mm, or None where its pose is not known."""
+        """The distance from the lens to its centre in mm; None if its pose is unknown."""
         return None if self.pose is None else math.hypot(self.pose.x, self.pose.y, self.pose.z)
 
     @property
     def offset(self) -> float:
-        """Pixels of a frame 320 wide from the middle column; to the right is positive."""
+        """Its offset from the middle column in pixels of a frame 320 wide; right is positive."""
         return (self.center[0] - 0.5 * (self.frame_width - 1)) * 320 / self.frame_width
 
     @property

@@ -1,1 +1,1 @@
-"""Detectors: images in, detections out."""
+"""Detectors, which search images."""

@@ -1,6 +1,6 @@
-"""What faces express, by the expression net of face-api (Mühler 2018), run by `cv2.dnn`.
+"""The emotions of faces, by the expression net of face-api (Mühler 2018), run by `cv2.dnn`.
 
-The weights come with the package and are made when it is built: `hatch_weights.py` says from what.
+The weights are part of the package; `hatch_weights.py` builds them with it.
 """
 
 import threading
@@ -22,18 +22,18 @@ if TYPE_CHECKING:
     from learnblock.perception.sight import Sight
 
 WEIGHTS = Path(__file__).parents[1] / "weights" / "emotions.onnx"
-#: The net's classes in its own order, named as the robots' emotions are.
+#: The net's classes in its own order, with the names of the robots' emotions.
 EMOTIONS = ("neutral", "joy", "sadness", "anger", "fear", "disgust", "surprise")
 # The side of the net's input square, and the mean colour (RGB) that is subtracted, as in
 # face-api's FaceFeatureExtractor.
 SIDE = 112
 MEAN = np.array([122.782, 117.001, 104.298], np.float32)
 # The net's answer changes with a few pixels of the box around a face. So it gets two squares, which
-# have these parts of the cascade's side and are moved up by a part of it, and the mean counts.
-# Chosen on drawn faces of persons 1 to 60.
+# have these fractions of the cascade's side and are moved up by a fraction of it; the mean is used.
+# Chosen on drawn faces of people 1 to 60.
 SQUARES = (0.88, 1.0)
 RISE = 0.025
-# OpenCV's net keeps its working memory between calls: one face at a time.
+# OpenCV's net keeps its working memory between calls: so one face at a time.
 _TURN = threading.Lock()
 
 
@@ -59,7 +59,7 @@ def emotions_of(frame: Frame, faces: Iterable[Face]) -> tuple[FaceEmotion, ...]:
 
     Args:
         frame: RGB, uint8, shape (height, width, 3).
-        faces: as `detect_faces` finds them in it.
+        faces: the faces that `detect_faces` found in it.
 
     Raises:
         FrameError: `frame` is not a picture.

@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 CASCADE = "haarcascade_frontalface_default.xml"
 # Each pass of the cascade looks for faces larger by this factor.
 SCALE_STEP = 1.1
-# So many overlapping finds make a face; fewer let walls and lines pass for one.
+# The number of overlapping finds that make a face; with fewer, walls and lines pass for one.
 NEIGHBOURS = 4
 # The smallest face, in pixels of a frame 240 high.
 SMALLEST = 30
-# OpenCV's classifier keeps working memory of its own: one frame at a time.
+# OpenCV's classifier has its own working memory, so one frame at a time.
 _TURN = threading.Lock()
 
 

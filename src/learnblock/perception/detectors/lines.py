@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 Triple = tuple[int, int, int]
 
-# Hue (0 to 180), saturation and value in OpenCV's units. Red is at both ends of the hues.
+# Hue (0 to 180), saturation and value in OpenCV's units. Red is at both ends of the scale.
 RED = (((0, 50, 100), (10, 255, 255)), ((170, 50, 100), (180, 255, 255)))
 BLUE = (((100, 50, 50), (130, 255, 255)),)
-# Black goes by the value, a pixel's brightest channel: by luminance, pure blue is as dark.
+# Black is judged by value, a pixel's brightest channel; by luminance, pure blue is as dark.
 BLACK = ((0, 0, 0), (180, 255, 50))
 # In a frame of 320 by 240: the searched region, and the pixels by which colours are dilated.
 ROWS = (15, 225)
@@ -31,7 +31,7 @@ def look(sight: "Sight") -> Lines:
 
 
 def detect_lines(frame: Frame) -> Lines:
-    """Count black, red and blue in the left, the centre and the right of a frame.
+    """Count black, red and blue pixels in the left, the centre and the right of a frame.
 
     Args:
         frame: RGB, uint8, shape (height, width, 3).
@@ -53,7 +53,7 @@ def detect_lines(frame: Frame) -> Lines:
 
 
 def _coloured(hsv: cv2.typing.MatLike, ranges: Sequence[tuple[Triple, Triple]]) -> Frame:
-    """255 where a pixel is within one of the ranges, dilated."""
+    """A mask, 255 if a pixel is within one of the ranges, dilated."""
     mask = cv2.inRange(hsv, *ranges[0])
     for low, high in ranges[1:]:
         mask = cv2.bitwise_or(mask, cv2.inRange(hsv, low, high))

@@ -1,4 +1,4 @@
-"""Things of one strong colour: red, orange, yellow, green, blue or purple."""
+"""Objects of one strong colour: red, orange, yellow, green, blue or purple."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     from learnblock.perception.sight import Sight
 
 COLOURS = ("red", "orange", "yellow", "green", "blue", "purple")
-# Where each colour's hues end, as OpenCV has them (0 to 180); beyond purple it is red again.
+# Where each colour's hues end, in OpenCV's units (0 to 180); beyond purple is red again.
 HUES = (8, 21, 34, 85, 130, 165)
-# Below these a colour is grey, or too dark to be recognised, as are skin, wood and paper.
+# Below these, a colour is grey or too dark to be recognised, like skin, wood and paper.
 SATURATION, VALUE = 110, 60
-# The smallest object, in pixels of a frame of 320 by 240: less may be noise.
+# The smallest object, in pixels of a frame of 320 by 240: smaller ones may be noise.
 SMALLEST = 60
 
 
@@ -29,7 +29,7 @@ def look(sight: "Sight") -> tuple[ColouredObject, ...]:
 def detect_objects(frame: Frame) -> tuple[ColouredObject, ...]:
     """The coloured objects in a frame, the largest first.
 
-    Things of one colour that touch in the frame are one object.
+    Objects of the same colour that touch in the frame count as one.
 
     Args:
         frame: RGB, uint8, shape (height, width, 3).
@@ -69,7 +69,7 @@ _BY_HUE = _by_hue()
 
 def _blobs(mask: NDArray[np.bool_], colour: str) -> Iterator[ColouredObject]:
     height, width = mask.shape
-    # Single pixels are noise, and a bridge of them is not a connection.
+    # Single pixels are noise, and a row of them does not connect two objects.
     opened = cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
     _, _, measures, centers = cv2.connectedComponentsWithStats(opened)
     # The first component is the rest of the frame.

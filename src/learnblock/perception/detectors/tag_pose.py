@@ -1,4 +1,4 @@
-"""The pose of a tag, from the picture of its corners."""
+"""The pose of a tag, from the positions of its corners."""
 
 import cv2
 import numpy as np
@@ -41,7 +41,7 @@ def _angles(rotation: cv2.typing.MatLike) -> tuple[float, float, float]:
     right, _, out = np.asarray(rotation, np.float64).T
     yaw = np.arctan2(-out[0], -out[2])
     pitch = np.arctan2(-out[1], np.hypot(out[0], out[2]))
-    # Where the square's right side would point if it were not rolled.
+    # The direction of the square's right side if it were not rolled.
     level = np.array([np.cos(yaw), 0.0, -np.sin(yaw)])
     roll = np.arctan2(right @ np.cross(level, out), right @ level)
     return float(np.degrees(yaw)), float(np.degrees(pitch)), float(np.degrees(roll))

@@ -23,7 +23,7 @@ def look(sight: "Sight") -> tuple[Tag, ...]:
 def detect_tags(
     frame: Frame, focal: float | None = None, size: float | None = None
 ) -> tuple[Tag, ...]:
-    """Find the tags in a frame, by number, then from left to right, then from top to bottom.
+    """Find the tags in a frame, sorted by number, then from left to right, then from top to bottom.
 
     Args:
         frame: RGB, uint8, shape (height, width, 3).
@@ -82,7 +82,7 @@ def _tag(
 
 
 def _crossing(corners: NDArray[np.float64]) -> Point:
-    """The point where the diagonals meet: the picture of the square's centre at any rotation."""
+    """The point where the diagonals meet: the image of the square's centre at any rotation."""
     homogeneous = np.column_stack([corners, np.ones(4)])
     meeting = np.cross(
         np.cross(homogeneous[0], homogeneous[2]), np.cross(homogeneous[1], homogeneous[3])

@@ -2,7 +2,7 @@
 
 Two are the paper's: Apriltag, which finds tags, and EmotionRecognition, which finds faces and their
 emotions. Their interfaces are the same in every `learnblock.ice.robocomp.Layout`, but the number
-that a picture's `width` stands for differs (`Order`).
+that a picture's `width` means differs (`Order`).
 """
 
 from learnblock.perception.robocomp.asking import Asked, AskedEmotions, AskedTags

@@ -27,16 +27,16 @@ TAGS = 587
 class Asked(Closing):
     """A detector that uses a component: a context manager.
 
-    It connects when it is first used, and again after the link broke.
+    It connects when it is first used, and again after the link breaks.
 
     Args:
-        host: where the component is.
-        port: where it listens.
-        order: which of a picture's numbers it reads as the rows; None detects it where possible.
+        host: the component's host.
+        port: the port on which it listens.
+        order: which of a picture's numbers it reads as the rows; None detects it if possible.
         timeout: limit of a call in seconds.
     """
 
-    #: The detector's name, and the object's.
+    #: The names of the detector and of the Ice object.
     name: ClassVar[str]
     identity: ClassVar[str]
 
@@ -49,7 +49,7 @@ class Asked(Closing):
         self._is_known = False
 
     def detect(self, sight: Sight) -> Detections:
-        """Have the component search a frame.
+        """Let the component search a frame.
 
         Raises:
             RobotConnectionError: it cannot be reached, does not answer in time, or is a different
@@ -64,14 +64,14 @@ class Asked(Closing):
         return self._understood(list(islice(found, MOST_FOUND)), sight.frame)
 
     def close(self) -> None:
-        """Close the connection; the second time it does nothing."""
+        """Close the connection; calling it twice is harmless."""
         self._proxy.close()
 
     def find_order(self) -> Order:
         """Find out which order the component reads, if its answers show that.
 
         Raises:
-            IceError: it cannot be reached, or refuses.
+            IceError: it cannot be reached, or refuses the call.
         """
         return Order.ROWS
 
@@ -105,7 +105,7 @@ class AskedTags(Asked):
     identity = "apriltag"
 
     def find_order(self) -> Order:
-        """Show it a tag, which it finds at its place only if it reads the numbers as we do."""
+        """Send it a tag, whose position it finds only if it reads the numbers as we do."""
         picture = _picture_of_a_tag()
         fitting = (order for order in Order if self._finds_the_tag(picture, order))
         return next(fitting, Order.ROWS)
@@ -149,7 +149,7 @@ class AskedEmotions(Asked):
 #: The tag in the picture that detects the order: id, column and row of its centre.
 _SHOWN = FoundTag(id=7, cx=230, cy=150)
 _SIDE = 100
-#: Pixels between where a tag is and where a detector finds it.
+#: The tolerance for a found tag's position, in pixels.
 _NEAR = 10
 
 
@@ -168,7 +168,7 @@ def _is_shown(found: FoundTag) -> bool:
 
 
 def _face(found: FoundEmotion, frame: Frame) -> Face | None:
-    """The part of a face's rectangle that is in the frame; None if none is."""
+    """The part of a face's rectangle that is in the frame; None if none of it is."""
     height, width = frame.shape[:2]
     left, top = max(found.x, 0), max(found.y, 0)
     right, bottom = min(found.x + found.w, width), min(found.y + found.h, height)

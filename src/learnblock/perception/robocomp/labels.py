@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-#: Its five labels and our names for them.
+#: The five labels and our names for them.
 EMOTIONS: Mapping[str, str] = {
     "Happy": "joy",
     "Sad": "sadness",
@@ -15,10 +15,10 @@ _FOLDED = {label.casefold(): emotion for label, emotion in EMOTIONS.items()}
 
 
 def label_of(emotion: str) -> str | None:
-    """Its label for one of our emotions; fear and disgust have none."""
+    """The label for one of our emotions; fear and disgust have none."""
     return _LABELS.get(emotion)
 
 
 def emotion_of(label: str) -> str | None:
-    """Our emotion for one of its labels, however it is written; None for another word."""
+    """Our emotion for a label in any case; None for any other word."""
     return _FOLDED.get(label.strip().casefold())

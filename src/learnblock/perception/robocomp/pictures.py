@@ -1,4 +1,4 @@
-"""Frames as the pictures that travel to and from components."""
+"""Frames as the pictures sent to and from components."""
 
 from enum import StrEnum
 
@@ -18,10 +18,10 @@ MOST_PIXELS = 1920 * 1200
 class Order(StrEnum):
     """The meaning of a picture's two numbers; the pixels are in rows in either case."""
 
-    #: `width` is the number of rows and `height` that of columns: RoboComp's components, and the
+    #: `width` is the number of rows, `height` the number of columns: RoboComp's components, and the
     #: paper's tool, send the shape of an array.
     ROWS = "rows"
-    #: The numbers mean what their names say.
+    #: The numbers have the meaning of their names.
     COLUMNS = "columns"
 
 
@@ -36,8 +36,8 @@ def unpacked(picture: Picture, order: Order | None = None) -> Frame:
     """Convert a picture to a frame.
 
     Args:
-        picture: as it was sent.
-        order: what its numbers mean; None detects it.
+        picture: the picture as received.
+        order: the meaning of its numbers; None detects it.
 
     Raises:
         PictureError: it is not RGB, too large or incomplete.
@@ -74,7 +74,7 @@ def _shaped(picture: Picture, rows: int, columns: int) -> Frame:
 
 
 def _roughness(frame: Frame) -> float:
-    """How much pixels differ from those below them: least if the rows are the true ones."""
+    """How much pixels differ from those below them; minimal if the row length is correct."""
     if len(frame) < 2:
         return float("inf")
     return cv2.norm(frame[1:], frame[:-1], cv2.NORM_L1) / frame[1:].size

@@ -21,7 +21,7 @@ class Component:
     """A detector with the interface of one of RoboComp's components.
 
     Args:
-        order: of the numbers of pictures; None detects it for each.
+        order: the meaning of a picture's numbers; None detects it for each picture.
     """
 
     #: The name of the detector.
@@ -75,10 +75,10 @@ def serve(
 
     Args:
         name: ``apriltag`` or ``emotionrecognition``.
-        port: where it listens: 0 for any free port, None for the usual one.
-        host: the address of this computer where it listens.
-        order: of the numbers of pictures; None detects it for each.
-        drawn: whether it will be shown only drawn and simulated faces.
+        port: the port to listen on: 0 for any free port, None for the usual one.
+        host: the local address to listen on.
+        order: the meaning of a picture's numbers; None detects it for each picture.
+        drawn: whether it will see only drawn and simulated faces.
 
     Returns:
         The adapter, and the port.
@@ -99,7 +99,7 @@ def serve(
     try:
         return adapter, adapter.serve({name: servant}, wanted)
     except (OSError, UnicodeError) as error:
-        # UnicodeError: some texts cannot even be looked up as host names.
+        # UnicodeError: some strings cannot even be looked up as host names.
         adapter.close()
         reason = getattr(error, "strerror", None) or error
         raise LearnBlockError(
@@ -111,6 +111,6 @@ def serve(
 
 
 def _as_found(found: FaceEmotion) -> FoundEmotion | None:
-    """A face in the interface's form; None if the interface has no word for its emotion."""
+    """A face in the interface's format; None if the interface has no word for its emotion."""
     label, face = label_of(found.emotion), found.face
     return FoundEmotion(face.x, face.y, face.width, face.height, label) if label else None

@@ -10,10 +10,10 @@ if TYPE_CHECKING:
 
 
 def chosen_components(settings: PerceptionSettings) -> "Mapping[str, Asked]":
-    """The detectors that use them, by their names; nothing is sent yet."""
+    """The detectors that use these components, by name; nothing is sent yet."""
     if not (settings.apriltag or settings.emotionrecognition):
         return {}
-    # Few users have chosen any.
+    # Few users choose any.
     from learnblock.perception.robocomp import AskedEmotions, AskedTags, Order  # noqa: PLC0415
 
     order = None if settings.layout == "auto" else Order(settings.layout)

@@ -5,7 +5,7 @@ import numpy as np
 
 from learnblock.perception.frames import Frame
 
-#: Larger pictures are scaled down: detectors would take longer and find hardly more.
+#: Larger pictures are scaled down: detectors would take longer and find little more.
 MOST_COLUMNS = 640
 
 

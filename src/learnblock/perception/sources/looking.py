@@ -20,7 +20,7 @@ class Vision(Closing):
         read: returns the newest picture or None; a newer picture is a different object.
         drawn: whether the camera sees only drawn and simulated faces, whose emotions may always be
             recognised.
-        focal: the lens's focal length in pixels, where it is known: it gives the poses of tags.
+        focal: the lens's focal length in pixels, if known; it gives the poses of tags.
     """
 
     def __init__(
@@ -42,7 +42,7 @@ class Vision(Closing):
         None if there is no picture or no such detector, or if the settings forbid it.
 
         Raises:
-            SettingsError: the settings of perception are wrong.
+            SettingsError: the settings are invalid.
             RobotConnectionError: a component cannot be reached.
         """
         if not self._settings.permits(name, drawn=self._drawn) or name not in self._detectors:
@@ -51,7 +51,7 @@ class Vision(Closing):
         return None if frame is None else self._look(frame).detect(name)
 
     def close(self) -> None:
-        """Close the components; the second time it does nothing."""
+        """Close the components; calling it twice is harmless."""
         self._ending.close()
 
     @cached_property
@@ -70,7 +70,7 @@ class Vision(Closing):
         return {**DETECTORS, **asked}
 
     def _look(self, frame: "Frame") -> "Sight":
-        """The sight of a frame, which keeps the detections so far."""
+        """The sight of a frame, which stores its detections."""
         from learnblock.perception import Sight  # noqa: PLC0415 - as above
 
         sight = self._sight
@@ -80,8 +80,8 @@ class Vision(Closing):
 
 
 def _is_same(one: "Frame", other: "Frame") -> bool:
-    """Whether two frames are equal, as a simulator's are while nothing moves."""
+    """Whether two frames are equal, like those of a simulator while nothing moves."""
     import numpy as np  # noqa: PLC0415 - as above
 
-    # Comparing them takes a hundredth of the time of searching for a face.
+    # Comparing them takes a hundredth of the time for face detection.
     return one is other or np.array_equal(one, other)

@@ -19,10 +19,10 @@ USUAL_RATE = 30.0
 class Recording(Closing):
     """A video file as a camera: it shows the picture at the robot's time, and repeats.
 
-    So every run sees the same pictures, at any speed.
+    Every run thus sees the same pictures, at any speed.
 
     Args:
-        path: of the file.
+        path: the path of the file.
         time: returns the robot's time in seconds.
     """
 
@@ -32,14 +32,14 @@ class Recording(Closing):
         self._turn = threading.Lock()
         self._capture: cv2.VideoCapture | None = None
         self._rate = USUAL_RATE
-        #: The number of pictures read in this round, and the last of them.
+        #: The number of pictures read in this repetition, and the last one.
         self._passed = 0
         self._frame: Frame | None = None
         #: The number of pictures in the file, once its end has been reached.
         self._length = 0
 
     def read(self) -> Frame:
-        """The current picture; the same object as long as it is the same picture.
+        """The current picture; the same object while the picture is the same.
 
         Raises:
             RobotConnectionError: there is no such file, or it contains no pictures.
@@ -56,7 +56,7 @@ class Recording(Closing):
             return self._frame
 
     def close(self) -> None:
-        """Close the file; the second time it does nothing."""
+        """Close the file; calling it twice is harmless."""
         with self._turn:
             if self._capture:
                 self._capture.release()
@@ -64,7 +64,7 @@ class Recording(Closing):
 
     def _opened(self) -> cv2.VideoCapture:
         if self._capture is None:
-            # OpenCV would read other texts as addresses, or as patterns of file names.
+            # OpenCV would interpret other strings as addresses, or as patterns of file names.
             if not self._path.is_file():
                 raise RobotConnectionError("perception-video-missing", path=str(self._path))
             self._capture = cv2.VideoCapture(str(self._path))
@@ -74,7 +74,7 @@ class Recording(Closing):
         return self._capture
 
     def _pass_one(self, capture: cv2.VideoCapture, wanted: int) -> int:
-        """Skip one picture, or decode it if it is the wanted one; return the wanted number."""
+        """Skip one picture, or decode it if it is the requested one; return that one's number."""
         if not capture.grab():
             if not self._passed:
                 raise RobotConnectionError("perception-video-unreadable", path=str(self._path))
@@ -89,6 +89,6 @@ class Recording(Closing):
         return wanted
 
     def _rewind(self, capture: cv2.VideoCapture) -> None:
-        # Not by seeking, which works only in an intact file.
+        # Not by seeking, which works only in intact files.
         capture.open(str(self._path))
         self._passed = 0

@@ -10,17 +10,17 @@ from learnblock.errors import RobotConnectionError
 from learnblock.perception.frames import Frame
 from learnblock.perception.sources.frames import frame_of
 
-#: The size we request; a webcam may send another one.
+#: The size we request; a webcam may send a different one.
 SIZE = (640, 480)
-#: Seconds within which it has to send its first picture: some take long to start.
+#: Seconds to wait for the first picture: some webcams are slow to start.
 TIMEOUT = 10.0
 
 
 class Webcam(Closing):
-    """The newest picture of a webcam, which is turned on when its first picture is read.
+    """The newest picture of a webcam, which is turned on when the first picture is read.
 
     Args:
-        source: its number, 0 for the first one; or another source that OpenCV can open.
+        source: its number, 0 for the first webcam, or another source that OpenCV can open.
         timeout: how long to wait for the first picture, in seconds.
     """
 
@@ -30,7 +30,7 @@ class Webcam(Closing):
         self._turn = threading.Lock()
         self._thread: threading.Thread | None = None
         self._closed = threading.Event()
-        #: Whether there is a picture, or never will be.
+        #: Set once there is a picture, or once it is clear that there will be none.
         self._settled = threading.Event()
         self._newest: cv2.typing.MatLike | None = None
         self._shown: cv2.typing.MatLike | None = None
@@ -56,11 +56,11 @@ class Webcam(Closing):
             return self._frame
 
     def close(self) -> None:
-        """Turn it off; the second time it does nothing."""
+        """Turn it off; calling it twice is harmless."""
         self._closed.set()
         self._settled.set()
         if self._thread:
-            # One that hangs in its driver must not keep the robot from being stopped.
+            # A hanging driver must not prevent the robot from being stopped.
             self._thread.join(timeout=1)
 
     def _switch_on(self) -> None:
@@ -81,7 +81,7 @@ class Webcam(Closing):
                 (*SIZE, 1),
                 strict=True,
             ):
-                # A webcam that cannot do this keeps its own setting.
+                # A webcam without this setting keeps its own.
                 capture.set(name, value)
             self._watch_pictures(capture)
 

@@ -1,7 +1,7 @@
 """CoppeliaSim, formerly V-REP: drives a robot in a scene over the ZeroMQ remote API.
 
-It needs version 4.6 or later; V-REP 3 had another remote API. The setting `scene` chooses the
-robot: that of our own script, that of the paper, or any robot by the names of its parts.
+It needs version 4.6 or later; V-REP 3 had a different remote API. The setting `scene` chooses the
+robot: the one of our script, the one of the paper, or any robot by the names of its parts.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -38,7 +38,7 @@ _SCENES: Mapping[str, Callable[[Remote, Settings], Scene]] = {
 class Robot(RealRobot[Settings]):
     """A robot in a scene of CoppeliaSim.
 
-    The devices of a scene with our script are known only once it is connected.
+    The devices of a scene with our script are known only after connecting.
     """
 
     settings_type = Settings

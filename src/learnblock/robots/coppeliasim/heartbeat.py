@@ -1,11 +1,11 @@
-"""Regular calls that feed a robot's watchdog and detect a lost connection."""
+"""Regular calls that reset a robot's watchdog and detect a lost connection."""
 
 import threading
 from collections.abc import Callable
 
 from learnblock.errors import RobotConnectionError
 
-#: Seconds between two beats; our script stops the motors after the time of three.
+#: Seconds between two beats; our script stops the motors after three missed beats.
 PERIOD = 0.1
 
 
@@ -23,7 +23,7 @@ class Heartbeat:
         """Check that no beat has failed.
 
         Raises:
-            RobotConnectionError: what the last beat raised.
+            RobotConnectionError: the last beat failed.
         """
         if self._error:
             phrase = self._error.phrase

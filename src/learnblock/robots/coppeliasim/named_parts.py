@@ -61,7 +61,7 @@ class Axle:
 
     @property
     def to_the_left(self) -> tuple[float, float]:
-        """The vector from the right wheel to the left one in m."""
+        """The vector from the right wheel to the left one, in m."""
         return self.left[3] - self.right[3], self.left[7] - self.right[7]
 
     @property
@@ -80,7 +80,7 @@ class Axle:
     def direction(self, joint: Matrix) -> float:
         """1 if positive turns of a joint roll its wheel forward, else -1.
 
-        They do if the joint's z axis points to the left.
+        That is so if the joint's z axis points to the left.
         """
         along, across = self.to_the_left
         return math.copysign(1.0, joint[2] * along + joint[6] * across)
@@ -90,7 +90,7 @@ class NamedParts:
     """The robot whose parts are named in the settings; it has no watchdog.
 
     Raises:
-        RobotConnectionError: the scene lacks one of the objects.
+        RobotConnectionError: the scene has no such object.
     """
 
     has_watchdog = False
@@ -122,11 +122,11 @@ class NamedParts:
         self._turn(self._right, self._directions[1] * right)
 
     def beat(self) -> object:
-        """Read the heading; such a scene has no watchdog to feed."""
+        """Read the heading; such a scene has no watchdog."""
         return self._turning.read()
 
     def _turn(self, joint: int, speed: float) -> None:
-        """Roll a wheel at a speed in mm/s."""
+        """Turn a wheel at a ground speed in mm/s."""
         self._remote.call("setJointTargetVelocity", joint, speed / self._settings.wheel_radius)
 
     def _axle(self) -> Axle:

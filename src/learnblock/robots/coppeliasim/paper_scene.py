@@ -1,7 +1,7 @@
 """The paper's scene of V-REP: an EV3 whose script `Funciones` has one function for each device.
 
-The functions are written for the old remote API: each takes and returns lists of whole numbers, of
-numbers and of texts, and a buffer. `On` takes mm/s and rad/s, clockwise positive as in the paper's
+The functions are written for the old remote API: each takes and returns lists of integers, of
+floats and of strings, and a buffer. `On` takes mm/s and rad/s, clockwise positive as in the paper's
 client; `SensorSonar` returns m, `SensorGyroA` degrees, `SensorLight` 0 to 100.
 """
 
@@ -56,7 +56,7 @@ class PaperScene:
         self._call("On", adv, math.radians(rot))
 
     def beat(self) -> object:
-        """Read the heading; the script has no watchdog to feed."""
+        """Read the heading; the script has no watchdog."""
         return self._turning.read()
 
     def _heading(self) -> float:
@@ -74,7 +74,7 @@ class PaperScene:
 
 
 def _sonar(reply: Any) -> float:
-    """The distance in mm; both nothing and 0 m mean that there was no echo."""
+    """The distance in mm; both no value and 0 m mean that there was no echo."""
     if not _list(reply, _NUMBERS):
         return NOTHING_SEEN
     return millimetres(_list(reply, _NUMBERS)[0]) or NOTHING_SEEN

@@ -25,7 +25,7 @@ AVERAGE_INTENSITY = 10
 
 
 class BadReplyError(ValueError):
-    """A reply of CoppeliaSim does not have the expected form; its text is the reply, shortened."""
+    """A reply of CoppeliaSim has an unexpected form; the message is the shortened reply."""
 
     def __init__(self, reply: object) -> None:
         super().__init__(f"{reply!r:.80}")
@@ -34,7 +34,7 @@ class BadReplyError(ValueError):
 class Turning:
     """Follows a wrapped heading through full turns.
 
-    It must be read before the robot has turned by 180 degrees.
+    It must be read again before the robot has turned by 180 degrees.
 
     Args:
         read: returns degrees clockwise, wrapped or not.
@@ -85,7 +85,7 @@ def matrix(reply: object) -> tuple[float, ...]:
     """The twelve numbers of an object's pose: three rows of three directions and a position in m.
 
     Raises:
-        BadReplyError: it is something else.
+        BadReplyError: it is not a pose.
     """
     if not isinstance(reply, Sequence) or len(reply) != 12:
         raise BadReplyError(reply)
@@ -144,7 +144,7 @@ def picture(reply: object) -> "Frame":
     Raises:
         BadReplyError: it is not an image.
     """
-    import numpy as np  # noqa: PLC0415 - a robot without a camera does without
+    import numpy as np  # noqa: PLC0415 - not needed without a camera
 
     image = converted(reply, tuple[bytes, tuple[int, int]])
     data, (width, height) = image
@@ -159,7 +159,7 @@ def converted(reply: object, kind: Any) -> Any:
     """A reply converted to a type.
 
     Raises:
-        BadReplyError: it does not fit the type.
+        BadReplyError: it does not match the type.
     """
     try:
         return msgspec.convert(reply, kind)

@@ -13,10 +13,10 @@ from learnblock.errors import RobotConnectionError, SceneCallError
 from learnblock.i18n import Phrase
 from learnblock.robots.real import require
 
-#: The allowed commands in a reply: none, wait, or ask again.
+#: The allowed commands in a reply: none, wait, or repeat.
 _WAITS = (None, "_*wait*_", "_*repeat*_")
-#: How often a request is sent before the connection counts as lost. All of our requests either read
-#: or set a value, so that repeating one is harmless.
+#: How often a request is sent before the connection counts as lost. All our requests either read
+#: or set a value, so repeating one is harmless.
 ATTEMPTS = 3
 
 
@@ -68,7 +68,7 @@ class Remote:
         return self._asked(lambda: called(*arguments))
 
     def constant(self, *names: str) -> Any:
-        """The value of the first of these constants that exists in this version.
+        """The value of the first of these constants that this version has.
 
         Raises:
             SceneCallError: none of them exists.
@@ -155,7 +155,7 @@ def _client_class(library: ModuleType) -> Any:
 
 @contextmanager
 def _main_module_unchanged() -> Iterator[None]:
-    """Undo the vendor's client's change of the user's program: it adds a function `require`."""
+    """Remove the function `require` that the vendor's client adds to the user's program."""
     names = vars(sys.modules["__main__"])
     before = {"require": names["require"]} if "require" in names else {}
     try:

@@ -11,7 +11,7 @@ class Scene(Protocol):
 
     @property
     def has_watchdog(self) -> bool:
-        """Whether the motors stop by themselves when the program falls silent."""
+        """Whether the motors stop by themselves if the program sends no commands."""
 
     def devices(self) -> Iterator[tuple[Device, str]]:
         """The devices with their keys."""
@@ -20,4 +20,4 @@ class Scene(Protocol):
         """Drive at mm/s and degrees/s clockwise."""
 
     def beat(self) -> object:
-        """Feed the robot's watchdog, and follow its heading."""
+        """Reset the robot's watchdog, and track its heading."""

@@ -1,7 +1,7 @@
 """Our own scene: the robot that the script `scene.lua` in this folder builds and drives.
 
-Its functions use our units and signs. Its motors stop after 0.35 s of silence, so that the robot
-stands within half a second.
+Its functions use our units and signs. Its motors stop after 0.35 s without a call, so the robot
+has stopped within half a second.
 """
 
 from collections.abc import Iterator, Mapping, Sequence

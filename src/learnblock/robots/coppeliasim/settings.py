@@ -22,7 +22,7 @@ class Settings(RobotSettings, frozen=True):
         Literal["script", "paper", "names"],
         Meta(description="robot-setting-scene"),
     ] = "script"
-    #: Empty stands for `/LearnBlock` with our script, `/Funciones` with the paper's.
+    #: Empty means `/LearnBlock` with our script, or `/Funciones` with the paper's.
     script: Annotated[str, Meta(max_length=200, description="robot-setting-script")] = ""
     left_wheel: ObjectPath = "/leftMotor"
     right_wheel: ObjectPath = "/rightMotor"

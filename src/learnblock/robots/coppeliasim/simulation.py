@@ -6,9 +6,9 @@ from time import monotonic
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.coppeliasim.remote import Remote
 
-#: The states of a simulation, as ``sim.getSimulationState`` numbers them (regular API constants).
+#: The states of a simulation, by the numbers of ``sim.getSimulationState`` (regular API constants).
 STOPPED, PAUSED = 0, 8
-#: Those in which robots move: first step after a stop, running, first step after a pause.
+#: The states in which robots move: first step after a stop, running, first step after a pause.
 MOVING = frozenset({16, 17, 20})
 
 
@@ -26,13 +26,13 @@ class Simulation:
         self._ours = False
 
     def start(self) -> None:
-        """Run the simulation in real time, the time of the program.
+        """Run the simulation in real time, like the program.
 
         Raises:
             RobotConnectionError: it does not start.
         """
         real_time = self._remote.constant("boolparam_realtime_simulation")
-        self._remote.call("setBoolParam", real_time, True)  # noqa: FBT003 - as the API has it
+        self._remote.call("setBoolParam", real_time, True)  # noqa: FBT003 - the API's signature
         deadline, pause = monotonic() + self._timeout, Event()
         while (state := self._state()) not in MOVING:
             if monotonic() > deadline:

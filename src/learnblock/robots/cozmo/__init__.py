@@ -88,7 +88,7 @@ class Robot(RealRobot[CozmoSettings]):
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
-        """Try the address in the settings; a robot that answers is taken over for a moment."""
+        """Try the address in the settings; this briefly takes over a robot that answers."""
         if importlib.util.find_spec("pycozmo") is None:
             return
         known: CozmoSettings = user_settings.load(cls.name(), cls.settings_type)
@@ -108,7 +108,7 @@ class Robot(RealRobot[CozmoSettings]):
         session.prepare(
             colour=chosen.colour, stop_at_cliff=chosen.stop_at_cliff, volume=chosen.volume
         )
-        # Without a guardian the robot stops only after five seconds of silence.
+        # Without a guardian, the robot stops only after five seconds without messages.
         self._guardian = Guardian(type(self), chosen)
         self._add_sensors(session)
         self._add_joints(session)
@@ -117,7 +117,7 @@ class Robot(RealRobot[CozmoSettings]):
             self.add(RGBLed(set_color=partial(session.light, slot)), slot)
 
     def disconnect(self) -> None:
-        # Both run even if one fails, the last one first.
+        # Both run even if one fails, in reverse order.
         with ExitStack() as ending:
             if self._guardian is not None:
                 ending.callback(self._guardian.dismiss)
@@ -149,7 +149,7 @@ class Robot(RealRobot[CozmoSettings]):
         self.add(JointMotor(move=head, read=lambda: session.head_angle.degrees), "CAMERA")
 
     def _add_stage(self, session: "Session") -> None:
-        # Both need pycozmo, as the session does.
+        # Both need pycozmo, like the session.
         from learnblock.robots.cozmo import face, sound  # noqa: PLC0415
         from learnblock.robots.cozmo.stage import Stage  # noqa: PLC0415
 
@@ -181,7 +181,7 @@ class Robot(RealRobot[CozmoSettings]):
 
 def _session(address: str, port: int, timeout: float) -> "Session":
     require("pycozmo", "cozmo")
-    # It needs pycozmo, which is installed only by owners of a Cozmo.
+    # It needs pycozmo, which only owners of a Cozmo install.
     from learnblock.robots.cozmo.session import Session  # noqa: PLC0415
 
     return Session(address, port, timeout)

@@ -1,4 +1,4 @@
-"""Cozmo's twelve behaviours: sequences of faces, moves of head, lift and treads, and notes.
+"""Cozmo's twelve behaviours: sequences of faces, movements of head, lift and treads, and notes.
 
 The original animations belong to Cozmo's app and cannot be distributed. These are our own, and much
 simpler.
@@ -33,7 +33,7 @@ class Step:
 
 _STILL = (0.0, 0.0)
 
-#: Each ends at about the pose where it started.
+#: Each ends near the pose where it started.
 BEHAVIOURS: Mapping[str, Sequence[Step]] = {
     "Bored": (
         Step(0.8, face=Emotion.NEUTRAL, head=-20, drive=(0, -40)),

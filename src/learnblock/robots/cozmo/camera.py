@@ -17,7 +17,7 @@ class Picture:
     """A picture as received.
 
     Args:
-        data: all pieces together: a byte that is 1 for colours, and the coded pixels of a JPEG
+        data: all pieces joined: a byte that is 1 for colours, and the coded pixels of a JPEG
             without its header.
         encoding: one of pycozmo's `ImageEncoding`.
         resolution: one of pycozmo's `ImageResolution`.
@@ -36,7 +36,7 @@ class Picture:
             # Colour pictures have half the width.
             frame = np.asarray(picture if picture.size == size else picture.resize(size))
         except (LookupError, OSError, SyntaxError, ValueError):
-            # The errors of libjpeg, pillow and numpy for wrong bits.
+            # The errors of libjpeg, pillow and numpy for invalid data.
             return None
         frame.flags.writeable = False
         return frame

@@ -12,9 +12,9 @@ from pycozmo.image_encoder import ImageEncoder
 from learnblock.devices import Emotion
 
 WIDTH, HEIGHT = 128, 64
-"""Pixels of the screen; only every other row can be lit."""
+"""The size of the screen in pixels; only every other row can be lit."""
 LONGEST = 1000
-"""The most bytes of an encoded picture; the robot drops a frame of more than 1037 bytes."""
+"""The limit of an encoded picture in bytes; the robot drops frames of more than 1037 bytes."""
 
 _FACES = {
     Emotion.ANGER: expressions.Anger,
@@ -44,7 +44,7 @@ def picture(frame: NDArray[np.uint8]) -> bytes:
 
 
 def _coarse(grey: Any, block: int) -> bytes | None:
-    """A picture in blocks of this many pixels, or None if it is still too long."""
+    """A picture in blocks of this many pixels, or None if it is still too large."""
     small = grey.resize((WIDTH // block, HEIGHT // block)).point(lambda level: 255 * (level > 127))
     coded = _encoded(small.resize((WIDTH, HEIGHT), Image.Resampling.NEAREST).convert("1"))
     return coded if len(coded) <= LONGEST else None

@@ -1,6 +1,6 @@
 """Stops a Cozmo whose program is gone.
 
-The guardian's process has to be quick, so this module sends the few packets itself: loading pycozmo
+The guardian's process must be quick, so this module sends the few packets itself: loading pycozmo
 and numpy would take too long.
 """
 
@@ -32,7 +32,7 @@ def halt(address: str, port: int, timeout: float) -> None:
     """Connect to the robot, stop its motors and disconnect.
 
     Args:
-        address: its network name or number.
+        address: its host name or IP address.
         port: its UDP port.
         timeout: how long to wait for an answer, in seconds.
 
@@ -85,13 +85,13 @@ def _insist(
 
 
 def _acknowledged(wire: socket.socket, seconds: float, kind: int | None) -> int:
-    """The number that the next frame of this kind acknowledges, or 0 without one in time."""
+    """The number that the next frame of this kind acknowledges, or 0 if none arrives in time."""
     if not select.select((wire,), (), (), seconds)[0]:
         return 0
     try:
         datagram = wire.recv(65536)
     except OSError:
-        # No program listens there.
+        # No program is listening there.
         return 0
     if len(datagram) < _HEADER.size:
         return 0
@@ -104,7 +104,7 @@ def _send(wire: socket.socket, frame: bytes) -> None:
     try:
         wire.send(frame)
     except OSError:
-        # No program listens there, or the network is down: the frame is sent again later.
+        # No program is listening there, or the network is down: the frame is sent again later.
         return
 
 

@@ -2,7 +2,7 @@
 
 In pycozmo 0.8.0
 
-- every received frame restarts the resend timer, even the 30 status reports a second, so that
+- every received frame restarts the resend timer, even the 30 status reports per second, so
   nothing is ever resent;
 - a batch that does not fit into one frame is split with a wrong last number in the first frame;
 - the latest frame is acknowledged even if an earlier one is missing, and frames without a number
@@ -42,7 +42,7 @@ class Sender(SendThread):  # type: ignore[misc] # pycozmo has no types
             self._send_packets(self._resend_messages() + self._collect_messages(), self.last_ack)
 
     def ack(self, seq: int, last_ack: int) -> None:
-        """Note that the robot has received up to `seq`, and we have received up to `last_ack`."""
+        """Record that the robot has received up to `seq`, and we have received up to `last_ack`."""
         with self.lock:
             oldest = self.window.expected_seq
             self.window.acknowledge(seq)
@@ -134,7 +134,7 @@ class Receiver(ReceiveThread):  # type: ignore[misc] # pycozmo has no types
         try:
             datagram, address = self.sock.recvfrom(65536)
         except OSError:
-            # No program listens there, which some systems report as an error.
+            # No program is listening there, which some systems report as an error.
             return
         frame = decoded(datagram)
         if frame is None or address != self.sender_address:

@@ -1,4 +1,4 @@
-"""Cozmo's pose and the angle it has turned, from its status reports."""
+"""Cozmo's pose and the angle that it has turned, from its status reports."""
 
 import math
 
@@ -8,7 +8,7 @@ FULL_TURN = 2 * math.pi
 
 
 class Odometry:
-    """Follows the pose that the robot reports.
+    """Tracks the pose that the robot reports.
 
     The robot counts mm ahead and to the left, and radians to the left from -pi to pi, from an
     origin. After a person lifts it, the origin moves to where it is put down.
@@ -22,10 +22,10 @@ class Odometry:
         self.pose: Pose = (0.0, 0.0, 0.0)
 
     def follow(self, origin: object, x: float, y: float, angle: float) -> None:
-        """Take in a report.
+        """Process a report.
 
         Args:
-            origin: the robot's name for its origin.
+            origin: the robot's identifier of its origin.
             x: mm ahead of the origin.
             y: mm to its left.
             angle: radians to the left.

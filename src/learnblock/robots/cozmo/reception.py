@@ -9,7 +9,7 @@ COUNTED = 60
 
 
 class Reception:
-    """Counts the reports that arrive against those that the robot has sent."""
+    """Compares the number of received reports with the number sent."""
 
     def __init__(self) -> None:
         self._stamps: deque[int] = deque(maxlen=COUNTED)

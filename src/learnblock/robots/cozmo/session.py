@@ -22,9 +22,9 @@ from learnblock.robots.cozmo.reception import Reception
 POLL = 0.005
 """Seconds between two checks for an answer."""
 CALIBRATION = 3.0
-"""The most seconds in which the robot calibrates its head and lift."""
+"""The maximum number of seconds for which the robot calibrates its head and lift."""
 FIRST_PICTURE = 1.0
-"""The most seconds that a program waits for the first picture before it starts."""
+"""The maximum number of seconds that a program waits for the first picture before it starts."""
 LOUDEST = 65535
 
 # pycozmo's log is for its developers; users get our own errors.
@@ -35,7 +35,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
     """A connection to a robot that is identified and calibrated.
 
     Args:
-        address: its network name or number.
+        address: its host name or IP address.
         port: its UDP port.
         timeout: how long to wait for an answer, in seconds.
 
@@ -73,7 +73,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
 
     def close(self) -> None:
         """Stop the motors and disconnect, in less than 0.5 s."""
-        # First, since an animation may be about to move something.
+        # First, because an animation may be about to move something.
         self.anim_controller.stop()
         if self.conn.is_open:
             self.stop_all_motors()
@@ -91,7 +91,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
             raise RobotConnectionError("cozmo-silent", place=self._place, seconds=round(silence, 1))
 
     def status(self) -> RobotStatus:
-        """The battery and the link quality by the last reports."""
+        """The battery and the link quality from the last reports."""
         return RobotStatus(
             battery=round(self.battery_voltage, 2) if self._reported else None,
             link_quality=self._reception.quality,
@@ -116,12 +116,12 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
 
     @property
     def accelerations(self) -> tuple[float, float, float]:
-        """mm/s2 forward, left and up."""
+        """The acceleration forward, left and up in mm/s2."""
         return self.accel.x, self.accel.y, self.accel.z
 
     @property
     def lift(self) -> float:
-        """The lift's height, mm."""
+        """The lift's height in mm."""
         return float(self.lift_position.height.mm)
 
     # Commands.

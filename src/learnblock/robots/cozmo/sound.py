@@ -15,9 +15,9 @@ from learnblock.errors import DeviceValueError, LearnBlockError, nearest
 from learnblock.storage.home import home
 
 RATE = 22050
-"""Samples a second."""
+"""Samples per second."""
 FRAME_LENGTH = 744
-"""Samples in a packet; the robot plays 30 packets a second (pycozmo.audio)."""
+"""Samples in a packet; the robot plays 30 packets per second (pycozmo.audio)."""
 LONGEST_TONE = 60.0
 """Seconds."""
 FADE = 0.005
@@ -38,7 +38,7 @@ Samples = NDArray[np.int16]
 
 
 def tone(hertz: float, seconds: float) -> Samples:
-    """A pure tone at half of the full volume."""
+    """A pure tone at half volume."""
     count = round(RATE * min(max(seconds, 0.0), LONGEST_TONE))
     wave_ = np.sin(2 * np.pi * hertz * np.arange(count) / RATE)
     fading = np.minimum(np.arange(count), np.arange(count)[::-1]) / (FADE * RATE)
@@ -80,7 +80,7 @@ def speech(text: str, voice: str) -> Samples:
 
     Args:
         text: the text to say.
-        voice: one of espeak-ng's, such as ``en``.
+        voice: a voice of espeak-ng, such as ``en``.
 
     Raises:
         LearnBlockError: espeak-ng cannot speak it.

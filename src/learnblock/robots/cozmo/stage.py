@@ -1,4 +1,4 @@
-"""Plays pictures, sounds and behaviours on Cozmo in thirty frames a second."""
+"""Plays pictures, sounds and behaviours on Cozmo at thirty frames per second."""
 
 from collections.abc import Sequence
 from itertools import zip_longest
@@ -52,7 +52,7 @@ class Stage:
             queue.pkt_queue.clear()
 
     def _align(self) -> None:
-        """Delay pictures and moves until the queued sounds have been played."""
+        """Delay pictures and movements until the queued sounds have been played."""
         queue = self._controller.queue
         with queue.lock:
             waiting = (queue.audio_queue, queue.image_queue, queue.pkt_queue)
@@ -62,7 +62,7 @@ class Stage:
 
 
 def _frames(step: Step) -> list[tuple[Any, Any, Any]]:
-    """The sound, picture and moves of each frame of a step."""
+    """The sound, picture and movements of each frame of a step."""
     count = max(1, round(step.seconds * FRAMES_A_SECOND))
     image = None if step.face is None else packets.DisplayImage(image=face.emotion(step.face))
     notes = _audio(_melody(step))[:count]

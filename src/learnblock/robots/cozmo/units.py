@@ -5,15 +5,15 @@ import math
 from learnblock.wheels import limited, wheel_speeds
 
 TRACK = 45.0
-"""mm between the treads (pycozmo.robot)."""
+"""The distance between the treads in mm (pycozmo.robot)."""
 MAXIMUM_SPEED = 200.0
-"""mm/s of a tread (pycozmo.robot)."""
+"""The maximum speed of a tread in mm/s (pycozmo.robot)."""
 LOWEST_HEAD, HIGHEST_HEAD = -25.0, 44.5
-"""Degrees (pycozmo.robot)."""
+"""The range of the head in degrees (pycozmo.robot)."""
 PIVOT, ARM = 45.0, 66.0
-"""mm: the height of the lift's pivot, and the length of its arm (pycozmo.robot)."""
+"""The height of the lift's pivot and the length of its arm in mm (pycozmo.robot)."""
 LOWEST_LIFT, HIGHEST_LIFT = 32.0, 92.0
-"""mm above the floor (pycozmo.robot)."""
+"""The range of the lift in mm above the floor (pycozmo.robot)."""
 
 LIGHTS = ("Left", "Front", "Center", "Rear", "Right")
 """The lamps on Cozmo's back, in pycozmo's order."""
@@ -22,7 +22,7 @@ LIGHTS = ("Left", "Front", "Center", "Rear", "Right")
 def treads(adv: float, rot: float) -> tuple[float, float]:
     """The speeds of the left and the right tread in mm/s.
 
-    If one would be too fast, both are reduced, so that the curve stays the same.
+    If one would be too fast, both are reduced, so that the curve is unchanged.
 
     Args:
         adv: mm/s, positive is forward.
@@ -32,7 +32,7 @@ def treads(adv: float, rot: float) -> tuple[float, float]:
 
 
 def head_angle(degrees: float) -> float:
-    """The head's angle in radians for degrees (up is positive), limited to its range."""
+    """The head's angle in radians for an angle in degrees (up is positive), within its range."""
     return math.radians(min(max(degrees, LOWEST_HEAD), HIGHEST_HEAD))
 
 

@@ -75,6 +75,6 @@ class Robot(RoboCompRobot[Settings]):
 
     def _express(self, emotion: str) -> None:
         operation = "expressNeutral" if emotion == "none" else f"express{emotion.capitalize()}"
-        # RoboComp's face of 2020 has no neutral expression, so it keeps the current one.
+        # The face of RoboComp since 2020 has no neutral expression, so it keeps the current one.
         if self._face.can(operation):
             self._face.ask(operation)

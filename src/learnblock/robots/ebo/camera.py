@@ -1,4 +1,4 @@
-"""EBO's camera: 20 JPEG pictures a second, sent by an MQTT broker."""
+"""EBO's camera: 20 JPEG pictures per second, sent by an MQTT broker."""
 
 import threading
 from time import monotonic
@@ -73,7 +73,7 @@ class StreamedCamera:
         """Check that pictures arrive.
 
         Raises:
-            RobotConnectionError: they do not.
+            RobotConnectionError: they do not arrive.
         """
         if monotonic() - self._came > self._timeout:
             raise self._silent()
@@ -84,7 +84,7 @@ class StreamedCamera:
         self._client.loop_stop()
 
     def _subscribe(self, *_: Any) -> None:
-        # Needed again whenever the client reconnects, which it does by itself.
+        # Needed again whenever the client reconnects, which it does on its own.
         self._client.subscribe(TOPIC)
 
     def _receive(self, _client: Any, _data: Any, message: Any) -> None:

@@ -6,7 +6,7 @@ brick it can also be started from the brick's file browser.
 
 It is one file, because it is copied to the brick, and uses only the kernel's files under /sys/class
 and the standard library of Python 3.5, which is part of the ev3dev image: python-ev3dev2 takes
-seconds to import on the brick, and its version varies. `Motor` and `Sensor` have those properties
+seconds to import on the brick, and its version varies. `Motor` and `Sensor` have the properties
 of python-ev3dev2 that `Brick` needs, so that it works with either: over rpyc, the client executes
 `serve` on the brick with python-ev3dev2.
 
@@ -23,9 +23,9 @@ values of its message.
     {"drive": [143, 143]}       degrees/s of the left and the right wheel
     {"tone": [440, 500]}        hertz, milliseconds
     {"say": "hello"}
-    {}                          only asks for the state
+    {}                          only requests the state
 
-The motors stop when the client has been silent for 0.3 s, until its next drive command, and at the
+The motors stop if the client sends nothing for 0.3 s, until its next drive command, and at the
 end of the connection.
 """
 
@@ -48,14 +48,14 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple
 
 SYSFS = "/sys/class"
 PORT = 18813
-#: The most bytes of a line.
+#: The maximum number of bytes of a line.
 LONGEST_LINE = 4096
-#: Seconds of silence until the motors stop, until a client makes room for another one, and until an
+#: Seconds of silence until the motors stop, until a client may be replaced by another, and until an
 #: unidentified client must have proved that it knows the secret.
 SILENCE, ABSENCE, INTRODUCTION = 0.3, 1.5, 3.0
 #: Seconds between two readings of the battery, which changes slowly.
 BATTERY_PERIOD = 5.0
-#: The most connections at a time; all but one are unidentified.
+#: The maximum number of connections; all but one are unidentified.
 MOST_CLIENTS = 8
 #: The answer to a second client.
 TAKEN = {"error": "ev3-taken", "taken": True}
@@ -97,7 +97,7 @@ class Device:
         self._file(name, "wb").write("{}\n".format(value).encode())
 
     def _file(self, name: str, mode: str) -> Any:
-        """The open file, at its start, where the kernel reads and writes a whole value."""
+        """The open file, at position 0, where the kernel reads and writes a whole value."""
         if (name, mode) not in self._files:
             self._files[name, mode] = open(  # noqa: SIM115 - kept
                 os.path.join(self._folder, name), mode, buffering=0
@@ -137,14 +137,14 @@ class Sensor(Device):
 
 
 class Battery:
-    """The brick's battery, read now and then."""
+    """The brick's battery, read occasionally."""
 
     def __init__(self) -> None:
         self._read = 0.0
         self._volts = None  # type: Optional[float]
 
     def volts(self) -> Optional[float]:
-        """Its voltage; None where the kernel does not report it."""
+        """Its voltage; None if the kernel does not report it."""
         now = time.monotonic()
         if not self._read or now - self._read > BATTERY_PERIOD:
             self._read, self._volts = now, self._measure()
@@ -177,8 +177,8 @@ class Brick:
     """The motors and sensors that a client uses.
 
     Args:
-        wish: the ports of the motors, left and right, and of each kind of sensor; "" is any port.
-        motor: makes the motor with an address.
+        wish: the requested ports of the motors, left and right, and of each sensor; "" is any port.
+        motor: creates the motor with an address.
         sensors: lists the sensors.
     """
 
@@ -197,7 +197,7 @@ class Brick:
         self._sounds = []  # type: List[Any]
 
     def state(self) -> Dict[str, Any]:
-        """Degrees the wheels have turned, and each sensor's reading; None for a lost sensor."""
+        """Degrees that the wheels have turned, and sensor readings; None for a lost sensor."""
         state = dict(zip(("left", "right"), self._positions()))  # type: Dict[str, Any]
         for kind, (sensor, factor) in self._sensors.items():
             state[kind] = reading(sensor, factor)
@@ -229,7 +229,7 @@ class Brick:
             speech.stdout.close()
 
     def hush(self) -> None:
-        """End all sounds."""
+        """Stop all sounds."""
         for sound in self._sounds:
             if sound.poll() is None:
                 sound.terminate()
@@ -284,7 +284,7 @@ def reading(sensor: Any, factor: float) -> Optional[float]:
 
 
 class cable:  # noqa: N801 - used like a function
-    """Reports an error of a motor as an unplugged cable."""
+    """Reports a motor's error as an unplugged cable."""
 
     def __enter__(self) -> None:
         pass
@@ -295,11 +295,11 @@ class cable:  # noqa: N801 - used like a function
 
 
 class Guard:
-    """Answers the commands of one client, and stops the motors when it falls silent.
+    """Answers the commands of one client, and stops the motors if it sends nothing.
 
     Args:
         brick: the brick.
-        at_end: is called when the client is gone.
+        at_end: called when the client is gone.
     """
 
     def __init__(self, brick: Brick, at_end: Callable[[], object]) -> None:
@@ -384,7 +384,7 @@ def numbers(pair: Any) -> List[float]:
 
 
 def wished(word: Dict[str, Any]) -> Dict[str, Any]:
-    """The ports that a client asks for."""
+    """The ports that a client requests."""
     motors, sensors = word.get("motors"), word.get("sensors")
     right = (
         isinstance(motors, list)
@@ -405,7 +405,7 @@ def serve(
     sensors: Callable[[], Any],
     at_end: Callable[[], object] = lambda: None,
 ) -> Guard:
-    """Start to answer a client; its first line names the ports of motors and sensors."""
+    """Start answering a client; its first line names the ports of motors and sensors."""
     return Guard(Brick(wished(parsed(line)), motor, sensors), at_end)
 
 
@@ -482,7 +482,7 @@ class Agent:
     def _welcome(self) -> None:
         connection, _ = self._listener.accept()
         if len(self._clients) >= MOST_CLIENTS:
-            # The unidentified client that has waited longest makes room.
+            # The unidentified client that has waited longest is dropped.
             strangers = [client for client in self._clients.values() if not client.guard]
             self._dismiss(min(strangers, key=lambda client: client.since))
         try:
@@ -543,7 +543,7 @@ def listen(address: str, port: int) -> socket.socket:
 
 def main() -> None:
     """Run on the brick."""
-    global SYSFS  # noqa: PLW0603 - set once, before all else
+    global SYSFS  # noqa: PLW0603 - set once, before everything else
     here = os.path.dirname(os.path.abspath(__file__))
     parser = argparse.ArgumentParser(description="LearnBlock's agent on an EV3.")
     parser.add_argument("--address", default="", help="where to listen; everywhere by default")

@@ -15,11 +15,11 @@ class AgentLink(Link):
 
     Args:
         settings: the robot's settings.
-        on_state: is called with each new state.
+        on_state: called with each new state.
 
     Raises:
         RobotNotFoundError: no agent answers there.
-        RobotConnectionError: the agent has another secret or another client.
+        RobotConnectionError: the agent has a different secret or another client.
     """
 
     def __init__(self, settings: Settings, on_state: Callable[[State], None]) -> None:

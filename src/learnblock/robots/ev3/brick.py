@@ -9,12 +9,12 @@ class State(msgspec.Struct, frozen=True):
     """The state of a brick; an unplugged sensor reads None.
 
     Args:
-        left: degrees the left wheel has turned, forward positive.
+        left: degrees that the left wheel has turned, forward positive.
         right: the same for the right wheel.
-        ultrasonic: mm; 2550 when nothing is seen.
+        ultrasonic: the distance in mm; 2550 if nothing is seen.
         colour: reflected light, 0 to 100.
         gyroscope: degrees, clockwise positive, since it was plugged in.
-        touch: above 0 while it is pressed.
+        touch: above 0 while pressed.
         battery: the battery's voltage, V.
     """
 
@@ -28,7 +28,7 @@ class State(msgspec.Struct, frozen=True):
 
 
 class Look(NamedTuple):
-    """Only ask for the state."""
+    """Only request the state."""
 
 
 class Drive(NamedTuple):

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 
-#: Bytes of the firmware's largest message.
+#: The size of the firmware's largest message in bytes.
 LARGEST = 1024
 WITH_REPLY, REPLY, REPLY_ERROR = 0x00, 0x02, 0x04
 #: Layer 0 is the brick itself; other layers are bricks chained to it.
@@ -30,8 +30,8 @@ class Query:
     """An operation with a result, without the position of the result in the reply.
 
     Args:
-        code: its bytes before that position.
-        result: the format of its result, in the letters of `struct`.
+        code: the bytes before that position.
+        result: the format of its result, as a `struct` format character.
     """
 
     code: bytes
@@ -111,21 +111,21 @@ def tone(hertz: int, milliseconds: int, volume: int = 50) -> bytes:
 
 
 def command(counter: int, orders: bytes, question: Question) -> bytes:
-    """A whole message, its length first: orders, then a question."""
+    """A whole message, its length first: commands, then a query."""
     size = len(orders) + len(question.code) + _HEAD.size - 2
     return _HEAD.pack(size, counter, WITH_REPLY, question.reply.size) + orders + question.code
 
 
 def answered(body: bytes, counter: int, question: Question) -> tuple[float, ...] | None:
-    """The results in a reply, in the order of the question; a sensor without a value gives NaN.
+    """The results in a reply, in the order of the query; a sensor without a value gives NaN.
 
     Args:
         body: the message without its length.
         counter: the command's counter; for the reply to an earlier command the result is None.
-        question: the command's question.
+        question: the command's query.
 
     Raises:
-        ValueError: it is not a reply, or has another format.
+        ValueError: it is not a reply, or has a different format.
         CommandFailedError: the firmware could not execute the command.
     """
     if len(body) < _REPLY.size:

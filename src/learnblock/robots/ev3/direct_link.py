@@ -33,7 +33,7 @@ class DirectLink(Link):
 
     Args:
         settings: the robot's settings.
-        on_state: is called with each new state.
+        on_state: called with each new state.
 
     Raises:
         RobotNotFoundError: no such firmware answers.
@@ -89,7 +89,7 @@ class DirectLink(Link):
         return b""
 
     def _find_plugged(self, settings: Settings) -> Question:
-        """The question for all motor positions and sensor readings."""
+        """The query for all motor positions and sensor readings."""
         ports = [*range(4), *(FIRST_MOTOR + motor.port for motor in self._motors)]
         types = self._asked(b"", Question([direct.kind_of(port) for port in ports]))[::2]
         for there, name in zip(types[4:], (settings.left, settings.right), strict=True):
@@ -129,7 +129,7 @@ class DirectLink(Link):
 class Motor:
     """A motor whose speed is set in whole percents of its full speed.
 
-    The next command makes up for the rounding, so that the average speed is right: one percent is
+    The next command makes up for the rounding, so that the average speed is correct: one percent is
     5 mm/s.
 
     Args:

@@ -10,7 +10,7 @@ from learnblock.errors import RobotBusyError, RobotConnectionError
 from learnblock.robots.ev3.brick import Drive, Look, Say, State, Tone, Word
 from learnblock.robots.ev3.settings import Settings
 
-#: The most bytes of a line.
+#: The maximum number of bytes of a line.
 LONGEST_LINE = 4096
 #: The codes of the agent's errors.
 _ERRORS = frozenset(
@@ -37,11 +37,11 @@ class Answer(msgspec.Struct, frozen=True):
     """The answer to a command: the brick's state, or an error."""
 
     state: State | None = None
-    #: A code, or a sentence of an agent from before LearnBlock 0.2.
+    #: A code, or a sentence from an agent older than LearnBlock 0.2.
     error: str | None = None
     values: dict[str, str] = {}
     speaks: bool = False
-    #: Whether another client is the reason.
+    #: Whether the reason is another client.
     taken: bool = False
 
 
@@ -109,7 +109,7 @@ def spoken(word: Word) -> bytes:
 
 
 def introduction(settings: Settings, nonce: str) -> bytes:
-    """The client's first line: a proof of the secret, and the ports of motors and sensors."""
+    """The client's first line: proof of the secret, and the ports of motors and sensors."""
     proof = hmac.new(settings.token.encode(), nonce.encode(), hashlib.sha256).hexdigest()
     return msgspec.json.encode(
         {

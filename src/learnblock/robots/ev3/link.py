@@ -19,16 +19,16 @@ FRESH = 0.01
 class Link(ABC):
     """Exchanges one command and its answer at a time, from any thread; a failure ends it.
 
-    The last drive command is repeated ten times a second: the brick stops its motors during silence
-    and turns them again when a slow connection recovers.
+    The last drive command is repeated ten times per second: the brick stops its motors if it
+    receives nothing, and turns them again when a slow connection recovers.
 
     A subclass implements `exchange`. An OSError (broken or too slow) or a ValueError (invalid data)
-    breaks the link and becomes a RobotConnectionError; a RobotConnectionError of the subclass
+    breaks the link and becomes a RobotConnectionError; a RobotConnectionError from the subclass
     itself does not break it.
 
     Args:
         place: the brick's address, for errors.
-        on_state: is called with each new state.
+        on_state: called with each new state.
     """
 
     def __init__(self, place: str, on_state: Callable[[State], None]) -> None:
@@ -58,13 +58,13 @@ class Link(ABC):
 
     @abstractmethod
     def hang_up(self) -> None:
-        """Close the connection, which ends a waiting exchange; calling it twice is harmless."""
+        """Close the connection and interrupt a waiting exchange; calling it twice is harmless."""
 
     def farewell(self) -> None:  # noqa: B027 - most connections only need to be closed
         """Send a last message on an intact connection; its errors are ignored."""
 
     def begin(self) -> State:
-        """Ask for the first state, then keep the connection alive."""
+        """Request the first state, then keep the connection alive."""
         state = self.say(Look())
         self._thread.start()
         return state
@@ -126,7 +126,7 @@ class Link(ABC):
             self._thread.join()
 
     def _due(self, word: Word) -> Word:
-        """The command, or the last drive command if it is time to repeat that."""
+        """The command, or the last drive command if it is time to repeat it."""
         if isinstance(word, Drive):
             self._wish = word
         elif isinstance(word, Look) and any(self._wish) and self._is_late():

@@ -9,7 +9,7 @@ from learnblock.errors import RobotNotFoundError
 
 
 def dial(address: str, port: int, timeout: float) -> socket.socket:
-    """Make a TCP connection; `timeout` is also the timeout of each send and receive.
+    """Make a TCP connection; `timeout` also applies to each send and receive.
 
     Args:
         address: a name or an IP address.
@@ -31,7 +31,7 @@ def dial(address: str, port: int, timeout: float) -> socket.socket:
 
 
 def hang_up(connection: socket.socket) -> None:
-    """Close a connection and wake up threads that wait on it; calling it twice is harmless."""
+    """Close a connection and wake up threads waiting on it; calling it twice is harmless."""
     with suppress(OSError):
         # Fails if either side has already closed it.
         connection.shutdown(socket.SHUT_RDWR)

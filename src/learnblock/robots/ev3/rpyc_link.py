@@ -1,7 +1,7 @@
 """The connection to a brick with ev3dev and rpyc 4.1 to 5.3, as the paper used it.
 
 The agent's `serve` is executed on the brick, with python-ev3dev2's motors and sensors. A command
-then costs one round trip, while each attribute of a remote motor would cost one; and the motors
+then takes one round trip, instead of one for each attribute of a remote motor; and the motors
 stop on the brick when this program is gone.
 """
 
@@ -18,12 +18,12 @@ from learnblock.robots.ev3.network import dial, hang_up
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.real import require
 
-#: The most bytes of a message: an answer, or the traceback of an error.
+#: The maximum number of bytes of a message: an answer, or the traceback of an error.
 LARGEST = 1 << 20
-#: Seconds in which the slow processor imports python-ev3dev2 and finds its devices.
+#: Seconds within which the slow processor must import python-ev3dev2 and finds its devices.
 BEGINNING = 20.0
-#: The code that starts to answer on the brick, unless another program is being answered. The file
-#: lock ends with the process, and is released when the program has fallen silent.
+#: The code that starts answering on the brick, unless another program is being served. The file
+#: lock ends with the process, and is released when the program has stopped sending.
 BEGIN = """
 import fcntl, os, tempfile
 from ev3dev2.motor import Motor as _Motor
@@ -56,7 +56,7 @@ class RpycLink(Link):
 
     Args:
         settings: the robot's settings.
-        on_state: is called with each new state.
+        on_state: called with each new state.
 
     Raises:
         RobotNotFoundError: no rpyc server answers there.
@@ -115,7 +115,7 @@ class RpycLink(Link):
         return answer
 
     def _slowly(self, function: Any, argument: str) -> object:
-        """Call a function that may take long on the brick."""
+        """Call a function that may be slow on the brick."""
         doing = self._rpyc.async_(function)(argument)
         doing.set_expiry(BEGINNING)
         # Waits for the result, and raises errors of the brick.

@@ -1,4 +1,4 @@
-"""Looks for bricks in the network, on cables and by Bluetooth."""
+"""Looks for bricks on the network, on cables and over Bluetooth."""
 
 import re
 import socket
@@ -39,7 +39,7 @@ def scan(seconds: float) -> Iterator[Found]:
 
 
 def beacons(seconds: float, port: int = BEACONS) -> Iterator[Found]:
-    """The bricks with LEGO's firmware that send a beacon within some seconds."""
+    """The bricks with LEGO's firmware that send a beacon within a time limit."""
     deadline = monotonic() + seconds
     seen = set()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ear:
@@ -73,7 +73,7 @@ def _ev3dev(seconds: float) -> Iterator[Found]:
     try:
         known = user_settings.load("ev3", Settings)
     except LearnBlockError:
-        # Wrong settings are reported when they are used.
+        # Invalid settings are reported when they are used.
         known = Settings()
     addresses = {known.address, Settings().address}
     for address in sorted(addresses):
@@ -117,5 +117,5 @@ def _is_brick(file: Path) -> bool:
     try:
         return bool(USB_ID.search(file.read_text("utf-8", "replace")))
     except OSError:
-        # Its cable was pulled in this moment.
+        # Its cable has just been unplugged.
         return False

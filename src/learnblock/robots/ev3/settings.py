@@ -7,7 +7,7 @@ from msgspec import Meta
 from learnblock.robots.settings import Address, Length, Patience, Port, RobotSettings
 
 MotorPort = Literal["A", "B", "C", "D"]
-#: "" is any port with such a sensor.
+#: "" means any port with such a sensor.
 SensorPort = Literal["", "1", "2", "3", "4"]
 
 

@@ -15,10 +15,10 @@ from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.real import require
 from learnblock.storage.home import home
 
-#: The files in the user's folder on the brick: one that its file browser shows, and hidden ones.
+#: The files in the user's folder on the brick: a visible one in its file browser, and hidden ones.
 AGENT, TOKEN = "learnblock-agent.py", ".learnblock-token"
 LOG, PID = ".learnblock-log", ".learnblock-pid"
-#: Seconds in which the brick must accept the login and run a command; its processor is slow.
+#: Seconds within which the brick must accept the login and run a command; its processor is slow.
 TIMEOUT = 30.0
 #: Ends an agent that is already running; its old process id may belong to another process now.
 END = """
@@ -46,7 +46,7 @@ def set_up(settings: Settings, report: Callable[[Phrase], object]) -> None:
 
     Args:
         settings: the robot's settings.
-        report: is called with each step.
+        report: called with each step.
 
     Raises:
         MissingPackageError: paramiko is not installed on this computer.
@@ -74,7 +74,7 @@ def _logged_in(settings: Settings) -> Iterator[Any]:
     known = home() / "ev3-known-hosts"
     known.parent.mkdir(parents=True, exist_ok=True)
     known.touch()
-    # The first brick that answers is trusted, and must be the same from then on.
+    # The first brick that answers is trusted, and must have the same key from then on.
     client.load_host_keys(str(known))
     client.set_missing_host_key_policy(paramiko.AutoAddPolicy())
     try:

@@ -14,7 +14,7 @@ from learnblock.robots.ev3.network import resolve
 from learnblock.robots.ev3.rpyc_link import RpycLink
 from learnblock.robots.ev3.settings import Settings
 
-#: Seconds for which a busy brick is asked again: it drops a client after 1.5 seconds of silence.
+#: Seconds for which to retry a busy brick: it drops a client after 1.5 seconds of silence.
 TIMEOUT = 1.8
 
 _LINKS: dict[str, Callable[[Settings, Callable[[State], None]], Link]] = {
@@ -29,7 +29,7 @@ def open_link(settings: Settings, on_state: Callable[[State], None]) -> Link:
 
     Args:
         settings: the robot's settings.
-        on_state: is called with each new state.
+        on_state: called with each new state.
 
     Raises:
         RobotConnectionError: the brick cannot be reached.
@@ -42,7 +42,7 @@ def open_link(settings: Settings, on_state: Callable[[State], None]) -> Link:
 
 
 def _when_free(attempt: Callable[[], Link]) -> Link:
-    """Try again while the brick still waits for a program that is gone."""
+    """Try again while the brick is still waiting for a program that is gone."""
     deadline = monotonic() + TIMEOUT
     while True:
         try:
@@ -55,7 +55,7 @@ def _when_free(attempt: Callable[[], Link]) -> Link:
 
 def _first_open(settings: Settings, on_state: Callable[[State], None]) -> Link:
     number = resolve(settings.address, settings.patience)
-    # All attempts together take no longer than one may.
+    # All attempts together must not take longer than the timeout.
     hasty = msgspec.structs.replace(
         settings, address=number, patience=settings.patience / len(_LINKS)
     )
@@ -69,7 +69,7 @@ def _first_open(settings: Settings, on_state: Callable[[State], None]) -> Link:
 
 
 def _most_telling(failures: Sequence[RobotNotFoundError], address: str) -> RobotNotFoundError:
-    """The failure of a connection that was at least answered, or that of all of them."""
+    """The failure of the connection that was at least answered, else one for all of them."""
     for failure in failures:
         if failure.phrase.code != "ev3-no-answer":
             return failure

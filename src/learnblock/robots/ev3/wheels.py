@@ -42,7 +42,7 @@ class Odometry:
             return self._x, self._y, (self._heading + 180) % 360 - 180
 
     def follow(self, state: State) -> None:
-        """Take in the rotations of a new state."""
+        """Process the rotations of a new state."""
         with self._lock:
             last, self._last = self._last or state, state
             left = math.radians(state.left - last.left) * self._radius

@@ -17,7 +17,7 @@ UNLOCK = b"GET /target?sn= VMTP1.0\r\nProtocol: EV3\r\n\r\n"
 UNLOCKED = b"Accept:EV340\r\n\r\n"
 
 
-#: Seconds in which a device must accept a message.
+#: Seconds within which a device must accept a message.
 LONGEST_WRITE = 1.0
 
 Argument = TypeVar("Argument")
@@ -145,7 +145,7 @@ class DeviceFile(Stream):
     def _once(
         self, attempt: Callable[[Argument, float], Result | None], what: Argument, deadline: float
     ) -> Result:
-        """Try until it succeeds; between two attempts another thread may close the file."""
+        """Retry until it succeeds; another thread may close the file between attempts."""
         while True:
             with self._lock:
                 if self._closed:
@@ -181,7 +181,7 @@ class Usb(DeviceFile):
 
 
 def open_wire(device: str, address: str, port: int, timeout: float) -> Wire:
-    """Open the device if one is named, or else a Wi-Fi connection.
+    """Open the device if one is given, else a Wi-Fi connection.
 
     Raises:
         RobotNotFoundError: no brick answers.
@@ -193,13 +193,13 @@ def open_wire(device: str, address: str, port: int, timeout: float) -> Wire:
 
 def _opened(path: str) -> int:
     try:
-        import tty  # noqa: PLC0415 - Windows has none
+        import tty  # noqa: PLC0415 - missing on Windows
     except ImportError:
         raise RobotNotFoundError("ev3-no-device-files") from None
     try:
         file = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         if os.isatty(file):
-            # No conversion of line ends.
+            # No conversion of line endings.
             tty.setraw(file)
     except OSError as error:
         raise RobotNotFoundError(

@@ -17,10 +17,10 @@ class Pictures:
         self._frame: Frame | None = None
 
     def unpacked(self, packed: bytes) -> "Frame | None":
-        """The picture as a frame; None before the first one.
+        """The picture as a frame; None before the first picture.
 
         Raises:
-            RobotConnectionError: the number of bytes fits no picture.
+            RobotConnectionError: the number of bytes does not match any picture size.
         """
         if not packed:
             return None

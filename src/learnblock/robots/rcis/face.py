@@ -1,4 +1,4 @@
-"""Draws faces for RCIS's screen, which has no built-in ones."""
+"""Draws faces for RCIS's screen, which has no built-in faces."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ _EYE_LEVEL, _BROW_LEVEL, _MOUTH_LEVEL = 140, 80, 235
 
 @dataclass(frozen=True, slots=True)
 class _Look:
-    """An expression; all lengths in pixels.
+    """An expression; lengths are in pixels.
 
     Args:
         eye: half the height of an eye.

@@ -34,7 +34,7 @@ class Component:
         """Call an operation.
 
         Raises:
-            RobotConnectionError: the component cannot be reached, or refuses.
+            RobotConnectionError: the component cannot be reached, or refuses the call.
         """
         try:
             return self._proxy.call(operation, *values)
@@ -74,7 +74,7 @@ class Component:
         self._proxy.close()
 
     def error(self, error: IceError) -> RobotConnectionError:
-        """The error to raise for an error of Ice."""
+        """The error to raise for an Ice error."""
         robot, place = self._robot, str(self.endpoint)
         refusal = error.kind if isinstance(error, IceRefusedError) else ""
         if isinstance(error, IceEncodingError) or refusal == _NOT_UNDERSTOOD:

@@ -24,10 +24,10 @@ _NO_JOINT = MotorGoalPosition(name="which layout?")
 
 
 def layouts_of(endpoints: Mapping[str, Endpoint]) -> tuple[Layout, ...]:
-    """The layouts that fit the components' answers and that they understand.
+    """The layouts that match the components' answers and that they understand.
 
     Args:
-        endpoints: those of the components differentialrobot, jointmotor and laser.
+        endpoints: the endpoints of the components differentialrobot, jointmotor and laser.
 
     Raises:
         IceLinkError: one of them cannot be reached.
@@ -55,7 +55,7 @@ def _understands_goals(joints: Proxy) -> bool:
 
 
 def _answers_well(component: Proxy, question: str) -> bool:
-    """Whether the answer makes sense; a refusal proves nothing and counts as good."""
+    """Whether the answer makes sense; a refusal proves nothing and is accepted."""
     try:
         answer = component.call(question)
     except IceRefusedError:

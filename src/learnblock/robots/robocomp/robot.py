@@ -81,7 +81,7 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
 
     @classmethod
     def halt(cls, settings: RoboCompT) -> None:
-        # A guardian has to be quick; it tries again if the timeout was too short.
+        # A guardian must be quick; it retries if the timeout was too short.
         proxy = cls.proxy("differentialrobot", settings, settings.base_port, timeout=0.5)
         with closing(Component(cls.name(), "base", proxy)) as base:
             base.ask("setSpeedBase", 0.0, 0.0)
@@ -139,14 +139,14 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
         return component
 
     def drive(self, adv: float, rot: float) -> None:
-        """Drive at mm/s forward and degrees/s clockwise, the directions that RoboComp uses too."""
+        """Drive at mm/s forward and degrees/s clockwise, the same directions as RoboComp's."""
         if adv or rot:
             self._stopped = False
         self._base.ask("setSpeedBase", adv, math.radians(rot))
         self._stopped = not (adv or rot)
 
     def pose(self) -> Pose:
-        """The pose that the base reports."""
+        """The pose reported by the base."""
         return pose_of(self._base.ask("getBaseState"))
 
     def tilt(self, degrees: float) -> None:
@@ -159,7 +159,7 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
         return float(self._joint.ask("getMotorState", SERVO).pos / self.servo_scale)
 
     def _settle_layout(self) -> None:
-        """Use the layout of the settings, or detect it."""
+        """Use the layout in the settings, or detect it."""
         chosen = self.settings.layout
         self.layout = self._detected_layout() if chosen == "auto" else Layout(chosen)
         for component in (self._base, self._joint, *self.lasers):

@@ -12,7 +12,7 @@ def pose_of(state: BaseState) -> Pose:
 
 
 def in_range(mm: float) -> float:
-    """A distance in mm; values for "nothing seen" and failures become 2000."""
+    """A distance in mm; values that mean "nothing seen" or an error become 2000."""
     return mm if 0 < mm < NOTHING_SEEN else NOTHING_SEEN
 
 

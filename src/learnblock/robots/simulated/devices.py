@@ -27,7 +27,7 @@ from learnblock.simulator import RobotBody
 
 
 def make_device(body: RobotBody, kind: str, key: str) -> Device:
-    """The device of that type and key, such as ``Camera`` and ``ROBOT``."""
+    """The device with this type and key, such as ``Camera`` and ``ROBOT``."""
     return _MAKERS[kind](body, key)
 
 

@@ -16,7 +16,7 @@ def draw(robot: Client, recorder: Recorder, path: Path, title: str) -> None:
     """
     if not isinstance(robot, SimulatedRobot):
         raise LearnBlockError("world-not-drawable")
-    from learnblock.simulator.picture import Scene, draw_png, draw_svg  # noqa: PLC0415 - if asked
+    from learnblock.simulator.picture import Scene, draw_png, draw_svg  # noqa: PLC0415 - optional
 
     scene = Scene(
         world=robot.simulation.world.description,

@@ -25,7 +25,7 @@ from learnblock.simulator import GoalState, RobotBody, RobotDescription, World, 
 class SimulatedRobot(Client):
     """A robot of the embedded simulator.
 
-    A program that runs without a host, as ``python square.py``, gets its own world, which
+    A program without a host, such as ``python square.py``, gets its own world, which
     advances while the program waits (``LEARNBLOCK_TRACE`` names a file for its trace):
 
         from learnblock.robots.sim_ebo import Robot
@@ -35,18 +35,19 @@ class SimulatedRobot(Client):
         robot.sleep(2)
 
     Args:
-        world: a world's name or the path of its file; the environment's ``LEARNBLOCK_WORLD``, or
-            else the robot's own default.
-        seed: of all noise; ``LEARNBLOCK_SEED`` or else 0.
-        pace: ``"free"``, ``"real"`` or a factor of real time; ``LEARNBLOCK_PACE`` or else free.
-        start: (x mm, y mm, heading in degrees) where it is put; by default a start pose of the
+        world: a world's name or the path of its file; by default ``LEARNBLOCK_WORLD`` of the
+            environment, else the robot's own default.
+        seed: the seed of all noise; by default ``LEARNBLOCK_SEED``, else 0.
+        pace: ``"free"``, ``"real"`` or a factor of real time; by default ``LEARNBLOCK_PACE``, else
+            free.
+        start: (x mm, y mm, heading in degrees) where it starts; by default a start pose of the
             world.
-        simulation: the world of a host that advances it itself.
-        name: the robot's among those of the world.
+        simulation: a world that its host advances.
+        name: the robot's name in the world.
 
     Raises:
         UnknownNameError: there is no such world.
-        WorldError: the world's file is wrong.
+        WorldError: the world's file is invalid.
         DeviceValueError: the seed or pace is invalid.
     """
 
@@ -76,7 +77,7 @@ class SimulatedRobot(Client):
 
     @classmethod
     def description(cls) -> RobotDescription:
-        """The description of the robot: a file next to its module, or one of ours."""
+        """The description of the robot: a file next to its module, or a built-in one."""
         return load_robot(cls.description_name, folders=(Path(inspect.getfile(cls)).parent,))
 
     @classmethod
@@ -91,7 +92,7 @@ class SimulatedRobot(Client):
         seed: int | None = None,
         pace: str | float | None = None,
     ) -> Simulation:
-        """The world a robot of this kind gets, from arguments, environment or defaults."""
+        """The world for such a robot, from arguments, environment or defaults."""
         chosen = world or os.environ.get("LEARNBLOCK_WORLD") or cls.description().world
         description = find_world(chosen)
         return Simulation(World(description, seed=chosen_seed(seed)), Pacing(chosen_pace(pace)))
@@ -119,7 +120,7 @@ class SimulatedRobot(Client):
     def conditions(self) -> dict[str, object]:
         world = self.simulation.world
         named = {"world": world.description.name, "seed": world.seed}
-        # Only if it was chosen: otherwise the world decides.
+        # Only if it was chosen; otherwise the world decides.
         start = {} if self.start is None else {"start": list(self.start)}
         return {**super().conditions(), **named, **start}
 
@@ -159,7 +160,7 @@ class SimulatedRobot(Client):
         return LockStepClock(wait, simulation.steps, simulation.dt)
 
     def _hold_the_program(self) -> None:
-        """The program's own randomness and time follow the world, so that it can be repeated."""
+        """Tie the program's random numbers and time to the world, so that runs are reproducible."""
         random.seed(self.simulation.seed)
         self._restore_time = use_robot_time(self.clock)
         if os.environ.get("LEARNBLOCK_TRACE"):
@@ -167,7 +168,7 @@ class SimulatedRobot(Client):
 
 
 def goal_of(goal: GoalState) -> Goal:
-    """A goal of a world in the form of reports."""
+    """A goal of a world as it appears in reports."""
     if goal.reached_at is not None:
         return Goal(goal.name, goal.kind, "reached", goal.reached_at)
     return Goal(

@@ -32,15 +32,15 @@ class Simulation:
 
     @property
     def steps(self) -> int:
-        """The steps made so far."""
+        """The number of steps so far."""
         return self.world.steps
 
     def time(self) -> float:
-        """Seconds the world has existed."""
+        """The world's time in seconds."""
         return self.world.time
 
     def advance(self, step: int) -> None:
-        """Make steps, no faster than the pace allows, until `steps` is `step`."""
+        """Advance, no faster than the pace allows, until `steps` is `step`."""
         while self.world.steps < step:
             self.pacing.wait(self.world.time)
             with self.lock:
@@ -48,14 +48,14 @@ class Simulation:
                 self._report()
 
     def place(self, name: str, x: float, y: float, heading: float) -> None:
-        """Lift a robot and set it down elsewhere (mm, mm, degrees); from any thread.
+        """Lift a robot and set it down elsewhere (mm, mm, degrees); may be called from any thread.
 
         Raises:
             ValueError: one of them is not a finite number.
         """
         with self.lock:
             self.world.robots[name].place(x, y, heading)
-            # Reported with the next step, since only one thread writes a trace.
+            # Reported with the next step, because only one thread writes a trace.
             self._placed.append((name, self.world.time, (x, y, heading)))
 
     def _report(self) -> None:
@@ -74,13 +74,13 @@ class Simulation:
         if kind != "goal":
             return
         for name, witness in self.witnesses.items():
-            # A goal that was missed was missed by all.
+            # A missed goal was missed by all robots.
             if event.other in ("", name):
                 witness.goal(event.time, event.subject, state)
 
 
 class WorldClock:
-    """The time of a robot whose program waits elsewhere: it can only be read."""
+    """The clock of a robot whose program waits elsewhere; it can only be read."""
 
     def __init__(self, simulation: Simulation) -> None:
         self._simulation = simulation
@@ -96,4 +96,4 @@ class WorldClock:
         raise NotImplementedError(f"a robot that others advance cannot sleep {seconds} s")
 
     def charge(self) -> None:
-        """Do nothing: the host that advances the world charges for it."""
+        """Do nothing: the host that advances the world adds this time."""

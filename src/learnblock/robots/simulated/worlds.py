@@ -1,4 +1,4 @@
-"""All worlds: ours, those in the user's folder and those of plugins."""
+"""All worlds: built in, in the user's folder and from plugins."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -9,11 +9,11 @@ from learnblock.storage.home import home
 
 
 def find_world(name_or_path: str) -> WorldDescription:
-    """Find a world by its name, in the user's folder, ours or a plugin, or by its path.
+    """Find a world by its path, or by its name: in the user's folder, built in or from a plugin.
 
     Raises:
         UnknownNameError: there is no such world.
-        WorldError: its file is wrong.
+        WorldError: its file is invalid.
     """
     try:
         return load_world(name_or_path, folders=(own_worlds(),))
@@ -23,7 +23,7 @@ def find_world(name_or_path: str) -> WorldDescription:
 
 
 def worlds() -> Iterator[WorldDescription]:
-    """Every world: ours, the user's and those of plugins."""
+    """Every world: built in, the user's and from plugins."""
     for name in known_worlds():
         yield find_world(name)
 
@@ -39,7 +39,7 @@ def own_worlds() -> Path:
 
 
 def _plugin_worlds() -> Iterator[Path]:
-    """The folders of the packages that entry points of the group ``learnblock.worlds`` name."""
+    """The folders of the packages named by entry points of the group ``learnblock.worlds``."""
     from importlib.metadata import entry_points  # noqa: PLC0415 - see `find_world`
     from importlib.util import find_spec  # noqa: PLC0415
 

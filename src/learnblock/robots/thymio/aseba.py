@@ -1,7 +1,7 @@
 """A direct connection to a Thymio, over a cable, its radio's dongle, or the network.
 
 It uses the messages, the node description and the assembler of `thymiodirect`, but not its
-connection: over TCP that takes half a message for a whole one, loops when the other end closes, and
+connection: over TCP it mistakes half a message for a whole one, loops if the other end closes, and
 never ends its threads.
 """
 
@@ -19,8 +19,8 @@ from learnblock.robots.thymio.node import Node
 from learnblock.robots.thymio.program import READY, Event
 from learnblock.robots.thymio.wires import Wire
 
-#: Seconds between two readings; the robot updates its motors 100 times and its distances 10 times a
-#: second.
+#: Seconds between two readings; the robot updates its motors 100 times and its distances 10 times
+#: per second.
 PERIOD = 0.02
 #: Seconds after which a missing answer is requested again.
 OVERDUE = 0.25
@@ -121,7 +121,7 @@ class AsebaLink(Link):
             node.take(message)
 
     def _greet(self, words: list[int]) -> None:
-        """Note that a program has started: ours, or that of another client of the same hub."""
+        """Record that a program has started: ours, or one of another client of the same hub."""
         if words == [self._token]:
             self._ready = True
         elif self._ready:
@@ -143,7 +143,7 @@ class AsebaLink(Link):
         self._send(encoded(Message.ID_GET_VARIABLES, node.number, *node.span()))
 
     def _poll(self) -> None:
-        """Request the readings repeatedly, whenever the last answer has come or is overdue."""
+        """Request the readings repeatedly, whenever the last answer has arrived or is overdue."""
         asked = monotonic()
         while not self._closed.wait(PERIOD):
             if self._lost is not None:

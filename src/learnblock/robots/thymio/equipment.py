@@ -9,7 +9,7 @@ from learnblock.robots.thymio.program import LEFT, PLAY, RIGHT, SOUND, TONE, TOP
 
 #: The coloured lamps, by their names in programs.
 SLOTS: Mapping[str, Event] = {"Up": TOP, "Left": LEFT, "Right": RIGHT}
-#: The colour of all lamps for each emotion.
+#: The colour of all lamps, by emotion.
 EMOTIONS: Mapping[str, tuple[int, int, int]] = {
     Emotion.JOY: (0, 255, 0),
     Emotion.SADNESS: (0, 0, 255),
@@ -27,7 +27,7 @@ ARROWS: Mapping[str, str] = {
     "lRight": "button.right",
     "lDown": "button.backward",
 }
-#: The buttons of a controller that a Thymio lacks.
+#: The buttons of a controller that a Thymio does not have.
 LACKING = ("rUp", "rLeft", "rRight", "rDown")
 
 
@@ -44,10 +44,10 @@ class Lamp:
         self._shown: tuple[int, ...] | None = None
 
     def light(self, red: int, green: int, blue: int) -> None:
-        """Set its colour, each part 0 to 255; nothing is sent if it already has that colour."""
+        """Set its colour, 0 to 255 each; nothing is sent if it already has that colour."""
         self._link.check()
         levels = tuple(map(units.level, (red, green, blue)))
-        # A program that sets it a thousand times a second would block the cable.
+        # A program that sets it a thousand times per second would block the cable.
         if levels != self._shown:
             self._link.tell(self._event, *levels)
             self._shown = levels
@@ -60,7 +60,7 @@ def show(lamps: Iterable[Lamp], emotion: str) -> None:
 
 
 def tone(link: Link, hertz: float, milliseconds: float) -> None:
-    """Play a tone; 0 milliseconds end the current one."""
+    """Play a tone; 0 milliseconds stops the current one."""
     link.tell(TONE, *units.tone(hertz, milliseconds))
 
 
@@ -77,6 +77,6 @@ def play(link: Link, name: str) -> None:
 
 
 def buttons(link: Link) -> dict[str, bool]:
-    """Which of a controller's buttons are pressed."""
+    """The pressed buttons of a controller."""
     pressed = {button: link.read(variable) == (1,) for button, variable in ARROWS.items()}
     return pressed | dict.fromkeys(LACKING, False)

@@ -1,4 +1,4 @@
-"""Looks for Thymios: at serial ports, in Thymio Suite, in a simulator."""
+"""Looks for Thymios at serial ports, in Thymio Suite and in simulators."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
@@ -21,7 +21,7 @@ def serial_devices() -> list[str]:
 
 
 def listens(address: str, port: int, seconds: float) -> bool:
-    """Whether a program listens there."""
+    """Whether a program is listening there."""
     with suppress(RobotConnectionError):
         TcpWire(address, port, seconds).close()
         return True
@@ -39,9 +39,9 @@ def choose(settings: ThymioSettings) -> str:
 
 
 def scan(settings: ThymioSettings, seconds: float) -> Iterator[Mapping[str, Any]]:
-    """Yield the settings that reach each Thymio found.
+    """Yield the settings for reaching each Thymio found.
 
-    A simulator serves one program at a time, and drops it when it is scanned.
+    A simulator serves one program at a time, and drops that program when it is scanned.
     """
     until = monotonic() + seconds
     for device in serial_devices():

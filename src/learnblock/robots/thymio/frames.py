@@ -12,7 +12,7 @@ from thymiodirect.message import Message
 from learnblock.robots.thymio.link import GarbledError
 
 _HEAD = struct.Struct("<HHH")
-#: The most bytes after the head; Aseba's packets have at most 512.
+#: The maximum number of bytes after the head; Aseba's packets have at most 512.
 _LONGEST = 1024
 
 
@@ -23,7 +23,7 @@ class Frames:
         self._waiting = b""
 
     def feed(self, data: bytes) -> Iterator[Message]:
-        """Yield the messages that these bytes complete.
+        """Yield the messages completed by these bytes.
 
         Raises:
             GarbledError: the data is invalid.
@@ -44,7 +44,7 @@ def decoded(kind: int, node: int, payload: bytes) -> Message:
     """A message with its fields.
 
     Raises:
-        GarbledError: its content does not fit its kind.
+        GarbledError: its content does not match its kind.
     """
     message = Message(kind, node, payload)
     try:

@@ -9,7 +9,7 @@ from learnblock.i18n import Phrase
 from learnblock.robots.thymio.program import Event
 from learnblock.robots.thymio.wires import Wire
 
-#: Seconds of silence after which the robot counts as lost; it is polled 50 times a second.
+#: Seconds of silence after which the robot counts as lost; it is polled 50 times per second.
 SILENCE = 2.5
 
 
@@ -96,7 +96,7 @@ class Link:
         """Wait for a step of connecting.
 
         Args:
-            condition: whether the step is done.
+            condition: returns whether the step is done.
             otherwise: the code of the error; its words show the place.
 
         Raises:

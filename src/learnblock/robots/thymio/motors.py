@@ -14,7 +14,7 @@ STANDING = 0.3
 
 
 class Motors:
-    """Repeats the last command, since the robot's watchdog would stop it otherwise.
+    """Repeats the last command, because the robot's watchdog would otherwise stop it.
 
     Args:
         link: the link to the robot.
@@ -33,7 +33,7 @@ class Motors:
         """Turn the wheels at these motor speeds, -500 to 500, until the next command.
 
         A command with unchanged speeds is not sent at once: a program that drives a thousand times
-        a second would block the cable.
+        per second would block the cable.
 
         Raises:
             RobotConnectionError: the connection is lost.
@@ -48,7 +48,7 @@ class Motors:
                 self._link.tell(DRIVE, left, right)
 
     def close(self) -> None:
-        """End the repetition, and wait a moment until the robot has stopped."""
+        """Stop repeating, and wait briefly for the robot to stop."""
         self._closed.set()
         self._thread.join()
         # A lost robot stops by itself.

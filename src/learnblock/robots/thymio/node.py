@@ -38,7 +38,7 @@ class Node:
         self._expected: tuple[int, int, int] | None = None
 
     def take(self, message: Message) -> None:
-        """Take in a message that describes the node; others are ignored."""
+        """Process a message that describes the node; others are ignored."""
         if self.complete:
             return
         if message.id == Message.ID_DESCRIPTION:
@@ -57,7 +57,7 @@ class Node:
 
     @property
     def complete(self) -> bool:
-        """Whether everything that it announced has been described."""
+        """Whether everything it announced has been described."""
         known = self._remote
         return self._expected == (
             len(known.named_variables),

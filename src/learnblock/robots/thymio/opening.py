@@ -38,13 +38,13 @@ def _first_device() -> str:
 
 def _direct_link() -> type[Link]:
     require("thymiodirect", "thymio")
-    from learnblock.robots.thymio.aseba import AsebaLink  # noqa: PLC0415 - it imports that
+    from learnblock.robots.thymio.aseba import AsebaLink  # noqa: PLC0415 - it imports the library
 
     return AsebaLink
 
 
 def _suite_link() -> type[Link]:
     require("tdmclient", "thymio")
-    from learnblock.robots.thymio.suite import SuiteLink  # noqa: PLC0415 - it imports that
+    from learnblock.robots.thymio.suite import SuiteLink  # noqa: PLC0415 - as above
 
     return SuiteLink

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 #: Milliseconds of a tick of the watchdog.
 TICK = 50
-#: Ticks without a command after which the motors stop.
+#: The number of ticks without a command after which the motors stop.
 LIVES = 5
 
 
@@ -32,7 +32,7 @@ class Event:
     size: int
 
 
-#: Motor speeds, left and right, -500 to 500; has to be repeated while the robot drives.
+#: Motor speeds, left and right, -500 to 500; must be repeated while the robot drives.
 DRIVE = Event(0, "drive", 2)
 #: Red, green and blue, 0 to 32.
 TOP = Event(1, "top", 3)

@@ -18,10 +18,10 @@ from learnblock.robots.thymio.node import READ
 from learnblock.robots.thymio.program import EVENTS, Event, source
 from learnblock.robots.thymio.wires import Wire
 
-#: Seconds between two requests that check that the Suite still answers.
+#: Seconds between two checks that the Suite still answers.
 ASKING = 0.5
 _LENGTH = struct.Struct("<I")
-#: The most bytes of a message, by the protocol.
+#: The maximum number of bytes of a message in the protocol.
 _LONGEST = 102_400
 
 
@@ -40,13 +40,13 @@ _UNDERSTOOD = frozenset(
 
 
 class Packets:
-    """Splits a stream of bytes into packets, each with a 32-bit little-endian length first."""
+    """Splits a stream of bytes into packets, each preceded by a 32-bit little-endian length."""
 
     def __init__(self) -> None:
         self._waiting = b""
 
     def feed(self, data: bytes) -> Iterator[bytes]:
-        """Yield the packets that these bytes complete.
+        """Yield the packets completed by these bytes.
 
         Raises:
             GarbledError: the data is invalid.
@@ -154,7 +154,7 @@ class SuiteLink(Link):
                 if _is_understood(packet):
                     self._client.process_message(packet)
             except Exception as error:
-                # Invalid data makes its reader fail with any error.
+                # On invalid data, its reader may raise any error.
                 raise GarbledError(f"{type(error).__name__}: {error}") from error
 
     def _note(self, node: Any, variables: Mapping[str, Any]) -> None:
@@ -165,7 +165,7 @@ class SuiteLink(Link):
     # Requests.
 
     def _poll(self) -> None:
-        """Send requests regularly, since the Suite is silent while no variable changes."""
+        """Send requests regularly, because the Suite sends nothing while no variable changes."""
         watched = tdmclient.ThymioFB.WATCHABLE_INFO_VARIABLES
         while not self._closed.wait(ASKING) and self._lost is None:
             self._try(self._node.watch_node, watched)

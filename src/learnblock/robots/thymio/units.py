@@ -19,7 +19,7 @@ ACC_PER_G = 23
 GRAVITY = 9.81
 #: The highest level of a lamp.
 BRIGHTEST = 32
-#: The duration of a tone is given in sixtieths of a second.
+#: The duration of a tone is in sixtieths of a second.
 TICKS_PER_SECOND = 60
 #: The largest 16-bit number.
 LARGEST = 32767
@@ -56,7 +56,7 @@ PROXIMITY: tuple[tuple[int, float], ...] = (
     (1360, 130.0),
     (1220, 140.0),
 )
-# numpy needs a rising order.
+# numpy requires increasing values.
 _FALLING, _RISING = [-reading for reading, _ in PROXIMITY], [mm for _, mm in PROXIMITY]
 
 
@@ -70,7 +70,7 @@ def wheels(adv: float, rot: float, *, track: float, unit: float) -> tuple[int, i
         unit: mm/s of a wheel at motor speed 1.
 
     Returns:
-        Both speeds, reduced by the same factor if one is too fast: the curve stays the same.
+        Both speeds, reduced by the same factor if one is too fast, so that the curve is unchanged.
     """
     left, right = limited(wheel_speeds(adv, rot, track), FASTEST * unit)
     return round(left / unit), round(right / unit)
@@ -84,7 +84,7 @@ def distance(reading: int) -> float:
 
 
 def distances(readings: Sequence[int]) -> dict[str, list[float]]:
-    """The distances in mm on each side; a sensor between two sides counts for both."""
+    """The distances in mm on each side; a sensor between two sides is listed on both."""
     left, left_front, front, right_front, right, back_left, back_right = map(distance, readings)
     return {
         "front": [left_front, front, right_front],
@@ -104,10 +104,10 @@ def acceleration(readings: Sequence[int]) -> tuple[float, float, float]:
     """(x forward, y left, z up) in m/s2; at rest z is 9.81.
 
     The robot reports the direction of gravity: left, rear and down are positive. An accelerometer
-    measures the opposite force, which holds the robot up.
+    measures the opposite force, which supports the robot.
     """
     to_left, to_rear, down = (reading / ACC_PER_G * GRAVITY for reading in readings)
-    # Not `-to_left`, which would show 0 as -0.0.
+    # Not `-to_left`, which would turn 0 into -0.0.
     return to_rear, 0 - to_left, down
 
 
@@ -117,7 +117,7 @@ def level(value: int) -> int:
 
 
 def tone(hertz: float, milliseconds: float) -> tuple[int, int]:
-    """The arguments of the robot's function for tones; 0 milliseconds end a tone."""
+    """The arguments of the robot's function for tones; 0 milliseconds stops a tone."""
     ticks = round(milliseconds * TICKS_PER_SECOND / 1000)
     # For the robot, 0 means forever and -1 means silence.
     lasting = min(max(ticks, 1), LARGEST) if milliseconds > 0 else -1

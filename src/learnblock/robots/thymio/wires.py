@@ -24,7 +24,7 @@ class Wire(Protocol):
     name: str
 
     def receive(self) -> bytes:
-        """Receive data; returns nothing after a moment without data.
+        """Receive data; returns empty bytes after a moment without data.
 
         Raises:
             OSError: the connection is broken.
@@ -59,7 +59,7 @@ class TcpWire:
             self._socket = socket.create_connection((address, port), timeout=timeout)
         except OSError as error:
             raise RobotConnectionError("thymio-no-listener", place=self.name) from error
-        # A command is a few bytes, and should not wait for more of them.
+        # A command is only a few bytes, which should be sent at once.
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._socket.settimeout(MOMENT)
 
@@ -76,7 +76,7 @@ class TcpWire:
         self._socket.sendall(data)
 
     def close(self) -> None:
-        # An abrupt end with unread answers is an error for the other side, and crashes Aseba's
+        # An abrupt close with unread answers is an error for the other side, and crashes Aseba's
         # playground.
         with self._socket, suppress(OSError):
             self._socket.shutdown(socket.SHUT_WR)
@@ -100,7 +100,7 @@ class SerialWire:
         serial = require("serial", "thymio")
         self.name = device
         try:
-            # Another program on the same port would take half of the answers.
+            # Another program on the same port would receive half of the answers.
             self._port = serial.Serial(
                 device, BAUD, timeout=MOMENT, write_timeout=SENDING, exclusive=True
             )
