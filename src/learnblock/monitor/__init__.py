@@ -1,4 +1,4 @@
-"""What the page sees of a robot: the same of a simulated one in its world and of a real one.
+"""The page's view of a robot, the same for simulated and real robots.
 
 A `Monitor` is made by `make_monitor` before a program runs, and by `monitor_of` for the robot of a
 running program.

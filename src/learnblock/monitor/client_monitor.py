@@ -1,8 +1,8 @@
-"""The monitor of a robot that its client alone knows: a real one.
+"""The monitor of a real robot, which is known only through its client.
 
 It shows the readings that the client polls anyway. A sensor that the program does not use is polled
-beside it, in a thread of its own, so that the program never waits for the page. Commands are noted
-on their way to the robot, as the recorder of the trace does.
+in a separate thread, so that the program never waits for the page. Commands are recorded
+on their way to the robot, as in the recorder of the trace.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -21,9 +21,9 @@ from learnblock.monitor.sensors import Sensor as SensorNow
 if TYPE_CHECKING:
     from learnblock.monitor.pictures import Picture
 
-#: Seconds without a message or a reading after which a link is weak.
+#: Seconds without a message or a reading after which a link counts as weak.
 WEAK_SILENCE = 0.5
-#: Below this share of the usual messages a link is weak.
+#: Below this share of the usual messages, a link counts as weak.
 WEAK_QUALITY = 0.7
 _COMMANDS = frozenset({"move", "show_emotion", "set", "set_color"})
 
@@ -36,7 +36,7 @@ class ClientMonitor:
         client: the robot of a running program; None while none is connected.
     """
 
-    #: A real robot begins where it is.
+    #: A real robot starts where it is.
     start: Pose | None = None
 
     def __init__(self, robot: type[Client], client: Client | None = None) -> None:
@@ -85,7 +85,7 @@ class ClientMonitor:
             return self._filmed[1] if self._filmed else None
         frame = None
         with suppress(LearnBlockError):
-            # A camera that fails ends the program if the program uses it, and shows nothing here.
+            # A failed camera ends a program that uses it; here it just shows nothing.
             frame = camera.functions["read"]()
         if frame is not None and not (self._filmed and self._filmed[0] is frame):
             from learnblock.monitor.pictures import develop  # noqa: PLC0415 - it loads perception
@@ -106,7 +106,7 @@ class ClientMonitor:
         raise LearnBlockError("monitor-drive-real")
 
     def close(self) -> None:
-        """Nothing to end: the client's threads end with it."""
+        """Do nothing: the client ends its own threads."""
 
     # Commands on their way.
 
@@ -130,7 +130,7 @@ class ClientMonitor:
     # Readings.
 
     def _watch(self, client: Client) -> None:
-        """Have every sensor polled, from the first look on."""
+        """Poll every sensor, starting at the first query."""
         if self._watching:
             return
         self._watching = True
@@ -149,14 +149,14 @@ class ClientMonitor:
         return tuple(sensor for one in shown for sensor in self._sensors[one])
 
     def _keep(self, client: Client, device: Device, key: str) -> None:
-        """Keep a device's readings; while it has none its sensors remain, without values."""
+        """Keep a device's readings; without new ones, its sensors remain, without values."""
         kind = type(device).__name__
         sensors = tuple(sensors_of(kind, _newest(client, device, key), key))
         known = self._sensors.get((kind, key), ())
         self._sensors[kind, key] = sensors or tuple(one.without_value() for one in known)
 
     def _all_readings_fail(self, client: Client) -> bool:
-        """Whether no sensor can be read, though a single one may have lost its cable."""
+        """Whether no sensor at all can be read; a single one may just be unplugged."""
         keys = [(type(device), key) for key, device in client.devices()]
         errors = [client.readings.error((kind, key)) for kind, key in keys]
         values = [_newest(client, device, key) for key, device in client.devices()]

@@ -12,16 +12,16 @@ def make_monitor(entry: RobotEntry, world: str | None = None, start: Pose | None
 
     Args:
         entry: the robot.
-        world: of a simulated one, the world's name or the path of its file; by default its own.
-        start: (x mm, y mm, heading in degrees) of a simulated one.
+        world: for a simulated robot, the name of a world or the path of its file; or None.
+        start: (x mm, y mm, heading in degrees) for a simulated robot.
 
     Raises:
-        LearnBlockError: the robot cannot be loaded, or there is no such world or no room in it.
+        LearnBlockError: the robot cannot be loaded, there is no such world, or it has no room.
     """
     robot = entry.load()
     if not robot.lockstep:
         return ClientMonitor(robot)
-    # The simulator takes time to load.
+    # The simulator is slow to load.
     from learnblock.monitor.world_monitor import make_world_monitor  # noqa: PLC0415
     from learnblock.robots.simulated import SimulatedRobot  # noqa: PLC0415
 
@@ -30,7 +30,7 @@ def make_monitor(entry: RobotEntry, world: str | None = None, start: Pose | None
 
 
 def monitor_of(client: Client) -> Monitor:
-    """The monitor of a program's robot; made before the recorder of its trace."""
+    """The monitor of a program's robot; created before the recorder of its trace."""
     if not client.lockstep:
         return ClientMonitor(type(client), client)
     from learnblock.monitor.world_monitor import WorldMonitor  # noqa: PLC0415 - as above

@@ -9,14 +9,14 @@ from learnblock.robots.simulated import Simulation
 from learnblock.runtime.pacing import Pacing
 from learnblock.simulator import RobotBody
 
-#: Seconds after the last command until the robot stops: the page may be gone.
+#: Seconds after the last command until the robot stops, because the page may be gone.
 TIMEOUT = 0.5
 #: An object that moves less than this in a step, in mm or degrees, is at rest.
 STANDSTILL = 1e-3
 
 
 class ManualDrive:
-    """A joystick for a robot in a world that no program advances.
+    """A joystick for a robot in a world in which no program runs.
 
     A thread advances the world in real time from the first command until everything is at rest.
 
@@ -34,10 +34,10 @@ class ManualDrive:
         self._thread: threading.Thread | None = None
 
     def command(self, adv: float, rot: float) -> None:
-        """Aim at a speed forward (mm/s) and a rotation (degrees/s, clockwise positive).
+        """Set the target speed forward (mm/s) and rotation (degrees/s, clockwise positive).
 
         Raises:
-            ValueError: one of them is no finite number.
+            ValueError: one of them is not a finite number.
         """
         with self._simulation.lock:
             self._body.drive(adv, rot)

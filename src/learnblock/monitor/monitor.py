@@ -1,4 +1,4 @@
-"""The monitor of a robot: what the page asks, whatever the robot is."""
+"""The monitor of a robot: its interface to the page, the same for every robot."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,30 +11,30 @@ from learnblock.monitor.sensors import Sensor
 if TYPE_CHECKING:
     from learnblock.monitor.pictures import Picture
 
-#: For each painted line the corners of its middle, mm.
+#: For each painted line, the corner points of its centre line, in mm.
 Lines = tuple[tuple[tuple[float, float], ...], ...]
 
 
 class LinkState(StrEnum):
     """The link to a robot."""
 
-    #: A simulated robot needs none.
+    #: A simulated robot needs no link.
     SIMULATED = "simulated"
     #: No program is connected to it.
     DISCONNECTED = "disconnected"
     CONNECTED = "connected"
     #: Messages are missing or late.
     WEAK = "weak"
-    #: It broke while a program ran.
+    #: The link broke while a program ran.
     LOST = "lost"
 
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """The link to a robot; None where the robot does not report a value.
+    """The link to a robot; None if the robot does not report a value.
 
     Args:
-        state: as far as it is known.
+        state: the state, as far as it is known.
         battery: the battery's voltage, V.
         quality: the share of the robot's messages that arrive, 0 to 1.
     """
@@ -51,10 +51,10 @@ class Scene:
     Args:
         name: the world's name; empty for the plain floor under a real robot.
         world: the contents of the world's file.
-        lines: for each painted line the corners of its middle, mm.
+        lines: for each painted line, the corner points of its centre line, in mm.
         robots: name and description of each robot, ours first.
         cameras: the keys of our robot's cameras.
-        start: (x mm, y mm, heading in degrees) where the next run begins; None for a real robot.
+        start: (x mm, y mm, heading in degrees) where the next run starts; None for a real robot.
         real: whether our robot is a real one, which cannot be placed with a pointer.
     """
 
@@ -69,15 +69,15 @@ class Scene:
 
 @dataclass(frozen=True, slots=True)
 class RobotNow:
-    """The present state of a robot.
+    """The current state of a robot.
 
     Args:
-        name: in its world.
-        pose: (x mm, y mm, heading in degrees); None where it is not known.
+        name: its name in its world.
+        pose: (x mm, y mm, heading in degrees); None if unknown.
         joints: angles in degrees by key.
         leds: red, green and blue, 0 to 255, by key.
-        emotion: the one it shows; ``none`` without one.
-        speed: (forward in mm/s, clockwise in degrees/s) as last commanded; None where unknown.
+        emotion: the emotion it shows; ``none`` if it shows none.
+        speed: (forward in mm/s, clockwise in degrees/s) as last commanded; None if unknown.
     """
 
     name: str
@@ -100,7 +100,7 @@ class GoalNow:
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """The present state of a world.
+    """The current state of a world.
 
     Args:
         time: seconds of the robot's time.
@@ -118,27 +118,27 @@ class State:
 
 
 class Monitor(Protocol):
-    """A robot as the page watches it, whether or not a program runs.
+    """The page's view of a robot, whether or not a program runs.
 
-    Watching takes nothing from the program: its readings, frames and trace stay the same. All
+    Watching does not affect the program: its readings, frames and trace stay the same. All
     methods may be called from any thread.
     """
 
     @property
     def start(self) -> Pose | None:
-        """The pose where the user placed the robot, and the next run begins."""
+        """The pose where the user placed the robot, and the next run starts."""
 
     def scene(self) -> Scene:
         """The unchanging parts of its world."""
 
     def state(self) -> State:
-        """Its present state."""
+        """Its current state."""
 
     def link(self) -> Link:
         """Its link."""
 
     def camera(self) -> "Picture | None":
-        """Its camera's newest picture, with what perception finds in it.
+        """Its camera's newest picture, with the findings of perception.
 
         None without a camera or before its first picture. While nothing changes, the picture is
         the same object.
@@ -148,10 +148,10 @@ class Monitor(Protocol):
         """The sounds that the page should play, since the last call."""
 
     def place(self, x: float, y: float, heading: float) -> None:
-        """Place the robot elsewhere (mm, mm, degrees); the next run begins there.
+        """Place the robot elsewhere (mm, mm, degrees); the next run starts there.
 
         Raises:
-            LearnBlockError: it is a real one.
+            LearnBlockError: it is a real robot.
         """
 
     def drive(self, advance: float, rotation: float) -> None:
@@ -162,11 +162,11 @@ class Monitor(Protocol):
             rotation: fraction of its top speed, -1 to 1, clockwise positive.
 
         Raises:
-            LearnBlockError: a program drives the robot, or it is a real one.
+            LearnBlockError: a program drives the robot, or it is a real robot.
         """
 
     def close(self) -> None:
-        """Stop watching; a robot driven by hand stops. The second time it does nothing."""
+        """Stop watching; a robot driven by hand stops. Calling it twice is harmless."""
 
 
 class Sound(Protocol):

@@ -10,9 +10,9 @@ from learnblock.perception.settings import TABLE
 if TYPE_CHECKING:
     from learnblock.perception.frames import Frame
 
-#: Of 100: half the bytes of 95, and no eye sees a difference in a picture this small.
+#: JPEG quality of 100: half the bytes of 95, with no visible difference in such a small picture.
 JPEG_QUALITY = 80
-#: The columns, of a frame 320 wide, and the rows, of one 240 high, in which lines are looked for.
+#: The columns and rows, of a frame of 320 by 240, in which lines are detected.
 _COLUMNS = {"left": (0, 120), "center": (120, 200), "right": (200, 320)}
 _ROWS = (15, 225)
 
@@ -24,7 +24,7 @@ class Seen:
     """A finding of perception in a picture.
 
     Args:
-        sort: its kind.
+        sort: the kind of finding.
         label: the tag's number, what the face expresses, or the line's colour and side.
         corners: (column, row) in pixels.
     """
@@ -39,10 +39,10 @@ class Picture:
     """A picture with its findings.
 
     Args:
-        jpeg: the file.
-        width: pixels.
-        height: pixels.
-        time: of the robot, s.
+        jpeg: the contents of the file.
+        width: in pixels.
+        height: in pixels.
+        time: the robot's time in s.
         seen: the findings.
     """
 
@@ -54,15 +54,15 @@ class Picture:
 
 
 def develop(frame: "Frame", time: float, *, drawn: bool) -> Picture:
-    """A camera's frame as a picture, marked with the findings of the detectors that may look.
+    """A camera's frame as a picture, marked with the findings of the detectors that are on.
 
     Args:
         frame: RGB.
-        time: of the robot, s.
-        drawn: whether the camera sees drawn and simulated faces alone.
+        time: the robot's time in s.
+        drawn: whether the camera sees only drawn and simulated faces.
 
     Raises:
-        SettingsError: the settings of camera recognition are wrong.
+        SettingsError: the settings of camera recognition are invalid.
     """
     height, width = frame.shape[:2]
     sight, settings = Sight(frame), TABLE.load()

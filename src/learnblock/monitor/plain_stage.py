@@ -1,4 +1,4 @@
-"""The plain floor on which a real robot is drawn, and how that robot looks."""
+"""The plain floor on which a real robot is drawn, and that robot's appearance."""
 
 from functools import cache
 from typing import Any
@@ -8,13 +8,13 @@ import msgspec
 from learnblock.client import Client
 from learnblock.monitor.monitor import Scene
 
-#: The body of a robot without a known look: its true size is not known either.
+#: The body of a robot whose appearance and size are unknown.
 _BODY = {"shape": "disc", "radius": 60, "height": 70, "mass": 0.5, "colour": "grey"}
 _WHEELS = {"radius": 25, "track": 100, "maximum_speed": 100}
 
 
 def scene(robot: type[Client]) -> Scene:
-    """A real robot on a floor without anything else.
+    """A real robot on an empty floor.
 
     Args:
         robot: its class; its `model` names the simulated robot that looks like it.
@@ -33,7 +33,7 @@ def scene(robot: type[Client]) -> Scene:
 
 @cache
 def _floor() -> dict[str, Any]:
-    # The simulator takes time to load, and a program without a page never draws.
+    # The simulator is slow to load, and a program without a page never draws.
     from learnblock.monitor.worlds import world_values  # noqa: PLC0415
     from learnblock.simulator import load_world  # noqa: PLC0415
 
@@ -50,7 +50,7 @@ def _look(model: str, devices: frozenset[str]) -> dict[str, Any]:
 
 
 def _plain(devices: frozenset[str]) -> dict[str, Any]:
-    """A robot without a known look, with the screen, lights and joints that it has."""
+    """A robot whose appearance is unknown, with its screen, lights and joints."""
     parts: dict[str, list[str]] = {}
     for name in sorted(devices):
         kind, _, key = name.partition(":")

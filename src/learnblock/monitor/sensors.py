@@ -1,4 +1,4 @@
-"""Sensor readings one by one, each with its identity, unit and range."""
+"""Single sensor readings, each with its identity, unit and range."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -8,7 +8,7 @@ from learnblock.devices import DEFAULT_KEY, NOTHING_SEEN
 
 Value = float | bool | None
 
-#: In the order in which an accelerometer reads them.
+#: In the order of an accelerometer's readings.
 _AXES = ("forward", "left", "up")
 
 
@@ -21,12 +21,12 @@ class Sensor:
     Args:
         device: the type of the device, such as ``DistanceSensors``.
         key: the device's key.
-        place: a side, an axis or a button; empty where the device has only one reading.
-        number: among those of one place, from 1; 0 where there is only one.
-        value: None where nothing is measured.
-        unit: of the value, such as ``mm``; empty without one.
-        lowest: the smallest value that is usual.
-        highest: the largest.
+        place: a side, an axis or a button; empty if the device has only one reading.
+        number: its number among those with the same `place`, from 1; 0 if there is only one.
+        value: None if nothing is measured.
+        unit: the unit of the value, such as ``mm``; empty if it has none.
+        lowest: the smallest usual value.
+        highest: the largest usual value.
     """
 
     device: str
@@ -45,7 +45,7 @@ class Sensor:
 
 @dataclass(frozen=True, slots=True)
 class _Quantity:
-    """Unit and range of a type of device."""
+    """The unit and range of a type of device."""
 
     unit: str
     lowest: float
@@ -56,8 +56,8 @@ def sensors_of(device: str, reading: Any, key: str = DEFAULT_KEY) -> Iterator[Se
     """The single readings of a device.
 
     Args:
-        device: its type; none of a sensor gives no readings.
-        reading: as its ``read`` answers.
+        device: its type; types that are not sensors have no readings.
+        reading: the result of its ``read``.
         key: its key.
     """
     if device not in _QUANTITIES or reading is None:

@@ -1,4 +1,4 @@
-"""Tags on paper: a page that a browser prints in the right size."""
+"""Tags on paper: a page for printing tags at their true size from a browser."""
 
 import base64
 import html
@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from learnblock.i18n import ENGLISH, Phrase, translate
 from learnblock.monitor.worlds import tag_picture
 
-#: Side of the black square that robots measure, in mm, without the white margin of an eighth.
+#: The side of the black square that robots measure, in mm, without the white margin of an eighth.
 SIDE = 80.0
 _MARGIN = 0.125
 
@@ -32,11 +32,11 @@ def sheet(tags: Sequence[tuple[int, str]], side: float = SIDE, language: str = E
 
     Args:
         tags: the number of each tag, and the caption below it.
-        side: of the black square, mm.
-        language: of the title.
+        side: the side of the black square, in mm.
+        language: the language of the title.
 
     Raises:
-        TagNumberError: there is no tag of such a number.
+        TagNumberError: there is no tag with this number.
     """
     figures = "\n".join(_figure(number, name) for number, name in tags)
     title = translate(Phrase("world-tag-sheet"), language)

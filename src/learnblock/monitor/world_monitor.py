@@ -1,6 +1,6 @@
 """The monitor of a simulated robot in its world.
 
-Watching advances no noise and takes no camera frame, so the program's readings, frames and trace
+Watching uses no random numbers and no camera frame, so the program's readings, frames and trace
 are the same with a page and without one.
 """
 
@@ -46,7 +46,7 @@ class WorldMonitor:
 
     @classmethod
     def of(cls, client: SimulatedRobot) -> "WorldMonitor":
-        """The monitor of a program's robot."""
+        """Create the monitor of a program's robot."""
         return cls(client.simulation, client.start, client)
 
     @property
@@ -87,10 +87,10 @@ class WorldMonitor:
             )
 
     def place(self, x: float, y: float, heading: float) -> None:
-        """Place the robot elsewhere (mm, mm, degrees); the next run begins there.
+        """Place the robot elsewhere (mm, mm, degrees); the next run starts there.
 
         Raises:
-            ValueError: one of them is no finite number.
+            ValueError: one of them is not a finite number.
         """
         self._simulation.place(self._name, x, y, heading)
         self._start = (x, y, heading)
@@ -113,7 +113,7 @@ class WorldMonitor:
         self._drive.command(advance * wheels.maximum_speed, rotation * fastest_turn)
 
     def reset(self) -> None:
-        """Put everything back to its first place.
+        """Reset all objects to their initial positions.
 
         Raises:
             LearnBlockError: a program runs in this world.
@@ -151,7 +151,7 @@ class WorldMonitor:
             return body.log[-new:] if new else ()
 
     def close(self) -> None:
-        """End a drive by hand; the second time it does nothing."""
+        """End manual driving; calling it twice is harmless."""
         if self._drive:
             self._drive.close()
             self._drive = None
@@ -186,7 +186,7 @@ class WorldMonitor:
 def make_world_monitor(
     robot: type[SimulatedRobot], world: str | None = None, start: Pose | None = None
 ) -> WorldMonitor:
-    """A simulated robot in a world of its own, without a program.
+    """A simulated robot in its own world, without a program.
 
     Args:
         robot: its class.
@@ -194,7 +194,7 @@ def make_world_monitor(
         start: (x mm, y mm, heading in degrees); by default the world's own start.
 
     Raises:
-        LearnBlockError: there is no such world, or no room in it.
+        LearnBlockError: there is no such world, or it has no room.
     """
     simulation = robot.make_simulation(world=world)
     simulation.world.add_robot(robot.description(), start=start)

@@ -25,23 +25,23 @@ def world_values(world: WorldFile) -> dict[str, Any]:
 
 
 def world_lines(world: WorldFile) -> Lines:
-    """For each painted line the corners of its middle, mm."""
+    """For each painted line, the corner points of its centre line, in mm."""
     return tuple(
         tuple((float(x), float(y)) for x, y in line.polyline().points) for line in world.line
     )
 
 
 def world_from_values(values: Mapping[str, Any]) -> WorldFile:
-    """Make the world that the page has edited.
+    """Create the world edited in the page.
 
     Raises:
-        WorldError: it is wrong; the diagnostics say where.
+        WorldError: it is invalid; the diagnostics say where.
     """
     return read_world(values, own_worlds())
 
 
 def check_world(values: Mapping[str, Any]) -> tuple[Phrase, ...]:
-    """Find what is wrong with a world that the page has edited."""
+    """Report the mistakes in a world edited in the page."""
     try:
         world_from_values(values)
     except WorldError as error:
@@ -53,7 +53,7 @@ def save_world(name: str, values: Mapping[str, Any]) -> Path:
     """Write a world into the user's folder, completely or not at all.
 
     Raises:
-        WorldError: the world or its name is wrong.
+        WorldError: the world or its name is invalid.
         OSError: the file cannot be written.
     """
     check_name(name)
@@ -79,7 +79,7 @@ def tag_picture(number: int) -> bytes:
     Raises:
         TagNumberError: there is no such tag.
     """
-    from learnblock.simulator import textures  # noqa: PLC0415 - it brings OpenCV
+    from learnblock.simulator import textures  # noqa: PLC0415 - it loads OpenCV
 
     return png(textures.tag(number, 160))
 
@@ -100,7 +100,7 @@ def floor_picture(name: str) -> bytes | None:
 
     Raises:
         UnknownNameError: there is no such world.
-        WorldError: its file is wrong.
+        WorldError: its file is invalid.
     """
     world = find_world(name)
     return Path(world.folder, world.floor.picture).read_bytes() if world.floor.picture else None

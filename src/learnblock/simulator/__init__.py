@@ -1,6 +1,6 @@
 """The embedded simulator: worlds, and robots with their sensors and cameras.
 
-Nothing here knows a clock, a network or a robot class: a world advances by `World.step` alone.
+This package uses no clock, network or robot class: a world advances only by `World.step`.
 """
 
 from importlib import import_module
@@ -49,7 +49,7 @@ _MODULES = {
 
 
 def __getattr__(name: str) -> Any:
-    """Import a name when it is first used: a robot's description does not need OpenCV."""
+    """Import a name when it is first used: robot descriptions do not need OpenCV."""
     for module, names in _MODULES.items():
         if name in names:
             return getattr(import_module(f"{__name__}.{module}"), name)

@@ -10,21 +10,21 @@ from learnblock.simulator.physics import DT, GRAVITY, ROBOT, Physics
 from learnblock.wheels import Wheels, accelerated, body_speeds, limited, wheel_speeds
 
 TYRE_FRICTION = 0.9
-"""Of rubber on a dry floor: it bounds how hard a robot can push."""
+"""The friction of rubber on a dry floor, which limits how hard a robot can push."""
 
 
 class Chassis:
     """Two driven wheels under a hull.
 
-    The wheels ask for a velocity, and the tyres pull the body there with no more than their grip;
+    The wheels set a target velocity, and the tyres pull the body to it with at most their grip,
     so a wall stops it and a box is pushed if it is not too heavy.
 
     Args:
-        physics: where it moves.
-        description: of the robot.
-        name: for events.
-        group: unique to the robot; lets the rays of its sensors pass through its hull.
-        errors: by how much the left and the right wheel are larger than they should be, as parts.
+        physics: the physics in which it moves.
+        description: the description of the robot.
+        name: the name in events.
+        group: unique to the robot; makes the rays of its sensors pass through its hull.
+        errors: the relative errors of the diameters of the left and the right wheel.
     """
 
     def __init__(
@@ -40,7 +40,7 @@ class Chassis:
         shape_of = _disc if hull.shape == "disc" else _box
         self._body, shape = shape_of(hull)
         self._control = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
-        #: Lets the rays of its own sensors pass.
+        #: Makes the rays of its own sensors pass through.
         self.filter = shape.filter = pymunk.ShapeFilter(group=group)
         shape.collision_type = ROBOT
         physics.space.add(self._body)
@@ -50,7 +50,7 @@ class Chassis:
         self._space = physics.space
         self._target: Wheels = (0.0, 0.0)
         self._speeds: Wheels = (0.0, 0.0)
-        #: The distance each wheel has rolled, mm, as an encoder counts it.
+        #: The distance each wheel has rolled, mm, as counted by an encoder.
         self.rolled: Wheels = (0.0, 0.0)
         self._adv = 0.0
         self._omega = 0.0
@@ -62,19 +62,19 @@ class Chassis:
     @property
     def pose(self) -> Pose:
         """The pose of the robot; the heading is from -180 to 180."""
-        # Many sensors ask within one step.
+        # Many sensors use it within one step.
         if self._pose is None:
             self._pose = Pose(self._x, self._y, wrapped(self.turned))
         return self._pose
 
     @property
     def turned(self) -> float:
-        """The heading in degrees with all full turns in it."""
+        """The heading in degrees, including full turns."""
         return -math.degrees(self._body.angle)
 
     @property
     def acceleration(self) -> tuple[float, float]:
-        """Forward and to the left, m/s², over the last two steps."""
+        """The acceleration forward and to the left, m/s², over the last two steps."""
         x, y = self._moved[0] - self._moved_before[0], self._moved[1] - self._moved_before[1]
         angle = self._body.angle
         scale = 1e-3 / DT**2
@@ -82,13 +82,13 @@ class Chassis:
         return (x * along + y * across) * scale, (y * along - x * across) * scale
 
     def to_world(self, x: float, y: float) -> Point:
-        """The world's coordinates of a place on the robot (mm forward and left of its middle)."""
+        """The world coordinates of a point on the robot (mm forward and left of its middle)."""
         pose = self.pose
         along, across = forward(pose.heading)
         return pose.x + x * along - y * across, pose.y + x * across + y * along
 
     def place(self, pose: Pose) -> None:
-        """Lift it to `pose` and set it down at rest; the distance driven stays as it is."""
+        """Lift it to `pose` and set it down at rest; the distance driven is unchanged."""
         self._body.position = self._x, self._y = pose.x, pose.y
         # The nearest angle in that direction, so that `turned` does not jump by full turns.
         self._body.angle -= math.radians(wrapped(pose.heading - self.turned))
@@ -106,19 +106,19 @@ class Chassis:
         return body_speeds(self._speeds, self._wheels.track)
 
     def drive(self, adv: float, rot: float) -> None:
-        """Aim at these speeds, mm/s and degrees/s clockwise, or as near as the wheels can."""
+        """Set the target speeds, mm/s and degrees/s clockwise, as far as the wheels allow."""
         wheels = wheel_speeds(adv, rot, self._wheels.track)
         self._target = limited(wheels, self._wheels.maximum_speed)
 
     def before_step(self) -> None:
-        """Tell the tyres where to pull."""
+        """Set the direction in which the tyres pull."""
         if self._speeds != self._target:
             self._accelerate()
         left, right = self._speeds
         if left != 0.0 or right != 0.0:
             self.rolled = self.rolled[0] + left * DT, self.rolled[1] + right * DT
         if self._adv != 0.0:
-            # The direction half way through the next step, in which this velocity takes effect:
+            # The heading halfway through the next step, in which this velocity takes effect:
             # with it a driven circle neither grows nor shrinks.
             angle = self._body.angle + 1.5 * DT * self._omega
             adv = self._adv

@@ -1,4 +1,4 @@
-"""The floor: how bright it is where a ground sensor looks, and its picture for cameras."""
+"""The floor: its brightness for ground sensors, and its picture for cameras."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from learnblock.simulator import textures
 
 MAXIMUM_PIXELS = 4_000_000
-"""Of the floor's picture: 12 MB, and 1 mm a pixel on a floor of 2 by 2 m."""
+"""The limit of the floor's picture in pixels: 12 MB, and 1 mm per pixel on a floor of 2 by 2 m."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -28,9 +28,9 @@ class PaintedLine:
     """A line on the floor, with round ends.
 
     Args:
-        middle: along which it runs.
-        width: mm.
-        colour: of the paint.
+        middle: the polyline along which it runs.
+        width: its width in mm.
+        colour: the colour of the paint.
     """
 
     middle: Polyline
@@ -81,8 +81,8 @@ class Floor:
     @cached_property
     def image(self) -> NDArray[np.uint8]:
         """RGB of shape (height, width, 3), row 0 in the north; drawn when first used."""
-        # Here and not above: a world without a camera does not need OpenCV.
-        from learnblock.simulator import textures  # noqa: PLC0415 - see the line above
+        # Imported here because a world without a camera does not need OpenCV.
+        from learnblock.simulator import textures  # noqa: PLC0415 - see above
 
         picture = None if self._picture is None else _read(self._picture)
         painted = list(_floor_lines(textures.FloorLine, self._lines))
@@ -113,7 +113,7 @@ def _floor_lines(
 def _read(file: Path) -> NDArray[np.uint8]:
     import cv2  # noqa: PLC0415 - as above
 
-    # By way of the bytes: cv2.imread cannot open every path on Windows.
+    # Through the bytes, because cv2.imread cannot open every path on Windows.
     picture = cv2.imdecode(np.frombuffer(file.read_bytes(), np.uint8), cv2.IMREAD_COLOR)
     if picture is None:
         message = Phrase("world-picture-damaged", picture=file.name)

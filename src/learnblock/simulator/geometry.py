@@ -1,4 +1,4 @@
-"""Headings, and the polylines that lines on the floor are followed and painted along.
+"""Headings, and the polylines of lines on the floor.
 
 Headings are degrees, clockwise seen from above, so forward is (cos h, -sin h).
 """
@@ -11,28 +11,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 ARC_STEP = 3.0
-"""Degrees between the points of a sampled arc: at a radius of 400 mm it is off by 0.14 mm."""
+"""Degrees between the points of a sampled arc: at a radius of 400 mm the error is 0.14 mm."""
 
 Point = tuple[float, float]
 Points = NDArray[np.float64]
-"""Shape (n, 2), mm."""
+"""Points of shape (n, 2) in mm."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """A place in mm and a heading in degrees."""
+    """A position in mm and a heading in degrees."""
 
     x: float
     y: float
     heading: float
 
     def ahead(self, distance: float) -> "Pose":
-        """`distance` mm further along the heading."""
+        """The pose `distance` mm further along the heading."""
         x, y = forward(self.heading)
         return Pose(self.x + distance * x, self.y + distance * y, self.heading)
 
     def along_arc(self, angle: float, radius: float) -> "Pose":
-        """After a curve of `radius` mm that turns by `angle` degrees, to the right if positive."""
+        """The pose after a curve of `radius` mm by `angle` degrees, to the right if positive."""
         side = math.copysign(radius, angle)
         x, y = forward(self.heading + 90)
         center_x, center_y = self.x + side * x, self.y + side * y
@@ -63,21 +63,21 @@ class Polyline:
     """A chain of straight pieces.
 
     Args:
-        points: at least two, no two neighbours in one place.
+        points: at least two, no two neighbours at the same position.
     """
 
     points: Points
 
     @classmethod
     def through(cls, points: Iterable[Point]) -> "Polyline":
-        """Through `points`, of which those that repeat the one before are left out."""
+        """Create a polyline through `points`, without consecutive duplicates."""
         array = np.array(list(points), np.float64)
         moved = np.hypot(*np.diff(array, axis=0).T) > 1e-9
         return cls(array[np.concatenate([[True], moved])])
 
     @property
     def length(self) -> float:
-        """In mm."""
+        """Its length in mm."""
         return float(np.hypot(*np.diff(self.points, axis=0).T).sum())
 
     def nearest(self, x: float, y: float) -> tuple[float, float]:

@@ -12,9 +12,9 @@ from learnblock.simulator.geometry import Polyline, Pose, forward, wrapped
 from learnblock.simulator.world_description import Follow, Reach, Tag, Visit, WorldDescription
 
 LINE_PIECE = 10.0
-"""mm; the length of the pieces of a line that are checked."""
+"""The length in mm of the pieces of a line that are checked."""
 LONGEST_GAP = 100.0
-"""mm along a line that a robot may drive between two checks, 50 ms apart."""
+"""The distance in mm that a robot may drive along a line between two checks, 50 ms apart."""
 
 GoalKind = Literal["reach", "follow", "visit"]
 
@@ -25,11 +25,11 @@ class GoalState:
 
     Args:
         name: unique in the world.
-        kind: reach a region, follow a line or visit a tag.
+        kind: reaching a region, following a line or visiting a tag.
         progress: 0 to 1.
-        reached_at: the time in s, or None.
-        failed_at: the time in s at which its time limit had passed, or None.
-        robot: the one that reached it, or "".
+        reached_at: when it was reached, in s, or None.
+        failed_at: when its time limit passed, in s, or None.
+        robot: the robot that reached it, or "".
     """
 
     name: str
@@ -41,16 +41,16 @@ class GoalState:
 
     @property
     def is_open(self) -> bool:
-        """Neither reached nor failed yet."""
+        """Whether it is neither reached nor failed yet."""
         return self.reached_at is None and self.failed_at is None
 
 
 class Goal:
-    """One goal, checked at regular times.
+    """One goal, checked at regular intervals.
 
     Args:
         kind: as in `GoalState`.
-        described: in the world's file.
+        described: the goal in the world's file.
     """
 
     def __init__(self, kind: GoalKind, described: Reach | Follow | Visit) -> None:
@@ -69,7 +69,7 @@ class Goal:
             )
 
     def progress(self, robot: str, pose: Pose) -> float:
-        """The progress of this robot, 0 to 1."""
+        """The progress of a robot, 0 to 1."""
         raise NotImplementedError
 
     def _note(self, time: float, robot: str, progress: float) -> None:

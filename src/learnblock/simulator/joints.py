@@ -45,7 +45,7 @@ class Joints:
         self._motions[key] = _Motion(self.angle(key), target, self._clock.steps)
 
     def angle(self, key: str) -> float:
-        """The angle of a joint now, in degrees.
+        """The current angle of a joint in degrees.
 
         Raises:
             UnknownNameError: the robot has no such joint.

@@ -1,6 +1,6 @@
 """Noise that depends only on the measurement and its time.
 
-Each value is a hash of robot, sensor and step. So reading a sensor twice in a step gives the same
+Each value is a hash of robot, sensor and step. Reading a sensor twice in a step thus gives the same
 value, and neither other robots or sensors nor the order of reading change it. No library's random
 generator is used, because their streams differ between versions.
 """
@@ -17,7 +17,7 @@ class Noise:
     """The noise of one robot in one world.
 
     Args:
-        seed: the world's.
+        seed: the world's seed.
         robot: the robot's name.
     """
 
@@ -30,6 +30,6 @@ class Noise:
         return int.from_bytes(hashlib.blake2b(key, digest_size=8).digest(), "big")
 
     def normal(self, sensor: str, step: int = 0) -> float:
-        """Normally distributed with mean 0 and standard deviation 1."""
-        # 52 bits leave room for the half, which keeps the value between 0 and 1 exclusively.
+        """A normally distributed number with mean 0 and standard deviation 1."""
+        # 52 bits leave room for adding one half, which keeps the value between 0 and 1 exclusively.
         return _NORMAL.inv_cdf(((self.bits(sensor, step) >> 12) + 0.5) / 2**52)

@@ -1,6 +1,6 @@
 """Bodies, contacts and rays in the plane: the solid objects of a world.
 
-Lengths are mm, masses kg, times s, and so forces kg mm/s². In pymunk angles are radians and grow
+Lengths are mm, masses kg and times s, so forces are kg mm/s². In pymunk angles are radians and grow
 anticlockwise; headings are degrees and grow clockwise.
 """
 
@@ -15,18 +15,18 @@ from learnblock.simulator.geometry import Point, Pose, forward
 from learnblock.simulator.world_description import Box, Cylinder, Face, Tag, WorldDescription
 
 DT = 0.01
-"""Seconds a step."""
+"""Seconds per step."""
 GRAVITY = 9810.0
 """mm/s²."""
 FLOOR_FRICTION = 0.4
-"""Of a pushed box on the floor, as wood on linoleum."""
+"""The friction of a pushed box on the floor, as of wood on linoleum."""
 CONTACT_FRICTION = 0.3
 BOARD_THICKNESS = 4.0
-"""mm; of the boards that tags and faces are glued to."""
+"""The thickness in mm of the boards that tags and faces are on."""
 BORDER_THICKNESS = 40.0
-"""mm; outside the floor."""
+"""The thickness in mm of the walls outside the floor."""
 ROBOT = 1
-"""pymunk's collision type of robots; everything else has 0."""
+"""pymunk's collision type of robots; all other objects have 0."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,10 +44,10 @@ class Pushed:
 
 
 class Physics:
-    """The plane with everything in it.
+    """The plane with all solid objects.
 
     Args:
-        world: the objects in it at the start.
+        world: the description of the objects.
     """
 
     def __init__(self, world: WorldDescription) -> None:
@@ -61,27 +61,27 @@ class Physics:
             self._add_thing(thing)
 
     def ray(self, start: Point, end: Point, looker: pymunk.ShapeFilter) -> float | None:
-        """The part of the way from `start` to `end`, 0 to 1, to the first thing in the way.
+        """The fraction of the way from `start` to `end`, 0 to 1, that is free.
 
         Args:
-            start: mm.
-            end: mm.
-            looker: of the robot that looks: the ray passes through it.
+            start: the start point in mm.
+            end: the end point in mm.
+            looker: the group of the measuring robot, which the ray passes through.
         """
         seen = self.space.segment_query_first(start, end, 0.0, looker)
         return None if seen is None else seen.alpha
 
     def touches(self, place: Point, radius: float, ignored_group: int) -> bool:
-        """Whether anything but `ignored_group` is within `radius` mm of `place`."""
+        """Whether any object outside `ignored_group` is within `radius` mm of `place`."""
         ignored = pymunk.ShapeFilter(group=ignored_group)
         return self.space.point_query_nearest(place, radius, ignored) is not None
 
     def is_free(self, x: float, y: float, radius: float) -> bool:
-        """Whether a disc finds room at (x, y)."""
+        """Whether there is room for a disc at (x, y)."""
         return not self.touches((x, y), radius, ignored_group=0)
 
     def add(self, shape: pymunk.Shape, name: str) -> None:
-        """Let `shape` be bumped into under `name`."""
+        """Report collisions with `shape` under `name`."""
         shape.friction = CONTACT_FRICTION
         self.names[shape] = name
         self.space.add(shape)
@@ -141,7 +141,7 @@ class Physics:
 
 
 def things(world: WorldDescription) -> Iterator[Box | Cylinder]:
-    """Its boxes and cylinders, in order."""
+    """The boxes and cylinders, in order."""
     yield from world.box
     yield from world.cylinder
 

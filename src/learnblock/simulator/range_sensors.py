@@ -31,10 +31,10 @@ class RangeSensors:
     """The distance and ground sensors of one robot.
 
     Args:
-        description: of the robot.
+        description: the description of the robot.
         chassis: carries the sensors.
-        world: what they measure.
-        noise: of the robot.
+        world: the world that they measure.
+        noise: the noise of the robot.
     """
 
     def __init__(

@@ -48,10 +48,10 @@ class LogEntry(NamedTuple):
     """A command to a device that has no other effect in the world.
 
     Args:
-        time: of the world, s.
+        time: the world's time in s.
         device: such as ``Speaker``.
         action: such as ``say``.
-        values: as they were given.
+        values: the values of the command.
     """
 
     time: float
@@ -76,15 +76,15 @@ class Surroundings(RangeSurroundings, Protocol):
 class RobotBody:
     """A robot in a world; made by `World.add_robot`.
 
-    Speeds are mm/s forward and degrees/s clockwise; headings degrees clockwise, 0 looks east.
-    Sensors are computed when they are read, and give the same value all through a step.
+    Speeds are mm/s forward and degrees/s clockwise; headings are degrees clockwise, 0 faces east.
+    Sensors are computed when they are read, and give the same value throughout a step.
 
     Args:
         description: the kind of robot.
         name: unique in the world.
-        world: where it is.
+        world: the world that contains it.
         group: its number in the physics.
-        pose: where it starts.
+        pose: its start pose.
     """
 
     def __init__(
@@ -102,7 +102,7 @@ class RobotBody:
         self.chassis = Chassis(world.physics, description, name, group, errors)
         self.chassis.place(pose)
         self._log: deque[LogEntry] = deque(maxlen=LOG_LENGTH)
-        #: Commands that were ever noted, also those the log has forgotten.
+        #: The number of all commands so far, including those no longer in the log.
         self.noted = 0
         self._gyroscope_zero = (self.chassis.turned, world.steps)
         self._range_sensors = RangeSensors(description, self.chassis, world, self._noise)
@@ -127,7 +127,7 @@ class RobotBody:
 
     @property
     def wheels_rolled(self) -> tuple[float, float]:
-        """The distance the left and the right wheel have rolled, in mm, as encoders count it.
+        """The distance the left and the right wheel have rolled, in mm, as counted by encoders.
 
         Encoders know neither the true size of a wheel nor its slip: the true motion is `pose`.
         """
@@ -150,7 +150,7 @@ class RobotBody:
         self.chassis.drive(adv, rot)
 
     def place(self, x: float, y: float, heading: float) -> None:
-        """Move the robot to a place (mm, mm, degrees), where it stands still.
+        """Move the robot to a place (mm, mm, degrees), where it stops.
 
         Raises:
             ValueError: one of them is not a finite number.
@@ -162,7 +162,7 @@ class RobotBody:
         """The readings of the distance sensors, in mm, from left to right on each side.
 
         Returns:
-            ``front``, ``left``, ``right`` and ``back``; 2000 means nothing is seen.
+            ``front``, ``left``, ``right`` and ``back``; 2000 means that nothing is seen.
         """
         return self._range_sensors.distances()
 
@@ -174,7 +174,7 @@ class RobotBody:
         return self._range_sensors.ground()
 
     def gyroscope(self) -> float:
-        """Degrees turned since the last reset, clockwise, with all full turns in it.
+        """Degrees turned since the last reset, clockwise, including full turns.
 
         Raises:
             UnknownNameError: the robot has no gyroscope.
@@ -243,7 +243,7 @@ class RobotBody:
         self._joints.turn(key, degrees)
 
     def joint(self, key: str) -> float:
-        """The angle of a joint now, in degrees.
+        """The current angle of a joint in degrees.
 
         Raises:
             UnknownNameError: the robot has no such joint.
@@ -259,7 +259,7 @@ class RobotBody:
         return self._camera(key).focal
 
     def frame(self, key: str = "ROBOT") -> NDArray[np.uint8]:
-        """A camera's newest frame: RGB, uint8, shape (height, width, 3), not to be written to.
+        """A camera's newest frame: RGB, uint8, shape (height, width, 3); do not modify it.
 
         It is taken when it is requested, and stays the newest until the camera's rate allows
         another.
@@ -283,8 +283,8 @@ class RobotBody:
         Raises:
             UnknownNameError: the robot has no such camera.
         """
-        # Here and not above: a world without a camera does not need OpenCV.
-        from learnblock.simulator.camera import (  # noqa: PLC0415 - see the line above
+        # Imported here because a world without a camera does not need OpenCV.
+        from learnblock.simulator.camera import (  # noqa: PLC0415 - see above
             CameraModel,
             CameraPose,
             View,

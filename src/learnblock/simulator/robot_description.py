@@ -249,7 +249,7 @@ class RobotDescription(RobotFile, kw_only=True, frozen=True, forbid_unknown_fiel
     """A robot's file together with its name.
 
     Args:
-        name: the file's name without its ending.
+        name: the file's name without its suffix.
     """
 
     name: str = "robot"
@@ -259,12 +259,12 @@ def load_robot(name_or_path: str | Path, folders: Sequence[Path] = ()) -> RobotD
     """Load the description of a simulated robot.
 
     Args:
-        name_or_path: the name of a robot of `folders` or of ours, or a path that ends in .toml.
-        folders: searched before ours, in this order.
+        name_or_path: the name of a robot in `folders` or a built-in one, or a path ending in .toml.
+        folders: the folders to search before ours, in this order.
 
     Raises:
         UnknownNameError: there is no such robot.
-        RobotDescriptionError: the file has mistakes.
+        RobotDescriptionError: the file is invalid.
     """
     file = toml_source.locate("simulated-robot", name_or_path, [*folders, SHIPPED_ROBOTS])
     robot = toml_source.read(file, RobotFile, RobotDescriptionError, check)
@@ -278,7 +278,7 @@ def robot_names(folders: Sequence[Path] = ()) -> tuple[str, ...]:
 
 
 def check(robot: RobotFile) -> Iterator[Finding]:
-    """Find what is wrong with a robot's file that its types let through."""
+    """Find mistakes in a robot's file that its types accept."""
     yield from _check_keys(robot)
     yield from _check_ranges(robot)
     joints = [joint.key for joint in robot.joint]
@@ -289,7 +289,7 @@ def check(robot: RobotFile) -> Iterator[Finding]:
 
 
 def _check_ranges(robot: RobotFile) -> Iterator[Finding]:
-    """A minimum is less than its maximum."""
+    """Check that a minimum is less than its maximum."""
     for group, code in (("distance", "wrong-range"), ("joint", "wrong-value")):
         for index, part in enumerate(getattr(robot, group)):
             if part.minimum >= part.maximum:
@@ -303,7 +303,7 @@ def _check_ranges(robot: RobotFile) -> Iterator[Finding]:
 
 
 def _check_keys(robot: RobotFile) -> Iterator[Finding]:
-    """Two devices of one type cannot share a key."""
+    """Check that devices of the same type have different keys."""
     groups = (
         ("camera", "key", [camera.key for camera in robot.camera]),
         ("joint", "key", [joint.key for joint in robot.joint]),

@@ -25,13 +25,13 @@ Corners = NDArray[np.float64]
 
 
 class Solid:
-    """Something upright that moves: its surfaces at any pose, made from one picture.
+    """An upright object that moves: its surfaces at any pose, made from one picture.
 
     Args:
-        outline: corners (forward, left) of it in mm, anticlockwise from above; an even number.
-        height: mm.
-        colour: of all its surfaces.
-        name: of the surfaces.
+        outline: its corners (forward, left) in mm, anticlockwise from above; an even number.
+        height: its height in mm.
+        colour: the colour of all its surfaces.
+        name: the name of the surfaces.
     """
 
     def __init__(
@@ -56,7 +56,7 @@ class Solid:
 
 
 def solid(thing: Box | Cylinder) -> Solid:
-    """A box or a cylinder as the camera draws it."""
+    """A box or a cylinder for cameras."""
     if isinstance(thing, Box):
         x, y = thing.length / 2, thing.width / 2
         outline = [(x, -y), (x, y), (-x, y), (-x, -y)]
@@ -67,12 +67,12 @@ def solid(thing: Box | Cylinder) -> Solid:
 
 
 def hull(body: robot_description.Body, name: str) -> Solid:
-    """A robot as the cameras of other robots see it."""
+    """A robot as seen by the cameras of other robots."""
     return Solid(body.outline, body.height, rgb(body.colour), name)
 
 
 def scenery(world: WorldDescription, floor: Floor) -> list[Surface]:
-    """All that never moves."""
+    """The surfaces that never move."""
     surfaces = [_floor(floor), *_border(world)]
     for wall in world.wall:
         surfaces += _wall(wall)
@@ -110,7 +110,7 @@ def _wall(wall: Wall) -> Iterator[Surface]:
         length = math.dist(start, end)
         if length == 0:
             continue
-        # Longer by half of the thickness at both ends, so that corners are closed.
+        # Longer by half the thickness at both ends, so that corners are closed.
         x, y = length / 2 + half, half
         outline = [(x, -y), (x, y), (-x, y), (-x, -y)]
         heading = -math.degrees(math.atan2(end[1] - start[1], end[0] - start[0]))
@@ -119,7 +119,7 @@ def _wall(wall: Wall) -> Iterator[Surface]:
 
 
 def _board(board: Tag | Face, picture: textures.Image, name: str) -> Iterator[Surface]:
-    # Seen from the front, its right end is to the left of where it looks.
+    # Seen from the front, its right end is to the left of its facing direction.
     x, y = forward(board.heading - 90)
     half = board.size / 2
     left, right = (board.x - half * x, board.y - half * y), (board.x + half * x, board.y + half * y)

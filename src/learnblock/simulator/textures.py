@@ -32,7 +32,7 @@ def tag(number: int, pixels: int = 80) -> Image:
 
     Args:
         number: 0 to 586.
-        pixels: the side of the square picture, quiet zone included; multiples of 10 give even
+        pixels: the side of the square picture, quiet zone included; multiples of 10 give equal
             cells.
 
     Returns:
@@ -133,7 +133,7 @@ def _draw_line(image: Image, line: FloorLine, pixels_per_mm: float) -> None:
 
 
 def _pieces(points: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """The same way in short steps: the rectangle round a long slanting one is nearly all empty."""
+    """The same line in short steps: the rectangle around a long slanted line is mostly empty."""
     steps = [points[:1]]
     for begin, end in pairwise(points):
         count = max(1, int(np.ceil(np.hypot(*(end - begin)) / PIECE)))

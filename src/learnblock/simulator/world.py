@@ -28,7 +28,7 @@ GOAL_PERIOD = 5
 """Steps between two checks of the goals."""
 EVENTS_KEPT = 10_000
 RINGS = 30
-"""The largest distance from a blocked start pose at which a robot is placed, in robots."""
+"""The largest distance from a blocked start pose at which a robot is placed, in robot diameters."""
 MAXIMUM_LIGHT = 1023.0
 
 EventKind = Literal["goal-reached", "goal-failed", "collision"]
@@ -36,10 +36,10 @@ EventKind = Literal["goal-reached", "goal-failed", "collision"]
 
 @dataclass(frozen=True, slots=True)
 class WorldEvent:
-    """Something that happened.
+    """An event.
 
     Args:
-        time: of the world, s.
+        time: the world's time in s.
         kind: a collision is reported when it begins.
         subject: the goal's name, or the robot that bumps.
         other: the robot that reached the goal, or what was bumped into.
@@ -58,7 +58,7 @@ class World:
 
     Args:
         description: from `load_world`.
-        seed: changes the noise and, slightly, the size of the wheels.
+        seed: the seed of the noise and of slight differences in wheel size.
     """
 
     def __init__(self, description: WorldDescription, seed: int = 0) -> None:
@@ -80,7 +80,7 @@ class World:
 
     @property
     def time(self) -> float:
-        """Seconds since the world was made: steps * dt, rounded once."""
+        """Seconds since the world was created: steps * dt, rounded once."""
         return self.steps / STEPS_PER_SECOND
 
     @property
@@ -94,17 +94,17 @@ class World:
         name: str = "robot",
         start: str | tuple[float, float, float] | None = None,
     ) -> RobotBody:
-        """Put a robot into the world.
+        """Add a robot to the world.
 
         Args:
             description: from `load_robot`.
-            name: under which `robots` has it.
+            name: its name in `robots`.
             start: the name of a start pose, or (x, y, heading). Without it, the first start pose
-                that no robot has taken. Beside a start pose that is blocked, free floor is taken.
+                that no robot has taken. If it is blocked, free floor next to it is used.
 
         Raises:
-            KeyTakenError: there is a robot with this name.
-            UnknownNameError: there is no start pose of this name.
+            KeyTakenError: there is already a robot with this name.
+            UnknownNameError: there is no start pose with this name.
             WorldError: there is no free floor left.
         """
         if name in self.robots:
@@ -148,7 +148,7 @@ class World:
         return min(level, MAXIMUM_LIGHT)
 
     def surfaces(self, without: str | None = None) -> "list[Surface]":
-        """The surfaces that cameras can see now.
+        """The surfaces that are visible to cameras now.
 
         Args:
             without: the robot with the camera, if any; it does not see itself.
@@ -201,8 +201,8 @@ class World:
 
     @cached_property
     def _scenery(self) -> "list[Surface]":
-        # Here and not above: a world without a camera does not need OpenCV.
-        from learnblock.simulator.scenery import scenery  # noqa: PLC0415 - see the line above
+        # Imported here because a world without a camera does not need OpenCV.
+        from learnblock.simulator.scenery import scenery  # noqa: PLC0415 - see above
 
         return scenery(self.description, self.floor)
 
@@ -223,7 +223,7 @@ class World:
 
 
 def _places_around(wanted: Pose, spacing: float) -> Iterator[Pose]:
-    """The pose wanted, and then ever larger squares round it, with the same heading."""
+    """The requested pose, then ever larger squares around it, with the same heading."""
     yield wanted
     for ring in range(1, RINGS + 1):
         for column in range(-ring, ring + 1):

@@ -1,4 +1,4 @@
-"""The check of a world's file for mistakes that the types of its values let through."""
+"""The check of a world's file for mistakes that the types of its values accept."""
 
 import math
 from collections import Counter
@@ -13,14 +13,14 @@ from learnblock.storage.struct_types import KeyPath
 from learnblock.storage.toml_source import Finding
 
 CLOSING_GAP = 5.0
-"""mm between the end and the start of a closed line that count as a rounding error."""
+"""The gap in mm between the end and the start of a closed line that is a rounding error."""
 MAXIMUM_PICTURE_MEGABYTES = 10
 MAXIMUM_PICTURE_SIDE = 4096
-"""Pixels."""
+"""The limit in pixels."""
 
 
 def check_world(world: WorldFile, folder: Path) -> Iterator[Finding]:
-    """Find what is wrong with a world whose floor picture is in `folder`."""
+    """Find the mistakes in a world whose floor picture is in `folder`."""
     yield from _check_lines(world)
     yield from _check_places(world)
     yield from _check_names(world)
@@ -51,7 +51,7 @@ def _is_closed(line: Polyline) -> bool:
 
 
 def _check_places(world: WorldFile) -> Iterator[Finding]:
-    """Objects outside the floor were meant to be elsewhere."""
+    """Report objects outside the floor."""
     east, north = world.floor.size[0] / 2, world.floor.size[1] / 2
     for key in ("box", "cylinder", "tag", "face", "light", "start"):
         for index, thing in enumerate(getattr(world, key)):
@@ -70,7 +70,7 @@ def _check_places(world: WorldFile) -> Iterator[Finding]:
 
 
 def _check_names(world: WorldFile) -> Iterator[Finding]:
-    """Lines, starts and goals are known by name, so no two may share one."""
+    """Report duplicate names: lines, starts and goals are identified by name."""
     groups: tuple[list[KeyPath], ...] = (
         [("line", i) for i in range(len(world.line))],
         [("start", i) for i in range(len(world.start))],
@@ -115,7 +115,7 @@ def _check_picture(folder: Path, picture: str) -> Iterator[Finding]:
 
 
 def _picture_problem(folder: Path, picture: str) -> Phrase | None:
-    # No file name contains a NUL, and even looking for such a file is an error.
+    # No file name contains a NUL, and even checking for such a file is an error.
     file = (folder / picture.partition("\0")[0]).resolve()
     if "\0" in picture or not file.is_relative_to(folder.resolve()):
         return Phrase("world-picture-outside", picture=picture)
@@ -142,7 +142,7 @@ def _picture_problem(folder: Path, picture: str) -> Phrase | None:
 def _png_size(file: Path) -> tuple[int, int]:
     """Width and height from the header (PNG specification, 11.2.2); (0, 0) if it is not PNG.
 
-    The header is read by hand so that a picture is never unpacked before its size is known.
+    The header is parsed by hand, so that a picture is never unpacked before its size is known.
     """
     with file.open("rb") as stream:
         header = stream.read(24)

@@ -1,6 +1,6 @@
 """The content of a world's file.
 
-The messages about a wrong file and the tables of docs/simulator.md are made from the descriptions
+The messages about an invalid file and the tables of docs/simulator.md are made from descriptions
 and bounds of the keys. Places are mm, x east and y north of the
 middle of the floor; headings are degrees clockwise, 0 is east.
 """
@@ -276,8 +276,8 @@ class WorldDescription(WorldFile, kw_only=True, frozen=True, forbid_unknown_fiel
     """A world's file together with its name and folder.
 
     Args:
-        name: the file's name without its ending.
-        folder: where the floor's picture is.
+        name: the file's name without its suffix.
+        folder: the folder of the floor's picture.
     """
 
     name: str = "world"

@@ -16,12 +16,12 @@ def load_world(name_or_path: str | Path, folders: Sequence[Path] = ()) -> WorldD
     """Load the description of a world.
 
     Args:
-        name_or_path: the name of a world of `folders` or of ours, or a path that ends in .toml.
-        folders: searched before ours, in this order.
+        name_or_path: the name of a world in `folders` or a built-in one, or a path ending in .toml.
+        folders: the folders to search before ours, in this order.
 
     Raises:
         UnknownNameError: there is no such world.
-        WorldError: the file has mistakes.
+        WorldError: the file is invalid.
     """
     file = toml_source.locate("world", name_or_path, [*folders, SHIPPED_WORLDS])
     world = toml_source.read(file, WorldFile, WorldError, lambda w: check_world(w, file.parent))
@@ -30,10 +30,10 @@ def load_world(name_or_path: str | Path, folders: Sequence[Path] = ()) -> WorldD
 
 
 def read_world(values: Mapping[str, Any], folder: Path) -> WorldFile:
-    """Make a world from values, such as an editor's; its floor picture is in `folder`.
+    """Create a world from values, such as an editor's; its floor picture is in `folder`.
 
     Raises:
-        WorldError: they are wrong.
+        WorldError: they are invalid.
     """
     return toml_source.convert(
         values, WorldFile, WorldError, lambda world: check_world(world, folder), name="world.toml"
@@ -41,7 +41,7 @@ def read_world(values: Mapping[str, Any], folder: Path) -> WorldFile:
 
 
 def write_world(world: WorldFile, name: str) -> str:
-    """Make the text of a world's file.
+    """Format a world as the text of its file.
 
     Raises:
         WorldError: it would be larger than `load_world` accepts.

@@ -1,4 +1,4 @@
-"""What a world's file may hold, as a JSON Schema: the page's world editor makes its forms from it.
+"""The content of a world's file as a JSON Schema, from which the world editor makes its forms.
 
 ``python -m learnblock.simulator.world_schema > frontend/src/features/world-editor/schema.json``
 """
@@ -12,7 +12,7 @@ from learnblock.simulator.world_description import WorldFile
 
 
 def world_schema() -> str:
-    """The schema of each table of a world's file by the table's name, as JSON text."""
+    """The schema of each table of a world's file, by the table's name, as JSON text."""
     return json.dumps(msgspec.json.schema(WorldFile)["$defs"], indent=1) + "\n"
 
 

@@ -1,13 +1,13 @@
-"""A projective camera: planar quads with textures in, an RGB picture out.
+"""A projective camera: it renders textured planar quads as an RGB picture.
 
 World coordinates are mm: x east, y north, z up. Headings and pitches are degrees: a heading grows
-clockwise seen from above, so forward is (cos h, -sin h), and a pitch above zero looks up. Pixel
+clockwise seen from above, so forward is (cos h, -sin h), and a positive pitch points up. Pixel
 (0, 0) is the top left one; integer pixel coordinates are pixel centres, and the optical axis meets
 the picture in its middle, at ((width - 1) / 2, (height - 1) / 2).
 
 On a plane 1/z is affine in pixel coordinates, so the depth test is exact for every pixel; the
-texture comes through the plane's homography, from that level of its mip chain whose texels are
-about a pixel large there.
+texture comes through the plane's homography, from the level of its mip chain whose texels are
+about as large as a pixel there.
 """
 
 from learnblock.simulator.camera.lens import CameraModel, CameraPose

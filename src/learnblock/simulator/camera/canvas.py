@@ -1,4 +1,4 @@
-"""The picture so far, and how near it is."""
+"""The picture so far, and its depth."""
 
 from dataclasses import dataclass
 
@@ -15,7 +15,7 @@ from learnblock.simulator.camera.window import Window, edges
 
 @dataclass(frozen=True, slots=True)
 class Canvas:
-    """The picture so far and, for every pixel, 1/z of what is nearest (0 for the background)."""
+    """The picture so far and 1/z of the nearest surface at every pixel (0 for the background)."""
 
     image: Image
     nearness: NDArray[np.float32]
@@ -34,7 +34,7 @@ class Canvas:
         )
 
     def paint(self, facet: Facet, patch: Patch) -> None:
-        """Draw `patch` where it is nearer than the picture so far."""
+        """Draw `patch` at the pixels where it is nearer than the picture so far."""
         window = Window.around(patch.outline, self.image.shape[1], self.image.shape[0])
         if window.is_empty:
             return

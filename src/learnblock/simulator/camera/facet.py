@@ -1,4 +1,4 @@
-"""Surfaces as one camera sees them, cut into patches of about equal detail."""
+"""Surfaces as seen by one camera, cut into patches of about equal detail."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -12,18 +12,18 @@ from learnblock.simulator.camera.vectors import Point, Vector, cross, dot, minus
 
 # Nothing nearer to the lens than this many mm is drawn.
 NEAR = 1.0
-# Towards a light in the south-west above; scaled so that a floor keeps its colours as they are.
+# Points to a light above in the south-west; scaled so that a floor keeps its colours.
 LIGHT = (-0.35, -0.2, 1.0)
 AMBIENT = 0.82
 
 
 @dataclass(frozen=True, slots=True)
 class Patch:
-    """A part of a facet whose pixels cover about equally many texels.
+    """A part of a facet whose pixels cover about the same number of texels.
 
     Args:
         outline: convex, in pixels, clockwise in the picture.
-        depths: its least and its greatest z.
+        depths: its minimum and maximum z.
     """
 
     outline: Sequence[Point]
@@ -32,10 +32,10 @@ class Patch:
 
 @dataclass(frozen=True, slots=True)
 class Facet:
-    """A surface as one camera sees it: x right, y down, z forward, in mm.
+    """A surface as seen by one camera: x right, y down, z forward, in mm.
 
     With `side` and `down` the texture's two edges from the corner `origin` and r the ray of a
-    pixel at z = 1, Cramer's rule gives 1/z = (side x down) . r / det, and the place in the texture
+    pixel at z = 1, Cramer's rule gives 1/z = (side x down) . r / det, and the texture position
     as ((down x origin) . r, (origin x side) . r) / det * z.
     """
 
@@ -68,7 +68,7 @@ class Facet:
 
 
 def facets(surfaces: Sequence[Surface], model: CameraModel, pose: CameraPose) -> Iterator[Facet]:
-    """The surfaces that are in front of the camera, within its picture, and face it."""
+    """The surfaces that are in front of the camera, within its picture, and that face it."""
     if not surfaces:
         return
     axes = pose.axes
@@ -95,7 +95,7 @@ def _is_within_picture(corners: Sequence[Vector], model: CameraModel) -> bool:
 def _facet(
     surface: Surface, corners: Sequence[Vector], model: CameraModel, light: Vector
 ) -> Facet | None:
-    """None if nothing is visible: seen edge-on, or from a back that is not drawn."""
+    """None if nothing is visible: it is seen edge-on, or from a back that is not drawn."""
     origin = corners[0]
     side, down = minus(corners[1], origin), minus(corners[3], origin)
     # In camera coordinates it points away from a camera in front of the surface.
@@ -131,7 +131,7 @@ def _over_pixels(
 
 
 def _shade(towards_light: float) -> float:
-    """1 for a floor, less the more a surface turns away, never so dark that a tag is lost."""
+    """The brightness: 1 for a floor, less for surfaces turned away, but enough to see tags."""
     return min(1.0, AMBIENT + (1 - AMBIENT) * towards_light)
 
 
@@ -161,7 +161,7 @@ def _between(a: Vector, b: Vector, part: float) -> Vector:
 def _projected(
     corners: Sequence[Vector], model: CameraModel, *, clockwise: bool
 ) -> Sequence[Point]:
-    """In pixels, clockwise in the picture."""
+    """The outline in pixels, clockwise in the picture."""
     column, row, focal = 0.5 * (model.width - 1), 0.5 * (model.height - 1), model.focal
     points = [(column + focal * x / z, row + focal * y / z) for x, y, z in corners]
     return points if clockwise else points[::-1]

@@ -1,4 +1,4 @@
-"""The lens of a camera, and where it is."""
+"""The lens of a camera, and its pose."""
 
 import math
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ class CameraModel:
     Args:
         width: columns of the picture.
         height: rows of the picture.
-        focal: the focal length in pixels; half of the width seen at 45 degrees is one focal.
+        focal: the focal length in pixels, which is also the offset at 45 degrees from the axis.
     """
 
     width: int
@@ -29,7 +29,7 @@ class CameraModel:
 
 @dataclass(frozen=True, slots=True)
 class CameraPose:
-    """Where the lens is (mm) and where it looks (degrees; right and up are positive)."""
+    """The position of the lens (mm) and its direction (degrees; right and up are positive)."""
 
     x: float
     y: float
@@ -39,7 +39,7 @@ class CameraPose:
 
     @property
     def axes(self) -> NDArray[np.float64]:
-        """Rows are the directions right, down and forward in the world: a rotation matrix."""
+        """The rotation matrix, whose rows are right, down and forward in the world."""
         heading, pitch = math.radians(self.heading), math.radians(self.pitch)
         cos_h, sin_h = math.cos(heading), math.sin(heading)
         cos_p, sin_p = math.cos(pitch), math.sin(pitch)

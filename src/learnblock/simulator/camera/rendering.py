@@ -1,4 +1,4 @@
-"""Draws what a camera sees."""
+"""Draws the view of a camera."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from learnblock.simulator.camera.lens import CameraModel, CameraPose
 from learnblock.simulator.camera.surface import Surface
 from learnblock.simulator.camera.vectors import Colour, Image
 
-# Of the standard normal distribution: the middles of 256 equally likely steps.
+# The midpoints of 256 equally likely intervals of the standard normal distribution.
 QUANTILES = np.array([NormalDist().inv_cdf((step + 0.5) / 256) for step in range(256)])
 
 
@@ -27,7 +27,7 @@ class View:
     noise: tuple[np.random.Generator, float] | None = None
 
     def picture(self) -> Image:
-        """Draw it, once: the noise is used up by it."""
+        """Draw it; only once, because that uses up the noise."""
         return render(self.surfaces, self.model, self.pose, noise=self.noise)
 
 
@@ -38,16 +38,16 @@ def render(
     background: Colour = (200, 215, 230),
     noise: tuple[np.random.Generator, float] | None = None,
 ) -> Image:
-    """What a camera with lens `model` at `pose` sees of `surfaces`.
+    """The view of `surfaces` by a camera with lens `model` at `pose`.
 
-    The same arguments give the same picture. Of surfaces in the same plane the first one wins: put
+    The same arguments give the same picture. Of surfaces in the same plane, the first one wins: put
     a poster 1 mm before its wall.
 
     Args:
-        surfaces: in any order.
+        surfaces: the surfaces, in any order.
         model: the lens.
-        pose: where it is.
-        background: RGB where there is no surface.
+        pose: the pose of the lens.
+        background: the RGB colour where there is no surface.
         noise: a generator and the standard deviation of the sensor's Gaussian noise, in grey
             levels; None for a perfect sensor.
 

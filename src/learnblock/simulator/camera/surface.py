@@ -24,8 +24,8 @@ class Surface:
         texture: RGB, uint8, shape (height, width, 3). It fills the parallelogram that the top left,
             top right and bottom left corners span; if the fourth corner is elsewhere, the quad
             cuts the picture, or repeats its last pixels.
-        name: for messages.
-        two_sided: the back shows the front's picture mirrored; otherwise the back is not drawn.
+        name: the name in messages.
+        two_sided: whether the back shows the front's picture mirrored; otherwise it is not drawn.
 
     Raises:
         ValueError: the corners are not a flat convex quad, or the texture is not an RGB image.
@@ -43,20 +43,20 @@ class Surface:
         self._levels.setdefault(0, self.texture)
 
     def moved(self, corners: NDArray[np.float64]) -> "Surface":
-        """The same surface elsewhere; it shares the mip chain, which is expensive to make."""
+        """The same surface elsewhere; it shares the mip chain, which is slow to compute."""
         return Surface(corners, self.texture, self.name, self.two_sided, self._levels)
 
     @property
     def last_level(self) -> int:
-        """The level of the mip chain that is a single pixel in its longer direction."""
+        """The level of the mip chain whose longer side is a single pixel."""
         return int(max(self.texture.shape[:2]).bit_length()) - 1
 
     def level(self, number: int) -> Image:
-        """The texture at 1/2**number of its size, made when first used."""
+        """The texture at 1/2**number of its size, computed on first use."""
         if number not in self._levels:
             finer = self.level(number - 1)
             height, width = (max(1, size // 2) for size in finer.shape[:2])
-            # Bound to the one array even if two threads make it at once.
+            # Bound to the same array even if two threads compute it at once.
             self._levels.setdefault(number, _shrunk(finer, width, height))
         return self._levels[number]
 
@@ -77,7 +77,7 @@ def _check_corners(surface: Surface) -> None:
 
 
 def _is_flat_and_convex(points: Sequence[Vector]) -> bool:
-    """Whether the sides turn at every corner, and about the same direction."""
+    """Whether the sides turn at every corner, always in the same direction."""
     sides = [minus(points[(i + 1) % 4], points[i]) for i in range(4)]
     turns = [cross(sides[i - 1], sides[i]) for i in range(4)]
     sizes = [math.hypot(*turn) for turn in turns]

@@ -11,15 +11,15 @@ from learnblock.simulator.camera.facet import Facet, Patch
 from learnblock.simulator.camera.vectors import Image, Vector
 from learnblock.simulator.camera.window import Window
 
-# Texels are chosen finer than a pixel by this power of two: tags should be sharp, not smooth.
+# Texels are finer than a pixel by this power of two, so that tags are sharp rather than smooth.
 SHARPNESS = 0.25
-# The most samples of a pixel per side (a power of two), and the texels between them.
+# The maximum number of samples per side of a pixel (a power of two), and the texels between them.
 MOST_SAMPLES = 4
 SPACING = 2.5
 
 
 def texels(facet: Facet, patch: Patch, window: Window) -> Image:
-    """The shaded texture over all of the window."""
+    """The shaded texture over the whole window."""
     size = (window.right - window.left, window.bottom - window.top)
     if facet.surface.last_level == 0:
         return _plain(size, facet.surface.texture[0, 0] * facet.shade)
@@ -31,7 +31,7 @@ def texels(facet: Facet, patch: Patch, window: Window) -> Image:
 
 @dataclass(frozen=True, slots=True)
 class Sampling:
-    """From which level of the mip chain, and how many samples of it for the columns and the rows
+    """The level of the mip chain, and the number of samples of it for the columns and the rows
     of a pixel: a floor seen at a flat angle covers many texels one way and few the other.
     """
 
@@ -59,7 +59,7 @@ def _sampling(facet: Facet, patch: Patch, window: Window) -> Sampling:
 
 
 def _footprint(facet: Facet, patch: Patch, window: Window) -> tuple[float, float]:
-    """The texels of the full texture that one pixel to the right, and one down, covers."""
+    """The texels of the full texture that one pixel to the right, and one pixel down, covers."""
     column, row = 0.5 * (window.left + window.right - 1), 0.5 * (window.top + window.bottom - 1)
     across, along, nearness = facet.pixel_to_texture
     # The middle of the window may be outside the patch, whose depths limit the value.
@@ -92,7 +92,7 @@ def _warped(
     across, along, nearness = (
         sampling.over_samples(window.shift(plane)) for plane in facet.pixel_to_texture
     )
-    # A texel's centre is half a texel from its edge, as everywhere in OpenCV.
+    # A texel's centre is half a texel from its edge, as always in OpenCV.
     homography = np.array(
         [
             [width * s - 0.5 * w for s, w in zip(across, nearness, strict=True)],
@@ -113,7 +113,7 @@ def _averaged(samples: cv2.typing.MatLike, columns: int, rows: int) -> cv2.typin
     while columns > 1 or rows > 1:
         across, along = min(columns, 2), min(rows, 2)
         size = (samples.shape[1] // across, samples.shape[0] // along)
-        # At half the size linear interpolation is the mean, and quicker than asking for the mean.
+        # At half the size, linear interpolation equals the mean and is faster than computing it.
         samples = cv2.resize(samples, size, interpolation=cv2.INTER_LINEAR)
         columns, rows = columns // across, rows // along
     return samples

@@ -12,7 +12,7 @@ EDGE_SLACK = 1e-3
 
 @dataclass(frozen=True, slots=True)
 class Window:
-    """Columns left..right and rows top..bottom of the picture; the last ones are not in it."""
+    """Columns left..right and rows top..bottom of the picture; right and bottom are exclusive."""
 
     left: int
     top: int
@@ -38,7 +38,7 @@ class Window:
         return slice(self.top, self.bottom), slice(self.left, self.right)
 
     def shift(self, plane: Vector) -> Vector:
-        """An affine function of the picture's pixels as one of the window's."""
+        """An affine function of the picture's pixels as a function of the window's pixels."""
         a, b, c = plane
         return a, b, c + a * self.left + b * self.top
 

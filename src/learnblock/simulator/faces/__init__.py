@@ -1,4 +1,4 @@
-"""Drawn faces, which belong to no person, so that emotions may be recognised in them."""
+"""Drawn faces, which belong to no real person, so their emotions may be recognised."""
 
 from learnblock.simulator.faces.expressions import EXPRESSIONS
 from learnblock.simulator.faces.people import Person

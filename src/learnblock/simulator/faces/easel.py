@@ -77,7 +77,7 @@ class Easel:
         self.image[:] = np.rint(blended).astype(np.uint8)
 
     def _blend(self, mask: Image, colour: Colour, opacity: float, blur: float) -> None:
-        """Let `colour` cover the picture where `mask` is white, softly for a `blur` above 0."""
+        """Draw `colour` where `mask` is white, with soft edges for a `blur` above 0."""
         reach = round(3 * blur * CANVAS)
         left, top, width, height = cv2.boundingRect(mask)
         window = (

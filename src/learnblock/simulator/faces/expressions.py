@@ -9,13 +9,13 @@ class Expression:
     """The expression of a face, in parts of its width, downwards positive.
 
     Args:
-        brow_inner: the distance of the brow's inner end below its place at rest.
-        brow_outer: the same of its outer end.
-        eye: how wide the eye is open, 1 at rest.
-        mouth_width: half of it.
+        brow_inner: the distance of the brow's inner end below its position at rest.
+        brow_outer: the same for its outer end.
+        eye: how far the eye is open, 1 at rest.
+        mouth_width: half the width of the mouth.
         corners: the distance of the mouth's corners below its middle.
         gap: how far the lips are apart.
-        sneer: how far the upper lip and the wings of the nose are drawn up.
+        sneer: how far the upper lip and the sides of the nose are raised.
         blush: how red the cheeks are, 0 to 1.
     """
 

@@ -1,4 +1,4 @@
-"""The people of drawn faces: the differences that do not depend on emotions."""
+"""The people of drawn faces: the features that do not depend on emotions."""
 
 from dataclasses import dataclass
 
@@ -20,17 +20,17 @@ _BACKDROPS: tuple[Colour, ...] = (
 
 @dataclass(frozen=True, slots=True)
 class Person:
-    """The features of one person's face; lengths are parts of the picture's side.
+    """The features of one person's face; lengths are fractions of the picture's side.
 
     Args:
         width: half the width of the head.
-        height: half its height.
-        eyes: from the middle to the middle of an eye.
-        eye_size: of the eyes, 1 being the usual one.
+        height: half the height of the head.
+        eyes: the distance from the middle to the centre of an eye.
+        eye_size: the size of the eyes, 1 being usual.
         brow: how thick a brow is.
         nose: how long the nose is, 1 being the usual length.
         mouth: how wide the mouth is, 1 being the usual width.
-        chin: the distance of the mouth below its usual place.
+        chin: the distance of the mouth below its usual position.
         lips: how thick the lips are, 1 being usual.
         line: how thick lines are drawn, 1 being usual.
         vigour: how strongly feelings are shown, 1 being usual.

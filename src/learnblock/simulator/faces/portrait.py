@@ -56,7 +56,7 @@ class _Painter:
         easel.polygon(self._outline, person.skin)
 
     def shading(self) -> None:
-        """The relief of a face lit from above, which the detector of real faces relies on."""
+        """The shading of a face lit from above, which the detector of real faces relies on."""
         easel, person = self.easel, self.person
         relief = Easel(easel.image.copy())
         for side in (-1, 1):
@@ -130,7 +130,7 @@ class _Painter:
         easel.ellipse((0.5, beneath), (0.045, 0.008), person.shadow, opacity=0.5, blur=0.008)
 
     def _along_nose(self, y: float) -> float:
-        """Where a place of the usual nose is on this one."""
+        """The position on this nose of a point on the usual nose."""
         root = 0.45
         return root + self.person.nose * (y - root)
 

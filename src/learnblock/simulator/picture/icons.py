@@ -1,4 +1,4 @@
-"""Small drawings: a robot from above, faces, a check, a flag, a sun, the way north."""
+"""Small drawings: a robot from above, faces, a check mark, a flag, a sun, a north arrow."""
 
 import math
 from collections.abc import Iterator
@@ -21,16 +21,16 @@ from learnblock.simulator.picture.view import View
 from learnblock.simulator.robot_description import Body
 
 SHADOW = (3.0, 4.0)
-"""Pixels to the south-east by which shadows fall."""
+"""The offset of shadows to the south-east, in pixels."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Expression:
-    """The shape of a small face with an emotion, in parts of its radius.
+    """The shape of a small face with an emotion, in fractions of its radius.
 
     Args:
-        colour: of the face.
-        smile: how far the mouth's middle hangs below its corners.
+        colour: the colour of the face.
+        smile: how far the mouth's middle is below its corners.
         mouth: half the mouth's width.
         open: radius of a round open mouth; 0 for a line.
         brow: the distance of the brows' inner ends below the outer ones; None for no brows.
@@ -63,7 +63,7 @@ def emotion_colour(emotion: str) -> RGB:
 
 
 def face(center: Point, radius: float, emotion: str) -> Iterator[Shape]:
-    """A little face that shows an emotion."""
+    """A small face that shows an emotion."""
     look = _EXPRESSIONS.get(emotion, _NO_EMOTION)
     (x, y), r = center, radius
     yield Circle(center, r, Paint(look.colour, INK, 1.6))
@@ -127,12 +127,12 @@ def flag(center: Point, radius: float) -> Iterator[Shape]:
 
 
 def dot(center: Point, colour: RGB, radius: float = 5.0) -> Shape:
-    """The very place on a path where something happened."""
+    """The exact position of an event on a path."""
     return Circle(center, radius, Paint(colour, WHITE, 2.0))
 
 
 def sun(center: Point, radius: float) -> Iterator[Shape]:
-    """A lamp over the floor."""
+    """A lamp above the floor."""
     for k in range(4):
         yield Circle(center, radius * (2.6 - 0.5 * k), Paint((255, 205, 70), opacity=0.13))
     for k in range(8):
@@ -143,7 +143,7 @@ def sun(center: Point, radius: float) -> Iterator[Shape]:
 
 
 def compass(center: Point, radius: float) -> Iterator[Shape]:
-    """The way north."""
+    """A north arrow."""
     left = [(0.0, -1.0), (-0.5, 0.75), (0.0, 0.4)]
     right = [(0.0, -1.0), (0.5, 0.75), (0.0, 0.4)]
     yield Polygon(_scaled(left, center, radius), Paint(INK, INK, 1.2))
@@ -154,7 +154,7 @@ def compass(center: Point, radius: float) -> Iterator[Shape]:
 def robot(
     body: Body, view: View, pose: tuple[float, float, float], *, faint: bool = False
 ) -> Iterator[Shape]:
-    """A robot from above at a pose (x, y, heading), with an arrow ahead."""
+    """A robot from above at a pose (x, y, heading), with an arrow pointing ahead."""
     opacity = 0.38 if faint else 0.92
     if not faint:
         yield _hull(body, view, pose, Paint(BLACK, opacity=0.16), SHADOW)

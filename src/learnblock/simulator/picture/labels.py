@@ -1,4 +1,4 @@
-"""The places of labels: near their objects, apart from each other, and off the path if possible."""
+"""Positions for labels: near their objects, apart from each other, and off the path if possible."""
 
 import math
 from dataclasses import dataclass
@@ -9,18 +9,18 @@ from numpy.typing import NDArray
 from learnblock.simulator.picture.svg import Point
 
 DISTANCES = (0.0, 14.0, 32.0, 56.0, 86.0, 120.0)
-"""Distances that are tried in this order, pixels."""
+"""The distances to try, in this order, in pixels."""
 DIRECTIONS = 16
 GAP = 4.0
 """Pixels between two labels."""
 DISTANCE_COST = 0.06
-"""Points of the path covered that a label may spare by standing one pixel farther off."""
+"""The covered path points that outweigh placing a label one pixel farther away."""
 BUSY_MARGIN = 6.0
-"""Pixels that a label had better keep from the middle of the path."""
+"""The preferred distance in pixels between a label and the middle of the path."""
 LEADER_STEP = 6.0
-"""Pixels between the points for which the line from a label to its place counts."""
+"""Pixels between the points that represent the line from a label to its object."""
 LEADER_WEIGHT = 8
-"""The points of the path that one of these counts for."""
+"""The number of path points that one of these equals."""
 
 
 _NO_POINTS = np.empty((0, 2))
@@ -36,7 +36,7 @@ class Box:
     bottom: float
 
     def overlaps(self, other: "Box") -> bool:
-        """Whether they are nearer to each other than `GAP`."""
+        """Whether the boxes are closer together than `GAP`."""
         return (
             self.left < other.right + GAP
             and other.left < self.right + GAP
@@ -63,12 +63,12 @@ class Box:
 
 @dataclass(frozen=True, slots=True)
 class Spot:
-    """Where a label goes.
+    """The position of a label.
 
     Args:
-        head: the middle of its icon, or the end of its text that is nearer to its object.
+        head: the middle of its icon, or the end of its text nearer to its object.
         side: 1 if the text runs to the right of the head, -1 if to the left.
-        box: all of it.
+        box: the whole label.
     """
 
     head: Point
@@ -77,11 +77,11 @@ class Spot:
 
 
 class Room:
-    """The page while labels are put on it.
+    """The page while labels are placed on it.
 
     Args:
-        bounds: no label leaves this.
-        busy: shape (n, 2), pixels better not covered.
+        bounds: the area that no label may leave.
+        busy: shape (n, 2), pixels that labels should not cover.
     """
 
     def __init__(self, bounds: Box, busy: NDArray[np.float64]) -> None:
@@ -99,11 +99,11 @@ class Room:
         """The best place that is free, which is then taken; None if nothing is free.
 
         Args:
-            anchor: the place to be labelled.
+            anchor: the point to be labelled.
             icon: the icon's radius.
             text: the text's width.
             clear: how far from the anchor the icon must stay.
-            leader: whether a line is drawn from the anchor, which should cross no label either.
+            leader: whether a line is drawn from the anchor, which should not cross a label either.
         """
         best, least = None, math.inf
         for distance in DISTANCES:
@@ -129,7 +129,7 @@ class Room:
 
 
 def _leader(anchor: Point, spot: Spot) -> NDArray[np.float64]:
-    """Points every few pixels from an object to its label."""
+    """Points every few pixels between an object and its label."""
     count = 2 + int(math.dist(anchor, spot.head) / LEADER_STEP)
     return np.linspace(anchor, spot.head, count)
 

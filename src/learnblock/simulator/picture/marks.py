@@ -1,4 +1,4 @@
-"""Events on the way, and the names of things: icons and labels that keep clear."""
+"""Events along the path, and the names of objects, as icons and labels that do not overlap."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -21,15 +21,15 @@ from learnblock.simulator.picture.svg import (
 )
 
 SIZE = 16.0
-"""Of a label's text, pixels."""
+"""The size of a label's text in pixels."""
 ICON = 14.0
-"""Radius of an icon, pixels."""
+"""The radius of an icon in pixels."""
 FLAG = 12.0
-"""Half the height of a goal's flag, pixels."""
+"""Half the height of a goal's flag in pixels."""
 LONGEST_LABEL = 44
-"""Characters."""
+"""The limit of a label in characters."""
 MOST_LABELS = 18
-"""Marks that get a label; of the others only the dots on the path are drawn."""
+"""Marks that get a label; for the others, only dots are drawn on the path."""
 _RANK = {"end": 0, "goal": 1}
 
 Icon = Callable[[Point, float], Iterator[Shape]]
@@ -37,13 +37,13 @@ Icon = Callable[[Point, float], Iterator[Shape]]
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Something that happened at a place.
+    """An event at a position.
 
     Args:
-        time: s.
+        time: the time in s.
         kind: "emotion", "goal", "end" or any other.
         text: the emotion's name, the goal's name and state, how the run ended.
-        place: pixels.
+        place: the position in pixels.
     """
 
     time: float
@@ -77,12 +77,12 @@ class Event:
 
 
 def events_drawn(events: Sequence[Event], room: Room, clear: float) -> Iterator[Shape]:
-    """The dots of all events, and labels of those for which there is room.
+    """The dots of all events, and labels for those with enough room.
 
     Args:
-        events: in the order of time.
+        events: the events in chronological order.
         room: where labels may go; those placed are taken from it.
-        clear: how far from the place the label of the end must stay: the robot is there.
+        clear: how far the last label must stay from its point, where the robot is.
     """
     for event in events:
         yield icons.dot(event.place, event.colour)
@@ -101,13 +101,13 @@ def events_drawn(events: Sequence[Event], room: Room, clear: float) -> Iterator[
 
 @dataclass(frozen=True, slots=True)
 class Name:
-    """The name of something of the world.
+    """The name of an object of the world.
 
     Args:
-        text: as the world's file has it.
-        place: pixels.
-        clear: how far from the place the label must stay, pixels.
-        is_goal: it then has a flag.
+        text: the name as in the world's file.
+        place: the position in pixels.
+        clear: how far the label must stay from the position, in pixels.
+        is_goal: whether it is a goal, which has a flag.
     """
 
     text: str
@@ -129,7 +129,7 @@ def name_drawn(name: Name, room: Room) -> Iterator[Shape]:
 
 
 def _chosen(events: Sequence[Event]) -> list[Event]:
-    """Those to be labelled, the most important first, evenly over time if they are many."""
+    """The events to label, the most important first, spread evenly over time if there are many."""
     ranked = sorted(events, key=lambda event: _RANK.get(event.kind, 2))
     first = [event for event in ranked if event.kind in _RANK][:MOST_LABELS]
     others = [event for event in ranked if event.kind not in _RANK]

@@ -13,7 +13,7 @@ GREEN: RGB = (30, 142, 84)
 RED: RGB = (200, 48, 48)
 
 # Matplotlib's perceptually even map "plasma" (public domain, CC0) at 0/9, 1/9, ... 7/9: its
-# yellow end is left out, which would not show on a white floor.
+# yellow end is left out, because it is invisible on a white floor.
 _PLASMA = (
     (13, 8, 135),
     (70, 3, 159),

@@ -1,4 +1,4 @@
-"""The world as seen from above: floor, lines, walls, things, boards, lamps, starts and goals."""
+"""The world as seen from above: floor, lines, walls, objects, boards, lamps, starts and goals."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -59,7 +59,7 @@ def drawn(world: WorldDescription, view: View) -> Iterator[Shape]:
 
 
 def board_picture(board: Tag | Face, view: View) -> tuple[Point, float]:
-    """The middle of a board's picture, which is behind the board, and its side, in pixels."""
+    """The middle and the side, in pixels, of a board's picture, which is drawn behind the board."""
     side = min(max(board.size * view.scale * 0.8, BOARD[0]), BOARD[1])
     x, y = forward(board.heading)
     # Far enough for the square to clear the board at any angle.
@@ -91,7 +91,7 @@ def outline(thing: Box | Cylinder, view: View) -> list[Point]:
 
 
 def tag_number_box(tag: Tag, view: View) -> LabelBox:
-    """The place of a tag's number: beyond its picture, away from the board."""
+    """The position of a tag's number: beyond its picture, away from the board."""
     (x, y), side = board_picture(tag, view)
     away = -1 if forward(tag.heading)[1] < 0 else 1
     middle = y + away * (side / 2 + 13)
@@ -99,7 +99,7 @@ def tag_number_box(tag: Tag, view: View) -> LabelBox:
 
 
 def grid_step(world: WorldDescription) -> float:
-    """The mm between two lines of the grid: also the length of the scale bar."""
+    """The distance in mm between grid lines, and the length of the scale bar."""
     return round_step(max(world.floor.size) / 10)
 
 
@@ -163,7 +163,7 @@ def _region(reach: Reach, view: View) -> Circle:
 
 
 def _outlines(world: WorldDescription, view: View) -> Iterator[Shape]:
-    """The edges of goals' regions: over the lines, which may fill a region."""
+    """The edges of goals' regions, drawn over the lines, which may fill a region."""
     for reach in world.goal.reach:
         ring = Paint(stroke=GREEN, width=2.5, dash=(9.0, 6.0))
         yield Circle(view.at(reach.x, reach.y), reach.radius * view.scale, ring)
@@ -178,7 +178,7 @@ def _followed(goal: Follow, world: WorldDescription, view: View) -> Iterator[Sha
 
 
 def _visited(goal: Visit, world: WorldDescription, view: View) -> Iterator[Shape]:
-    """The half disc before the tag from which it is near enough."""
+    """The half disc in front of the tag within which it is near enough."""
     for tag in world.tag:
         if tag.id == goal.id:
             region = view.all(_half_disc(tag, goal.distance))
@@ -221,7 +221,7 @@ def _wall(wall: Wall, view: View) -> Iterator[Shape]:
     width = max(wall.thickness * view.scale, 4.0)
     yield Polyline(_shadow(points), BLACK, width, 0.16, cap="square")
     yield Polyline(points, EDGE, width + 2.4, cap="square")
-    # The edge is drawn by what is wider; a square end is longer by half of its width.
+    # The edge is a wider stroke below; a square end adds half its width to the length.
     yield Polyline(points, rgb(wall.colour), width, cap="square")
 
 
@@ -255,7 +255,7 @@ def _board(board: Tag | Face, view: View, picture: textures.Image) -> Iterator[S
 
 
 def _edge(board: Tag | Face, view: View) -> Iterator[Shape]:
-    """The board itself, which from above is a line, and the way its front looks."""
+    """The board itself, a line when seen from above, and the direction that it faces."""
     half = board.size / 2
     ends = view.placed([(0, half), (0, -half)], board.x, board.y, board.heading)
     yield Polyline(ends, INK, 5.0, cap="butt")

@@ -1,4 +1,4 @@
-"""A run as it is drawn: the page from its title to its scale bar, layer on layer."""
+"""The drawing of a run: the page from its title to its scale bar, in layers."""
 
 import math
 from collections.abc import Iterator
@@ -38,13 +38,13 @@ from learnblock.simulator.world_description import Box as WorldBox
 from learnblock.simulator.world_description import Cylinder, Start, WorldDescription
 
 LONGEST_TITLE = 110
-"""Characters."""
+"""The limit of a title in characters."""
 TALLEST_BAR = 520.0
 """Pixels."""
 SPREAD = 6.0
 """Pixels between the points that labels should not cover."""
 START_SLACK = 30.0
-"""mm off a start at which a path still begins there."""
+"""The distance in mm from a start within which a path begins there."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,13 +52,13 @@ class Scene:
     """The contents of a picture of a run.
 
     Args:
-        world: as described; objects that were pushed are at their start.
+        world: the description; objects that were pushed are at their start.
         body: the robot's hull, for its outline and colour.
-        path: (time in s, x in mm, y in mm, heading in degrees), in the order of time; may be
+        path: (time in s, x in mm, y in mm, heading in degrees), in chronological order; may be
             empty.
         marks: (time in s, kind, text, x in mm, y in mm). The kinds "emotion", "goal" (whose text
             ends in "failed" if it was missed) and "end" have their own icons, others a dot.
-        title: which program ran on which robot.
+        title: the program and the robot.
     """
 
     world: WorldDescription
@@ -69,7 +69,7 @@ class Scene:
 
 
 def draw_svg(scene: Scene) -> str:
-    """The scene as an SVG document 1200 pixels wide that needs nothing but itself."""
+    """The scene as a self-contained SVG document 1200 pixels wide."""
     view = _view(scene)
     shapes = _layers(scene, view)
     return svg.document(shapes, WIDTH, view.page_height, scene.title or scene.world.title)
@@ -110,7 +110,7 @@ def _heading(scene: Scene) -> Iterator[Shape]:
 
 
 def _fitting(text: str, size: float) -> float:
-    """The size of the font, smaller where the text would leave the page."""
+    """The size of the font, smaller if the text would leave the page."""
     return min(size, size * (WIDTH - 2 * MARGIN) / max(text_width(text, size), 1.0))
 
 
@@ -140,7 +140,7 @@ def _labels(scene: Scene, view: View, driven: Track | None) -> Iterator[Shape]:
     if scene.path:
         room.take(Box.around(view.at(*scene.path[-1][1:3]), reach * 0.8))
     events = [marks.Event(t, kind, text, view.at(x, y)) for t, kind, text, x, y in scene.marks]
-    # Labels of events matter more than names of objects: they are placed first, and on top.
+    # Labels of events matter more than names of objects, so they are placed first, and on top.
     happened = list(marks.events_drawn(events, room, reach))
     for name in _names(scene, view):
         yield from marks.name_drawn(name, room)
@@ -148,7 +148,7 @@ def _labels(scene: Scene, view: View, driven: Track | None) -> Iterator[Shape]:
 
 
 def _names(scene: Scene, view: View) -> Iterator[marks.Name]:
-    """The names of the world's goals, named things and starts."""
+    """The names of the world's goals, named objects and starts."""
     told = [text for _, kind, text, _, _ in scene.marks if kind == "goal"]
     for name in _goal_names(scene.world, view):
         if not any(text.startswith(f"{name.text}:") for text in told):
@@ -163,7 +163,7 @@ def _names(scene: Scene, view: View) -> Iterator[marks.Name]:
 
 
 def _is_taken(start: Start, scene: Scene) -> bool:
-    """Whether the path begins there."""
+    """Whether the path begins at a start."""
     return bool(scene.path) and math.dist((start.x, start.y), scene.path[0][1:3]) < START_SLACK
 
 
@@ -196,7 +196,7 @@ def _bounds(view: View) -> Box:
 
 
 def _busy(scene: Scene, view: View, driven: Track | None) -> NDArray[np.float64]:
-    """The shapes that labels should not cover: lines, walls, things, path and start."""
+    """The shapes that labels should not cover: lines, walls, objects, path and start."""
     parts = [_within(plan.outline(thing, view)) for thing in plan.things(scene.world)]
     lines = [line.polyline().points.tolist() for line in scene.world.line]
     for points in [*lines, *(wall.points for wall in scene.world.wall)]:
@@ -212,7 +212,7 @@ def _between(begin: Point, end: Point) -> NDArray[np.float64]:
 
 
 def _within(outline: list[Point]) -> NDArray[np.float64]:
-    """Points spread over a convex outline: itself shrunk towards its middle, again and again."""
+    """Points spread over a convex outline, by repeatedly shrinking it towards its middle."""
     corners = np.array([*outline, outline[0]])
     edge = np.vstack([np.linspace(begin, end, 8) for begin, end in pairwise(corners)])
     middle = edge.mean(axis=0)

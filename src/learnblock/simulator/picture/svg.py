@@ -1,6 +1,6 @@
 """A drawing as a list of shapes, written as an SVG document or a PNG.
 
-Places are pixels from the upper left corner of the page, x to the right and y down.
+Positions are pixels from the upper left corner of the page, x to the right and y down.
 """
 
 import base64
@@ -26,7 +26,7 @@ _FONT_FILES = [str(FONTS / "inter-regular.ttf"), str(FONTS / "inter-semibold.ttf
 _FONT_FAMILY = "Inter, 'Helvetica Neue', Arial, sans-serif"
 # XML 1.0, production 2, leaves out control characters and lone surrogates.
 _NO_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
-# The characters in the fonts next to this file: Latin, Greek, Cyrillic and punctuation.
+# The characters in the fonts in this folder: Latin, Greek, Cyrillic and punctuation.
 _NOT_IN_FONT = re.compile("[^\u0000-\u024f\u0370-\u045f\u2000-\u205f]")
 
 
@@ -75,9 +75,9 @@ class Text:
     """One line of text.
 
     Args:
-        place: where its baseline begins, has its middle or ends, as `anchor` says.
-        text: shown as it is, with any characters.
-        size: of the font, pixels.
+        place: the start, middle or end of its baseline, according to `anchor`.
+        text: any characters, shown unchanged.
+        size: the font size in pixels.
         halo: the colour of an edge that separates it from the background.
     """
 
@@ -103,7 +103,7 @@ Shape = Polygon | Polyline | Circle | Text | Image
 
 
 def document(shapes: Iterable[Shape], width: float, height: float, title: str) -> str:
-    """The SVG document that shows `shapes`, later ones on top; it refers to nothing outside."""
+    """The SVG document that shows `shapes`, later ones on top; it has no external references."""
     head = (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(width)}" '
         f'height="{_number(height)}" viewBox="0 0 {_number(width)} {_number(height)}" '
@@ -115,8 +115,8 @@ def document(shapes: Iterable[Shape], width: float, height: float, title: str) -
 def png(svg: str) -> bytes:
     """An SVG document, one pixel per unit, as a PNG with our own fonts.
 
-    Fonts of the machine are used only for characters that ours lack: they would look different
-    everywhere, and take time to find.
+    System fonts are used only for characters that ours do not have: they would look different
+    everywhere, and are slow to find.
     """
     return resvg_py.svg_to_bytes(
         svg_string=svg,
@@ -127,13 +127,13 @@ def png(svg: str) -> bytes:
 
 
 def rectangle(left: float, top: float, width: float, height: float) -> list[Point]:
-    """Its corners."""
+    """The corners."""
     right, bottom = left + width, top + height
     return [(left, top), (right, top), (right, bottom), (left, bottom)]
 
 
 def text_width(text: str, size: float) -> float:
-    """About how wide a text is: letters of the font take 0.56 of its size on average."""
+    """The approximate width of a text: the font's letters take 0.56 of its size on average."""
     return size * sum(0.56 if ord(character) < 0x1100 else 1.0 for character in text)
 
 
@@ -144,7 +144,7 @@ def shortened(text: str, length: int) -> str:
 
 
 def element(shape: Shape) -> str:
-    """One shape in SVG."""
+    """One shape as SVG."""
     match shape:
         case Polygon(points, paint):
             return f'<polygon points="{_places(points)}"{_paint(paint)}/>'

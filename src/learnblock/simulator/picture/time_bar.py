@@ -26,14 +26,14 @@ def drawn(start: float, end: float, corner: Point, height: float) -> Iterator[Sh
     """The colours from `start` (below) to `end` (above), labelled in seconds.
 
     Args:
-        start: s.
-        end: s.
-        corner: the upper left one, pixels.
-        height: pixels.
+        start: the start time in s.
+        end: the end time in s.
+        corner: the upper left corner in pixels.
+        height: the height in pixels.
     """
     left, top = corner
     for k in range(PIECES):
-        # All reach to the top, each over the one before: side by side they would show seams.
+        # All extend to the top, each over the previous one: side by side they would show seams.
         piece = rectangle(left, top, WIDTH, height * (1 - k / PIECES))
         yield Polygon(piece, Paint(time_colour((k + 0.5) / PIECES)))
     yield Polygon(rectangle(left, top, WIDTH, height), Paint(stroke=WHITE, width=1.5))

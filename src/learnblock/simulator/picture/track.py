@@ -14,19 +14,19 @@ from learnblock.simulator.picture.svg import Paint, Point, Polygon, Polyline, Sh
 from learnblock.simulator.picture.view import View
 
 STEPS = 96
-"""Colours along the path."""
+"""The number of colours along the path."""
 POINTS_A_STEP = 100
-"""At most, so that a path of any length makes a small file."""
+"""The maximum number of points, so that a path of any length makes a small file."""
 TOLERANCE = 0.3
-"""Pixels by which thinning may move the line."""
+"""The number of pixels by which thinning may move the line."""
 LINE = 6.0
-"""Width of the path, pixels; its white edge is wider."""
+"""The width of the path in pixels; its white edge is wider."""
 EDGE = 10.0
 ARROW_GAP = 105.0
-"""Pixels of path from one arrowhead to the next, more where there would be over `MOST_ARROWS`."""
+"""Pixels between arrowheads, more if there would be over `MOST_ARROWS`."""
 MOST_ARROWS = 48
 ARROW_SLACK = 5.0
-"""Pixels before and behind an arrowhead between which its direction is taken."""
+"""Pixels before and behind an arrowhead over which its direction is measured."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,8 +34,8 @@ class Track:
     """A thinned path on the page.
 
     Args:
-        points: shape (n, 2), pixels.
-        parts: shape (n,), the part of the path's time that has passed, 0 to 1.
+        points: shape (n, 2), in pixels.
+        parts: shape (n,), the fraction of the path's time that has passed, 0 to 1.
         along: shape (n,), pixels from the start along the path.
     """
 
@@ -56,7 +56,7 @@ class Track:
 
     @property
     def length(self) -> float:
-        """In pixels."""
+        """The length in pixels."""
         return float(self.along[-1])
 
     def at(self, place: float) -> Point:
@@ -69,7 +69,7 @@ class Track:
         return time_colour(float(np.interp(place, self.along, self.parts)))
 
     def spread(self, gap: float) -> NDArray[np.float64]:
-        """Points every `gap` pixels along it: shape (m, 2)."""
+        """Points every `gap` pixels along the path: shape (m, 2)."""
         places = np.arange(0.0, self.length + gap, gap)
         return np.column_stack([np.interp(places, self.along, self.points[:, i]) for i in (0, 1)])
 
@@ -94,7 +94,7 @@ class Track:
 
 
 def _pieces(times: NDArray[np.float64], points: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """The way in each of `STEPS` parts of the time, thinned."""
+    """The path in each of `STEPS` parts of the time, thinned."""
     edges = np.linspace(times[0], times[-1], STEPS + 1)
     ends = np.column_stack([np.interp(edges, times, points[:, i]) for i in (0, 1)])
     first = np.searchsorted(times, edges)
@@ -106,7 +106,7 @@ def _pieces(times: NDArray[np.float64], points: NDArray[np.float64]) -> list[NDA
 
 
 def _thinned(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """By Ramer, Douglas and Peucker, then evenly if there are still too many."""
+    """Thin points by Ramer, Douglas and Peucker, then evenly if there are still too many."""
     simple = cv2.approxPolyDP(points.astype(np.float32)[:, None], TOLERANCE, closed=False)
     inner = np.asarray(simple, np.float64).reshape(-1, 2)[1:-1]
     if len(inner) > POINTS_A_STEP - 2:

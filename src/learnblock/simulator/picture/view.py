@@ -1,4 +1,4 @@
-"""The part of the world that is shown, and the mapping from its places to pixels."""
+"""The part of the world that is shown, and the mapping from its positions to pixels."""
 
 import math
 from collections.abc import Iterable
@@ -10,17 +10,17 @@ from numpy.typing import NDArray
 from learnblock.simulator.picture.svg import Point
 
 WIDTH = 1200.0
-"""Of the page, pixels; so is everything below."""
+"""The width of the page in pixels; all lengths below are in pixels."""
 MARGIN = 56.0
 HEADER = 116.0
 FOOTER = 78.0
 BAR_COLUMN = 118.0
-"""Beside the world, for the colour bar."""
+"""Space beside the world, for the colour bar."""
 TALLEST = 1000.0
 LOWEST = 300.0
 
 AROUND = 25.0
-"""mm shown around the floor, or around a path that leaves it."""
+"""The margin in mm shown around the floor, or around a path that leaves it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,7 @@ class View:
         scale: pixels per mm.
         middle: the pixel of (`x`, `y`).
         x: mm of the middle of the shown part.
-        y: the same to the north.
+        y: the same for y.
         plot: width and height of the part of the page that shows the world, pixels.
     """
 
@@ -42,7 +42,7 @@ class View:
     plot: tuple[float, float]
 
     def at(self, x: float, y: float) -> Point:
-        """The pixel of a place in mm; north is up."""
+        """The pixel of a position in mm; north is up."""
         middle_x, middle_y = self.middle
         return middle_x + (x - self.x) * self.scale, middle_y - (y - self.y) * self.scale
 
@@ -63,12 +63,12 @@ class View:
 
 
 def fitted(floor: tuple[float, float], places: NDArray[np.float64], *, bar: bool) -> View:
-    """The largest view of the floor that also holds all places.
+    """The largest view of the floor that also contains all positions.
 
     Args:
-        floor: its size, mm.
+        floor: the size of the floor in mm.
         places: shape (n, 2), mm.
-        bar: whether room for the colour bar is left on the right.
+        bar: whether to leave room for the colour bar on the right.
     """
     corner = np.array(floor) / 2
     shown = np.vstack([places, corner, -corner])
