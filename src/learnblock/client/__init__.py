@@ -1,4 +1,4 @@
-"""The generic client, which every robot is built on."""
+"""The generic client, the base of every robot."""
 
 from learnblock.client.client import Client, State
 from learnblock.client.observers import Goal, Observer, Outcome, Witness

@@ -53,7 +53,7 @@ class Client(Events):
     Ctrl-C or SIGTERM.
 
     Args:
-        skills: the names of the skills the program uses; None stands for all skills.
+        skills: the names of the skills that the program uses; None means all skills.
         clock: the robot's time; the wall clock by default.
         observer: records calls, and skills without effect.
 
@@ -67,7 +67,7 @@ class Client(Events):
     sensing_period: ClassVar[float | None] = 0.02
     #: Whether the robot gets the camera that the user's settings add to every robot.
     has_extra_camera: ClassVar[bool] = True
-    #: The simulated robot that it looks like, for drawing it, such as ``ebo``; "" for a plain one.
+    #: The simulated robot as which it is drawn, such as ``ebo``; "" for a plain body.
     model: ClassVar[str] = ""
 
     def __init__(
@@ -104,7 +104,7 @@ class Client(Events):
 
     @classmethod
     def device_names(cls) -> frozenset[str] | None:
-        """The devices of every such robot as ``Type:KEY``; None if known only once connected."""
+        """The devices of every such robot as ``Type:KEY``; None if known only after connecting."""
         return None
 
     @classmethod
@@ -113,7 +113,7 @@ class Client(Events):
         names = cls.device_names()
         if names is None or not cls.has_extra_camera:
             return names
-        from learnblock.client.extra_camera import extra_devices  # noqa: PLC0415 - it loads what few need
+        from learnblock.client.extra_camera import extra_devices  # noqa: PLC0415 - rarely used
 
         try:
             return names | extra_devices(names)
@@ -123,10 +123,10 @@ class Client(Events):
 
     @classmethod
     def check_wishes(cls, wishes: Mapping[str, Any]) -> None:
-        """Check the wishes for `hosted` before a program is started.
+        """Check the options for `hosted` before a program is started.
 
         Raises:
-            LearnBlockError: one of them cannot be fulfilled.
+            LearnBlockError: one of them is not possible.
         """
 
     @classmethod
@@ -134,16 +134,16 @@ class Client(Events):
         """Make the robot for a host that runs the program in another process.
 
         Args:
-            arguments: the program's arguments to ``Robot(...)``.
-            wishes: world, seed and pace as chosen outside the program; only simulated robots use
+            arguments: the arguments of ``Robot(...)`` in the program.
+            wishes: world, seed and pace chosen outside the program; only simulated robots use
                 them.
         """
         del wishes
         return cls(**arguments)
 
     def conditions(self) -> dict[str, object]:
-        """Everything a run depends on besides its program, for the first line of a trace."""
-        from learnblock.perception.sources import TABLE  # noqa: PLC0415 - it loads what few need
+        """Everything besides the program that affects a run, for the first line of a trace."""
+        from learnblock.perception.sources import TABLE  # noqa: PLC0415 - as above
 
         # Names only: a trace must not reveal addresses and paths.
         chosen = [one.name for one in TABLE.describe() if one.value != one.default]
@@ -155,7 +155,7 @@ class Client(Events):
         return None
 
     def observe(self, witness: Witness) -> None:
-        """Report what happens to the robot to a witness; only simulated robots can."""
+        """Report events in the robot's world to a witness; only simulated robots can."""
 
     def check_link(self) -> None:
         """Check that the robot can still be reached; called several times a second.
@@ -177,7 +177,7 @@ class Client(Events):
             raise
 
     def status(self) -> RobotStatus:
-        """Battery and link as last reported; asking costs no access to the robot."""
+        """Battery and link as last reported; this does not access the robot."""
         return RobotStatus()
 
     @property
@@ -208,7 +208,7 @@ class Client(Events):
             yield from same.items()
 
     def device(self, kind: type[D], key: str = DEFAULT_KEY) -> D | None:
-        """The device of this type and key, or None if the robot lacks it.
+        """The device of this type and key, or None if the robot does not have it.
 
         A missing device is reported to the observer once for each call of a skill.
 
@@ -247,13 +247,13 @@ class Client(Events):
         return found
 
     def forget_readings(self) -> None:
-        """Read the sensors again at the next question, for example after a gyroscope reset."""
+        """Read the sensors again at the next query, for example after a gyroscope reset."""
         self._readings.forget()
 
     # Skills.
 
     def learn(self, function: Callable[..., Any]) -> None:
-        """Add a function of the program, whose first argument is the robot, as a skill.
+        """Add a function of the program as a skill; its first argument is the robot.
 
             def waltz(robot, times=3): ...
 
@@ -358,7 +358,7 @@ class Client(Events):
                     stack.callback(device.stop)
 
     def _add_extra_camera(self) -> None:
-        from learnblock.client.extra_camera import WEBCAM, extra_source  # noqa: PLC0415 - it loads what few need
+        from learnblock.client.extra_camera import WEBCAM, extra_source  # noqa: PLC0415 - slow
 
         source = extra_source(self.clock.time)
         if source is not None:
@@ -397,7 +397,7 @@ class Client(Events):
         return skill
 
     def _seen(self, key: tuple[object, ...], detect: Callable[[], Any]) -> Any:
-        """The detector's result for the newest picture, or the one of the question before."""
+        """The detector's result for the newest picture, or that of the previous query."""
 
         def look() -> Any:
             return self._readings.latest(key, detect, _pace(Camera, key[1]))
@@ -417,5 +417,5 @@ class Client(Events):
 
 
 def _pace(kind: type[Device], key: object) -> str:
-    """The pace of a sensor: cameras have their own, since detecting in pictures is slow."""
+    """The pace of a sensor: cameras have their own, because detection is slow."""
     return f"camera {key}" if kind is Camera else SENSORS

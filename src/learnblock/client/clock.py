@@ -12,7 +12,7 @@ class Clock(Protocol):
 
     @property
     def instant(self) -> int | None:
-        """A number that changes whenever the robot's time does; None for a wall clock.
+        """A number that changes whenever the robot's time changes; None for a wall clock.
 
         Two readings of a sensor at one instant are the same reading.
         """
@@ -21,10 +21,10 @@ class Clock(Protocol):
         """Seconds since the robot was connected."""
 
     def sleep(self, seconds: float) -> None:
-        """Wait for some seconds of the robot's time; not at all if they are not positive."""
+        """Wait for a number of seconds in the robot's time; zero or less returns at once."""
 
     def charge(self) -> None:
-        """Charge the time that using a device takes on every robot."""
+        """Add the time that using a device takes on every robot."""
 
 
 class WallClock:

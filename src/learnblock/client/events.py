@@ -10,7 +10,7 @@ Body = Callable[[], object]
 
 
 class When:
-    """A part of a program that runs in every cycle while it is active.
+    """A block of code that runs in every cycle while it is active.
 
     A condition, if given, decides at the start of each cycle whether it is active; without one,
     only `activate` and `deactivate` change that:
@@ -54,7 +54,7 @@ class When:
         """Seconds since activation; 0 during the first pass and while inactive."""
         if self._since is None or self._first_pass:
             return 0.0
-        # Rounded as the clock's time is, so that 0.03 - 0.01 is 0.02.
+        # Rounded like the clock's time, so that 0.03 - 0.01 is 0.02.
         return round(self._clock.time() - self._since, 9)
 
     def activate(self) -> None:
@@ -83,7 +83,7 @@ class When:
             return
         activation = self._activations
         self._body()
-        # A body that deactivates and activates itself starts again with a first pass.
+        # A body that deactivates and reactivates itself starts again with a first pass.
         if self._activations == activation:
             self._first_pass = False
 
@@ -92,13 +92,13 @@ class When:
 
 
 class Events:
-    """The event-driven half of a robot: it collects the `when`s and runs them in cycles.
+    """The event-driven part of a robot, which collects the `when`s and runs them in cycles.
 
-    In a cycle, all conditions are evaluated in source order on one snapshot of the sensors; then
+    In each cycle, all conditions are evaluated in source order on one snapshot of the sensors; then
     every active `when` runs its body to the end, in source order. A cycle takes at least `period`.
     """
 
-    #: The shortest time of a cycle, in seconds of the robot's time.
+    #: The shortest duration of a cycle, in seconds of the robot's time.
     period = 0.02
     clock: Clock
 
@@ -112,13 +112,13 @@ class Events:
         return False
 
     def when_states(self) -> dict[str, tuple[bool, float]]:
-        """For each `when`, by name: whether it is active, and for how many seconds."""
+        """Whether each `when` is active and for how many seconds, by name."""
         return {when.name: (when.active, when.time) for when in self._whens}
 
     def when(self, function: Body | Condition) -> When:
         """Decorate a function that runs in every cycle while it is active.
 
-        ``@robot.when(condition)`` makes it active while the condition holds. After a bare
+        ``@robot.when(condition)`` makes it active while the condition is true. After a bare
         ``@robot.when`` only `When.activate` and `When.deactivate` change its state.
         """
         when = When(self.clock, function)
@@ -150,11 +150,11 @@ class Events:
             when.run()
         if self.stopped:
             return
-        # Sums of times have rounding errors, which must not cost another sleep.
+        # Rounding errors in sums of times must not cause another sleep.
         remaining = self.period - (self.clock.time() - began)
         if remaining > 1e-9:
             self.clock.sleep(remaining)
 
     def _snapshot(self) -> AbstractContextManager[None]:
-        """Answer all questions to sensors from the same readings while the context is open."""
+        """Answer all sensor queries from the same readings while the context is open."""
         return nullcontext()

@@ -31,11 +31,11 @@ def extra_source(time: Callable[[], float]) -> Source | None:
         time: returns the robot's time in seconds.
 
     Raises:
-        SettingsError: the settings of perception are wrong.
+        SettingsError: the camera recognition settings are invalid.
     """
     settings = TABLE.load()
     if settings.video:
-        from learnblock.perception.sources.recording import Recording  # noqa: PLC0415 - it loads OpenCV
+        from learnblock.perception.sources.recording import Recording  # noqa: PLC0415 - slow
 
         return Recording(home() / settings.video, time)
     if settings.webcam != "none":
@@ -51,7 +51,7 @@ def extra_devices(names: frozenset[str]) -> frozenset[str]:
     On a robot without a built-in camera the added one is also the default camera.
 
     Raises:
-        SettingsError: the settings of perception are wrong.
+        SettingsError: the camera recognition settings are invalid.
     """
     settings = TABLE.load()
     if not settings.video and settings.webcam == "none":

@@ -1,4 +1,4 @@
-"""Reports about a robot while its program runs: calls, poses, goals, the outcome."""
+"""Observers of a robot while its program runs: calls, poses, goals and the outcome."""
 
 from dataclasses import dataclass
 from typing import Any, Protocol
@@ -37,7 +37,7 @@ class Goal:
         name: the goal's name in the world.
         kind: region, line, tag.
         state: ``open``, ``reached`` or ``failed``.
-        time: seconds after which it was decided; None while it is open.
+        time: when it was decided, in seconds; None while it is open.
     """
 
     name: str
@@ -48,7 +48,7 @@ class Goal:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """The result of a run: pose and mm driven where they are known, and the world's goals."""
+    """The result of a run: the pose and the mm driven, if known, and the world's goals."""
 
     pose: Pose | None = None
     distance: float | None = None

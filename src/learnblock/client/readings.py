@@ -10,11 +10,11 @@ from learnblock.client.clock import Clock
 Key = Hashable
 Read = Callable[[], Any]
 
-#: The pace of sensors that are read quickly: all but detections in pictures.
+#: The pace of sensors that are fast to read: all except detectors.
 SENSORS = "sensors"
 #: The pace of sensors that are watched but not used by the program.
 WATCHED = "watched"
-#: Seconds between two readings of a watched sensor: the page shows no more.
+#: Seconds between two readings of a watched sensor; the page does not update more often.
 WATCHED_PERIOD = 0.05
 
 
@@ -22,7 +22,7 @@ class Readings:
     """The latest reading of each sensor in use.
 
     With a clock that only moves while the program waits, a sensor is read once per instant; with
-    a wall clock, every question reads again. Inside `snapshot` every sensor is read once.
+    a wall clock, every query reads again. Inside `snapshot` every sensor is read once.
 
     Args:
         clock: the robot's clock.
@@ -51,7 +51,7 @@ class Readings:
 
     @contextmanager
     def snapshot(self) -> Iterator[None]:
-        """Answer all questions from the same readings while the context is open."""
+        """Answer all queries from the same readings while the context is open."""
         self._read.clear()
         self.frozen = True
         try:
@@ -60,7 +60,7 @@ class Readings:
             self.frozen = False
 
     def forget(self) -> None:
-        """Read again at the next question, for example after a command that changes a sensor."""
+        """Read again at the next query, for example after a command that changes a sensor."""
         if not self.frozen:
             self._read.clear()
 
@@ -68,7 +68,7 @@ class Readings:
         """Keep a sensor's reading up to date for an observer, in the background if possible.
 
         Args:
-            key: of the sensor.
+            key: identifies the sensor.
             read: reads it.
         """
 
@@ -98,17 +98,17 @@ class Readings:
 
 
 class Glance:
-    """Answers questions that follow each other closely from the same picture.
+    """Answers queries in quick succession from the same picture.
 
-    "Line on the left?", "in the middle?" and "on the right?" are three questions. With a real
-    camera they could be answered from different pictures, and all with no. A glance ends when a
-    question is repeated, or after `LASTS` seconds.
+    "Line on the left?", "in the middle?" and "on the right?" are three queries. With a real
+    camera they could be answered from different pictures, all with no. A glance ends when a
+    query is repeated, or after `LASTS` seconds.
 
     Args:
         clock: the robot's wall clock.
     """
 
-    #: Seconds; a camera with 30 pictures a second takes one or two in this time.
+    #: Seconds; a camera with 30 frames per second takes one or two frames in this time.
     LASTS = 0.05
 
     def __init__(self, clock: Clock) -> None:
@@ -118,7 +118,7 @@ class Glance:
         self._seen: dict[Key, Any] = {}
 
     def see(self, question: str, key: Key, look: Read) -> Any:
-        """The result of `look`, which is called once per glance and `key`."""
+        """The result of `look`, called once per glance and `key`."""
         now = self._clock.time()
         if question in self._asked or now - self._began >= self.LASTS:
             self._asked.clear()
@@ -131,11 +131,11 @@ class Glance:
 
 
 class PolledReadings(Readings):
-    """Readings of a real robot: threads poll the sensors in use, so that questions never wait.
+    """Readings of a real robot: threads poll the sensors in use, so that queries never wait.
 
-    The first question about a sensor reads it at once; from then on it is polled. An error in a
-    polling thread is raised at the next question about that sensor. Each pace has its own thread,
-    so that a slow detector does not hold up a distance sensor.
+    The first query of a sensor reads it at once; from then on it is polled. An error in a
+    polling thread is raised at the next query of that sensor. Each pace has its own thread,
+    so that a slow detector does not delay a distance sensor.
 
     Args:
         clock: the robot's clock.
@@ -202,7 +202,7 @@ class PolledReadings(Readings):
         return self._pollers[pace]
 
     def _renew_unused(self, key: Key, read: Read) -> None:
-        """What the program uses is renewed for the program: once is enough for the robot."""
+        """The program's sensors are polled anyway, so they need not be polled twice."""
         if key not in self._used:
             self._renew(key, read)
 
@@ -212,7 +212,7 @@ class PolledReadings(Readings):
         if result[1] is None:
             self._last_read = self._clock.time()
         with self._lock:
-            # A reading that overlaps a change of the sensor, such as a reset, is old.
+            # A reading that overlaps a change of the sensor, such as a reset, is out of date.
             if changed == self._changed:
                 self._results[key] = result
 
@@ -245,13 +245,13 @@ class _Poller:
             self._renew(key, read)
 
     def end(self) -> None:
-        """Start no other round."""
+        """Stop after this round."""
         self._ended.set()
 
     def await_end(self) -> None:
         """Wait a moment for the thread to end."""
         if self._thread.is_alive() and self._thread is not threading.current_thread():
-            # A reading that hangs must not keep the robot from being stopped.
+            # A reading that hangs must not prevent the robot from being stopped.
             self._thread.join(timeout=2 * self._period + 0.1)
 
     def _run(self) -> None:

@@ -19,7 +19,7 @@ from learnblock.storage.home import import_file
 
 Skill = Callable[..., Any]
 
-# The most common ones come first: a program that names its skills loads only what it needs.
+# The most common ones come first, so that a program that lists its skills loads only what it needs.
 _MODULES = (
     "base",
     "others",
@@ -48,11 +48,11 @@ _LIBRARIES = "learnblock.libraries."
 def find(names: Collection[str] | None = None) -> dict[str, Skill]:
     """The skills with these names, or all skills.
 
-    Of several skills with the same name the first wins, in this order: built-in skills, those of
+    If several skills have the same name, the first wins, in this order: built-in skills, those of
     imported libraries, the user's, those of plugins. Unknown names are left out, since the program
     may never call them.
 
-    A user's file runs only when one of its skills is first called, so that a mistake in it does
+    A user's file runs only when one of its skills is first called, so a mistake in it does
     not affect other programs.
     """
     found: dict[str, Skill] = {}

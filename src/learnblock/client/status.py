@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class RobotStatus:
-    """Battery and link of a robot; None where its protocol does not report a value.
+    """Battery and link of a robot; None if its protocol does not report a value.
 
     Args:
         battery: the battery's voltage, V.

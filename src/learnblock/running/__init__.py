@@ -1,4 +1,4 @@
-"""From a file to a finished run: used by the command line and the page."""
+"""Running a program from its file to its report, for the command line and the page."""
 
 from learnblock.running.examples import example
 from learnblock.running.preparing import DEFAULT_ROBOT, check, choose_robot, program

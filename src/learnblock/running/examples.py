@@ -9,7 +9,7 @@ def example(name: str) -> Path:
     """Find an example by its file name.
 
     Raises:
-        UnknownNameError: there is none of that name.
+        UnknownNameError: there is no example with this name.
     """
     # Beside the modules in an installation, beside `src` in a checkout.
     package = Path(__file__).parents[1]

@@ -1,4 +1,4 @@
-"""From a program's file to a program on a robot: the choice, the check and the translation."""
+"""From a program's file to a program on a robot: choose, check and translate."""
 
 from importlib.util import find_spec
 
@@ -15,7 +15,7 @@ DEFAULT_ROBOT = "sim-ebo"
 
 
 def choose_robot(source: Source, name: str | None = None) -> RobotEntry:
-    """Choose the robot called `name`, else the one that the program names, else the default.
+    """Choose the robot called `name`, else the one named in the program, else the default.
 
     Raises:
         UnknownNameError: there is no such robot.
@@ -43,7 +43,7 @@ def program(source: Source, robot: RobotEntry) -> Program:
 
 
 def _with_packages(found: Importable, source: Source) -> Importable:
-    """What Python can import: a library without our package before its name is not found."""
+    """The modules that Python can import: libraries need the name of our package before theirs."""
     plain = source.imports - source.libraries
     packages = {one for one in plain if find_spec(one.partition(".")[0]) is not None}
     return Importable(found.libraries - plain, found.files | packages)

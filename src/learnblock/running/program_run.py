@@ -26,14 +26,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """How to run; None leaves a choice to the program, the environment and the robot.
+    """How to run; None leaves the choice to the program, the environment or the robot.
 
     Args:
-        world: name or path.
-        seed: of all noise.
+        world: the name or path of the world.
+        seed: the seed of all noise.
         pace: ``free``, ``real`` or a factor.
-        seconds: the robot's time after which the run ends.
-        start: (x mm, y mm, heading in degrees) where a simulated robot begins.
+        seconds: the limit of the run, in the robot's time.
+        start: (x mm, y mm, heading in degrees) where a simulated robot starts.
     """
 
     world: str | None = None
@@ -44,7 +44,7 @@ class Options:
 
     @property
     def wishes(self) -> dict[str, Any]:
-        """The options that only a simulated robot has."""
+        """The options for simulated robots only."""
         given = {
             "world": self.world,
             "seed": self.seed,
@@ -55,17 +55,17 @@ class Options:
 
 
 class ProgramRun:
-    """One run of one program, prepared.
+    """A prepared run of a program.
 
     Args:
-        program: what to run.
-        robot: where to run it.
-        options: how to run it.
+        program: the program to run.
+        robot: the robot to run it on.
+        options: the options of the run.
         trace: the file for the trace; None for no file.
-        watcher: is notified of events as they happen.
-        limits: what the program may use.
-        worker: makes what runs the program; a process by default.
-        debugger: pauses and steps the program, and holds it at breakpoints.
+        watcher: receives events as they happen.
+        limits: the resources that the program may use.
+        worker: creates the worker that runs the program; a process by default.
+        debugger: pauses and steps the program, and stops it at breakpoints.
     """
 
     def __init__(
@@ -101,12 +101,12 @@ class ProgramRun:
 
     @property
     def client(self) -> Client | None:
-        """The robot in the host, once the program has made it."""
+        """The robot in the host, once the program has created it."""
         return self._run.client
 
     @property
     def recorder(self) -> Recorder | None:
-        """Everything recorded so far."""
+        """The events recorded so far."""
         return self._run.recorder
 
     def run(self) -> Report:
@@ -118,11 +118,11 @@ class ProgramRun:
     # The methods below can be called from any thread at any time.
 
     def stop(self) -> None:
-        """End the run within a second, also while it is paused or waits for input."""
+        """End the run within a second, even if it is paused or waiting for input."""
         self._host.stop()
 
     def pause(self) -> None:
-        """Hold the world at once, and the program at its next line."""
+        """Pause the world at once, and the program at its next line."""
         self._control.pause()
 
     def resume(self) -> None:
@@ -130,11 +130,11 @@ class ProgramRun:
         self._control.resume()
 
     def step(self) -> None:
-        """Run to the next line, into functions."""
+        """Run to the next line, stepping into functions."""
         self._control.step()
 
     def step_over(self) -> None:
-        """Run to the next line of the same function, or of one that called it."""
+        """Run to the next line of the same function, or of one of its callers."""
         self._control.step_over()
 
     def set_breakpoints(self, lines: Collection[int]) -> None:
@@ -146,7 +146,7 @@ class ProgramRun:
         self._run.world.set_speed(factor)
 
     def report_variables(self, *, enabled: bool) -> None:
-        """Report the program's variables to the watcher some times a second, or stop doing so."""
+        """Start or stop reporting the variables to the watcher several times a second."""
         self._run.variables.enabled = enabled
 
     @property
@@ -167,6 +167,6 @@ class ProgramRun:
 
 
 def _monitor(client: Client) -> "Monitor":
-    from learnblock.monitor import monitor_of  # noqa: PLC0415 - it takes time to load
+    from learnblock.monitor import monitor_of  # noqa: PLC0415 - it is slow to load
 
     return monitor_of(client)

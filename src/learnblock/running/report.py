@@ -21,16 +21,16 @@ class Report:
     """The events and results of a run.
 
     Args:
-        ended: how, in one or two words; ``refused`` if the program was not started.
+        ended: how it ended, in one or two words; ``refused`` if the program was not started.
         time: seconds of the robot's time.
         distance: mm driven; None if unknown.
         pose: (x mm, y mm, heading in degrees) at the end, or None.
         goals: the world's goals.
-        emotions: those shown, in order.
-        no_effect: skills without effect: skill, missing device, how often.
+        emotions: the emotions shown, in order.
+        no_effect: skills that had no effect: skill, missing device, number of calls.
         trace_sha256: the hash of the trace.
         error: what went wrong, or None: `message` (a `Phrase`), `file`, `line` and the `text` of
-            that line; `within` has the same of a file in the user's folder where it happened.
+            that line; `within` has the same for the file in the user's folder where it happened.
     """
 
     ended: str
@@ -48,8 +48,8 @@ def report(program: Program, run: Run, trace_sha256: str) -> Report:
     """Report a run that has ended.
 
     Args:
-        program: what was run.
-        run: how it went.
+        program: the program.
+        run: its run.
         trace_sha256: the hash of its trace.
     """
     recorder, client = run.recorder, run.client
@@ -80,7 +80,7 @@ def _error(program: Program, ending: Ending) -> Mapping[str, object]:
 
 
 def _within(ending: Ending) -> Mapping[str, object]:
-    """The place of an error in a file of the user's folder."""
+    """The position of an error in a file of the user's folder."""
     text = ""
     # The file may have been deleted since.
     with suppress(OSError, LearnBlockError):

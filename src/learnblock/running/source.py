@@ -1,4 +1,4 @@
-"""A program's file, read."""
+"""Source files of programs."""
 
 import re
 from dataclasses import dataclass
@@ -20,12 +20,12 @@ _ROBOT_IMPORT = re.compile(r"^from ([\w.]+) import Robot\b", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Source:
-    """A program's file, read.
+    """A source file.
 
     Args:
-        path: the file as the user named it.
+        path: the path as the user gave it.
         text: its content.
-        tree: the same as a tree.
+        tree: the program as a tree.
     """
 
     path: Path
@@ -43,7 +43,7 @@ class Source:
 
     @property
     def libraries(self) -> frozenset[str]:
-        """The imports whose skills become skills of the robot: in Block-Text all of them."""
+        """The imports whose skills become skills of the robot: in Block-Text, all imports."""
         if not self.is_python:
             return self.imports
         return frozenset(one for one in self.imports if f"{PACKAGE}.{one} import" in self.text)
@@ -59,7 +59,7 @@ def read(path: Path) -> Source:
     """Read a program in Block-Text (.bt) or Python (.py).
 
     Raises:
-        ProgramError: it has mistakes; the error lists every one found.
+        ProgramError: it is invalid; the error lists every mistake found.
         OSError: it cannot be read.
     """
     name = str(path)

@@ -1,4 +1,4 @@
-"""Keeps a real robot still while its program is held, as its world cannot be paused."""
+"""Keeps a real robot still while its program is paused, because its world cannot be."""
 
 import threading
 from collections.abc import Callable, Iterable
@@ -12,7 +12,7 @@ Move = Callable[[float, float], object]
 class Brake:
     """Stops the wheels while a program is paused; thread-safe.
 
-    While it is on, the wheels stand still; commands take effect when it is released.
+    While it is on, the wheels do not move; commands take effect when it is released.
 
     Args:
         bases: the wheels that it stops.
@@ -39,7 +39,7 @@ class Brake:
                 wheels.move(0.0, 0.0)
 
     def resume(self) -> None:
-        """Let the wheels turn as the program commanded last.
+        """Apply the program's last command to the wheels.
 
         Raises:
             RobotConnectionError: the robot cannot be reached.
@@ -53,7 +53,7 @@ class Brake:
     def _move(self, wheels: "_Wheels", adv: float, rot: float) -> None:
         with self._lock:
             wheels.wanted = (adv, rot)
-            # To stop is never wrong.
+            # Stopping is always safe.
             if not self._on or wheels.wanted == (0.0, 0.0):
                 wheels.move(adv, rot)
 

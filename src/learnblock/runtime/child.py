@@ -40,7 +40,7 @@ from learnblock.runtime.usertime import use_robot_time
 from learnblock.runtime.values import described, encodable
 from learnblock.runtime.wire import Wire
 
-#: Our own robots' modules.
+#: The modules of the built-in robots.
 _ROBOTS = "learnblock.robots."
 
 
@@ -62,7 +62,7 @@ def run(link: Link[FromHost], fence: Callable[[Limits], None] | None = None) -> 
     try:
         link.send(_ended(link, fence))
     except EOFError:
-        # The host has stopped the run or is gone: there is no recipient any more.
+        # The host has stopped the run or is gone, so there is no recipient.
         return
 
 
@@ -70,7 +70,7 @@ def _ended(link: Link[FromHost], fence: Callable[[Limits], None] | None) -> Ende
     """Run the program; return how it ended.
 
     Raises:
-        EOFError: the host was gone before it began.
+        EOFError: the host was gone before the program began.
     """
     try:
         setup = link.receive()
@@ -85,7 +85,7 @@ def _ended(link: Link[FromHost], fence: Callable[[Limits], None] | None) -> Ende
 
 
 class _Program:
-    """One program while it runs."""
+    """A running program."""
 
     def __init__(self, link: Link[FromHost], setup: Setup, *, owns_process: bool) -> None:
         self._wire = Wire(link, self._variables)
@@ -123,7 +123,7 @@ class _Program:
         self._code = code
         if self._setup.debug:
             self._watch_gate(self._setup.debug)
-        exec(code, namespace)  # noqa: S102 - running the user's program is what we are for
+        exec(code, namespace)  # noqa: S102 - running the user's program is the purpose
 
     def _interrupt(self, number: int, frame: FrameType | None) -> None:  # noqa: ARG002
         stopped = ProgramStopped("stopped")
@@ -154,12 +154,12 @@ class _Program:
         builtins.input = self._input
         if self._setup.folder:
             sys.path.insert(0, self._setup.folder)
-        # The module `__main__` is the program, as it would be without LearnBlock.
+        # The module `__main__` is the program, as without LearnBlock.
         vars(sys.modules["__main__"]).update(namespace)
         try:
             yield
         finally:
-            # The program is over; only the report of its ending is left.
+            # The program has ended; only the report of its ending remains.
             signal.signal(signal.SIGTERM, signal.SIG_IGN)
 
     def _import(
@@ -186,13 +186,13 @@ class _Program:
         return robot
 
     def _watch_gate(self, control: Control) -> None:
-        """Check at every line, from the first one, whether the program is held."""
+        """Check at every line, from the first one, whether the program pauses."""
         self._wire.control = control
         self._gate = Gate(self._wire, self._setup.filename)
         self._end_lines = start_line_events(self._code, unless_shown(self._wire.turn, self._gate))
 
     def _begin_lines(self, budget: LineBudget) -> None:
-        # Not earlier: without a robot there is no time at which a line could run.
+        # Not earlier, because without a robot there is no time for a line event.
         if self._gate:
             self._gate.on_line = budget
             return
@@ -217,7 +217,7 @@ class _Program:
         whens = self._robot.when_states() if self._robot else {}
         frame = program_frame(self._setup.filename, sys._getframe())  # noqa: SLF001 - as above
         if frame is None:
-            # A thread that runs none of the program's code.
+            # A thread that does not run the program's code.
             return Variables({}, {}, whens)
         local = {} if frame.f_locals is frame.f_globals else _described(frame.f_locals)
         return Variables(local, _described(frame.f_globals), whens)
@@ -235,7 +235,7 @@ class _Program:
         )
 
     def _left(self, leaving: SystemExit) -> Ended:
-        """`sys.exit()` ends a program well; with a message or a status it is an error."""
+        """`sys.exit()` ends a program normally; with a message or a status it is an error."""
         if leaving.code in (None, 0):
             return Ended()
         return Ended(self._fault(leaving))
@@ -252,7 +252,7 @@ def _stop_program(number: int, frame: FrameType | None) -> NoReturn:  # noqa: AR
 
 
 def _print_to(output: LineWriter, *values: object, **options: Any) -> None:
-    print(*values, **{"file": output, **options})  # noqa: T201 - this is what a program prints with
+    print(*values, **{"file": output, **options})  # noqa: T201 - the program's own print
 
 
 def _described(variables: Any) -> dict[str, str]:

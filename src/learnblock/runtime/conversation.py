@@ -17,7 +17,7 @@ class Conversation:
 
     Args:
         worker: runs the program.
-        debugger: its breakpoints are sent to the child whenever they change.
+        debugger: the debugger whose breakpoints are sent to the child whenever they change.
     """
 
     def __init__(self, worker: Worker, debugger: Debugger | None) -> None:
@@ -27,7 +27,7 @@ class Conversation:
         self._control = debugger.control if debugger else None
 
     def begin(self, program: Program, limits: Limits, robots: tuple[str, ...]) -> None:
-        """Send the program, with the modules that are robots and the limits it runs under."""
+        """Send the program, with its robot modules and its limits."""
         self._link.send(
             messages.Setup(
                 source=program.python,
@@ -41,7 +41,7 @@ class Conversation:
         )
 
     def send(self, message: messages.Message) -> None:
-        """Send a message that the program waits for.
+        """Send a message that the program is waiting for.
 
         Raises:
             EOFError: the program is gone.
@@ -51,7 +51,7 @@ class Conversation:
 
     def send_unasked(self, message: messages.Message) -> None:
         """Send a message that the program accepts at any time."""
-        # It may have ended meanwhile: its ending is the next message we receive.
+        # It may have ended meanwhile, in which case its ending is the next message we receive.
         with suppress(EOFError):
             self._link.send(message)
 
@@ -62,7 +62,7 @@ class Conversation:
             self.send_unasked(self._control)
 
     def receive(self, timeout: float) -> Any:
-        """The next message, or None when none came within `timeout` seconds.
+        """The next message, or None if none arrived within `timeout` seconds.
 
         Raises:
             EOFError: the program is gone.
@@ -70,7 +70,7 @@ class Conversation:
         return self._link.receive(timeout)
 
     def receive_last(self) -> Any:
-        """The next message of a process that has ended, if it has; None while it runs.
+        """The next message of an ended process; None while the process runs.
 
         Raises:
             EOFError: it has ended, and there is no further message.
@@ -84,7 +84,7 @@ class Conversation:
 
 
 def _skills(program: Program) -> tuple[str, ...]:
-    """The skills that a program uses, so that the child need not search all that is installed."""
+    """The skills that a program uses, so that the child need not search all installed ones."""
     try:
         return tuple(sorted(skills.find(program.names)))
     except LearnBlockError:

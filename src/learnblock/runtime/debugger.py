@@ -1,4 +1,4 @@
-"""Pause, step and breakpoints: what holds a program at a line, and its world with it."""
+"""Pause, step and breakpoints: pauses a program at a line, and its world with it."""
 
 import threading
 from collections.abc import Collection
@@ -9,7 +9,7 @@ from learnblock.runtime.status import State, Status
 
 
 class Holdable(Protocol):
-    """Held together with a program: the pacing of its world, or the brake of a real robot."""
+    """Paused together with a program: the pacing of its world, or the brake of a real robot."""
 
     def pause(self) -> None: ...
 
@@ -17,19 +17,19 @@ class Holdable(Protocol):
 
 
 class Debugger:
-    """Holds a program at breakpoints and when paused; its methods may be called from any thread.
+    """Stops a program at breakpoints and on request; its methods may be called from any thread.
 
-    `resume`, `step` and `step_over` work on a program that is held or paused, and change nothing
+    `resume`, `step` and `step_over` apply to a paused program, and do nothing
     otherwise. The program itself looks for its breakpoints (see `learnblock.runtime.gate`); here
     they are set, and here the host waits.
 
     Args:
         breakpoints: lines of the program's Python.
-        paused: hold it at its first line.
+        paused: pause it at its first line.
     """
 
     def __init__(self, breakpoints: Collection[int] = (), *, paused: bool = False) -> None:
-        #: The settings that the program must know; replaced with every change.
+        #: The settings for the program; replaced with every change.
         self.control = Control(frozenset(breakpoints), Mode.STEP if paused else Mode.RUN)
         self._commands = threading.Condition()
         self._held = self._paused = self._ended = False
@@ -44,14 +44,14 @@ class Debugger:
             self._report_pause()
 
     def govern(self, governed: Holdable) -> None:
-        """Hold this as well, now that the program has made its robot."""
+        """Also pause this, now that the program has created its robot."""
         with self._commands:
             self._governed = governed
             if self._paused:
                 governed.pause()
 
     def holds(self, line: int, depth: int) -> bool:
-        """Whether the program, which has reached `line`, is held there; then `wait`."""
+        """Whether the program pauses at `line`, which it has reached; if so, call `wait`."""
         with self._commands:
             # The breakpoints may have changed since the program stopped.
             self._held = not self._ended and self.control.holds(line, depth)
@@ -61,18 +61,18 @@ class Debugger:
             return self._held
 
     def wait(self) -> None:
-        """Return when the program may go on."""
+        """Return when the program may continue."""
         with self._commands:
             self._commands.wait_for(lambda: not self._held or self._ended)
             self._held = False
 
     def set_breakpoints(self, lines: Collection[int]) -> None:
-        """Replace the breakpoints: the program is held before these lines only."""
+        """Replace the breakpoints: the program pauses only before these lines."""
         with self._commands:
             self.control = Control(frozenset(lines), self.control.mode, self.control.depth)
 
     def pause(self) -> None:
-        """Hold the world at once, and the program at its next line."""
+        """Pause the world at once, and the program at its next line."""
         with self._commands:
             self._paused = True
             self.control = Control(self.control.breakpoints, Mode.STEP)
@@ -81,20 +81,20 @@ class Debugger:
             self._report_pause()
 
     def resume(self) -> None:
-        """Run on, to the next breakpoint."""
+        """Continue to the next breakpoint."""
         self._continue(Mode.RUN)
 
     def step(self) -> None:
-        """Run to the next line, into functions."""
+        """Run to the next line, stepping into functions."""
         self._continue(Mode.STEP)
 
     def step_over(self) -> None:
-        """Run to the next line of the same function, or of one that called it."""
-        # A program that is not held yet has no line to step over.
+        """Run to the next line of the same function, or of one of its callers."""
+        # A program that has not paused yet has no line to step over.
         self._continue(Mode.STEP_OVER if self._held else Mode.STEP)
 
     def end(self) -> None:
-        """Never hold the program again: it is being stopped."""
+        """Never pause the program again: it is being stopped."""
         with self._commands:
             self._ended = True
             self._commands.notify_all()

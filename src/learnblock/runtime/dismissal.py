@@ -14,7 +14,7 @@ from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.process import Worker
 
-#: Seconds that a stopped program may take for its own `finally`.
+#: Seconds that a stopped program may spend in its `finally` blocks.
 GRACE = 0.4
 
 
@@ -25,13 +25,13 @@ def dismiss(
     waits: bool,
     handle: Callable[[Any], None],
 ) -> Ending:
-    """Have a program end itself, and return how and where it ended.
+    """Make a program end itself, and return how and where it ended.
 
     Args:
-        conversation: with the program.
-        ending: how it is to end.
-        waits: whether the program waits for an answer.
-        handle: takes the messages it sent before it was interrupted.
+        conversation: the conversation with the program.
+        ending: how it should end.
+        waits: whether the program is waiting for an answer.
+        handle: handles the messages it sent before it was interrupted.
     """
     try:
         if waits:
@@ -52,13 +52,13 @@ def dismiss(
                 case event if not waits:
                     handle(event)
     except (EOFError, LearnBlockError):
-        # It died first, or sent something invalid; either way it is over.
+        # It died first, or sent something invalid; either way it has ended.
         return ending
     return ending
 
 
 def cause_of_death(worker: Worker, limits: Limits) -> Ending:
-    """How a program ended whose link closed without a last message."""
+    """How a program ended if its link closed without a last message."""
     status = worker.wait(GRACE)
     if status is None:
         return Ending(How.KILLED, Phrase("run-link-closed"))

@@ -25,9 +25,9 @@ class Ending:
     Args:
         how: the kind of ending.
         phrase: the message for a person.
-        line: of the program's Python, from 1; 0 where it is not known.
-        file: the file in the user's folder where it happened; "" where it was in none.
-        file_line: of that file, from 1.
+        line: the line of the program's Python, from 1; 0 if unknown.
+        file: the file in the user's folder where it happened; "" if it was in none.
+        file_line: the line of that file, from 1.
     """
 
     how: How

@@ -9,7 +9,7 @@ from learnblock.errors import LearnBlockError, nearest
 from learnblock.i18n import Phrase, Value
 from learnblock.runtime.values import encodable, shortened
 
-#: A text in a phrase is cut after that many characters.
+#: The maximum length of a string in a phrase; longer ones are cut.
 LONGEST_ERROR = 2000
 #: Larger whole numbers do not fit into a message.
 LARGEST_NUMBER = 2**63 - 1
@@ -34,7 +34,7 @@ def phrase_of(error: BaseException) -> Phrase:
 
 
 def _suggestion(error: BaseException) -> str | None:
-    """The known name that is most similar to the one an error complains about."""
+    """The known name that is most similar to the unknown one in an error."""
     if not isinstance(error, NameError | AttributeError) or not isinstance(error.name, str):
         return None
     known = dir(error.obj) if isinstance(error, AttributeError) else _visible(error.__traceback__)
@@ -50,7 +50,7 @@ def _visible(step: TracebackType | None) -> Collection[str]:
 
 
 def _sendable(phrase: Phrase) -> Phrase:
-    """A phrase without texts that are too long for a message or that no message can hold."""
+    """A phrase without strings that are too long or that cannot be encoded."""
     values = {name: _sendable_value(value) for name, value in phrase.values.items()}
     return Phrase(_text(phrase.code), **values)
 

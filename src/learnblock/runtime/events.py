@@ -9,8 +9,8 @@ class Events:
     """Passes on a program's lines, calls and prints.
 
     Args:
-        robot: has the recorder, while there is a robot.
-        watcher: is notified.
+        robot: has the recorder while there is a robot.
+        watcher: receives the events.
     """
 
     def __init__(self, robot: HostedRobot, watcher: Watcher) -> None:

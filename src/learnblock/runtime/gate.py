@@ -1,4 +1,4 @@
-"""The program's side of the debugger: it decides at each line whether the program is held."""
+"""The program's side of the debugger: it decides at each line whether the program pauses."""
 
 from collections.abc import Callable
 from threading import get_ident
@@ -9,27 +9,27 @@ from learnblock.runtime.messages import Mode
 from learnblock.runtime.turn import Turn
 from learnblock.runtime.wire import Wire
 
-#: Seconds of the wall clock between two polls for messages of the host: the time within which a
-#: program that computes is paused.
+#: Seconds of the wall clock between two polls for messages of the host: the longest delay until a
+#: busy program pauses.
 LISTENING_PERIOD = 0.01
 
 
 class Gate:
-    """Lets a program pass a line, or holds it there.
+    """Lets a program continue at a line, or pauses it there.
 
     Breakpoints and steps are decided here: asking the host at every line would make a program many
     times slower.
 
     Args:
         wire: the link to the host, which has the breakpoints.
-        filename: of the program.
+        filename: the file name of the program.
     """
 
     def __init__(self, wire: Wire, filename: str) -> None:
         self._wire = wire
         self._filename = filename
         self._listened = monotonic()
-        #: Called with each line before the program may be held; does nothing without a robot.
+        #: Called with each line before the program may pause; does nothing without a robot.
         self.on_line: OnLine = bool
 
     def __call__(self, number: int) -> None:

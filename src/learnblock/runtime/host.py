@@ -1,7 +1,7 @@
-"""The robot host: it has the robots, and runs programs as child processes.
+"""The robot host: it owns the robots, and runs programs as child processes.
 
 In a simulated world programs take turns: each runs until it waits, then the world advances to the
-first that wakes. One thread does all of this, so a run depends on program, world and seed alone.
+first wake-up. One thread does all this, so a run depends only on program, world and seed.
 """
 
 from collections.abc import Sequence
@@ -12,15 +12,15 @@ from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.run import Run
 from learnblock.runtime.world import Simulation
 
-#: Steps between checks on watchers and debuggers: 25 checks a second in real time.
+#: Steps between checks on watchers and debuggers: 25 checks per second in real time.
 STRIDE = 4
 
 
 class Host:
-    """Runs programs to their ends: one on a real robot, or any number in one simulated world.
+    """Runs programs to their end: one on a real robot, or any number in one simulated world.
 
     Args:
-        runs: in the order in which their robots take turns.
+        runs: the runs, in the order in which their robots take turns.
         seconds: the run ends when the robot's time reaches this; None for no limit.
     """
 
@@ -56,7 +56,7 @@ class Host:
             self._wake([run for run in parked if run.wake == wake or run.stopping])
 
     def _wake(self, due: Sequence[Run]) -> None:
-        """Wake programs together, on all processors, and serve them in turn.
+        """Wake programs together, on all processors, but serve them in turn.
 
         Commands take effect with the next step, so it makes no difference to the programs or to the
         trace that they run at the same time.
@@ -71,7 +71,7 @@ class Host:
                 run.serve()
 
     def _advance(self, simulation: Simulation, step: int) -> None:
-        """Advance in short strides, so that a watcher sees the time pass during a long wait."""
+        """Advance in short strides, so that a watcher sees progress during a long wait."""
         while simulation.steps < step and not any(run.stopping for run in self._runs if run.wake):
             simulation.advance(min(step, simulation.steps + STRIDE))
             for run in self._runs:

@@ -20,17 +20,17 @@ class HostedRobot:
     """The robot of one program.
 
     Args:
-        make_robot: makes the robot of a module with the arguments the program gave.
-        make_recorder: makes the recorder, which watches the robot, once there is one.
+        make_robot: creates the robot of a module with the program's arguments.
+        make_recorder: creates the recorder, which watches the robot, once there is one.
         world: the robot's world if it is simulated.
     """
 
     def __init__(self, make_robot: MakeRobot, make_recorder: MakeRecorder, world: World) -> None:
-        #: None before the program has made its robot.
+        #: None before the program has created its robot.
         self.client: Client | None = None
         self.recorder: Recorder | None = None
         self.world = world
-        #: Says that the robot could not be stopped; None when it could.
+        #: The message that the robot could not be stopped; None if it was.
         self.stop_failure: Phrase | None = None
         self._make_robot = make_robot
         self._make_recorder = make_recorder
@@ -38,14 +38,14 @@ class HostedRobot:
 
     @property
     def active_recorder(self) -> Recorder | None:
-        """The recorder while there is a robot whose time its lines can have."""
+        """The recorder while there is a robot that provides the time for its lines."""
         return None if self.client is None or self.client.stopped else self.recorder
 
     def connect(self, message: messages.Connect) -> messages.Connected | messages.Failed:
-        """Make the robot, and return the answer for the program.
+        """Create the robot, and return the answer for the program.
 
         Raises:
-            LearnBlockError: the program has a robot already.
+            LearnBlockError: the program already has a robot.
         """
         if self.client and not self.client.stopped:
             raise LearnBlockError("run-second-robot")
@@ -70,7 +70,7 @@ class HostedRobot:
             LearnBlockError: the robot has been stopped, or the call failed.
         """
         if self.client and self.client.stopped:
-            # Only through a device the program has kept: the client in the child refuses the rest.
+            # Only through a device that the program has kept: the child's client refuses the rest.
             raise RobotStoppedError("run-robot-stopped")
         try:
             with self.world.exclusive:
@@ -78,7 +78,7 @@ class HostedRobot:
         except LearnBlockError:
             raise
         except Exception as error:
-            # A driver is third-party code: any exception of it becomes a message for the pupil.
+            # A driver is third-party code: any exception from it becomes a message for the pupil.
             raise RobotConnectionError(
                 "run-call-failed", function=function, reason=_reason(error)
             ) from error
@@ -118,7 +118,7 @@ def failure(error: LearnBlockError) -> messages.Failed:
 
 
 def _reason(error: Exception) -> Phrase:
-    """An error's message; of a driver's exception also the class, as its text may say little."""
+    """An error's message; for a driver's exception with the class, as its text may say little."""
     if isinstance(error, LearnBlockError):
         return error.phrase
     return Phrase(f"{type(error).__name__}: {error}")
@@ -138,7 +138,7 @@ def _functions(client: Client, key: str, device: Device) -> dict[str, Callable[.
 
 
 def _change(client: Client, function: Callable[..., Any], *args: Any) -> Any:
-    """Change a sensor, for example set a new zero, which makes its last reading wrong."""
+    """Change a sensor, for example its zero, which makes its last reading out of date."""
     try:
         return function(*args)
     finally:

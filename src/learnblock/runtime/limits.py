@@ -15,12 +15,12 @@ class Limits(msgspec.Struct, frozen=True, array_like=True):
 
     Args:
         memory: bytes of address space; not enforced on systems that cannot limit it.
-        cpu: seconds of processor time.
-        output: characters printed.
-        file_size: bytes in any one file it writes.
-        open_files: files open at once.
-        silence: seconds of the wall clock a simulated robot waits for the program's next call.
-        preparation: seconds of the wall clock a program may take to make its robot.
+        cpu: the limit of processor time, in seconds.
+        output: the limit of printed characters.
+        file_size: the limit of each written file, in bytes.
+        open_files: the limit of simultaneously open files.
+        silence: how long a simulated robot waits for the program's next call, in seconds.
+        preparation: how long a program may take to create its robot, in seconds.
     """
 
     memory: int = 2048 * MEGABYTE
@@ -32,7 +32,7 @@ class Limits(msgspec.Struct, frozen=True, array_like=True):
     preparation: float = 15.0
 
 
-#: Audit events (PEP 578) by which a program would start another process or harm ours.
+#: Audit events (PEP 578) of attempts to start another process or to harm ours.
 _FORBIDDEN = frozenset(
     {
         "os.exec",
@@ -51,7 +51,7 @@ _FORBIDDEN = frozenset(
 
 
 def contain(limits: Limits) -> None:
-    """Put this process under the limits, for good."""
+    """Apply the limits to this process permanently."""
     _limit_resources(limits)
     _end_with_parent()
     sys.addaudithook(_refuse)
@@ -84,7 +84,7 @@ def _end_with_parent() -> None:
     """Have Linux kill this process when its host dies, even in a loop that makes no call."""
     if sys.platform != "linux":
         return
-    import ctypes  # noqa: PLC0415 - costs time, and only Linux has prctl
+    import ctypes  # noqa: PLC0415 - slow, and only Linux has prctl
     import signal  # noqa: PLC0415
 
     set_parent_death_signal = 1  # PR_SET_PDEATHSIG of <linux/prctl.h>

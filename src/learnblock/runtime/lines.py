@@ -10,13 +10,13 @@ from typing import Any
 from learnblock.client.clock import Clock
 
 OnLine = Callable[[int], object]
-#: So many lines at one time of the robot are handed on.
+#: The maximum number of lines that are passed on at one time of the robot.
 MOST_LINES_AT_ONE_TIME = 1000
 
 
 @contextmanager
 def line_events(code: CodeType, on_line: OnLine) -> Iterator[None]:
-    """Within it, call `on_line(number)` before each line of `code` and of the functions in it."""
+    """Inside the `with`, call `on_line(number)` before each line of `code` and its functions."""
     stop = start_line_events(code, on_line)
     try:
         yield
@@ -31,10 +31,10 @@ def start_line_events(
 
     Args:
         code: a module's code.
-        on_line: is called with the line's number.
-        running: the innermost frame of the program, if it runs already.
+        on_line: called with the number of each line.
+        running: the innermost frame of the program, if it is already running.
 
-    Only lines of the calling thread count.
+    Only lines of the calling thread are reported.
     """
     if sys.version_info >= (3, 12):
         return _monitor(code, on_line)
@@ -51,11 +51,11 @@ def program_frame(filename: str, frame: FrameType | None) -> FrameType | None:
 class LineBudget:
     """Passes on line events, up to a limit at one time of the robot.
 
-    A long calculation is not a story, and it must not fill the trace.
+    A long calculation is of no interest and must not fill the trace.
 
     Args:
-        clock: the robot's.
-        on_line: is called with a line's number.
+        clock: the robot's clock.
+        on_line: called with the number of each line.
     """
 
     def __init__(self, clock: Clock, on_line: OnLine) -> None:
@@ -76,7 +76,7 @@ class LineBudget:
 
 
 def depth(filename: str) -> int:
-    """How many frames of the file `filename` the caller is called from."""
+    """The number of frames of the file `filename` among the caller's callers."""
     frame, count = sys._getframe(1), 0  # noqa: SLF001 - the documented way to walk the stack
     walker: FrameType | None = frame
     while walker is not None:
@@ -86,7 +86,7 @@ def depth(filename: str) -> int:
 
 
 def _monitor(code: CodeType, on_line: OnLine) -> Callable[[], None]:
-    # PEP 669: only the program's own code pays, and only for its lines.
+    # PEP 669: only the program's own code is slowed, and only at its lines.
     monitoring: Any = sys.monitoring  # type: ignore[attr-defined,unused-ignore] # 3.12
     tool = next(tool for tool in range(6) if monitoring.get_tool(tool) is None)
     thread = get_ident()
@@ -125,7 +125,7 @@ def _trace(filename: str, on_line: OnLine, running: FrameType | None) -> Callabl
     def enter(frame: FrameType, _event: str, _argument: object) -> Any:
         return local if frame.f_code.co_filename == filename else None
 
-    # A frame that runs already is not entered again: it needs its own trace function.
+    # A frame that is already running is not entered again, so it needs its own trace function.
     frame = running
     while frame := program_frame(filename, frame):
         frame.f_trace = local

@@ -1,4 +1,4 @@
-"""A link: messages over a socket, in order, each with its length before it."""
+"""A link: messages over a socket, in order, each preceded by its length."""
 
 import os
 import socket
@@ -17,10 +17,10 @@ Incoming = TypeVar("Incoming")
 
 _LENGTH = 4
 _CHUNK = 65536
-#: How often to poll for a message before sleeping: most answers arrive within some 30
+#: How often to poll for a message before sleeping: most answers arrive within about 30
 #: microseconds, and waking up takes twice as long.
 POLLS = 30
-#: Seconds after which polling gives up: on a busy machine each poll yields to other processes, for
+#: Seconds after which polling stops: on a busy machine each poll yields to other processes for
 #: up to 20 ms, while a sleeping process is woken before them.
 POLLING = 0.001
 _CAN_POLL = hasattr(socket, "MSG_DONTWAIT") and hasattr(os, "sched_yield")
@@ -68,7 +68,7 @@ class Link(Generic[Incoming]):
             del outgoing[start:]
             raise DeviceValueError("run-value-not-sendable", reason=str(error)) from error
         except BaseException:
-            # Half a message would spoil all that follow, also if a signal handler raised.
+            # Half a message would corrupt all that follow, even if a signal handler raised.
             del outgoing[start:]
             raise
         return len(outgoing)
@@ -89,16 +89,16 @@ class Link(Generic[Incoming]):
                 raise EOFError("the other end of the link is gone") from error
 
     def send(self, message: Message) -> None:
-        """Send a message, after all that is queued."""
+        """Send a message, after everything that is queued."""
         self.put(message)
         self.flush()
 
     def receive(self, timeout: float | None = None) -> Incoming | None:
-        """The next message, or None when none came within `timeout` seconds.
+        """The next message, or None if none arrived within `timeout` seconds.
 
         Raises:
             EOFError: the other end is gone.
-            RobotConnectionError: what arrived is not a message of this conversation.
+            RobotConnectionError: the received data is not a message of this conversation.
         """
         while not self._messages:
             if not self._fill(timeout):
@@ -110,7 +110,7 @@ class Link(Generic[Incoming]):
 
         Raises:
             EOFError: the other end is gone.
-            RobotConnectionError: what arrived is not a message of this conversation.
+            RobotConnectionError: the received data is not a message of this conversation.
         """
         if not self._messages:
             self._connection.settimeout(0)
@@ -181,7 +181,7 @@ class Link(Generic[Incoming]):
 
 
 def _as_plain(value: Any) -> Any:
-    """Encode what msgpack cannot: a frame as an extension, numpy's numbers, else the text."""
+    """Encode types that msgpack does not support: frames, numpy's numbers, and others as text."""
     if not hasattr(value, "dtype"):
         return described(value)
     if value.ndim == 0:

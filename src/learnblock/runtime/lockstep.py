@@ -3,8 +3,8 @@
 import math
 from collections.abc import Callable
 
-#: This many accesses to devices cost a program one step, as reading takes time on every robot.
-#: Otherwise a loop that polls and never sleeps would stop the world's time for ever.
+#: This many device accesses take one step, because reading takes time on every robot.
+#: Otherwise a loop that polls and never sleeps would stop the world's time forever.
 ACCESSES_PER_STEP = 10
 
 
@@ -14,8 +14,8 @@ class LockStepClock:
     Args:
         wait: `wait(steps)` parks the program for that many steps, at least one, and returns the
             world's step counter when it wakes.
-        steps: the counter now.
-        dt: seconds a step.
+        steps: returns the current counter.
+        dt: seconds per step.
     """
 
     def __init__(self, wait: Callable[[int], int], steps: int, dt: float) -> None:

@@ -22,7 +22,7 @@ class Message(msgspec.Struct, frozen=True, array_like=True, tag=True):
 
 
 class Mode(IntEnum):
-    """The places besides breakpoints where a program pauses."""
+    """Where a program pauses, apart from breakpoints."""
 
     RUN = 0
     STEP = 1
@@ -30,12 +30,12 @@ class Mode(IntEnum):
 
 
 class Control(Message, frozen=True):
-    """Where to hold the program; it can arrive at any time.
+    """Where the program should pause; it can arrive at any time.
 
     Args:
-        breakpoints: lines of its Python.
+        breakpoints: the breakpoints, as lines of its Python.
         mode: nowhere else, at the next line, or at the next line in this or a calling function.
-        depth: of calls, for the last.
+        depth: the call depth, for the last of these.
     """
 
     breakpoints: frozenset[int] = frozenset()
@@ -43,7 +43,7 @@ class Control(Message, frozen=True):
     depth: int = 0
 
     def holds(self, line: int, depth: int) -> bool:
-        """Whether a program is held at this line and depth of calls."""
+        """Whether a program pauses at this line and call depth."""
         return (
             line in self.breakpoints
             or self.mode is Mode.STEP
@@ -52,16 +52,16 @@ class Control(Message, frozen=True):
 
 
 class Setup(Message, frozen=True):
-    """What to run; the first message.
+    """The program to run; the first message.
 
     Args:
         source: the program's Python.
         filename: its name in errors.
         folder: where its modules are imported from; "" for nowhere.
         skills: the names of the skills it may use.
-        robots: the modules besides ours that are robots when it imports ``Robot`` from them.
-        debug: where to hold it at first; None when it is not debugged.
-        limits: what it may use.
+        robots: the modules besides ours from which it may import a ``Robot``.
+        debug: where it should pause at first; None without a debugger.
+        limits: the resources that it may use.
     """
 
     source: str
@@ -86,8 +86,8 @@ class Connected(Message, frozen=True):
 
     Args:
         devices: in the order in which `Ask` and `Command` count them.
-        steps: the world's step counter, or None for a robot whose time flows by itself.
-        dt: seconds a step.
+        steps: the world's step counter, or None for a real robot.
+        dt: seconds per step.
         seed: seeds the program's own random numbers; None leaves them alone.
     """
 
@@ -98,7 +98,7 @@ class Connected(Message, frozen=True):
 
 
 class Answer(Message, frozen=True):
-    """The value of an `Ask`, a `Sleep` (the step it woke at, and readings), or an `Input`."""
+    """The answer to an `Ask`, a `Sleep` (the step at which it woke, and readings) or an `Input`."""
 
     value: Any = None
 
@@ -111,11 +111,11 @@ class Failed(Message, frozen=True):
 
 
 class Stop(Message, frozen=True):
-    """The program has to end; the answer to any request."""
+    """The program must end; a possible answer to any request."""
 
 
 class Continue(Message, frozen=True):
-    """Go on with the line at which the program is held."""
+    """Continue with the line at which the program has paused."""
 
 
 class ShowVariables(Message, frozen=True):
@@ -126,14 +126,14 @@ class ShowVariables(Message, frozen=True):
 
 
 class Connect(Message, frozen=True):
-    """The program makes its robot; answered by `Connected` or `Failed`."""
+    """The program creates its robot; answered by `Connected` or `Failed`."""
 
     module: str
     arguments: dict[str, Any]
 
 
 class Ask(Message, frozen=True):
-    """Call a device's function and `Answer` its value."""
+    """Call a device's function; the `Answer` is its value."""
 
     device: int
     function: str
@@ -152,7 +152,7 @@ class Sleep(Message, frozen=True):
     """Park until that many steps have passed.
 
     The answer is the step at which the program woke and the readings of the devices in `reads`,
-    which the program has read since it last slept and will most likely read again.
+    which the program has read since it last slept and will probably read again.
     """
 
     steps: int
@@ -164,7 +164,7 @@ class Disconnect(Message, frozen=True):
 
 
 class Lines(Message, frozen=True):
-    """The lines that ran since the message before."""
+    """The lines that ran since the previous message."""
 
     numbers: tuple[int, ...]
 
@@ -185,7 +185,7 @@ class Missing(Message, frozen=True):
 
 
 class Printed(Message, frozen=True):
-    """A line the program printed, with its line end if it has one yet."""
+    """A line that the program printed, with its line end if there is one yet."""
 
     text: str
 
@@ -200,9 +200,9 @@ class Variables(Message, frozen=True):
     """The program's variables as text.
 
     Args:
-        local: of the function that runs.
-        shared: of the program.
-        whens: for each `when`, whether it is active and for how many seconds.
+        local: the variables of the running function.
+        shared: the variables of the program.
+        whens: whether each `when` is active, and for how many seconds.
     """
 
     local: dict[str, str]
@@ -211,12 +211,12 @@ class Variables(Message, frozen=True):
 
 
 class Line(Message, frozen=True):
-    """The program is held before a line; the answer is `Continue`.
+    """The program has paused before a line; the answer is `Continue`.
 
     Args:
         number: the line.
-        depth: how many calls it is in.
-        variables: as they are there.
+        depth: the call depth.
+        variables: the variables at that point.
     """
 
     number: int
@@ -225,13 +225,13 @@ class Line(Message, frozen=True):
 
 
 class Fault(msgspec.Struct, frozen=True, array_like=True):
-    """An error the program ended with.
+    """The error that ended the program.
 
     Args:
         phrase: the message for a person.
         lines: the program's own lines on the way to the error, outermost first.
-        file: the file in the user's folder where it happened; "" where it was in none.
-        file_line: of that file, from 1.
+        file: the file in the user's folder where it happened; "" if it was in none.
+        file_line: the line of that file, from 1.
     """
 
     phrase: Phrase
@@ -241,12 +241,12 @@ class Fault(msgspec.Struct, frozen=True, array_like=True):
 
 
 class Interrupted(Message, frozen=True):
-    """A stop signal reached the program at this line; the program may go on all the same.
+    """A stop signal reached the program at this line; the program may still continue.
 
     Args:
-        line: of the program.
+        line: the line of the program.
         file: see `Fault`.
-        file_line: likewise.
+        file_line: see `Fault`.
     """
 
     line: int
@@ -255,7 +255,7 @@ class Interrupted(Message, frozen=True):
 
 
 class Ended(Message, frozen=True):
-    """The program has ended by itself, by `fault`, or because it was `stopped`."""
+    """The program has ended by itself, with a `fault`, or because it was `stopped`."""
 
     fault: Fault | None = None
     stopped: bool = False

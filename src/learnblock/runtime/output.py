@@ -11,8 +11,8 @@ class LineWriter(io.TextIOBase):
     """A text stream that passes on whole lines, each with its line end.
 
     Args:
-        on_line: is called with every line; only `flush` passes on an unfinished one.
-        on_flush: is called when the program flushes its output.
+        on_line: called with every line; only `flush` passes on an unfinished one.
+        on_flush: called when the program flushes its output.
     """
 
     def __init__(
@@ -42,7 +42,7 @@ class LineWriter(io.TextIOBase):
 
     def flush(self) -> None:
         """Pass on everything at once, as ``print(..., flush=True)`` does."""
-        # Python also flushes a stream that it discards, when there is no receiver any more.
+        # Python also flushes a stream that it discards, when there is no receiver left.
         if self._unseen:
             self.finish()
             self._on_flush()

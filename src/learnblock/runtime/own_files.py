@@ -1,4 +1,4 @@
-"""The place of an error in the files of the user's folder, such as skills."""
+"""The position of an error in the files of the user's folder, such as skills."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,7 +12,7 @@ NOWHERE: Place = ("", 0)
 
 
 def own_place(error: BaseException) -> Place:
-    """The innermost place of an error or of its causes."""
+    """The innermost position of an error or its causes."""
     folder = home().absolute()
     for one in _with_causes(error):
         if isinstance(one, SyntaxError) and _is_within(folder, one.filename or ""):
@@ -24,7 +24,7 @@ def own_place(error: BaseException) -> Place:
 
 
 def own_frame(frame: FrameType | None) -> Place:
-    """The innermost place among a frame and its callers."""
+    """The innermost position among a frame and its callers."""
     folder = home().absolute()
     while frame is not None and not _is_within(folder, frame.f_code.co_filename):
         frame = frame.f_back

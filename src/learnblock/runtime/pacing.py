@@ -1,23 +1,23 @@
-"""How fast a simulated world runs against the wall clock: one object, outside the world."""
+"""The speed of a simulated world relative to the wall clock, controlled from outside the world."""
 
 import threading
 import time
 from collections.abc import Callable
 
-#: Seconds of the wall clock that a world may be behind before it gives up catching up.
+#: Seconds of the wall clock that a world may lag before it stops catching up.
 SLIP = 0.1
-#: Shorter waits cost more than they are worth.
+#: Shorter waits cost more than they save.
 SHORTEST_WAIT = 0.001
 
 
 class Pacing:
     """Free, real time at a factor, paused, or step by step; it can be changed while the world runs.
 
-    A world that cannot keep up slips: it runs slower than requested, and never skips a step.
+    A world that cannot keep up runs slower than requested and never skips a step.
 
     Args:
-        factor: times real time; None is free, as fast as possible.
-        clock: seconds of the wall clock.
+        factor: a multiple of real time; None is as fast as possible.
+        clock: returns the time of the wall clock in seconds.
     """
 
     def __init__(
@@ -33,14 +33,14 @@ class Pacing:
         self._slipped = False
 
     def wait(self, world_time: float) -> None:
-        """Return when the world may make the step that begins at `world_time` seconds."""
-        # Without the lock first: a free world calls this before every step.
+        """Return when the world may take the step that begins at `world_time` seconds."""
+        # Without the lock at first: a free world calls this before every step.
         if self._paused or self.factor is not None:
             with self._changed:
                 self._wait(world_time)
 
     def pause(self) -> None:
-        """Hold the world before its next step."""
+        """Pause the world before its next step."""
         self._change(paused=True)
 
     def resume(self) -> None:
@@ -53,7 +53,7 @@ class Pacing:
             self._changed.notify_all()
 
     def set_factor(self, factor: float | None) -> None:
-        """Change the speed from here on."""
+        """Change the speed from now on."""
         with self._changed:
             self.factor, self._anchor = factor, None
             self._changed.notify_all()
@@ -66,7 +66,7 @@ class Pacing:
 
     @property
     def slipped(self) -> bool:
-        """Whether the world has been too slow for its pace at some time."""
+        """Whether the world has ever been too slow for its pace."""
         return self._slipped
 
     def _change(self, *, paused: bool) -> None:
@@ -82,7 +82,7 @@ class Pacing:
             ahead = None if self._paused else self._ahead(world_time)
             if ahead is not None and ahead <= SHORTEST_WAIT:
                 return
-            # Until the time has come, or the pacing changes.
+            # Wait until it is time, or until the pacing changes.
             self._changed.wait(ahead)
 
     def _ahead(self, world_time: float) -> float:

@@ -1,4 +1,4 @@
-"""The pauses of a program: at a line that the debugger holds, and for a line of input."""
+"""The pauses of a program: at lines chosen by the debugger, and for input."""
 
 from learnblock.runtime import messages
 from learnblock.runtime.debugger import Debugger
@@ -7,16 +7,16 @@ from learnblock.runtime.watcher import Watcher
 
 
 class Pauses:
-    """Holds a program at breakpoints and for input, and reports that.
+    """Pauses a program at breakpoints and for input, and reports that.
 
     Args:
-        watcher: is notified, and asked for input.
-        debugger: decides where the program is held; without one it never is.
+        watcher: receives the reports, and is asked for input.
+        debugger: decides where the program pauses; without one it never pauses.
     """
 
     def __init__(self, watcher: Watcher, debugger: Debugger | None) -> None:
         self.status = Status(watcher.state)
-        #: Whether the program waits for an answer: permission to continue, or a line of input.
+        #: Whether the program is waiting for an answer: permission to continue, or a line of input.
         self.awaits_answer = False
         self._watcher = watcher
         self._debugger = debugger
@@ -34,7 +34,7 @@ class Pauses:
             self.status.leave(State.HELD)
 
     def input(self, prompt: str, *, stopping: bool) -> str | None:
-        """The line of input for a program; None when there is none, or the run is being stopped."""
+        """The line of input for a program; None if there is none or the run is being stopped."""
         self.awaits_answer = True
         self.status.enter(State.INPUT)
         answer = None if stopping else self._watcher.input(prompt)
@@ -42,7 +42,7 @@ class Pauses:
         return answer
 
     def end(self) -> None:
-        """Never hold the program again: the run is being stopped."""
+        """Never pause the program again: the run is being stopped."""
         if self._debugger:
             self._debugger.end()
         self._watcher.cancel_input()

@@ -46,14 +46,14 @@ class Worker(Protocol):
         """Raise ProgramStopped in the program."""
 
     def kill(self) -> None:
-        """End it and everything it has started."""
+        """End the program and everything it has started."""
 
     def wait(self, timeout: float) -> int | None:
-        """Its exit status (negative: the signal that killed it), or None if it still runs."""
+        """Its exit status (negative: the signal that killed it), or None if it is still running."""
 
 
 class ProcessWorker:
-    """A process in a separate session, so that nothing it starts outlives it."""
+    """A process in a separate session, so that its children can be ended with it."""
 
     def __init__(self) -> None:
         ours, theirs = socket.socketpair()
@@ -98,7 +98,7 @@ class ProcessWorker:
             command,
             env=environment,
             stdin=subprocess.DEVNULL,
-            # A program's prints go over the link; this output is only our own.
+            # A program's prints go over the link; this output is only ours.
             stdout=subprocess.DEVNULL,
             pass_fds=(handle,),
             start_new_session=True,

@@ -16,9 +16,9 @@ class Program:
     """A program to run.
 
     Args:
-        name: its file's name, such as ``square.bt``.
-        python: what is run.
-        written: the text its author wrote, in either notation.
+        name: its file name, such as ``square.bt``.
+        python: the Python that is run.
+        written: the source as its author wrote it, in either notation.
         source_map: from lines of `python` to lines of `written`; None where both are the same.
         folder: where its modules are imported from; "" for nowhere.
     """
@@ -31,7 +31,7 @@ class Program:
 
     @cached_property
     def identity(self) -> str:
-        """A hash of the program itself, which its name, notation and robot do not change."""
+        """A hash of the program itself, independent of its name, notation and robot."""
         neutral = _ROBOT_IMPORT.sub("from robot import Robot", self.python)
         return hashlib.sha256(neutral.encode("utf-8", "surrogatepass")).hexdigest()
 
@@ -46,12 +46,12 @@ class Program:
         return tuple(sorted(found))
 
     def written_line(self, python_line: int) -> int:
-        """The line its author wrote that became `python_line`; 0 if there is none."""
+        """The author's line that became `python_line`; 0 if there is none."""
         if self.source_map is None:
             return python_line
         return self.source_map.source_line(python_line) or 0
 
     def quote(self, line: int) -> str:
-        """The text of a line its author wrote; "" if there is none."""
+        """The text of one of the author's lines; "" if there is none."""
         lines = self.written.splitlines()
         return lines[line - 1].strip() if 1 <= line <= len(lines) else ""

@@ -33,8 +33,8 @@ class RemoteRobot(Client):
     """A robot whose devices are functions of the host.
 
     Args:
-        wire: the way to the host.
-        offer: what the host's robot has.
+        wire: the wire to the host.
+        offer: the devices of the host's robot.
         skills: the names of the skills the program uses.
     """
 
@@ -53,18 +53,18 @@ class RemoteRobot(Client):
             self.add(_device(self._wire, index, device), device.key)
 
     def disconnect(self) -> None:
-        # A host that is gone has stopped its robot.
+        # If the host is gone, it has stopped its robot.
         with suppress(ProgramStopped):
             self._wire.send(Disconnect())
 
     def _stop_motors(self) -> None:
-        """The host does that on `Disconnect`, and even if this process is dead."""
+        """Do nothing: the host does that on `Disconnect`, and even if this process is dead."""
 
 
 def connect(
     wire: Wire, skills: Collection[str], module: str, arguments: dict[str, Any]
 ) -> RemoteRobot:
-    """Have the host make the robot of `module`, and return its counterpart here."""
+    """Make the host create the robot of `module`, and return its counterpart here."""
     offer: Connected = wire.ask(Connect(module, arguments))
     wire.lockstep = offer.steps is not None
     return RemoteRobot(wire, offer, skills)
@@ -88,10 +88,10 @@ class _HostedWallClock(WallClock):
     """The time of a real robot, for a program that is watched while it waits.
 
     A long wait begins with everything that happened before it, so that the page shows the line that
-    waits; meanwhile the host may ask for the variables.
+    is waiting; meanwhile the host may ask for the variables.
 
     Args:
-        wire: to the host.
+        wire: the wire to the host.
     """
 
     def __init__(self, wire: Wire) -> None:

@@ -35,14 +35,14 @@ class Run:
     """One program on one robot.
 
     Args:
-        program: what to run.
-        make_robot: makes the robot of a module with the arguments the program gave.
-        recorder: makes the recorder, which watches the robot, once there is one.
-        watcher: is notified of what happens.
-        debugger: holds the program at lines; without one it runs undisturbed.
-        limits: what the program may use.
-        worker: makes what runs the program.
-        robots: the modules besides ours that are robots when the program imports ``Robot``.
+        program: the program to run.
+        make_robot: creates the robot of a module with the program's arguments.
+        recorder: creates the recorder, which watches the robot, once there is one.
+        watcher: receives the events of the run.
+        debugger: pauses the program at lines; without one it never pauses.
+        limits: the resources that the program may use.
+        worker: creates the worker that runs the program.
+        robots: the modules besides ours from which the program may import a ``Robot``.
     """
 
     def __init__(
@@ -60,9 +60,9 @@ class Run:
         limits = limits or Limits()
         #: None until the run has ended.
         self.ending: Ending | None = None
-        #: How it has to end, once that has been decided; any thread may set it.
+        #: How the run must end, once that has been decided; any thread may set it.
         self.stopping: Ending | None = None
-        #: The step of its world at which the program continues, while it waits for that.
+        #: The step of its world at which the program continues, while it waits for that step.
         self.wake: int | None = None
         self.watcher = watcher or Watcher()
         self.world = World(debugger)
@@ -74,18 +74,18 @@ class Run:
         self._conversation: Conversation | None = None
         #: Whether the program has sent anything yet.
         self._has_sent = False
-        #: The devices whose readings the program wants when it wakes.
+        #: The devices whose readings the program requested for when it wakes.
         self._reads: tuple[int, ...] = ()
         self._handlers = self._make_handlers(Events(self.robot, self.watcher))
 
     @property
     def client(self) -> Client | None:
-        """The robot, once the program has made it."""
+        """The robot, once the program has created it."""
         return self.robot.client
 
     @property
     def recorder(self) -> Recorder | None:
-        """Everything recorded so far, once there is a robot."""
+        """The recorded events, once there is a robot."""
         return self.robot.recorder
 
     @property
@@ -99,7 +99,7 @@ class Run:
         self._conversation = self._begin()
 
     def serve(self) -> None:
-        """Serve the program's requests until it waits for its world's time, or ends."""
+        """Serve the program's requests until it waits for its world's time or ends."""
         self.supervision.note_call()
         with self._talking() as conversation:
             while self.wake is None and self.ending is None:
@@ -179,9 +179,9 @@ class Run:
         self.stopping = self.stopping or ending
 
     def _dismiss(self, conversation: Conversation, ending: Ending) -> None:
-        """Have the program end itself, and kill it if it does not."""
+        """Make the program end itself, and kill it if it does not."""
         if self.simulation is None:
-            # A real robot would drive on while its program runs its last lines.
+            # A real robot would keep driving while its program runs its last lines.
             self.robot.stop()
         waits = self.wake is not None or self._pauses.awaits_answer
         try:
@@ -203,7 +203,7 @@ class Run:
         self._pauses.status.enter(State.ENDED)
 
     def _send(self, message: messages.Message) -> None:
-        assert self._conversation  # noqa: S101 - only a program that talks is answered
+        assert self._conversation  # noqa: S101 - only a program that has sent a message is answered
         self._conversation.send(message)
 
     # One method for each message of the child that concerns more than one part.
@@ -222,7 +222,7 @@ class Run:
             messages.Variables: self.variables.receive,
             messages.Connect: self._on_connect,
             messages.Disconnect: lambda _: self.robot.stop(),
-            # A signal from outside; the last message says how the program ended.
+            # An external signal; the last message says how the program ended.
             messages.Interrupted: lambda _: None,
             messages.Ended: self._on_ended,
         }
@@ -256,7 +256,7 @@ class Run:
     def _on_line(self, message: messages.Line) -> None:
         reached = monotonic()
         self._pauses.hold(message)
-        # While it was held the program could make no call.
+        # While it was paused, the program could not make a call.
         self.supervision.excuse(monotonic() - reached)
         self._continue(messages.Continue())
 
@@ -266,7 +266,7 @@ class Run:
         self._continue(messages.Answer(answer))
 
     def _continue(self, message: messages.Message) -> None:
-        """Answer a program that waits; one that is being stopped gets `Stop` instead."""
+        """Answer a waiting program; one that is being stopped gets `Stop` instead."""
         if not self.stopping:
             self._pauses.awaits_answer = False
             self._send(message)

@@ -19,7 +19,7 @@ def trace_main_program(client: Client, path: Path) -> Callable[[], None]:
     """Write the trace of the running program; return the function that ends it.
 
     Raises:
-        LearnBlockError: no program's file is running.
+        LearnBlockError: no program file is running.
     """
     frame = _main_frame()
     source = Path(frame.f_code.co_filename).read_text(encoding="utf-8")

@@ -6,12 +6,12 @@ from enum import StrEnum
 
 
 class State(StrEnum):
-    """The state of a run; if several apply, the first one counts."""
+    """The state of a run; if several apply, the first one is used."""
 
     ENDED = "ended"
-    #: The program is held before a line.
+    #: The program has paused before a line.
     HELD = "held"
-    #: The program waits for a line of input.
+    #: The program is waiting for a line of input.
     INPUT = "input"
     #: The world is paused.
     PAUSED = "paused"
@@ -23,7 +23,7 @@ class Status:
     """The state of one run; every change is reported, in order, from any thread.
 
     Args:
-        report: is called with the new state; it must not wait for another thread of the run.
+        report: called with the new state; it must not wait for another thread of the run.
     """
 
     def __init__(self, report: Callable[[State], object]) -> None:

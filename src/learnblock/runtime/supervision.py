@@ -12,10 +12,10 @@ PERIOD = 0.05
 
 
 class Supervision:
-    """Says when a program has to be stopped.
+    """Decides when a program has to be stopped.
 
     Args:
-        limits: what the program may use.
+        limits: the resources that the program may use.
         robot: the program's robot.
     """
 
@@ -28,11 +28,11 @@ class Supervision:
         self._last_call = self._last_check = 0.0
 
     def note_call(self) -> None:
-        """Note that the program made a call."""
+        """Record that the program made a call."""
         self._last_call = monotonic()
 
     def excuse(self, seconds: float) -> None:
-        """Do not count these seconds as silence: the program could make no call."""
+        """Do not count these seconds as silence, because the program could not make a call."""
         self._last_call += seconds
 
     @property
@@ -51,7 +51,7 @@ class Supervision:
         if self._robot.client is None:
             return self._check_preparation(silent)
         if self._robot.world.simulation is None:
-            # A real robot does not wait for its program, so long silence is no fault there.
+            # A real robot does not wait for its program, so long silence is not an error there.
             self._robot.check_link()
             return self._check_time(self._robot.client.clock.time())
         return self._check_silence(silent)

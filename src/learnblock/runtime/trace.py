@@ -1,4 +1,4 @@
-"""The trace of a run: JSON Lines that depend on program, world and seed, and on nothing else."""
+"""The trace of a run: JSON Lines that depend only on program, world and seed."""
 
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
@@ -13,7 +13,7 @@ from learnblock.client import Client
 from learnblock.devices import Function, Pose
 from learnblock.runtime.values import plain
 
-#: Of the trace's own format.
+#: The version of the trace format.
 VERSION = 1
 #: Functions of devices that only read; all others are commands.
 QUESTIONS = frozenset({"read", "detect"})
@@ -22,10 +22,10 @@ _encode = msgspec.json.Encoder(enc_hook=plain).encode
 
 
 class Trace:
-    """Lines of JSON, written as they happen and hashed as they are written.
+    """Lines of JSON, written and hashed as events happen.
 
     Args:
-        file: where they go besides the hash.
+        file: the file to write to, if any.
     """
 
     def __init__(self, file: BinaryIO | None = None) -> None:
@@ -36,7 +36,7 @@ class Trace:
         self.write_text(_encode(line) + b"\n")
 
     def write_text(self, text: bytes) -> None:
-        """Write whole lines that are JSON already."""
+        """Write complete lines that are already JSON."""
         self._hash.update(text)
         if self._file:
             self._file.write(text)
@@ -49,7 +49,7 @@ class Trace:
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """Something that happened at a place: for the picture and the report."""
+    """An event and its position, for the picture and the report."""
 
     time: float
     kind: str
@@ -64,10 +64,10 @@ class Recorder:
     It is the `Observer` of the client, and `watch`es its devices.
 
     Args:
-        trace: where the lines go; several robots of a world share it.
-        time: seconds of the robot's time.
-        where: the robot's pose now, where it is known.
-        label: added to every line where a world has several robots.
+        trace: receives the lines; the robots of a world share it.
+        time: returns the robot's time in seconds.
+        where: returns the robot's current pose, if known.
+        label: added to every line if a world has several robots.
     """
 
     trace: Trace
@@ -81,7 +81,7 @@ class Recorder:
     _commands: dict[tuple[str, str, str], list[object]] = field(default_factory=dict)
 
     def begin(self, run: Mapping[str, object]) -> None:
-        """Write the first line: what runs where."""
+        """Write the first line: the program, the robot and the world."""
         self.trace.write({"run": run})
 
     def watch(self, client: Client) -> None:
@@ -104,7 +104,7 @@ class Recorder:
 
     def lines(self, numbers: Sequence[int]) -> None:
         """The lines that ran at this time of the robot, in order."""
-        # Half of a trace is lines: these are written as `_write` would, at a tenth of its price.
+        # Half of a trace is lines: they are written like `_write` does, in a tenth of its time.
         before = _encode({"t": round(self.time(), 6)})[:-1].decode() + ',"line":'
         after = (_encode(self.label).decode().replace("{", ",", 1) if self.label else "}") + "\n"
         text = (after + before).join(map(str, numbers))
@@ -134,7 +134,7 @@ class Recorder:
         return [mark.text for mark in self.marks if mark.kind == "emotion"]
 
     def _command(self, kind: str, key: str, name: str, function: Function, *args: object) -> Any:
-        # A loop may command the same speed a hundred times a second: only changes are recorded.
+        # A loop may command the same speed a hundred times per second: only changes are recorded.
         command = [*map(plain, args)]
         if name not in _LASTING or self._commands.get((kind, key, name)) != command:
             self._commands[kind, key, name] = command
@@ -161,8 +161,8 @@ def record(
     Args:
         client: the robot.
         program: the program's identity.
-        trace: where to write.
-        label: added to every line where a world has several robots.
+        trace: the trace to write to.
+        label: added to every line if a world has several robots.
     """
     recorder = Recorder(trace, client.clock.time, client.where, label or {})
     versions = {"learnblock": version("learnblock-studio"), "trace": VERSION}
@@ -172,10 +172,10 @@ def record(
     return recorder
 
 
-#: Commands that last until the next one, so that giving them twice changes nothing.
+#: Commands that last until the next one, so repeating them changes nothing.
 _LASTING = frozenset({"move", "show_emotion", "set", "set_color"})
 
 
 def _rounded(pose: Pose) -> list[float]:
-    # A thousandth of a millimetre is far below what a machine's own arithmetic may differ by.
+    # A thousandth of a millimetre hides differences between the arithmetic of machines.
     return [round(value, 3) + 0.0 for value in pose]

@@ -1,4 +1,4 @@
-"""Turns to send on the child's side of the link."""
+"""Turns of threads to send on the child's side of the link."""
 
 import threading
 from threading import get_ident
@@ -16,7 +16,7 @@ class Turn:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        #: The thread that may not take a turn, nor wait for one.
+        #: The thread that may neither take a turn nor wait for one.
         self.forbidden_to: int | None = None
         #: Whether the main thread has the lock, or waits for it.
         self._main_inside = False

@@ -1,4 +1,4 @@
-"""A program's own `time.sleep` and `time.time` count in the robot's time."""
+"""Makes a program's `time.sleep` and `time.time` use the robot's time."""
 
 import threading
 import time
@@ -14,8 +14,8 @@ _NANOSECONDS = 1_000_000_000
 def use_robot_time(clock: Clock) -> Callable[[], None]:
     """Make `time` follow `clock` in the calling thread; return the function that undoes it.
 
-    Other threads, and modules that hold the functions themselves, keep the wall clock. The way back
-    may be taken from any thread, and twice.
+    Other threads, and modules that imported the functions directly, keep the wall clock. The
+    returned function may be called from any thread, and twice.
     """
     thread = threading.get_ident()
     with _lock:
@@ -70,7 +70,7 @@ _ROBOT_TIME: dict[str, Callable[..., Any]] = {
 }
 _WALL_TIME: dict[str, Callable[..., Any]] = {name: getattr(time, name) for name in _ROBOT_TIME}
 _EITHER_TIME: dict[str, Callable[..., Any]] = {name: partial(_either, name) for name in _ROBOT_TIME}
-# The `time` module is the interpreter's only one, so what replaces its functions is shared as well:
+# The `time` module is the interpreter's only one, so the replacements are shared too:
 # the clocks of each thread, the newest last.
 _clocks: dict[int, list[Clock]] = {}
 _lock = threading.Lock()

@@ -1,11 +1,11 @@
-"""A program's values for messages, traces and the debugger: plain, short, repeatable."""
+"""A program's values for messages, traces and the debugger: plain, short and reproducible."""
 
 import re
 from typing import Any
 
-#: A value's text is cut there.
+#: The maximum length of a value's text.
 LONGEST_VALUE = 200
-#: The levels of nested lists, and the items of each, that are shown.
+#: The maximum number of nested levels, and of items per list.
 DEEPEST_LIST, LONGEST_LIST = 3, 100
 
 _PLAIN = frozenset({type(None), bool, float})
@@ -15,7 +15,7 @@ _ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
 
 
 def plain(value: Any, levels: int = DEEPEST_LIST) -> Any:
-    """`value` as None, bool, int, float, str or a list of these: itself, or else a description.
+    """`value` as None, bool, int, float, str or a list of these: itself, or a description.
 
     A plain value stays as it is, so doing this twice changes nothing.
     """
@@ -32,7 +32,7 @@ def plain(value: Any, levels: int = DEEPEST_LIST) -> Any:
 
 
 def described(value: object) -> str:
-    """The text that `repr` makes of a value, shortened and without its address."""
+    """The `repr` of a value, shortened and without its address."""
     try:
         text = repr(value)
     except Exception as error:  # noqa: BLE001 - a pupil's __repr__ may raise anything
@@ -45,10 +45,10 @@ def shortened(text: str, longest: int = LONGEST_VALUE) -> str:
 
 
 def encodable(text: str) -> str:
-    r"""`text` with lone surrogates, which UTF-8 cannot encode, written as ``\udc80``."""
+    r"""`text` with lone surrogates, which UTF-8 cannot encode, replaced by ``\udc80``."""
     return text if text.isascii() else text.encode("utf-8", "backslashreplace").decode()
 
 
 def _of_numpy(value: Any) -> Any:
-    """A number of numpy as ours; of an array, which may be a whole frame, only its shape."""
+    """A numpy number as a Python number; for an array, which may be a frame, only its shape."""
     return value.item() if value.shape == () else f"<array of shape {value.shape}>"

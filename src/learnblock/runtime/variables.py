@@ -1,4 +1,4 @@
-"""The variables of a running program, reported some times a second."""
+"""The variables of a running program, reported several times a second."""
 
 from time import monotonic
 from typing import Any
@@ -9,7 +9,7 @@ from learnblock.runtime.watcher import Watcher
 
 #: Seconds of the wall clock between two reports.
 PERIOD = 0.2
-#: Seconds within which a program that waits for its world has to send its variables.
+#: Seconds within which a program waiting for its world must send its variables.
 TIMEOUT = 0.2
 
 
@@ -17,7 +17,7 @@ class VariableReports:
     """Asks the program for its variables and passes them on.
 
     Args:
-        watcher: receives them.
+        watcher: receives the variables.
     """
 
     def __init__(self, watcher: Watcher) -> None:
@@ -41,13 +41,13 @@ class VariableReports:
             conversation.send_unasked(messages.ShowVariables())
 
     def receive(self, message: messages.Variables) -> None:
-        """Pass on what the program sent."""
+        """Pass on the variables that the program sent."""
         self.pending, self._last = False, monotonic()
         if self.enabled:
             self._watcher.variables(message)
 
     def wait(self, conversation: Conversation) -> Any:
-        """The next message of a program that has been asked; None when it has answered or is slow.
+        """The next message from a program that was asked; None if it has answered or is slow.
 
         Raises:
             EOFError: the program is gone.

@@ -1,11 +1,11 @@
-"""Notifications of what happens in a run."""
+"""Notifications of events in a run."""
 
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.status import State
 
 
 class Watcher:
-    """Is notified of events as they happen; the base class ignores them all."""
+    """Receives events as they happen; the base class ignores them all."""
 
     def printed(self, text: str) -> None:
         """The program printed a line."""
@@ -14,23 +14,23 @@ class Watcher:
         """A line of the program's Python is about to run."""
 
     def input(self, prompt: str) -> str | None:  # noqa: ARG002 - subclasses need it
-        """Return the line of input that the program waits for; None if there is no input."""
+        """Return the line of input that the program is waiting for; None if there is no input."""
         return None
 
     def cancel_input(self) -> None:
-        """The run is being stopped: `input` returns at once, now and later; from any thread."""
+        """The run is being stopped: `input` must return at once, now and later; from any thread."""
 
     def state(self, state: State) -> None:
         """The state of the run has changed; called from any thread, and must not block."""
 
     def held(self, line: int, variables: Variables) -> None:
-        """The program is held before a line of its Python, its world with it."""
+        """The program and its world have paused before a line of its Python."""
 
     def resumed(self) -> None:
-        """The program continues after it was held."""
+        """The program continues after a pause."""
 
     def variables(self, variables: Variables) -> None:
-        """The program's current variables; reported only while that is enabled."""
+        """The program's current variables; reported only while this is enabled."""
 
     def tick(self) -> None:
         """Some time has passed: a good moment to redraw."""

@@ -26,7 +26,7 @@ from learnblock.runtime.messages import (
 )
 from learnblock.runtime.turn import Turn
 
-#: Events wait for the next call, but not while more than this many bytes or seconds pile up.
+#: Events wait for the next call, but are sent earlier after this many bytes or seconds.
 MOST_QUEUED = 65536
 LONGEST_WAIT = 0.05
 
@@ -44,22 +44,22 @@ class Wire:
         self._show = show
         #: Taken by the thread that sends.
         self.turn = Turn()
-        #: Where the program is to be held.
+        #: Where the program should pause.
         self.control = Control()
         self._flushed = 0.0
         self._lines: list[int] = []
         #: The devices read since the program last slept, in order.
         self._used: dict[int, None] = {}
-        #: Readings that came with the last waking, until they are used or out of date.
+        #: Readings received at the last waking, until they are used or out of date.
         self._fresh: dict[int, Any] = {}
-        #: Whether commands may wait for the next question, since until then no time passes.
+        #: Whether commands may wait for the next request, because no time passes until then.
         self.lockstep = False
 
     def ask(self, message: Message) -> Any:
-        """Send a question and wait for its answer.
+        """Send a request and wait for its answer.
 
         Raises:
-            ProgramStopped: the program is over.
+            ProgramStopped: the program is being stopped.
             LearnBlockError: the request failed.
         """
         with self.turn:
@@ -80,15 +80,15 @@ class Wire:
         return int(woke)
 
     def read(self, index: int) -> Any:
-        """The reading of a device, which may have come with the last waking."""
+        """The reading of a device, which may have been received at the last waking."""
         self._used[index] = None
         if index in self._fresh:
             return self._fresh.pop(index)
         return self.ask(Ask(index, "read", ()))
 
     def command(self, message: Message) -> None:
-        """Send a command: at once, or in lock-step with the next question."""
-        # A command such as a gyroscope's reset changes what is read.
+        """Send a command: at once, or in lock-step with the next request."""
+        # A command such as a gyroscope's reset changes the readings.
         self._fresh.clear()
         with self.turn:
             if self._put(message) > MOST_QUEUED or not self.lockstep:
@@ -107,18 +107,18 @@ class Wire:
                 self._flush_now()
 
     def flush(self) -> None:
-        """Send what is queued."""
+        """Send everything that is queued."""
         with self.turn:
             self._flush_now()
 
     def send(self, message: Message) -> None:
-        """Send a message that cannot wait."""
+        """Send a message at once."""
         with self.turn:
             self._put(message)
             self._flush()
 
     def note_line(self, number: int) -> None:
-        """Note that a line is about to run; lines travel together, before the next message."""
+        """Record that a line is about to run; lines are sent together, before the next message."""
         self._lines.append(number)
         if not self.lockstep and self._is_late():
             self.catch_up()
@@ -136,11 +136,11 @@ class Wire:
             self._put(Line(number, depth, self._variables()))
             self._flush()
             while not isinstance(self._receive(), Continue):
-                # A program that is held receives nothing else.
+                # A paused program receives nothing else.
                 continue
 
     def listen(self) -> None:
-        """Accept messages that the host has sent unasked, without waiting for any."""
+        """Accept unsolicited messages from the host, without waiting for any."""
         if self.turn.take(wait=False):
             try:
                 while message := self._receive_now():
@@ -157,7 +157,7 @@ class Wire:
             finally:
                 self.turn.give_back()
 
-    # These need the turn.
+    # These methods need the turn.
 
     def _put(self, message: Message) -> int:
         if self._lines:
@@ -187,7 +187,7 @@ class Wire:
             raise ProgramStopped("the robot's host is gone") from error
 
     def _accept(self, message: FromHost) -> bool:
-        """Accept a message that can arrive at any time; return whether it is one."""
+        """Accept a message that can arrive at any time; return whether it is such a message."""
         match message:
             case Stop():
                 raise ProgramStopped("stopped")

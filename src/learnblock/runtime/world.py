@@ -12,12 +12,12 @@ from learnblock.runtime.pacing import Pacing
 
 
 class Simulation(Protocol):
-    """A simulated world, as the host needs it."""
+    """The interface of a simulated world for the host."""
 
     dt: float
     seed: int
     pacing: Pacing
-    #: Held during each step and each call of a device, so that others may read the world meanwhile.
+    #: Held during each step and each call of a device, so that others can read in between.
     lock: AbstractContextManager[object]
 
     @property
@@ -25,7 +25,7 @@ class Simulation(Protocol):
         """The number of steps made so far."""
 
     def advance(self, step: int) -> None:
-        """Make steps until `steps` is `step`."""
+        """Advance until `steps` is `step`."""
 
 
 class World:
@@ -42,7 +42,7 @@ class World:
         self._speed: tuple[float | None] | None = None
 
     def enter(self, client: Client) -> None:
-        """Take the world of the robot that the program has just made."""
+        """Take the world of the robot that the program has just created."""
         with self._entering:
             self.simulation = vars(client).get("simulation")
             if self.simulation and self._speed:
@@ -53,7 +53,7 @@ class World:
     def set_speed(self, factor: float | None) -> None:
         """Set how fast the world runs, times real time; None is unlimited. Thread-safe.
 
-        Before there is a world, the speed applies to the one the program will enter.
+        Before there is a world, the speed applies to the world that the program will enter.
         """
         with self._entering:
             self._speed = (factor,)
@@ -67,7 +67,7 @@ class World:
 
     @property
     def exclusive(self) -> AbstractContextManager[object]:
-        """Exclusive access to the simulated world; on a real robot there is nothing to lock."""
+        """Exclusive access to the simulated world; on a real robot, does nothing."""
         return self.simulation.lock if self.simulation else nullcontext()
 
     def _held_with(self, client: Client) -> Holdable:

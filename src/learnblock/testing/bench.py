@@ -1,4 +1,4 @@
-"""A bench on which a client is checked: it makes connected clients and lets their link fail."""
+"""A test bench for clients: it creates connected clients and makes their link fail."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -12,7 +12,7 @@ Make = Callable[[], Client]
 
 
 class BrokenClaimError(Exception):
-    """The claim does not hold."""
+    """The claim is false."""
 
 
 class SkippedClaimError(Exception):
@@ -24,9 +24,9 @@ class Bench:
     """The setup of a check.
 
     Args:
-        make: makes a connected client.
+        make: returns a connected client.
         relay: the link between client and robot, or None.
-        patience: the timeout of each step in seconds.
+        patience: the limit of each step, in seconds.
     """
 
     make: Make
@@ -44,7 +44,7 @@ class Bench:
 
     @contextmanager
     def fault(self, fault: Fault) -> Iterator[None]:
-        """Let the link fail inside the `with` block."""
+        """Make the link fail inside the `with` block."""
         if self.relay is None:
             raise SkippedClaimError("no relay was given")
         self.relay.fault = fault
@@ -67,7 +67,7 @@ def require(holds: bool, problem: str) -> None:  # noqa: FBT001 - it holds or it
     """Check a condition of a claim.
 
     Raises:
-        BrokenClaimError: it does not hold.
+        BrokenClaimError: it is false.
     """
     if not holds:
         raise BrokenClaimError(problem)

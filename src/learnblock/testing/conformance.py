@@ -22,7 +22,7 @@ from learnblock.testing.relay import Relay
 
 
 class NotConformingError(AssertionError):
-    """A client breaks a rule for every robot; the certificate in the message shows which one."""
+    """A client breaks a rule; the certificate in the message shows which one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,11 +69,11 @@ def check_robot(
     The robot drives forward for one second at 50 mm/s and turns right by 45 degrees, several times.
 
     Args:
-        make_robot: makes a connected client. It is called many times, and only the check of a
+        make_robot: returns a connected client. It is called many times, and only the check of a
             second client calls it while another client is connected.
         relay: the link between client and robot, to check what happens when it fails; None skips
             these claims.
-        excused: claims that need not hold, with the reason.
+        excused: claims that may be broken, with the reason.
         patience: the timeout in seconds for connecting, for noticing a lost link, and for stopping.
 
     Raises:
@@ -100,7 +100,7 @@ def _finding(
         return Finding(claim, "skipped", str(reason))
     except BrokenClaimError as problem:
         return Finding(claim, "broken", str(problem))
-    except Exception as error:  # noqa: BLE001 - another author's client may raise anything
+    except Exception as error:  # noqa: BLE001 - a client may raise any error
         return Finding(claim, "broken", f"{type(error).__name__}: {error}")
 
 

@@ -51,7 +51,7 @@ def has_valid_readings(bench: Bench) -> str:
 
 
 def _sensors(robot: Client) -> dict[str, Sensor[Any]]:
-    """Its sensors by ``Type:KEY``."""
+    """The robot's sensors by ``Type:KEY``."""
     devices = [(f"{type(device).__name__}:{key}", device) for key, device in robot.devices()]
     sensors = {name: device for name, device in devices if isinstance(device, Sensor)}
     if not sensors:
@@ -89,7 +89,7 @@ def reads_often(bench: Bench) -> str:
 
 
 def _rate(sensor: Sensor[Any]) -> float:
-    """The readings a second, measured for 0.2 s or for fifty readings, whichever ends first."""
+    """The readings per second, measured for 0.2 s or fifty readings, whichever ends first."""
     # The first reading may have to open the sensor.
     sensor.read()
     began, count = monotonic(), 0

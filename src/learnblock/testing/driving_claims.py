@@ -1,4 +1,4 @@
-"""Checks of a client's motors: signs, units and wrong values."""
+"""Checks of a client's motors: signs, units and invalid values."""
 
 import math
 from time import monotonic
@@ -94,7 +94,7 @@ def rejects_wrong_values(bench: Bench) -> str:
         base = _base(robot)
         for value in (math.nan, math.inf, "fast", None):
             try:
-                base.move(value, 0)  # type: ignore[arg-type] # wrong on purpose
+                base.move(value, 0)  # type: ignore[arg-type] # invalid on purpose
             except DeviceValueError:
                 continue
             raise BrokenClaimError(f"move({value!r}, 0) is accepted")

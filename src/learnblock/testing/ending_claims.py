@@ -13,7 +13,7 @@ STOPPING = 0.5
 
 
 def stops(bench: Bench) -> str:
-    """Check that the motors stop by `stop`, at the end of `with`, and by an error."""
+    """Check that the motors stop after `stop`, at the end of `with`, and after an error."""
     for end in (_by_stop, _by_leaving, _by_error):
         robot = bench.make()
         if base := robot.device(Base):
