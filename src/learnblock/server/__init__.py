@@ -1,1 +1,1 @@
-"""The server of the page: sessions, projects, and the conversation with browsers."""
+"""The server of the page: sessions, projects, and the messages to and from browsers."""

@@ -30,9 +30,9 @@ from learnblock.server.http.protection import (
 if TYPE_CHECKING:
     from learnblock.server.pages.lobby import Lobby
 
-#: A close code that the page knows: the token is wrong, so don't reconnect.
+#: A close code that tells the page not to reconnect, because the token is wrong.
 FORBIDDEN = 4403
-#: Seconds for which a project stays open without a page.
+#: Seconds for which a project without a page stays open.
 GRACE = 60.0
 _GZIP = Middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
 
@@ -52,13 +52,13 @@ def create_app(
     """Create the server as an ASGI application.
 
     Args:
-        folder: of the projects, which may not exist yet.
+        folder: the projects folder, which may not exist yet.
         token: the secret that gives access to the server.
         hosts: allowed names of the server besides those of the computer itself; ``*`` is any
             numeric address.
         origins: hosts of other pages that may use the server.
         base_url: the path of the page.
-        static: the built page.
+        static: the folder of the built page.
         grace: seconds for which a project stays open without a page.
     """
     protection = Protection.of(token, hosts, origins)
@@ -99,7 +99,7 @@ def _private(protection: Protection, endpoint: Endpoint) -> Endpoint:
 
 async def _index(static: Path, protection: Protection, request: Request) -> Response:
     response = static_files.index(static)
-    # A name for each port, since cookies don't distinguish the servers of a computer.
+    # A name for each port, because cookies don't distinguish the servers of a computer.
     name = f"{COOKIE}_{request.url.port or 'page'}"
     path = request.url.path
     response.set_cookie(name, protection.token, path=path, httponly=True, samesite="strict")
@@ -112,7 +112,7 @@ async def _to_folder(request: Request) -> Response:
 
 async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSocket) -> None:
     trusted = protection.knows(offered_token(socket.scope["subprotocols"]))
-    # Always accept, since a browser doesn't tell its page why a handshake failed.
+    # Always accept, because a browser doesn't tell its page why a handshake failed.
     await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
     if trusted:
         # When the server ends, it doesn't wait for the remaining messages of a page.
@@ -123,7 +123,7 @@ async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSoc
 
 
 class _LateLobby:
-    """The lobby; its imports start after the server has begun to answer."""
+    """The lobby; its imports start once the server answers."""
 
     def __init__(self, folder: Path, grace: float) -> None:
         self._folder = folder
@@ -139,7 +139,7 @@ class _LateLobby:
 
     async def get(self) -> "Lobby":
         """Return the lobby once it is ready."""
-        assert self._making is not None  # noqa: S101 - the server begins before it serves
+        assert self._making is not None  # noqa: S101 - the server starts up before it serves
         return await asyncio.shield(self._making)
 
     def _made(self) -> "Lobby":

@@ -27,7 +27,7 @@ DEFAULT_HOST = "127.0.0.1"
 DEFAULT_PORT = 8421
 #: Addresses that mean all network interfaces.
 _EVERYWHERE = {"0.0.0.0", "::"}  # noqa: S104 - only if the user chooses it
-#: Seconds for open pages to disconnect when the server ends.
+#: Seconds that open pages have to disconnect when the server ends.
 _FAREWELL = 1
 #: Bytes; twice the limit of a message, so that the page receives an error and stays connected.
 _LONGEST_FRAME = 8 * 1024 * 1024
@@ -37,17 +37,17 @@ _TOKEN = re.compile(r"[\w.~-]+", re.ASCII)
 
 @dataclass(frozen=True)
 class Service:
-    """The projects to serve, and the address.
+    """The projects to serve, and the server's address.
 
     Args:
-        folder: of the projects.
-        host: the address to listen at.
-        port: None for the usual one, or a free one if that is taken.
-        unix_socket: a socket to listen at instead.
+        folder: the projects folder.
+        host: the address to listen on.
+        port: the port; None for the default, or a free one if that is taken.
+        unix_socket: a socket to listen on instead.
         base_url: the path of the page.
         allowed_hosts: names that a proxy uses for the server.
         project: the project to open.
-        announce: shows the user where the page is.
+        announce: shows the user the page's address.
     """
 
     folder: Path
@@ -71,19 +71,19 @@ def serve(service: Service, *, show: Callable[[str], object] | None = None) -> N
 
     Args:
         service: the projects and the address.
-        show: is called with the page's address in a thread, once the server answers.
+        show: called with the page's address, in a thread, once the server answers.
 
     Raises:
-        LearnBlockError: the address is not free, or the token in the environment is wrong.
+        LearnBlockError: the address is not free, or the token in the environment is invalid.
     """
     with _server(service, show) as (server, listening), contextlib.suppress(KeyboardInterrupt):
-        # Both are the usual way to end. Uvicorn ends the server, then raises the signal again.
+        # Both are the normal way to end. Uvicorn ends the server, then raises the signal again.
         signal.signal(signal.SIGTERM, signal.default_int_handler)
         server.run([listening])
 
 
 def show_in_browser(address: str) -> None:
-    """Open the page in the user's browser; without one, the user has the printed address."""
+    """Open the page in the user's browser; if there is none, the address was printed."""
     with contextlib.suppress(webbrowser.Error):
         webbrowser.open(address)
 
@@ -117,7 +117,7 @@ def serve_in_window(service: Service) -> None:
 
 
 class _Server(uvicorn.Server):
-    """A server that reports when it answers."""
+    """A server that reports when it is ready."""
 
     def __init__(self, config: uvicorn.Config, answers: Callable[[], None]) -> None:
         super().__init__(config)
@@ -153,8 +153,8 @@ def _server(
 
 
 def _collect_rarely() -> None:
-    # An edit of a long program creates some hundred thousand objects, and nearly all of them stay
-    # until the next one. With Python's defaults garbage collection takes as long as the edit.
+    # An edit of a long program creates a few hundred thousand objects, and nearly all of them stay
+    # until the next one. With Python's defaults, garbage collection takes as long as the edit.
     gc.freeze()
     gc.set_threshold(50_000, 20, 50)
 
@@ -217,7 +217,7 @@ def _tcp_socket(host: str, port: int | None) -> socket.socket:
         try:
             return _bound(host, DEFAULT_PORT)
         except LearnBlockError:
-            # The port is taken, probably by another LearnBlock: any other will do.
+            # The port is taken, probably by another LearnBlock, so use any free one.
             port = 0
     return _bound(host, port)
 

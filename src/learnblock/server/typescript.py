@@ -53,7 +53,7 @@ def _members(kind: inspect.Type) -> Iterator[str]:
 
 
 def _structs(kinds: Any) -> list[inspect.StructType]:
-    """Every struct that is spoken of, in the order of the alphabet."""
+    """Every struct used in the messages, in alphabetical order."""
     found: dict[str, inspect.StructType] = {}
     ahead = list(kinds)
     while ahead:
@@ -95,7 +95,7 @@ def _interface(struct: inspect.StructType) -> str:
 
 
 def _mark(struct: inspect.StructType, one: inspect.Field) -> str:
-    """Whether a field may be absent: we leave defaults out, and a page may."""
+    """Whether a field may be absent: the server omits defaults, and a page may too."""
     defaults = struct.cls.__struct_config__.omit_defaults
     has_default = (
         one.default is not msgspec.NODEFAULT or one.default_factory is not msgspec.NODEFAULT

@@ -1,4 +1,4 @@
-"""What a page can choose from: robots, worlds and examples, settings and the names of tags."""
+"""The choices of a page: robots, worlds, examples, settings and tag names."""
 
 from learnblock.server.catalog.examples import example, example_choices
 from learnblock.server.catalog.greeting import welcome

@@ -5,7 +5,7 @@ from functools import cache
 from learnblock.errors import UnknownNameError
 from learnblock.server.messages import ExampleChoice
 
-#: For each example a title, what it does, and the robot and world that suit it. The simplest first.
+#: The examples, simplest first, each with a title, a description, and a suitable robot and world.
 _EXAMPLES = (
     ("square", "Square", "Drives a square.", "sim-cozmo", "empty"),
     ("dance", "Dance", "Dances with feelings.", "sim-cozmo", "empty"),
@@ -70,7 +70,7 @@ def example(name: str) -> ExampleChoice:
     """One of the examples.
 
     Raises:
-        UnknownNameError: there is none of that name.
+        UnknownNameError: there is no such example.
     """
     known = example_choices()
     if name not in known:

@@ -9,10 +9,10 @@ from learnblock.server.messages import Welcome
 
 
 def welcome(folder: str) -> Welcome:
-    """What a page hears first.
+    """Create the first message to a page.
 
     Args:
-        folder: where the projects are.
+        folder: the projects folder.
     """
     return Welcome(
         version=version("learnblock-studio"),

@@ -6,15 +6,15 @@ from learnblock.server.messages import RobotChoice
 
 
 def robot_choices() -> tuple[RobotChoice, ...]:
-    """The robots there are."""
+    """The available robots."""
     return tuple(map(_robot_choice, robots.entries().values()))
 
 
 def _robot_choice(entry: robots.RobotEntry) -> RobotChoice:
     if entry.simulated is False:
-        # The drivers of real robots take their time to be loaded as well.
+        # The drivers of real robots are slow to load too.
         return RobotChoice(entry.name, entry.name, simulated=False)
-    # The simulator takes its time to be imported, and the server answers before it is.
+    # The simulator is slow to import, and the server answers before that.
     from learnblock.robots.simulated import SimulatedRobot  # noqa: PLC0415
 
     try:
@@ -22,6 +22,6 @@ def _robot_choice(entry: robots.RobotEntry) -> RobotChoice:
         simulated = issubclass(robot, SimulatedRobot)
         title = robot.description().title if issubclass(robot, SimulatedRobot) else entry.name
     except LearnBlockError:
-        # It is in the list all the same: choosing it says what is wrong with it.
+        # It is listed anyway; choosing it reports its error.
         return RobotChoice(entry.name, entry.name, simulated=False)
     return RobotChoice(entry.name, title or entry.name, simulated)

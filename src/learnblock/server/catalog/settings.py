@@ -43,7 +43,7 @@ def described(settings: Table[Any]) -> Iterator[Setting]:
     """Describe every setting of a table with its current value.
 
     Raises:
-        SettingsError: the user's file has a mistake.
+        SettingsError: the user's file is invalid.
     """
     found = inspect.type_info(settings.kind)
     assert isinstance(found, inspect.StructType)  # noqa: S101 - for the type checker
@@ -63,10 +63,10 @@ def described(settings: Table[Any]) -> Iterator[Setting]:
 
 
 def chosen(settings: Table[Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Check the values from a page; None stands for the default.
+    """Check the values from a page; None means the default.
 
     Raises:
-        LearnBlockError: a value names a file that pages may not name.
+        LearnBlockError: a value is a path that pages must not use.
     """
     defaults = {one.name: one.default for one in settings.describe()}
     return {
@@ -81,7 +81,7 @@ def videos() -> Path:
 
 
 def _permitted(name: str, value: Any) -> Any:
-    """Refuse paths: a page may not choose any file of this computer."""
+    """Refuse paths: a page must not choose arbitrary files on this computer."""
     if name == "video" and value:
         return _video(str(value))
     if name == "device" and not _DEVICE.fullmatch(str(value)):

@@ -1,4 +1,4 @@
-"""The names of tags, as pages receive them."""
+"""The tag names that are sent to pages."""
 
 from learnblock.errors import LearnBlockError
 from learnblock.perception import tag_names
@@ -7,7 +7,7 @@ from learnblock.server.messages.problems import phrase_of
 
 
 def tag_dictionary() -> Tags:
-    """The names of tags, or why the user's file can't be read."""
+    """The tag names, or the reason why the user's file can't be read."""
     try:
         return Tags(dict(tag_names.tag_names()))
     except (LearnBlockError, OSError) as error:

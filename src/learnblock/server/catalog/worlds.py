@@ -1,6 +1,6 @@
 """The worlds that a project can use.
 
-The simulator takes its time to import, and the server answers before that: the functions import it.
+The functions import the simulator, because it is slow and the server should answer before that.
 """
 
 from collections.abc import Iterator
@@ -11,15 +11,15 @@ from learnblock.server.messages import WorldChoice
 
 
 def world_choices() -> tuple[WorldChoice, ...]:
-    """The worlds there are; a file of the user's own that is no world is not among them."""
+    """The available worlds, without invalid files of the user."""
     return tuple(_world_choices())
 
 
 def check_world_name(name: str) -> None:
-    """Refuse what is no world of ours or the user's: a project must not name a path.
+    """Refuse anything but a known world: a project must not contain a path.
 
     Raises:
-        UnknownNameError: there is no world of that name.
+        UnknownNameError: there is no world with this name.
     """
     from learnblock.robots.simulated import known_worlds  # noqa: PLC0415
 
@@ -29,7 +29,7 @@ def check_world_name(name: str) -> None:
 
 
 def usual_world(entry: RobotEntry) -> str | None:
-    """The world in which a simulated robot is by itself; None for one that is not simulated."""
+    """The default world of a simulated robot; None for a real robot."""
     from learnblock.robots.simulated import SimulatedRobot  # noqa: PLC0415
 
     robot = entry.load()

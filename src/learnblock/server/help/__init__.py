@@ -1,1 +1,1 @@
-"""Completion and help in both texts, in the user's language."""
+"""Completion and help for Block-Text and Python, in the user's language."""

@@ -1,4 +1,4 @@
-"""The values that an argument could have, where these are a few."""
+"""The possible values of an argument, if there are only a few."""
 
 from collections.abc import Iterator
 
@@ -9,7 +9,7 @@ from learnblock.server.messages import Completion
 
 
 def value_options(parameter: Parameter) -> Iterator[Completion]:
-    """The choices that there are, or the user's names of tags."""
+    """The parameter's choices, or the user's tag names."""
     for value in parameter.choices:
         yield Completion(_quoted(value), _quoted(value), "variable")
     if parameter.type == "apriltext":
@@ -20,12 +20,12 @@ def _tags() -> Iterator[Completion]:
     try:
         names = tag_names()
     except TagNamesError:
-        # Whoever opens the dictionary is told what is wrong with it.
+        # The error is reported when the tag names are opened.
         return
     for name, number in names.items():
         yield Completion(_quoted(name), _quoted(name), "variable", detail=str(number))
 
 
 def _quoted(text: str) -> str:
-    """As both texts write it."""
+    """A value as written in both notations."""
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'

@@ -1,4 +1,4 @@
-"""What could stand at a place of a text."""
+"""Completions at the cursor."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from learnblock.server.help.vocabulary import Vocabulary
 from learnblock.server.help.words import Words, library_parameters, signature
 from learnblock.server.messages import Completion
 
-# `${...}` is where the cursor goes, one after the other, as CodeMirror's snippets have it.
+# `${...}` marks the next cursor position, as in CodeMirror's snippets.
 _BLOCKTEXT_STATEMENTS: Mapping[str, tuple[str, str]] = {
     "if": ("if", "if ${condition}:\n    ${pass}\nend"),
     "if else": ("if", "if ${condition}:\n    ${pass}\nelse:\n    pass\nend"),
@@ -70,12 +70,12 @@ _ROBOT_MEMBERS = {"when": "when", "when_start": "when_start", "run": "run()"} | 
 
 @dataclass(frozen=True)
 class Completer:
-    """Finds what could stand at one place.
+    """Finds the completions at one cursor position.
 
     Args:
-        vocabulary: the names that mean something there.
-        cursor: what stands round the place.
-        words: says what they mean.
+        vocabulary: the names that are defined there.
+        cursor: the text around the cursor.
+        words: provides their descriptions.
     """
 
     vocabulary: Vocabulary
@@ -83,7 +83,7 @@ class Completer:
     words: Words
 
     def options(self) -> Iterator[Completion]:
-        """Everything, whatever has been typed of it."""
+        """All completions, regardless of what has been typed."""
         cursor = self.cursor
         if cursor.is_in_text:
             return
@@ -110,7 +110,7 @@ class Completer:
         for name in self.vocabulary.document.target.importable.names:
             yield Completion(f'"{name}"', f'"{name}"', "library")
 
-    # Behind a dot.
+    # After a dot.
 
     def members(self, owner: str) -> Iterator[Completion]:
         if owner == ("robot" if self.is_python else "function"):
@@ -128,7 +128,7 @@ class Completer:
     def skill_options(self, prefix: str) -> Iterator[Completion]:
         for skill in self.skills.values():
             if skill.name == "elapsedTime":
-                # Block-Text has it as a function of its own, and Python's stands among the others.
+                # In Block-Text it is a separate function; in Python it is among the others.
                 continue
             name = prefix + (attribute_to_python(skill.name) if self.is_python else skill.name)
             yield Completion(
@@ -141,10 +141,10 @@ class Completer:
             )
 
     def called(self, name: str, insert: str) -> str:
-        """What to insert: only the name where there are brackets already."""
+        """The text to insert: only the name if there are already brackets."""
         return name if self.cursor.behind.startswith("(") else insert
 
-    # Anywhere else.
+    # Everywhere else.
 
     def anything(self) -> Iterator[Completion]:
         if self.cursor.call is not None:
@@ -222,18 +222,18 @@ class Completer:
             )
 
     def offers(self, name: str) -> bool:
-        """Whether a function of the language is called so in this text."""
+        """Whether this is the name of a language function in this notation."""
         return self.vocabulary.is_library(name) and (not self.is_python or name in BUILTINS)
 
     def arguments(self, call: OpenCall) -> Iterator[Completion]:
-        """The arguments of a call that can be given by name and are not yet."""
+        """The keyword arguments of a call that are not given yet."""
         yield from self.likely_values(call)
         for name, detail, help_ in self.named(call):
             if name not in call.given:
                 yield Completion(f"{name}=", f"{name}=", "variable", detail, help_)
 
     def likely_values(self, call: OpenCall) -> Iterator[Completion]:
-        """What the argument that is being written could be, where that is one of a few."""
+        """The possible values of the current argument, if there are only a few."""
         if parameter := next(iter(self.expected(call)), None):
             yield from value_options(parameter)
 

@@ -1,4 +1,4 @@
-"""What stands round a place in a line of a text, whether or not the text can be read."""
+"""The text around a cursor position, even in a program with syntax errors."""
 
 import re
 from dataclasses import dataclass, field
@@ -22,13 +22,13 @@ _ARGUMENT = re.compile(r"\s*=(?!=)")
 
 @dataclass
 class OpenCall:
-    """A call whose bracket is not closed before the place.
+    """A call whose bracket is still open at the cursor.
 
     Args:
-        name: what is called, with what stands before its dot; empty for a bracket of another kind.
-        start: where the name begins, from 0.
-        given: the arguments before the place that are given by name.
-        commas: how many arguments stand before the place.
+        name: the name of the called function with its prefix; empty for another kind of bracket.
+        start: the column where the name begins, from 0.
+        given: the keyword arguments before the cursor.
+        commas: the number of arguments before the cursor.
     """
 
     name: str
@@ -39,11 +39,11 @@ class OpenCall:
 
 @dataclass(frozen=True)
 class Cursor:
-    """A place in a line.
+    """A cursor position in a line.
 
     Args:
-        before: the line up to there.
-        after: the rest of it.
+        before: the line before the cursor.
+        after: the rest of the line.
     """
 
     before: str
@@ -51,47 +51,47 @@ class Cursor:
 
     @classmethod
     def at(cls, text: str, line: int, column: int) -> "Cursor":
-        """The place in a text, both from 1; one that is not there is the end of the last line."""
+        """The cursor at a line and column, from 1; after the end, that of the last line."""
         lines = text.split("\n")
         written = lines[min(max(line, 1), len(lines)) - 1]
         return cls(written[: max(column - 1, 0)], written[max(column - 1, 0) :])
 
     @property
     def typed(self) -> str:
-        """The part of a word right before the place."""
+        """The part of a word directly before the cursor."""
         found = _TYPED.search(self.before)
         return found[0] if found else ""
 
     @property
     def word(self) -> str:
-        """The word in which the place is."""
+        """The word at the cursor."""
         rest = _REST.match(self.after)
         return self.typed + (rest[0] if rest and (self.typed or not rest[0][:1].isdigit()) else "")
 
     @property
     def start(self) -> int:
-        """Where the word begins, from 0."""
+        """The column where the word begins, from 0."""
         return len(self.before) - len(self.typed)
 
     @property
     def behind(self) -> str:
-        """What follows the word."""
+        """The text after the word."""
         return (self.before + self.after)[self.start + len(self.word) :]
 
     @cached_property
     def owner(self) -> str:
-        """The name before the dot before the word, or nothing."""
+        """The name before the dot before the word, or ""."""
         found = _DOTTED.search(self.before[: self.start])
         return found[1] if found else ""
 
     @property
     def begins_line(self) -> bool:
-        """Whether nothing stands before the word."""
+        """Whether there is nothing before the word."""
         return not self.before[: self.start].strip()
 
     @property
     def word_before(self) -> str:
-        """The word before this one, if only blanks are between them."""
+        """The previous word, if only blanks are in between."""
         found = _TYPED.search(self.before[: self.start].rstrip())
         return found[0] if found else ""
 
@@ -102,7 +102,7 @@ class Cursor:
 
     @cached_property
     def is_in_text(self) -> bool:
-        """Whether it is in a comment, or in a text or raw Python that goes on."""
+        """Whether the cursor is in a comment, or in an unfinished string or raw Python."""
         tokens = [*_TOKEN.finditer(self.before)]
         if not tokens or tokens[-1].end() < len(self.before):
             return False

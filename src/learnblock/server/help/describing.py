@@ -1,4 +1,4 @@
-"""What the word at a place of a text means, and where it is defined."""
+"""The meaning of the word at the cursor, and its definition."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -14,16 +14,16 @@ from learnblock.server.messages import Description
 
 @dataclass(frozen=True)
 class Meaning:
-    """What a word means.
+    """The meaning of a word.
 
     Args:
-        title: its name with its parameters.
-        text: what it does.
+        title: the name with its parameters.
+        text: the description.
         needs: devices that the robot lacks for it.
-        defined: what the line begins with where it is defined; empty for nowhere.
-        sort: of what can be renamed, else empty.
-        name: as `Rename` wants it.
-        local: it is defined in the function in which it stands.
+        defined: the beginning of the line that defines it; empty if there is none.
+        sort: the kind of name if it can be renamed, else empty.
+        name: the name for `Rename`.
+        local: whether it is defined in the function around it.
     """
 
     title: str
@@ -37,12 +37,12 @@ class Meaning:
 
 @dataclass(frozen=True)
 class Describer:
-    """Says what one word means.
+    """Finds the meaning of one word.
 
     Args:
-        vocabulary: the names that mean something there.
-        cursor: what stands round the place.
-        words: says what they do.
+        vocabulary: the names that are defined there.
+        cursor: the text around the cursor.
+        words: provides their descriptions.
     """
 
     vocabulary: Vocabulary
@@ -50,7 +50,7 @@ class Describer:
     words: Words
 
     def description(self, request: int) -> Description:
-        """What stands at the place; inside the brackets of a call, what is called."""
+        """The word at the cursor or, inside the brackets of a call, the called function."""
         cursor = self.cursor
         if cursor.is_in_text:
             return Description(request)
@@ -77,7 +77,7 @@ class Describer:
             name=meaning.name,
         )
 
-    # What it means.
+    # Meanings.
 
     @property
     def is_python(self) -> bool:
@@ -117,7 +117,7 @@ class Describer:
         return Meaning(name + signature(skill), self.words.tooltip(skill), needs)
 
     def called(self, name: str) -> Meaning | None:
-        """What a call calls, by its name with what stands before its dot."""
+        """The called function, by its name and prefix."""
         owner, _, word = name.rpartition(".")
         return self.member(owner, word) if owner else self.function(word) or self.library(word)
 
@@ -157,7 +157,7 @@ class Describer:
         return Meaning(word, text, defined=rf"when\s+{name}\b", sort="when", name=name)
 
     def own(self, word: str) -> Meaning | None:
-        """A variable of the function in which it stands."""
+        """A local variable of the function around it."""
         vocabulary = self.vocabulary
         if word not in vocabulary.own or vocabulary.owner is None:
             return None
@@ -202,10 +202,10 @@ class Describer:
         forms = [f"{word}({parameters})" for parameters in library_parameters(word)]
         return Meaning(", ".join(forms), self.words.about("functions", word))
 
-    # Where it is defined.
+    # Definitions.
 
     def definition(self, meaning: Meaning) -> tuple[int, int]:
-        """Line and column, from 1; 0 for nowhere."""
+        """The line and column, from 1; 0 if there is none."""
         if not meaning.defined:
             return 0, 0
         word = self.cursor.word or meaning.name
@@ -219,7 +219,7 @@ class Describer:
         return 0, 0
 
     def lines(self, *, from_owner: bool) -> Iterator[tuple[int, str]]:
-        """The lines of the text with their numbers, perhaps from the function's first."""
+        """The lines of the text with their numbers; for a local name, from its function's start."""
         lines = list(enumerate(self.vocabulary.text.split("\n"), 1))
         owner = self.vocabulary.owner
         if from_owner and owner:

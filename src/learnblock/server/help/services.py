@@ -1,4 +1,4 @@
-"""Completion and help in both texts, also while these have mistakes."""
+"""Completion and help in both notations, even in programs with errors."""
 
 from learnblock.server.help.completing import Completer
 from learnblock.server.help.cursor import Cursor
@@ -18,15 +18,15 @@ def complete(
     language: str = "en",
     request: int = 0,
 ) -> Completions:
-    """What could stand at a place of a text.
+    """Find the completions at a position.
 
     Args:
         document: the program.
-        notation: which text.
-        line: from 1.
-        column: from 1.
-        language: of what is said about it.
-        request: of the message that asked.
+        notation: the notation of the text.
+        line: the line, from 1.
+        column: the column, from 1.
+        language: the language of the descriptions.
+        request: the number of the request.
     """
     vocabulary = Vocabulary(document, notation, line)
     cursor = Cursor.at(vocabulary.text, line, column)
@@ -43,7 +43,7 @@ def describe(
     language: str = "en",
     request: int = 0,
 ) -> Description:
-    """What stands at a place of a text; see `complete`."""
+    """Describe the word at a position; see `complete`."""
     vocabulary = Vocabulary(document, notation, line)
     cursor = Cursor.at(vocabulary.text, line, column)
     return Describer(vocabulary, cursor, Words(language)).description(request)

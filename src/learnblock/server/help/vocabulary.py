@@ -1,4 +1,4 @@
-"""The names that mean something at a place of a text, as that text spells them."""
+"""The names that are defined at a position of a text, as spelled in that notation."""
 
 import re
 from dataclasses import dataclass
@@ -18,12 +18,12 @@ _TOP_LEVEL = re.compile(r"(?:async\s+)?def\s+(\w+)|\S")
 
 @dataclass(frozen=True)
 class Vocabulary:
-    """What the program has names for.
+    """The names of the program.
 
     Args:
         document: the program.
-        notation: of the text.
-        line: of the place, from 1.
+        notation: the notation of the text.
+        line: the line of the position, from 1.
     """
 
     document: Document
@@ -37,7 +37,7 @@ class Vocabulary:
 
     @cached_property
     def symbols(self) -> Symbols:
-        """The names of the program, even while its Block-Text has mistakes."""
+        """The names of the program, even while its Block-Text has errors."""
         unread = self.document.unread
         if self.notation == "blocktext" and unread and unread.view == "blocktext":
             return Symbols(recover(unread.text)[0])
@@ -45,7 +45,7 @@ class Vocabulary:
 
     @cached_property
     def owner(self) -> Def | When | None:
-        """The function or ``when`` in which the place is."""
+        """The function or ``when`` around the position."""
         if self.notation == "blocktext":
             return self.symbols.owner(self.line)
         name = self._python_owner()
@@ -54,34 +54,34 @@ class Vocabulary:
 
     @cached_property
     def own(self) -> dict[str, str]:
-        """The variables of `owner` alone: as they are written here, and in Block-Text."""
+        """The local variables of `owner`, by their spelling here, with that in Block-Text."""
         own = self.symbols.own(self.owner) if self.owner else ()
         return {self.written(name): name for name in own}
 
     @cached_property
     def variables(self) -> dict[str, str]:
-        """The variables of the whole program, likewise."""
+        """The variables of the whole program, in the same form."""
         return {self.written(name): name for name in self.symbols.variables}
 
     @cached_property
     def functions(self) -> dict[str, str]:
-        """The user's functions, likewise."""
+        """The user's functions, in the same form."""
         return {self.written(name): name for name in self.symbols.functions}
 
     @cached_property
     def whens(self) -> dict[str, str]:
-        """The ``when``s, likewise."""
+        """The ``when``s, in the same form."""
         if self.notation == "blocktext":
             return {name: name for name in self.symbols.whens}
         clashing = self._clashes()
         return {names.when_to_python(name, clashing): name for name in self.symbols.whens}
 
     def written(self, name: str) -> str:
-        """A variable or function as this text spells it."""
+        """A variable or function as spelled in this notation."""
         return name if self.notation == "blocktext" else names.to_python(name)
 
     def scoped(self, name: str) -> str:
-        """A variable as `Rename` wants it: with its function where others have one of that name."""
+        """A variable's name for `Rename`, with its function if others have the same name."""
         owner = self.owner
         if owner is None or name not in self.symbols.own(owner):
             return name
@@ -90,20 +90,20 @@ class Vocabulary:
         return f"{owner.name}.{name}" if ambiguous else name
 
     def state(self, word: str) -> tuple[str, str] | None:
-        """The ``when`` and what ``state_X`` or ``time_X`` asks about it, in Block-Text."""
+        """The ``when`` and the attribute that ``state_X`` or ``time_X`` means, in Block-Text."""
         if self.notation == "python":
             return None
         return state_of(word, self.symbols.whens.keys())
 
     def is_library(self, word: str) -> bool:
-        """Whether a function of the language is called so here."""
+        """Whether this is the name of a language function here."""
         return word in FUNCTIONS and word not in self.symbols.functions
 
     def _plain(self, written: str) -> str:
         return names.from_python(written) or ""
 
     def _python_owner(self) -> str:
-        """The function of Python in which the line is; nothing at the top level."""
+        """The Python function that contains the line; None at the top level."""
         lines = self.text.split("\n")[: self.line]
         if not lines or lines[-1][:1].strip():
             found = _TOP_LEVEL.match(lines[-1]) if lines else None
@@ -114,7 +114,7 @@ class Vocabulary:
         return ""
 
     def _clashes(self) -> dict[str, int]:
-        """As `python_writer` has it: of the other names only those like a ``when``'s."""
+        """As in `python_writer`: of the other names, only those similar to a ``when``'s."""
         watched = {names.stem(name) for name in self.symbols.whens}
         own = {name for item in self.symbols.items for name in self.symbols.own(item)}
         others = {*self.symbols.variables, *self.symbols.functions, *own, *self.symbols.in_python}

@@ -1,4 +1,4 @@
-"""What is said about skills, functions and words of the language, in the user's language."""
+"""Descriptions of skills, functions and keywords, in the user's language."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from learnblock.language.tree.builtins import BUILTINS, TEMPLATES
 
 _FOLDER = Path(__file__).parent
 _FALLBACK = "en"
-#: Parameters of Python's own functions, where they are worth a word.
+#: Parameters of Python's functions, if they need a description.
 _BUILTIN_PARAMETERS: Mapping[str, str] = {
     "abs": "x",
     "float": "x",
@@ -33,10 +33,10 @@ _BUILTIN_PARAMETERS: Mapping[str, str] = {
 
 @dataclass(frozen=True)
 class Words:
-    """Sentences in one language; what it lacks is said in English.
+    """Sentences in one language, with English for missing ones.
 
     Args:
-        language: such as ``es``.
+        language: the language, such as ``es``.
     """
 
     language: str = _FALLBACK
@@ -46,19 +46,19 @@ class Words:
         return str(self._all.get(key, "")).format(**values)
 
     def about(self, kind: str, name: str) -> str:
-        """What is said about one of ``keywords``, ``functions``, ``robot_members`` or so."""
+        """The description of one of ``keywords``, ``functions``, ``robot_members`` and so on."""
         known: Mapping[str, str] = self._all.get(kind, {})
         return known.get(name, "")
 
     def known(self, kind: str) -> tuple[str, ...]:
-        """Of what `about` can speak."""
+        """The names that `about` can describe."""
         return tuple(self._all.get(kind, ()))
 
     def tooltip(self, skill: BlockConfiguration) -> str:
         return skill.tooltip.get(self.language.upper()) or skill.tooltip.get("EN", "")
 
     def parameter(self, parameter: Parameter) -> str:
-        """What an argument of a skill is called on its block."""
+        """The name of a skill's argument on its block."""
         shown = parameter.translations
         return shown.get(self.language.upper()) or shown.get("EN", "")
 
@@ -69,7 +69,7 @@ class Words:
 
 @cache
 def languages() -> tuple[str, ...]:
-    """The languages there are."""
+    """The available languages."""
     return tuple(sorted(path.stem for path in _FOLDER.glob("*.json")))
 
 
@@ -86,7 +86,7 @@ def _read(language: str) -> Mapping[str, Any]:
 
 
 def signature(skill: BlockConfiguration) -> str:
-    """Its parameters and their defaults in brackets."""
+    """The parameters and their defaults in brackets."""
     return f"({', '.join(map(_parameter, skill.parameters))})"
 
 

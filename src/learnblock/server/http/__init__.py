@@ -1,1 +1,1 @@
-"""What the server answers to plain requests, and who may send them."""
+"""Plain HTTP requests: the responses, and who may send requests."""

@@ -1,4 +1,4 @@
-"""The palette as the page fetches it."""
+"""The palette for the page."""
 
 import hashlib
 from functools import lru_cache
@@ -10,7 +10,7 @@ from starlette.responses import Response
 
 from learnblock.storage.block_files import Version, version
 
-#: Requests name the language, and may name any number of languages.
+#: The limit of cached languages, because requests may name any number of them.
 _MOST_LANGUAGES = 16
 _LONGEST_NAME = 20
 
@@ -27,7 +27,7 @@ async def palette(request: Request) -> Response:
 
 
 @lru_cache(_MOST_LANGUAGES)
-def _encoded(language: str, blocks: Version) -> bytes:  # noqa: ARG001 - encoded again after a change
+def _encoded(language: str, blocks: Version) -> bytes:  # noqa: ARG001 - part of the cache key
     from learnblock.blocks.known import all_configurations  # noqa: PLC0415 - the server answers first
     from learnblock.blocks.palette import palette as made  # noqa: PLC0415
 

@@ -25,7 +25,7 @@ async def face(request: Request) -> Response:
 
 
 async def floor(request: Request) -> Response:
-    """``worlds/line/floor.png``; the user may be editing it."""
+    """``worlds/line/floor.png``; not cached, because the user may be editing it."""
     return await _answer(partial(_floor, request.path_params["name"]), "no-cache")
 
 
@@ -39,7 +39,7 @@ async def _answer(draw: Callable[[], bytes | None], keep: str) -> Response:
     return Response(png, media_type="image/png", headers={"cache-control": keep})
 
 
-# The simulator takes its time to import, and the server answers before that.
+# The simulator is slow to import, and the server answers before that.
 
 
 def _tag(number: int) -> bytes:

@@ -1,9 +1,9 @@
-"""Protection of the server from requests of strangers.
+"""Protection of the server from unauthorized requests.
 
 The server runs programs on the user's computer, and any web page in the user's browser can send
 requests to 127.0.0.1. Three checks keep them out: a random token that is only in the opened
-address; the Host header, against names that are made to point to this computer (DNS rebinding); and
-the Origin header, against pages of other servers.
+address; the Host header, against names made to point to this computer (DNS rebinding); and
+the Origin header, against pages from other servers.
 """
 
 import hmac
@@ -24,7 +24,7 @@ from learnblock.i18n import Phrase
 LOCAL_HOSTS = ("127.0.0.1", "localhost", "::1")
 SUBPROTOCOL = "learnblock"
 COOKIE = "learnblock_token"
-#: Nothing is ever fetched from elsewhere. Blockly and CodeMirror bring their styles as elements.
+#: Nothing is fetched from other servers. Blockly and CodeMirror insert their styles as elements.
 _CONTENT = (
     "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline';"
     " img-src 'self' blob: data:; media-src 'self' blob: data:; font-src 'self' data:;"
@@ -33,7 +33,7 @@ _CONTENT = (
 _HEADERS = {
     "content-security-policy": _CONTENT,
     "x-content-type-options": "nosniff",
-    # The address holds the token until the page has taken it out.
+    # The address contains the token until the page removes it.
     "referrer-policy": "no-referrer",
 }
 
@@ -43,10 +43,10 @@ class Protection:
     """The conditions for requests to the server.
 
     Args:
-        token: the secret of the address that was opened.
+        token: the secret in the opened address.
         hosts: allowed names of the server; ``*`` is any numeric address, which DNS rebinding can't
             fake.
-        origins: hosts, with their ports if they have any, of other pages that may use it: the
+        origins: hosts, with ports if any, of other pages that may use the server: the
             names that a proxy gives it.
     """
 
@@ -67,7 +67,7 @@ class Protection:
 
     def knows(self, token: str | None) -> bool:
         """Whether this is the token."""
-        # As bytes, since a token with letters beyond ASCII is wrong, but not an error.
+        # As bytes, because a token with non-ASCII letters is wrong but must not raise an error.
         return token is not None and hmac.compare_digest(token.encode(), self.token.encode())
 
     def trusts(self, request: HTTPConnection) -> bool:
@@ -80,7 +80,7 @@ class Protection:
         return name in self.hosts - {"*"} or ("*" in self.hosts and _is_number(name))
 
     def _is_origin(self, origin: str | None, host: str) -> bool:
-        """Whether the requesting page is allowed; other programs than browsers name none."""
+        """Whether the requesting page is allowed; programs other than browsers send none."""
         if origin is None:
             return True
         asking = origin.lower().partition("://")[2]
@@ -88,13 +88,13 @@ class Protection:
 
 
 def offered_token(subprotocols: Iterable[str]) -> str | None:
-    """The token in a websocket's subprotocols, after our name."""
+    """The token in a websocket's subprotocols, which follow our name."""
     offered = list(subprotocols)
     return offered[1] if len(offered) == 2 and offered[0] == SUBPROTOCOL else None
 
 
 class Guard:
-    """Middleware that refuses strangers, and adds our headers to each response."""
+    """Middleware that refuses unauthorized requests, and adds our headers to each response."""
 
     def __init__(self, app: ASGIApp, protection: Protection) -> None:
         self._app = app

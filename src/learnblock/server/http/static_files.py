@@ -26,7 +26,7 @@ class PageFiles(StaticFiles):
     """Static files; browsers keep the hashed ones for a year, and check the others every time."""
 
     async def check_config(self) -> None:
-        """Accept a missing folder, since the page can be built while the server runs."""
+        """Accept a missing folder, because the page can be built while the server runs."""
 
     async def get_response(self, path: str, scope: Scope) -> Response:
         """Send a file, compressed if the build has compressed it and the browser accepts that."""
@@ -57,7 +57,7 @@ def _takes_brotli(scope: Scope) -> bool:
 
 
 def index(folder: Path) -> Response:
-    """The page, or how to build it."""
+    """The page, or instructions to build it."""
     file = folder / "index.html"
     if not file.is_file():
         return _page(503, Phrase("server-not-built-title"), Phrase("server-not-built"), _BUILD)

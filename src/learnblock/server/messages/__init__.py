@@ -1,4 +1,4 @@
-"""The whole conversation between the server and a page.
+"""All messages between the server and a page.
 
 A page first sends `Open` or `New`; all other messages are about the project that it has opened.
 Each message is a JSON object with a `kind`; only camera frames are binary (see `CameraFrame`).

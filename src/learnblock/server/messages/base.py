@@ -4,9 +4,9 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
-#: Characters; nobody writes a longer program by hand.
+#: The limit in characters; no one writes a longer program by hand.
 LONGEST_TEXT = 1_000_000
-#: Block sets that are saved in one project.
+#: The limit of block sets saved in one project.
 MOST_CARRIED = 8
 
 Notation = Literal["blocktext", "python"]
@@ -14,7 +14,7 @@ View = Literal["blocks", "blocktext", "python"]
 StateName = Literal["idle", "starting", "running", "paused", "held", "input", "ended"]
 Text = Annotated[str, Meta(max_length=LONGEST_TEXT)]
 Name = Annotated[str, Meta(min_length=1, max_length=100)]
-#: A name, or an empty text.
+#: A name or an empty string.
 ShortText = Annotated[str, Meta(max_length=100)]
 #: The id of a block.
 Id = Annotated[str, Meta(min_length=1, max_length=100)]

@@ -29,7 +29,7 @@ class SaveBlockSet(Message, frozen=True):
 
     Args:
         set: saved under its name.
-        replace: whether to replace the user's set of that name; otherwise `Failed`.
+        replace: whether to replace the user's set with that name; otherwise `Failed`.
     """
 
     set: BlockSet
@@ -55,9 +55,9 @@ class BlockSets(Message, frozen=True):
     """The block sets to choose from.
 
     Args:
-        ours: the sets that LearnBlock brings, from the first steps to all blocks.
+        ours: the built-in sets, from the first steps to all blocks.
         own: the user's sets.
-        problems: the mistakes in files of the user's folder.
+        problems: the errors in files of the user's folder.
     """
 
     ours: tuple[BlockSet, ...]

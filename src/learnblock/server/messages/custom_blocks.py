@@ -7,7 +7,7 @@ from msgspec import Meta, Struct, field
 from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, Name, ShortText, Text
 
-#: Of a function.
+#: The name of a function.
 MOST_ARGUMENTS = 100
 
 # From the page.
@@ -22,11 +22,11 @@ class CheckCustomBlock(Message, frozen=True):
 
     Args:
         request: repeated in the answer.
-        name: of its file, without suffix; empty for a new block.
-        source: the Python of its functions.
+        name: the name of its file, without suffix; empty for a new block.
+        source: the Python source of its functions.
         configuration: the choices for them, as JSON; may be empty.
-        replaces: its saved name, which it may keep.
-        language: of the previews.
+        replaces: its saved name, which may be the same as `name`.
+        language: the language of the previews.
     """
 
     request: int
@@ -43,8 +43,8 @@ class SaveCustomBlock(Message, frozen=True):
     Args:
         name: the new name of its file.
         source: see `CheckCustomBlock`.
-        configuration: likewise.
-        replaces: its name until now; empty for a new block.
+        configuration: see `CheckCustomBlock`.
+        replaces: its previous name; empty for a new block.
     """
 
     name: Name
@@ -60,9 +60,9 @@ class TryCustomBlock(Message, frozen=True):
 
     Args:
         name: see `CheckCustomBlock`.
-        source: likewise.
-        function: its name; empty for the first one.
-        arguments: in the order of the parameters; the rest have their defaults.
+        source: see `CheckCustomBlock`.
+        function: the name of the function; empty for the first one.
+        arguments: the values in the order of the parameters; the rest have their defaults.
     """
 
     name: ShortText
@@ -79,7 +79,7 @@ class DuplicateCustomBlock(Message, frozen=True):
 
 
 class DeleteCustomBlock(Message, frozen=True):
-    """Delete a block; it can be restored until one of the same name is deleted."""
+    """Delete a block; it can be restored until another block with the same name is deleted."""
 
     name: Name
 
@@ -97,11 +97,11 @@ class ExportCustomBlock(Message, frozen=True):
 
 
 class ImportCustomBlock(Message, frozen=True):
-    """Add the block in a file that was exported: `CustomBlockSaved`, or `Failed`.
+    """Add the block in an exported file: `CustomBlockSaved`, or `Failed`.
 
     Args:
-        content: of the file.
-        replace: whether to replace a block of the same name; otherwise `Failed`.
+        content: the content of the file.
+        replace: whether to replace a block with the same name; otherwise `Failed`.
     """
 
     content: Text
@@ -119,9 +119,9 @@ class CustomBlockProblem(Struct, frozen=True, omit_defaults=True):
         code: the kind of problem, for tests and help.
         message: what happened and what to do.
         severity: a block with an error can't be saved or used.
-        line: from 1; 0 for all of it.
-        column: from 1; 0 for the whole line.
-        end_column: after the last character; 0 if unknown.
+        line: the line, from 1; 0 for all of it.
+        column: the column, from 1; 0 for the whole line.
+        end_column: the column after the last character; 0 if unknown.
     """
 
     part: Literal["name", "source", "configuration"]
@@ -137,12 +137,12 @@ class CustomBlock(Struct, frozen=True):
     """A file of custom blocks, with one block or several.
 
     Args:
-        name: of the file, without suffix.
+        name: the name of the file, without suffix.
         category: the tab of the palette.
         blocks: the names of its functions.
-        source: its Python.
+        source: the Python source.
         configuration: the choices for them, as JSON; may be empty.
-        problems: of both.
+        problems: the problems of both.
     """
 
     name: str
@@ -163,9 +163,9 @@ class CustomBlockPreview(Struct, frozen=True):
     """A preview of a block.
 
     Args:
-        name: of the function.
-        definition: of the block, in Blockly's JSON.
-        block: as in the palette, with its shadow blocks.
+        name: the name of the function.
+        definition: the definition of the block, in Blockly's JSON.
+        block: the block as in the palette, with its shadow blocks.
     """
 
     name: str
@@ -177,14 +177,14 @@ class CustomBlockChecked(Message, frozen=True):
     """The problems of a block, and its preview.
 
     Args:
-        request: of the question; 0 if saving failed.
-        problems: of the source, the configuration and the name.
-        configuration: complete, as JSON: what the source says and what was chosen. Empty where the
-            source cannot be read.
-        chosen: the same without the words that the source says by itself, such as those of a
-            docstring: this is what is saved, and what to send after something was chosen, or else
-            an old docstring goes before a new one.
-        previews: each block, in the requested language.
+        request: the number of the request; 0 if saving failed.
+        problems: the problems of the source, the configuration and the name.
+        configuration: complete, as JSON: from the source and from the choices. Empty if the
+            source cannot be parsed.
+        chosen: the same without what is already in the source, such as the words of a
+            docstring: this is saved, and should be sent after a new choice, because otherwise
+            an old docstring would override a new one.
+        previews: a preview of each block, in the requested language.
     """
 
     request: int

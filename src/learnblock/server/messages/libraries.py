@@ -12,9 +12,9 @@ from learnblock.server.messages.base import (
     ShortText,
 )
 
-#: In one import.
+#: The limit of libraries in one import.
 MOST_LIBRARIES = 20
-#: Of one library.
+#: The limit of skills in one library.
 MOST_SKILLS = 200
 
 # From the page.
@@ -25,7 +25,7 @@ class LibraryFile(Struct, frozen=True, omit_defaults=True):
 
     Args:
         filename: the user's name for it.
-        content: its bytes, in base 64.
+        content: its bytes in base64.
         renames: new names for its skills.
     """
 
@@ -49,7 +49,7 @@ class ReadLibraries(Message, frozen=True):
 
 
 class ImportLibraries(Message, frozen=True):
-    """Install libraries, all or none; `replace` versions that are as new. Then `Libraries`."""
+    """Install libraries, all or none; `replace` equally new versions too. Then `Libraries`."""
 
     files: Annotated[tuple[LibraryFile, ...], Meta(max_length=MOST_LIBRARIES)]
     replace: bool = False
@@ -72,10 +72,10 @@ class MakeLibrary(Message, frozen=True):
 
     Args:
         name: its name in programs.
-        version: one to three numbers.
-        title: of its tab in the palette, by language code.
-        functions: of the program; the functions that they call are added.
-        own: files of custom blocks.
+        version: its version: one to three numbers.
+        title: the name of its palette tab, by language code.
+        functions: functions of the program; the functions that they call are added.
+        own: the files of custom blocks.
     """
 
     name: Name
@@ -86,7 +86,7 @@ class MakeLibrary(Message, frozen=True):
 
 
 class UseLibrary(Message, frozen=True):
-    """Have the program import an installed library."""
+    """Import into the program an installed library."""
 
     name: Name
 
@@ -99,9 +99,9 @@ class InstalledLibrary(Struct, frozen=True, omit_defaults=True):
 
     Args:
         name: its name in programs.
-        version: of one to three numbers; empty if it can't be read.
-        title: by language code.
-        description: what it is for.
+        version: its version: one to three numbers; empty if it can't be read.
+        title: its title, by language code.
+        description: its purpose.
         skills: the names of its skills.
         problem: why it can't be used.
     """
@@ -125,7 +125,7 @@ class SkillClash(Struct, frozen=True):
 
     Args:
         skill: its name.
-        place: what has this name already, such as ``the library songs``.
+        place: the current owner of this name, such as ``the library songs``.
     """
 
     skill: str
@@ -133,13 +133,13 @@ class SkillClash(Struct, frozen=True):
 
 
 class LibraryRead(Struct, frozen=True, omit_defaults=True):
-    """What is in a file.
+    """The content of a file.
 
     Args:
-        filename: as it was sent.
+        filename: the name as sent.
         library: the library; None if it can't be read.
-        installed: the version that is installed; empty for none.
-        is_newer: whether it is newer than that.
+        installed: the installed version; empty if there is none.
+        is_newer: whether the file is newer than that.
         clashes: skills whose names are taken.
         problem: why it can't be imported, or a new name can't be used.
     """
@@ -162,8 +162,8 @@ class ExportableFunction(Struct, frozen=True, omit_defaults=True):
     """A function of the program.
 
     Args:
-        name: of the function.
-        parameters: their names.
+        name: the name of the function.
+        parameters: the names of its parameters.
         takes_along: the functions that it calls.
         problem: why it can't be part of a library.
     """
@@ -189,7 +189,7 @@ class Exportable(Message, frozen=True):
 
 
 class LibraryMade(Message, frozen=True):
-    """A library in one file, in base 64."""
+    """A library in one file, in base64."""
 
     filename: str
     content: bytes

@@ -60,7 +60,7 @@ class Rename(Message, frozen=True):
 
 
 class Complete(Message, frozen=True):
-    """Ask for `Completions` at a place of a text; line and column count from 1."""
+    """Ask for `Completions` at a position of a text; line and column are counted from 1."""
 
     request: int
     notation: Notation
@@ -70,7 +70,7 @@ class Complete(Message, frozen=True):
 
 
 class Describe(Message, frozen=True):
-    """Ask for help on a place of a text, and for its definition: `Description`."""
+    """Ask for help on a position of a text, and for its definition: `Description`."""
 
     request: int
     notation: Notation
@@ -96,9 +96,9 @@ class Problem(Struct, frozen=True, omit_defaults=True):
         message: what happened and what to do.
         severity: an error keeps the program from running.
         view: the text of `line` and `column`; `blocks` if only the block is known.
-        line: from 1; 0 for all of it.
-        column: from 1; 0 for the whole line.
-        end_column: after the last character; 0 if unknown.
+        line: the line, from 1; 0 for all of it.
+        column: the column, from 1; 0 for the whole line.
+        end_column: the column after the last character; 0 if unknown.
         block: the block it belongs to, if any.
     """
 
@@ -113,7 +113,7 @@ class Problem(Struct, frozen=True, omit_defaults=True):
 
 
 class Place(Struct, frozen=True, array_like=True):
-    """The place of a statement in each view; lines count from 1, and 0 means nowhere."""
+    """The position of a statement in each view; lines are counted from 1, and 0 means nowhere."""
 
     block: str
     blocktext: int
@@ -123,16 +123,16 @@ class Place(Struct, frozen=True, array_like=True):
 
 
 class Document(Message, frozen=True):
-    """The present program; a view that is None has not changed.
+    """The current program; a view that is None has not changed.
 
     Args:
         edit: the page's last edit that it contains.
         origin: the view that was edited last.
         blocktext: the text in Block-Text.
         python: the text in Python.
-        workspace: the blocks; ids and places are preserved.
+        workspace: the blocks; ids and positions are preserved.
         places: every statement in all three views.
-        problems: of all views.
+        problems: the problems in all views.
         stale: the views that show the last good program while another one has errors.
     """
 
@@ -154,10 +154,10 @@ class Completion(Struct, frozen=True, omit_defaults=True):
     Args:
         label: the text to show and filter by.
         insert: the text to insert.
-        sort: skill, function, variable, when, keyword, robot, library.
-        detail: its parameters.
-        help: one sentence.
-        category: of a skill, as sets of blocks name it.
+        sort: the kind: skill, function, variable, when, keyword, robot, library.
+        detail: the parameters.
+        help: one sentence of help.
+        category: the category of a skill, as named in block sets.
     """
 
     label: str
@@ -169,7 +169,7 @@ class Completion(Struct, frozen=True, omit_defaults=True):
 
 
 class Completions(Message, frozen=True):
-    """Suggestions for the text from `from_column` (from 1) to the requested place."""
+    """Suggestions for the text from `from_column` (from 1) to the requested position."""
 
     request: int
     from_column: int
@@ -177,18 +177,18 @@ class Completions(Message, frozen=True):
 
 
 class Description(Message, frozen=True):
-    """Help on a place of a text.
+    """Help on a position of a text.
 
     Args:
-        title: its name with its parameters; empty without help.
-        text: its help.
+        title: the name with its parameters; empty if there is no help.
+        text: the help.
         needs: required devices that the chosen robot lacks.
-        line: of its definition in the same text, from 1; 0 for none.
-        column: of its definition.
-        from_column: the start of its name.
-        to_column: after the end of its name.
-        sort: variable, function or when if it can be renamed, else empty.
-        name: for `Rename`.
+        line: the line of its definition in the same text, from 1; 0 for none.
+        column: the column of its definition.
+        from_column: the column where its name starts.
+        to_column: the column after its name.
+        sort: ``variable``, ``function`` or ``when`` if it can be renamed, else empty.
+        name: the name for `Rename`.
     """
 
     request: int

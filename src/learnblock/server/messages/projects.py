@@ -21,7 +21,7 @@ class New(Message, frozen=True):
     """Create a project and open it.
 
     Args:
-        name: a number is added if it is taken.
+        name: the name; a number is added if it is taken.
         example: the example to start with; None for an empty program.
     """
 
@@ -33,8 +33,8 @@ class Import(Message, frozen=True):
     """Import a file as a project and open it.
 
     Args:
-        filename: ends in .bt, .py or .learnblock.
-        text: of the file.
+        filename: the file name, ending in .bt, .py or .learnblock.
+        text: the text of the file.
     """
 
     filename: Name
@@ -68,7 +68,7 @@ class ListHistory(Message, frozen=True):
 
 
 class Restore(Message, frozen=True):
-    """Restore a version; the present program is saved as a version too."""
+    """Restore a version; the current program is saved as a version too."""
 
     version: Name
 
@@ -145,10 +145,10 @@ class Version(Struct, frozen=True):
     """A version of the program to restore.
 
     Args:
-        id: for `Restore`.
-        time: seconds since 1970.
+        id: the id for `Restore`.
+        time: the time in seconds since 1970.
         reason: why it was saved.
-        lines: of its Block-Text.
+        lines: the number of lines of its Block-Text.
     """
 
     id: str
@@ -188,7 +188,7 @@ class Failed(Message, frozen=True):
 
     Args:
         message: what happened and what to do.
-        request: the kind of the message that failed; empty where none did.
+        request: the kind of the message that failed; empty if none did.
     """
 
     message: Phrase

@@ -8,7 +8,7 @@ from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, ShortText
 from learnblock.server.messages.projects import RobotChoice
 
-#: Characters; a description with every kind of device has a tenth of it.
+#: The limit in characters; a description with every kind of device has a tenth of it.
 LONGEST_DESCRIPTION = 65_536
 
 # From the page.
@@ -22,8 +22,8 @@ class MakeRobot(Message, frozen=True):
     """Generate a robot, its twin and its test from a description: `RobotMade`.
 
     Args:
-        name: its id.
-        description: TOML, as docs/new.md says.
+        name: the id of the robot.
+        description: TOML, as described in docs/new.md.
     """
 
     name: ShortText
@@ -40,7 +40,7 @@ class RobotBegun(Message, frozen=True):
 
 
 class RobotProblem(Struct, frozen=True, omit_defaults=True):
-    """A mistake in a description; line 0 stands for the whole text."""
+    """A mistake in a description; line 0 means the whole text."""
 
     message: Phrase
     line: int = 0
@@ -50,9 +50,9 @@ class RobotMade(Message, frozen=True):
     """A robot was generated and can be chosen, unless there are problems.
 
     Args:
-        name: its id; its twin has the prefix ``sim-``.
+        name: the id of the robot; its twin has the prefix ``sim-``.
         files: the paths of its files.
-        problems: the mistakes in its description; then no file was written.
+        problems: the mistakes in its description; if there are any, no file was written.
     """
 
     name: str

@@ -22,7 +22,7 @@ class Run(Message, frozen=True):
     """Run the program from the beginning.
 
     Args:
-        paused: pause before its first line.
+        paused: whether to pause before its first line.
     """
 
     paused: bool = False
@@ -47,7 +47,7 @@ class Step(Message, frozen=True):
 
 
 class SetSpeed(Message, frozen=True):
-    """Set the speed of simulated time, times real time; None is the fastest."""
+    """Set the speed of simulated time, as a multiple of real time; None is the fastest."""
 
     factor: Annotated[float, Meta(ge=0.01, le=100)] | None
 
@@ -59,7 +59,7 @@ class Answer(Message, frozen=True):
 
 
 class ResetWorld(Message, frozen=True):
-    """Put everything back to its first place; only while no program runs."""
+    """Reset the world to its initial state; only while no program runs."""
 
 
 class PlaceRobot(Message, frozen=True):
@@ -68,7 +68,7 @@ class PlaceRobot(Message, frozen=True):
     Args:
         x: mm east.
         y: mm north.
-        heading: degrees clockwise, 0 looks east.
+        heading: degrees clockwise, 0 faces east.
     """
 
     x: Coordinate
@@ -80,8 +80,8 @@ class Drive(Message, frozen=True):
     """Drive by hand while no program runs; the robot stops half a second after the last message.
 
     Args:
-        advance: of the robot's top speed, -1 to 1, forward positive.
-        rotation: of the robot's top speed, -1 to 1, clockwise positive.
+        advance: a fraction of the robot's top speed, -1 to 1, forward positive.
+        rotation: a fraction of the robot's top speed, -1 to 1, clockwise positive.
     """
 
     advance: Annotated[float, Meta(ge=-1, le=1)]
@@ -103,8 +103,8 @@ class RunState(Message, frozen=True):
     Args:
         state: ``idle`` before the first run, ``ended`` after one; ``paused`` with its world,
             ``held`` before a line; ``input`` while it waits for `Answer`.
-        block: the block before which it is held.
-        speed: of simulated time, times real time; None is the fastest.
+        block: the block before which it has paused.
+        speed: the speed of simulated time, as a multiple of real time; None is the fastest.
     """
 
     state: StateName
@@ -113,13 +113,13 @@ class RunState(Message, frozen=True):
 
 
 class InputWanted(Message, frozen=True):
-    """The program waits for a line."""
+    """The program is waiting for a line."""
 
     prompt: str
 
 
 class Printed(Message, frozen=True):
-    """Output of the program, at most some thousand characters at once."""
+    """Output of the program, at most a few thousand characters at once."""
 
     text: str
 
@@ -139,11 +139,11 @@ class Ended(Message, frozen=True):
     Args:
         ended: one word, such as ``finished``, ``stopped`` or ``error``.
         message: the reason, when it did not end well.
-        block: where it went wrong.
-        no_effect: skills that had none, each with the device that is missing.
-        custom_block: the file's name of the own block in which it went wrong, if in one.
-        custom_line: the line of its source, from 1; 0 where it is not known.
-        tried: it was `TryCustomBlock` and no program.
+        block: the block with the error.
+        no_effect: skills that had no effect, each with the missing device.
+        custom_block: the file name of the custom block with the error, if it was in one.
+        custom_line: the line the line of its source, from 1; 0 if unknown.
+        tried: whether it was `TryCustomBlock` rather than the program.
     """
 
     ended: str
@@ -161,7 +161,7 @@ class Ended(Message, frozen=True):
 
 
 class WhenNow(Struct, frozen=True):
-    """A `when`: whether it is active, and since how many seconds."""
+    """A `when`: whether it is active, and for how many seconds."""
 
     name: str
     active: bool
@@ -169,7 +169,7 @@ class WhenNow(Struct, frozen=True):
 
 
 class Variables(Message, frozen=True):
-    """The program's variables as text: those of the function it is in, and its own."""
+    """The program's variables as text: local ones of the current function, and global ones."""
 
     local: dict[str, str]
     shared: dict[str, str]
@@ -177,10 +177,10 @@ class Variables(Message, frozen=True):
 
 
 class RunningLine(Message, frozen=True):
-    """The place in the program that runs now; sent when it changes, some times a second.
+    """The position in the running program; sent when it changes, several times a second.
 
     Args:
-        line: of the program's Python, from 1; 0 before the first.
+        line: the line of the program's Python, from 1; 0 before the first.
         block: the block of that line, if it is in one.
     """
 
@@ -189,18 +189,18 @@ class RunningLine(Message, frozen=True):
 
 
 class Robot(Struct, frozen=True, omit_defaults=True):
-    """The present state of a robot.
+    """The current state of a robot.
 
     Args:
-        name: in its world.
+        name: its name in its world.
         x: mm east.
         y: mm north.
-        heading: degrees clockwise, 0 looks east.
+        heading: degrees clockwise, 0 faces east.
         located: whether x, y and heading are known; otherwise it is drawn there.
         joints: degrees, by key.
         leds: red, green, blue, by key.
-        emotion: the one it shows; ``none`` without one.
-        speed: mm/s forward and degrees/s clockwise, where known.
+        emotion: the emotion it shows; ``none`` if it shows none.
+        speed: mm/s forward and degrees/s clockwise, if known.
     """
 
     name: str
@@ -220,12 +220,12 @@ class Sensor(Struct, frozen=True, omit_defaults=True):
     Args:
         device: its type, such as ``DistanceSensors``.
         key: the device's key.
-        value: None where nothing is measured.
-        place: a side, an axis or a button; empty where the device has only one reading.
-        number: among those of one place, from 1; 0 where there is only one.
-        unit: of the value; empty without one.
-        lowest: the smallest value that is usual.
-        highest: the largest.
+        value: None if nothing is measured.
+        place: a side, an axis or a button; empty if the device has only one reading.
+        number: its number among those with the same `place`, from 1; 0 if there is only one.
+        unit: the unit of the value; empty if it has none.
+        lowest: the smallest usual value.
+        highest: the largest usual value.
     """
 
     device: str
@@ -239,11 +239,11 @@ class Sensor(Struct, frozen=True, omit_defaults=True):
 
 
 class Telemetry(Message, frozen=True):
-    """The present state of the world, about twenty times a second while something changes.
+    """The current state of the world, about twenty times per second while something changes.
 
     Args:
         time: seconds of the robot's time.
-        robots: ours is the first.
+        robots: the robots, ours first.
         pushed: x, y, heading of movable objects, in the order of the world's description: boxes
             with a mass first, then cylinders.
         sensors: the readings of our robot.
@@ -261,10 +261,10 @@ class RobotLink(Message, frozen=True):
     """The link to the robot; sent when it changes.
 
     Args:
-        state: ``simulated`` robots need none; ``disconnected`` while no program uses a real one;
-            ``lost`` where it broke during the last run.
-        battery: the battery's voltage, V, where the robot reports it.
-        quality: the share of the robot's messages that arrive, 0 to 1, where it is known.
+        state: ``simulated`` robots need no link; ``disconnected`` while no program uses a real one;
+            ``lost`` if it broke during the last run.
+        battery: the battery's voltage, V, if the robot reports it.
+        quality: the share of the robot's messages that arrive, 0 to 1, if known.
     """
 
     state: Literal["simulated", "disconnected", "connected", "weak", "lost"]
@@ -278,7 +278,7 @@ class Sound(Message, frozen=True):
     Args:
         device: such as ``Speaker``.
         action: such as ``say``.
-        values: of the command.
+        values: the values of the command.
     """
 
     device: str
@@ -291,7 +291,7 @@ class Seen(Struct, frozen=True, omit_defaults=True):
 
     Args:
         sort: tag, face or line.
-        label: such as the tag's number.
+        label: a label such as the tag's number.
         corners: x, y in pixels of the frame.
     """
 

@@ -14,7 +14,7 @@ class ReadSettings(Message, frozen=True):
     """Ask for the settings of a real robot or of camera recognition: `SettingsTable`.
 
     Args:
-        robot: its name; empty for camera recognition.
+        robot: the name of the robot; empty for camera recognition.
     """
 
     robot: ShortText = ""
@@ -24,7 +24,7 @@ class ChangeSettings(Message, frozen=True):
     """Change settings, all of them or none: `SettingsTable`.
 
     Args:
-        robot: its name; empty for camera recognition.
+        robot: the name of the robot; empty for camera recognition.
         values: by name; None restores a default.
         agreed: whether the user has accepted the text about emotions on real cameras.
     """
@@ -41,16 +41,16 @@ class Setting(Struct, frozen=True, omit_defaults=True):
     """One setting.
 
     Args:
-        name: of the setting.
-        sort: a ``list`` is of texts.
+        name: the name of the setting.
+        sort: the kind of value; a ``list`` is a list of strings.
         value: the current value.
-        default: the value without a choice by the user.
+        default: the value if the user has not chosen one.
         allowed: its possible values.
-        description: what it is for; None where the name says it.
-        least: of a number.
-        most: of a number.
-        choices: the values to choose from, where there are a few; of a number, the word for none.
-        secret: whether the page hides it.
+        description: its purpose; None if the name is enough.
+        least: the minimum of a number.
+        most: the maximum of a number.
+        choices: the values to choose from, if there are only a few; or a number's word for none.
+        secret: whether the page hides the value.
     """
 
     name: str
@@ -69,9 +69,9 @@ class SettingsTable(Message, frozen=True):
     """The settings of a real robot or of camera recognition.
 
     Args:
-        robot: its name; empty for camera recognition.
-        settings: in their order; none for a robot that has none.
-        wrong: why nothing was changed, by the name of each wrong setting.
+        robot: the name of the robot; empty for camera recognition.
+        settings: the settings in order; empty for a robot without settings.
+        wrong: why nothing was changed, by the name of each invalid setting.
         problem: why the user's file can't be read.
     """
 

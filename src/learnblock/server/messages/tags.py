@@ -1,4 +1,4 @@
-"""Messages about the names of tags."""
+"""Messages about tag names."""
 
 from typing import Annotated, Literal
 
@@ -7,14 +7,14 @@ from msgspec import Meta
 from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, Name, ShortText, Text
 
-#: Names of tags; there are 587 tags, and a tag may have several names.
+#: The limit of tag names; there are 587 tags, and a tag may have several names.
 MOST_TAGS = 2000
 
 # From the page.
 
 
 class SaveTags(Message, frozen=True):
-    """Save the names of tags: `Tags`, to every page."""
+    """Save the tag names: `Tags`, to every page."""
 
     names: Annotated[dict[ShortText, int], Meta(max_length=MOST_TAGS)]
 
@@ -27,7 +27,7 @@ class ReadTags(Message, frozen=True):
 
 
 class ExportTags(Message, frozen=True):
-    """Ask for the names of tags as a file, or for a sheet to print: `File`."""
+    """Ask for the tag names as a file, or for a sheet to print: `File`."""
 
     format: Literal["toml", "csv", "html"] = "toml"
 
@@ -36,10 +36,10 @@ class ExportTags(Message, frozen=True):
 
 
 class Tags(Message, frozen=True):
-    """The number of each name of a tag; sent when a page opens a project, and after changes.
+    """The tag number of each name; sent when a page opens a project, and after changes.
 
     Args:
-        problem: why the user's file can't be read; then there are no names.
+        problem: why the user's file can't be read; in that case there are no names.
     """
 
     names: dict[str, int]

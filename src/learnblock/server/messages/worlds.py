@@ -1,4 +1,4 @@
-"""Messages about worlds: their look, and how they are edited."""
+"""Messages about worlds: their appearance, and editing them."""
 
 from typing import Any
 
@@ -26,9 +26,9 @@ class SaveWorld(Message, frozen=True):
     """Save a world in the user's folder and choose it; `WorldChecked` if it has mistakes.
 
     Args:
-        name: of the world and its file.
-        world: its values.
-        replace: whether to replace the user's world of that name; otherwise `Failed`.
+        name: the name of the world and its file.
+        world: the values of the world.
+        replace: whether to replace the user's world with that name; otherwise `Failed`.
     """
 
     name: Name
@@ -54,16 +54,16 @@ class Worlds(Message, frozen=True):
 
 
 class Scene(Message, frozen=True):
-    """The unchanging parts of a world, for drawing it; `Telemetry` moves the others.
+    """The unchanging parts of a world, for drawing it; `Telemetry` has the changing parts.
 
     Args:
         name: the world's name; empty for the plain floor under a real robot.
         world: the contents of its file (`WorldFile`).
-        lines: for each painted line the corners of its middle, mm.
+        lines: for each painted line, the corner points of its centre line, in mm.
         robots: name and description of each robot (`RobotDescription`), ours first.
         cameras: the keys of our robot's cameras.
-        start: x, y, heading where the next run begins.
-        real: whether our robot is a real one.
+        start: x, y, heading where the next run starts.
+        real: whether our robot is a real robot.
     """
 
     name: str
@@ -76,10 +76,10 @@ class Scene(Message, frozen=True):
 
 
 class WorldToEdit(Message, frozen=True):
-    """A world as its file says (`WorldFile`), and the corners of its lines, mm.
+    """A world as in its file (`WorldFile`), and the corner points of its lines in mm.
 
     Args:
-        save_as: its name if it is the user's, else a free one, so that none is replaced.
+        save_as: its name if it belongs to the user, else a free one, so that no world is replaced.
     """
 
     name: str
@@ -89,7 +89,7 @@ class WorldToEdit(Message, frozen=True):
 
 
 class WorldChecked(Message, frozen=True):
-    """The mistakes in a world; without any, `lines` as in `Scene`."""
+    """The mistakes in a world; if there are none, `lines` as in `Scene`."""
 
     problems: tuple[Phrase, ...]
     lines: tuple[tuple[tuple[float, float], ...], ...] = ()

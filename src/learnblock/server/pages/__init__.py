@@ -1,1 +1,1 @@
-"""A connected page, and the handlers of its messages: one module for each subject."""
+"""A connected page, and the handlers of its messages: one module per subject."""

@@ -77,7 +77,7 @@ async def _renew(page: Page) -> None:
     page.sessions.send(blocks)
 
 
-# These take their time, and run in a thread.
+# These are slow and run in a thread.
 
 
 def _all() -> messages.CustomBlocks:

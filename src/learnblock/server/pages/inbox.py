@@ -1,13 +1,13 @@
-"""Messages from a page that wait to be handled."""
+"""Messages from a page that are waiting to be handled."""
 
 import asyncio
 from collections import deque
 
 from learnblock.server import messages
 
-#: Messages that may wait; then the page has to wait.
+#: The maximum number of waiting messages; after that, the page has to wait.
 _MOST = 100
-#: Of these kinds only the newest message counts.
+#: Of these kinds, only the newest message is used.
 _NEWEST_ONLY = (
     messages.EditBlocks,
     messages.EditText,
@@ -22,7 +22,7 @@ _NEWEST_ONLY = (
 class Inbox:
     """Messages in order; an edit replaces the one before it if both are of the same view.
 
-    So fast typing in a long program waits for one translation, not for one for each letter.
+    Fast typing in a long program thus waits for one translation, not for one per letter.
     """
 
     def __init__(self) -> None:
@@ -47,7 +47,7 @@ class Inbox:
             return self._messages.popleft() if self._messages else None
 
     async def close(self) -> None:
-        """Accept no more messages; those that wait can still be taken."""
+        """Accept no more messages; waiting messages can still be taken."""
         async with self._changed:
             self._closed = True
             self._changed.notify_all()

@@ -115,7 +115,7 @@ def _looked_at(files: tuple[messages.LibraryFile, ...]) -> messages.LibrariesRea
 
 
 def _opened(file: messages.LibraryFile) -> tuple[Library | None, Phrase | None]:
-    """Read the library in a file with the new names it can have, and what is wrong with it."""
+    """Read the library in a file; return it with its possible new names and its problems."""
     try:
         one = libraries.unpack(file.content, file.filename)
     except LearnBlockError as error:

@@ -1,4 +1,4 @@
-"""The entrance for pages: it greets them, and connects them with their projects."""
+"""The entry point of pages, which greets them and connects them to their projects."""
 
 from pathlib import Path
 
@@ -44,7 +44,7 @@ class Lobby:
     """Serves every page.
 
     Args:
-        folder: of the projects.
+        folder: the projects folder.
         grace: seconds for which a project stays open without a page.
     """
 
@@ -53,7 +53,7 @@ class Lobby:
         self._sessions = Sessions(ProjectFolder(folder), grace)
 
     async def serve(self, socket: WebSocket) -> None:
-        """Serve a page until it has gone."""
+        """Serve a page until it has disconnected."""
         page = Page(socket, self._sessions, HANDLERS)
         page.send(await to_thread.run_sync(catalog.welcome, str(self._folder)))
         await page.serve()

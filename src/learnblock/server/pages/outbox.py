@@ -1,4 +1,4 @@
-"""Messages that wait to be sent to a page."""
+"""Messages that are waiting to be sent to a page."""
 
 import asyncio
 from collections import deque
@@ -8,7 +8,7 @@ from learnblock.server import messages
 
 #: A page that is this many messages behind will not catch up.
 FULL = 5000
-#: Of these kinds a slow page receives only the newest message.
+#: Of these kinds, a slow page receives only the newest message.
 _NEWEST_ONLY = (
     messages.CameraFrame,
     messages.RobotLink,
@@ -39,7 +39,7 @@ class Outbox:
         self._filled = asyncio.Event()
 
     def put(self, message: messages.Message, data: bytes | None = None) -> None:
-        """Queue a message; once the page is too far behind, drop it."""
+        """Queue a message; drop it once the page is too far behind."""
         waiting = self._replaceable.get(type(message))
         if waiting:
             waiting.message, waiting.data = message, data

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from learnblock.server.sessions.session import Session
     from learnblock.server.sessions.sessions import Sessions
 
-#: Bytes: no message of a page is as large.
+#: The limit in bytes, larger than any message of a page.
 LARGEST_MESSAGE = 4 * 1024 * 1024
 #: Close code: try again later.
 _TOO_SLOW = 1013
@@ -41,8 +41,8 @@ class Page:
     """A page at the other end of a websocket.
 
     Args:
-        socket: accepted.
-        sessions: the projects that are open.
+        socket: the accepted websocket.
+        sessions: the open projects.
         handlers: a handler for each kind of message.
     """
 
@@ -70,7 +70,7 @@ class Page:
         return self._session
 
     async def serve(self) -> None:
-        """Serve the page; return when it has gone and all its messages are handled."""
+        """Serve the page; return once it has disconnected and all its messages are handled."""
         try:
             async with asyncio.TaskGroup() as tasks:
                 sending = tasks.create_task(self._send())
@@ -81,18 +81,18 @@ class Page:
             self.leave()
 
     def send(self, message: messages.Message, data: bytes | None = None) -> None:
-        """Queue a message for the page, followed by `data` where there is any."""
+        """Queue a message for the page, followed by `data`, if any."""
         self._outbox.put(message, data)
 
     def join(self, session: "Session") -> None:
-        """Show a project, in place of the one before."""
+        """Show a project, instead of the previous one."""
         self.leave()
         self.shown = Shown()
         self._session = session
         session.join(self)
 
     def leave(self) -> None:
-        """Show no project any more."""
+        """Stop showing a project."""
         session, self._session = self._session, None
         if session:
             session.leave(self)
@@ -129,7 +129,7 @@ class Page:
         except RecursionError:
             self.send(messages.Failed(Phrase("server-too-deep"), kind))
         except Exception as error:  # noqa: BLE001 - see below
-            # A mistake of ours must not take the pupil's session with it.
+            # A bug of ours must not end the pupil's session.
             _log.exception("%s failed", kind)
             reason = f"{type(error).__name__}: {error}"
             self.send(messages.Failed(Phrase("server-mistake", reason=reason), kind))
@@ -150,7 +150,7 @@ class Page:
         except OutboxFullError:
             await self._socket.close(_TOO_SLOW)
         except WebSocketDisconnect:
-            # The page has gone, which `_receive` notices as well.
+            # The page has disconnected, which `_receive` notices too.
             pass
 
 

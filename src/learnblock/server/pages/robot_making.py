@@ -32,7 +32,7 @@ def _written(name: str, description: str) -> tuple[str, ...]:
 
     Raises:
         NewNameError: the robot can't have this name.
-        RobotDescriptionError: the description is wrong.
+        RobotDescriptionError: the description is invalid.
         OSError: a file cannot be written.
     """
     from learnblock.new.files import write_new  # noqa: PLC0415 - as above

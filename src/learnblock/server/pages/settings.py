@@ -20,7 +20,7 @@ async def _change(page: Page, message: messages.ChangeSettings) -> None:
     page.send(await to_thread.run_sync(partial(_table, message.robot, wrong)))
 
 
-# The drivers of robots take their time to import, and the server answers before that.
+# The drivers of robots are slow to import, and the server answers before that.
 
 
 def _table(robot: str, wrong: dict[str, Phrase] | None = None) -> messages.SettingsTable:
@@ -34,7 +34,7 @@ def _table(robot: str, wrong: dict[str, Phrase] | None = None) -> messages.Setti
 
 
 def _changed(message: messages.ChangeSettings) -> dict[str, Phrase]:
-    """Change settings, or return what is wrong with them."""
+    """Change settings, or return the problems with them."""
     from learnblock.server.catalog import settings  # noqa: PLC0415
 
     if message.values.get("emotions_on_cameras") is True and not message.agreed:

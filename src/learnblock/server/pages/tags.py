@@ -1,4 +1,4 @@
-"""Handlers of messages about the names of tags."""
+"""Handlers of messages about tag names."""
 
 from collections.abc import Mapping
 
@@ -30,7 +30,7 @@ def _file(format_: str) -> messages.File:
 
 
 def _sheet(names: Mapping[str, int]) -> str:
-    from learnblock.monitor.tag_sheet import sheet  # noqa: PLC0415 - it brings the simulator
+    from learnblock.monitor.tag_sheet import sheet  # noqa: PLC0415 - it loads the simulator
 
     return sheet([(number, name) for name, number in names.items()])
 

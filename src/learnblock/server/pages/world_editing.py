@@ -31,7 +31,7 @@ async def _save(page: Page, message: messages.SaveWorld) -> None:
     await session.choose_world(message.name)
 
 
-# The simulator takes its time to import, and the server answers before that.
+# The simulator is slow to import, and the server answers before that.
 
 
 def _to_edit(name: str) -> messages.WorldToEdit:
@@ -46,7 +46,7 @@ def _to_edit(name: str) -> messages.WorldToEdit:
 
 
 def _save_as(name: str) -> str:
-    """The world's name if it is the user's own, else a free one."""
+    """The world's name if it belongs to the user, else a free one."""
     from learnblock.robots.simulated import known_worlds  # noqa: PLC0415
 
     if _is_own(name):
@@ -72,7 +72,7 @@ def _checked(values: dict[str, Any]) -> messages.WorldChecked:
 
 
 def _saved(name: str, values: dict[str, Any]) -> messages.WorldChecked | None:
-    """Save a world, or return what is wrong with it."""
+    """Save a world, or return its mistakes."""
     from learnblock.monitor import worlds  # noqa: PLC0415
 
     try:

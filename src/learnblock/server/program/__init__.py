@@ -1,1 +1,1 @@
-"""A project's program in its three views: what an edit of one makes of the others, and undo."""
+"""A project's program in its three views: keeping them in step, and undo."""

@@ -24,10 +24,10 @@ VIEWS: tuple[View, ...] = ("blocks", "blocktext", "python")
 
 @dataclass(frozen=True)
 class Unread:
-    """A view with mistakes that keep it from being read.
+    """A view with mistakes that prevent it from being parsed.
 
     Args:
-        view: the view.
+        view: the name of the view.
         mistakes: its mistakes.
         text: its text, unless it shows blocks.
         workspace: its blocks.
@@ -41,17 +41,17 @@ class Unread:
 
 @dataclass(frozen=True)
 class Document:
-    """A program in three notations; each edit makes a new document.
+    """A program in three notations; each edit creates a new document.
 
-    The edited view stays as its author wrote it, and the other views follow. While it has syntax
-    errors the others keep the last program without any.
+    The edited view remains as its author wrote it, and the other views follow. While it has syntax
+    errors, the others keep the last program without errors.
 
     Args:
-        target: what the program is written for.
+        target: the robot and skills that the program is for.
         origin: the view that was edited last.
-        good: the last program that could be read.
-        unread: the edited view if it can't be read.
-        remarks: warnings about blocks that can be read.
+        good: the last program that could be parsed.
+        unread: the edited view if it can't be parsed.
+        remarks: warnings about blocks that can be parsed.
     """
 
     target: Target
@@ -74,12 +74,12 @@ class Document:
         """Restore a saved document.
 
         Args:
-            blocktext: the program; if it can't be read, the other two have what was read last.
-            robot_module: the module that Python imports the robot from.
+            blocktext: the program; if it can't be parsed, the other two keep the last valid one.
+            robot_module: the module from which Python imports the robot.
             configurations: the known skills, by name.
-            workspace: its blocks and their places.
-            python: its Python as its author wrote it.
-            devices: of the robot, as ``Type:KEY``.
+            workspace: its blocks and their positions.
+            python: the Python as its author wrote it.
+            devices: the robot's devices, as ``Type:KEY``.
         """
         target = Target(robot_module, configurations, devices)
         tree, mistakes = recover(blocktext)
@@ -115,7 +115,7 @@ class Document:
             return replace(self, origin="blocks", good=good, unread=None, remarks=said)
         good = self.good.with_blocks(read.program, read.block_ids, workspace)
         if self.unread and self.unread.view != "blocks":
-            # Moving a block while a text has mistakes must not lose that text.
+            # Moving a block must not discard a text that has mistakes.
             return replace(self, good=good)
         return replace(self, origin="blocks", good=good, unread=None, remarks=said)
 
@@ -146,7 +146,7 @@ class Document:
         return self._rewritten(with_import(self.block_tree, library))
 
     def with_configurations(self, configurations: Mapping[str, BlockConfiguration]) -> "Document":
-        """Read the program with other skills, which may change its blocks and problems."""
+        """Read the program with a changed set of skills, which may affect its blocks."""
         return Document.from_text(
             self.blocktext,
             self.target.robot_module,
@@ -157,7 +157,7 @@ class Document:
         )
 
     def formatted(self) -> "Document":
-        """Give the Block-Text its canonical form.
+        """Format the Block-Text in its canonical form.
 
         Raises:
             LearnBlockError: the program has mistakes.
@@ -169,7 +169,7 @@ class Document:
         """The program to run; its lines are those of the Python view.
 
         Args:
-            name: the name that its author knows.
+            name: the name that its author uses.
             folder: the folder of the modules that it imports.
         """
         return Program(name, self.good.python.text, self.good.python.text, folder=folder)
@@ -199,7 +199,7 @@ class Document:
 
     @property
     def python_by_hand(self) -> str | None:
-        """The Python that is shown, unless it is just what LearnBlock generates."""
+        """The Python that is shown, unless it is exactly what LearnBlock generates."""
         read = self.unread is None or self.unread.view != "python"
         return None if read and not self.good.by_hand else self.python
 
@@ -239,7 +239,7 @@ class Document:
         """The last good program, with spans in its Block-Text."""
         return self.good.blocktext.tree or parse(self.good.blocktext.text)
 
-    # Places.
+    # Positions.
 
     @cached_property
     def places(self) -> tuple[Place, ...]:
@@ -305,7 +305,7 @@ class Document:
         try:
             text = format_program(rename(self.block_tree, change.sort, change.name, change.new))
         except LearnBlockError:
-            # It occurs where only its author can change it.
+            # It also occurs where only the author can change it.
             return good
         if change.is_left_in(text):
             return good
@@ -350,7 +350,7 @@ def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace |
         try:
             read = from_workspace(workspace, target.configurations)
         except LearnBlockError:
-            # These blocks are no program: lay out new ones.
+            # These blocks are not a program, so lay out new ones.
             workspace = None
         else:
             if read.program == tree and not read.problems:
@@ -362,7 +362,7 @@ def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace |
 
 
 def _with_python(document: Document, python: str | None) -> Document:
-    """Add the saved Python, if it has the same meaning or can't be read."""
+    """Add the saved Python, if it has the same meaning or can't be parsed."""
     if python is None:
         return document
     other = document.with_text("python", python)
@@ -370,7 +370,7 @@ def _with_python(document: Document, python: str | None) -> Document:
 
 
 def _with_unread_blocks(document: Document, workspace: Workspace | None) -> Document:
-    """Add the saved blocks, if they can't be read."""
+    """Add the saved blocks, if they can't be parsed."""
     if workspace is None or document.workspace is workspace:
         return document
     other = document.with_blocks(workspace)
@@ -378,14 +378,14 @@ def _with_unread_blocks(document: Document, workspace: Workspace | None) -> Docu
 
 
 def _same(one: Document, other: Document) -> bool:
-    # Compared as texts, since a tree that was read again may divide raw Python differently.
+    # Compared as texts, because a tree that was parsed again may divide raw Python differently.
     return format_program(one.good.tree) == format_program(other.good.tree)
 
 
 def _last_good(
     target: Target, recovered: Tree, workspace: Workspace | None, python: str | None
 ) -> Document:
-    """The last program that could be read, when the saved Block-Text can't be."""
+    """The last program that could be parsed, if the saved Block-Text can't be."""
     text = format_program(recovered)
     tree, mistakes = recover(text)
     # Recovered parts may not make a complete program.

@@ -14,7 +14,7 @@ from learnblock.server.program.document import Document
 from learnblock.server.program.notations import Target
 
 MOST_STEPS = 500
-#: Bytes of all steps together, compressed.
+#: The limit of all compressed steps together, in bytes.
 MOST_BYTES = 32 * 1024 * 1024
 #: Seconds between two letters of a word that are undone together.
 QUICK = 1.0
@@ -24,11 +24,11 @@ _read_workspace = msgspec.json.Decoder(Workspace).decode
 
 
 class Edits:
-    """The present document, and those before and after it.
+    """The current document, and those before and after it.
 
     Args:
-        document: the first one.
-        now: seconds of a monotonic clock.
+        document: the first document.
+        now: returns the time of a monotonic clock in seconds.
     """
 
     def __init__(self, document: Document, now: Callable[[], float] = time.monotonic) -> None:
@@ -40,7 +40,7 @@ class Edits:
 
     @property
     def document(self) -> Document:
-        """The present document."""
+        """The current document."""
         return self._document
 
     @property
@@ -52,7 +52,7 @@ class Edits:
         return bool(self._future)
 
     def push(self, document: Document) -> None:
-        """Add an edit; quickly typed letters of one word are one step."""
+        """Add an edit; letters of one word typed in quick succession are one step."""
         if _looks_alike(document, self._document):
             self._document = document
             return
@@ -91,7 +91,7 @@ class Edits:
 
 @dataclass(frozen=True, slots=True)
 class _Moment:
-    """A compressed document: five hundred with a thousand blocks each would need much memory."""
+    """A compressed document, because 500 documents with 1000 blocks each would need much memory."""
 
     blocktext: bytes
     python: bytes | None
@@ -156,7 +156,7 @@ class _Typing:
     inserted: str = ""
 
     def goes_on(self, before: "_Typing") -> bool:
-        """Whether it continues the word in which `before` ended."""
+        """Whether it continues the word that `before` ended in."""
         if self.view != before.view or self.moment - before.moment > QUICK:
             return False
         if self.view == "blocks":
@@ -170,7 +170,7 @@ class _Typing:
 
 
 def _typed(before: Document, after: Document, now: float) -> _Typing | None:
-    """Compare two documents; return what was typed if that is the only change."""
+    """Compare two documents; return the typing if that is the only change."""
     view = after.origin
     if view == "blocks":
         same = [*_blocks(before.workspace)] == [*_blocks(after.workspace)]

@@ -19,9 +19,9 @@ class Target:
     """The robot and skills that a program is written for.
 
     Args:
-        robot_module: the module that its Python imports the robot from.
+        robot_module: the module from which its Python imports the robot.
         configurations: the known skills, by name.
-        devices: of the robot, as ``Type:KEY``; None if unknown.
+        devices: the robot's devices, as ``Type:KEY``; None if unknown.
     """
 
     robot_module: str
@@ -30,19 +30,19 @@ class Target:
 
     @cached_property
     def importable(self) -> Importable:
-        """The known libraries; a project has no files beside it."""
+        """The known libraries; a project has no other files."""
         found = (one.library for one in self.configurations.values())
         return Importable(frozenset(filter(None, found)))
 
 
 @dataclass(frozen=True)
 class Written:
-    """A program in one of the two texts.
+    """A program in one of the two text notations.
 
     Args:
-        text: as it is shown.
-        extents: the lines of `every` statement.
-        tree: with spans in the text if its author wrote it; None if it is generated.
+        text: the text as shown.
+        extents: the lines of every statement (see `every`).
+        tree: a tree with spans in the text if its author wrote it; None if it is generated.
     """
 
     text: str
@@ -62,8 +62,8 @@ class Notations:
         tree: the program itself.
         block_ids: the block of each node of `tree`, by its identity.
         workspace: the blocks.
-        blocktext: in Block-Text.
-        python: in Python.
+        blocktext: the program in Block-Text.
+        python: the program in Python.
         by_hand: whether the Python differs from the generated one; it is run and saved unchanged.
     """
 
@@ -78,7 +78,7 @@ class Notations:
     def of_blocktext(
         cls, tree: Program, text: str, target: Target, before: Workspace | None
     ) -> "Notations":
-        """Those of a program that was written in Block-Text."""
+        """The notations of a program written in Block-Text."""
         block_ids, workspace = _blocks(tree, target, before)
         blocktext = Written.by_author(text, tree)
         return cls(tree, block_ids, workspace, blocktext, _python(tree, target))
@@ -87,7 +87,7 @@ class Notations:
     def of_python(
         cls, tree: Program, text: str, target: Target, before: Workspace | None
     ) -> "Notations":
-        """Those of a program that was written in Python; `tree` is from `read_python`."""
+        """The notations of a program written in Python; `tree` is from `read_python`."""
         block_ids, workspace = _blocks(tree, target, before)
         python = Written.by_author(text, tree)
         blocktext = _blocktext(tree)
@@ -97,13 +97,13 @@ class Notations:
     def of_blocks(
         cls, tree: Program, block_ids: Mapping[int, str], workspace: Workspace, target: Target
     ) -> "Notations":
-        """Those of a program that was built of blocks."""
+        """The notations of a program built from blocks."""
         return cls(tree, block_ids, workspace, _blocktext(tree), _python(tree, target))
 
-    # Edits that leave the program as it is leave the other notations as their author wrote them.
+    # Edits that do not change the program leave the other notations as their author wrote them.
 
     def with_blocktext(self, tree: Program, text: str) -> "Notations":
-        """The same program, otherwise written in Block-Text."""
+        """The same program, written differently in Block-Text."""
         return replace(self, blocktext=Written.by_author(text, tree))
 
     def with_python(self, tree: Program, text: str) -> "Notations":
@@ -114,7 +114,7 @@ class Notations:
     def with_blocks(
         self, tree: Program, block_ids: Mapping[int, str], workspace: Workspace
     ) -> "Notations":
-        """The same program, otherwise laid out as blocks."""
+        """The same program, laid out differently as blocks."""
         return replace(self, tree=tree, block_ids=block_ids, workspace=workspace)
 
     def for_robot(self, module: str) -> "Notations":
@@ -129,12 +129,12 @@ class Notations:
 
 
 def read_python(text: str) -> Program:
-    """The tree of a program in Python; its `python` is None where we would write it so.
+    """The tree of a program in Python; its `python` is None if we would generate the same.
 
     Raises:
-        ProgramError: it is no Python.
+        ProgramError: it is not valid Python.
     """
-    # Which robot a program imports is no peculiarity of its author's.
+    # The imported robot does not make a program differ from the generated one.
     return from_python(with_robot(text, DEFAULT_ROBOT))
 
 
@@ -144,7 +144,7 @@ def with_robot(python: str, module: str) -> str:
 
 
 def is_raw(tree: Program) -> bool:
-    """Whether a program is one block of raw Python, which makes its own robot if any."""
+    """Whether a program is one block of raw Python, which creates its own robot, if any."""
     return len(tree.items) == 1 and tree.main is None and isinstance(tree.items[0], Raw)
 
 

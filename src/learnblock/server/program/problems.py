@@ -1,4 +1,4 @@
-"""Find the problems of a program, and their places in each of its views."""
+"""Find the problems of a program, and their positions in each of its views."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
@@ -14,7 +14,7 @@ from learnblock.server.program.notations import Notations, Target, Written
 
 
 def problems(notations: Notations, target: Target) -> tuple[Problem, ...]:
-    """The diagnostics of `check`, once for each text."""
+    """The diagnostics of `check`, cached for each text."""
     blocktext, python = notations.blocktext.tree, notations.python.tree
     said = _checked(blocktext or python or notations.tree, target)
     if not said:
@@ -47,7 +47,7 @@ def problem(diagnostic: Diagnostic, view: View, block: str | None = None) -> Pro
 
 
 def owners(extents: Iterable[Extent]) -> list[int | None]:
-    """For each line of a text, from 0 (nowhere), the index of the innermost statement there."""
+    """The index of the innermost statement at each line of a text; line 0 is nowhere."""
     extents = list(extents)
     found: list[int | None] = [None] * (max((last for _, last in extents), default=0) + 1)
     for index, (first, last) in enumerate(extents):
@@ -90,7 +90,7 @@ def _in_characters(diagnostic: Diagnostic, lines: Sequence[str]) -> Diagnostic:
 
 
 class _Located:
-    """Finds the statement, the block and the line of Python of each diagnostic of a tree.
+    """Finds the statement, the block and the line of Python for each diagnostic of a tree.
 
     Args:
         notations: the program.
@@ -108,7 +108,7 @@ class _Located:
 
     @cached_property
     def originals(self) -> list[Item | Main]:
-        """The same statements in the tree of the blocks."""
+        """The same statement in the tree of the blocks."""
         return every(self.notations.tree)
 
     def in_python(self, diagnostic: Diagnostic) -> Problem:
@@ -123,7 +123,7 @@ class _Located:
         )
 
     def message_in_python(self, message: Phrase) -> Phrase:
-        """A message whose line of Block-Text, if it names one, is that of Python."""
+        """A message in which the line of Block-Text, if any, is replaced by that of Python."""
         line = message.values.get("line")
         if not isinstance(line, str):
             return message
@@ -136,7 +136,7 @@ class _Located:
         first, last = self.notations.python.extents[index]
         if isinstance(self.statements[index], Raw):
             below = line - self.written.extents[index][0]
-            # A program of raw Python alone has no `# python` line above it.
+            # A program with only raw Python has no `# python` line above it.
             return min(first + below - (first == 1), last) or 1
         return first
 

@@ -1,4 +1,4 @@
-"""The program as a page shows it, so that the page receives only changes."""
+"""The program as shown by a page, so that the page receives only changes."""
 
 from typing import TypeVar
 
@@ -10,7 +10,7 @@ Content = TypeVar("Content")
 
 
 class Shown:
-    """The program as a page shows it: what the page has sent and received.
+    """The program as shown by a page: what it has sent and received.
 
     `edit` is the number of its last edit.
     """
@@ -20,7 +20,7 @@ class Shown:
         self._views: dict[View, object] = {}
 
     def edited(self, edit: int, view: View, content: object) -> None:
-        """Note that the page has edited a view."""
+        """Record that the page has edited a view."""
         self.edit = edit
         self._views[view] = content
 

@@ -45,8 +45,8 @@ class ProjectFolder:
     """Projects as files in a folder, with their history and a trash folder.
 
     Args:
-        path: of the folder, which may not exist yet.
-        now: seconds since 1970.
+        path: the path of the folder, which may not exist yet.
+        now: returns the time in seconds since 1970.
     """
 
     path: Path
@@ -61,7 +61,7 @@ class ProjectFolder:
 
         Raises:
             UnknownNameError: it does not exist.
-            ProjectError: its file is wrong or can't be read.
+            ProjectError: its file is invalid or can't be read.
         """
         path = self._path(name)
         if not path.is_file():
@@ -107,14 +107,14 @@ class ProjectFolder:
                 history.replace(trash / "history")
 
     def import_file(self, filename: str, text: str) -> Project:
-        """Make a project of a file's text, under a free name; it is not saved yet.
+        """Create a project from a file's text, under a free name; it is not saved yet.
 
         Args:
-            filename: ends in .bt, .py or .learnblock.
-            text: of a program, which may have mistakes, or of a project.
+            filename: the file name, ending in .bt, .py or .learnblock.
+            text: the text of a program, which may have mistakes, or of a project.
 
         Raises:
-            ProjectError: the file has another type, or is a wrong project.
+            ProjectError: the file has another type, or is not a valid project.
         """
         stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
         text = text.removeprefix("\ufeff").replace("\r\n", "\n")
@@ -190,7 +190,7 @@ class ProjectFolder:
 
     def _entries(self) -> Iterator[ProjectEntry]:
         for path in self.path.glob("*" + ENDING):
-            # Another program may have put the file there, or deleted it just now.
+            # Another program may just have created or deleted the file.
             with suppress(OSError, ProjectError):
                 yield ProjectEntry(checked_name(path.stem), path.stat().st_mtime)
 
@@ -199,7 +199,7 @@ class ProjectFolder:
 
 
 def _plain(wish: str) -> str:
-    """Turn any text into a name that a project can have."""
+    """Convert any string to a valid project name."""
     short = _NOT_IN_NAMES.sub(" ", wish).encode("utf-8", "ignore")[: LONGEST_NAME - 10]
     try:
         return checked_name(short.decode("utf-8", "ignore").strip(" ._-"))
@@ -208,7 +208,7 @@ def _plain(wish: str) -> str:
 
 
 def _from_python(name: str, text: str) -> Project:
-    """Make a project of a Python file, which may have mistakes."""
+    """Create a project from a Python file, which may have mistakes."""
     module = ROBOT_IMPORT.search(text)
     robot = _robot_of(module[1]) if module else DEFAULT_ROBOT
     try:
@@ -223,7 +223,7 @@ def _robot_of(module: str) -> str:
     try:
         return robots.find(module).name
     except LearnBlockError:
-        # The robot is not installed; the program can still be read, and run on another one.
+        # The robot is not installed; the program can still be parsed, and run on another robot.
         return DEFAULT_ROBOT
 
 
@@ -234,7 +234,7 @@ def _python(project: Project) -> str:
 
 @contextmanager
 def _reporting(path: Path, action: str) -> Iterator[None]:
-    """Report an action that the system refuses."""
+    """Report an action refused by the operating system."""
     try:
         yield
     except OSError as error:

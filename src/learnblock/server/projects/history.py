@@ -19,7 +19,7 @@ Reason = Literal["run", "time", "restored", "opened"]
 MOST_VERSIONS = 100
 MOST_RUNS = 200
 
-#: Milliseconds since 1970, the reason for the version, its number of lines.
+#: The time in milliseconds since 1970, the reason for the version, its number of lines.
 _ID = re.compile(r"(\d{13,15})-(run|time|restored|opened)-(\d{1,7})")
 _read_runs = msgspec.json.Decoder(list[PastRun]).decode
 
@@ -29,9 +29,9 @@ class History:
     """The versions and runs of one project, in one folder.
 
     Args:
-        name: of the project.
-        folder: may not exist yet.
-        now: seconds since 1970.
+        name: the name of the project.
+        folder: the folder, which may not exist yet.
+        now: returns the time in seconds since 1970.
     """
 
     name: str
@@ -125,7 +125,7 @@ def _version(id_: str) -> Version | None:
 def _least_missed(times: list[float]) -> int:
     """Choose the version whose removal leaves the smallest gap for its age.
 
-    The first and the last version stay. So recent versions are dense, and old ones are sparse.
+    The first and the last version stay. Recent versions are thus dense, and old ones sparse.
     """
 
     def gap(index: int) -> float:

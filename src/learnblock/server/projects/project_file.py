@@ -13,9 +13,9 @@
 }
 ```
 
-Texts are lists of lines. ``python`` is there only if its author wrote it by hand, ``workspace`` has
-the places of the blocks, ``breakpoints`` has ids of blocks, ``shown`` and ``block_sets`` choose the
-blocks in the palette, and ``libraries`` has the versions that the program was made with.
+Texts are lists of lines. ``python`` is present only if its author wrote it by hand, ``workspace``
+has the positions of the blocks, ``breakpoints`` has ids of blocks, ``shown`` and ``block_sets``
+choose blocks in the palette, and ``libraries`` has the versions with which the program was made.
 """
 
 import dataclasses
@@ -42,31 +42,31 @@ from learnblock.storage.files import is_device_name
 
 ENDING = ".learnblock"
 VERSION = 1
-#: Bytes; a thousand statements with their blocks have a tenth of it.
+#: The limit in bytes; a thousand statements with their blocks have a tenth of it.
 LARGEST = 4 * 1024 * 1024
 LONGEST_NAME = 100
-#: Of a program's imports.
+#: The limit of a program's imports.
 MOST_LIBRARIES = 1000
 
-# No separators; no start that Unix hides, and no end that Windows strips.
+# No separators, no first character that makes Unix hide it, no last one that Windows strips.
 _NAME = re.compile(r"[^\W_](?:[\w .-]*[\w-])?")
 
 
 @dataclass(frozen=True)
 class Project:
-    """A program, how its blocks are laid out, and what it runs on.
+    """A program with the layout of its blocks, its robot and its world.
 
     Args:
-        name: also of its file.
-        blocktext: the program.
-        python: the same as its author wrote it by hand; None if it is generated.
+        name: the name, also of its file.
+        blocktext: the program in Block-Text.
+        python: the Python that its author wrote by hand; None if it is generated.
         workspace: its blocks; None to lay them out.
         robot: its name.
         world: its name; empty for the usual world of the robot.
-        breakpoints: ids of blocks.
+        breakpoints: the ids of blocks.
         shown: the name of the block set that the palette shows.
         block_sets: the block sets that are saved in the project.
-        libraries: the versions that the program was made with, by name.
+        libraries: the versions with which the program was made, by name.
     """
 
     name: str
@@ -151,7 +151,7 @@ def decode(data: bytes, name: str) -> Project:
     """Decode the project in a file.
 
     Raises:
-        ProjectError: the file is not a project, or a wrong one, with the place.
+        ProjectError: the file is not a valid project; the error gives the position.
     """
     filename = name + ENDING
     if len(data) > LARGEST:
@@ -210,7 +210,7 @@ def _check_version(version: object, filename: str) -> None:
 
 
 def _check_choices(file: _File, filename: str) -> None:
-    """Refuse paths: a project names robots and worlds, and never points out of its folder."""
+    """Refuse paths: a project names robots and worlds, and never points outside its folder."""
     for key, value in (("robot", file.robot), ("world", file.world)):
         if value and not _NAME.fullmatch(value):
             _refuse(
@@ -241,7 +241,7 @@ _EXPECTED = {
 
 
 def _explained(refusal: str, text: str) -> Diagnostic:
-    """Explain what msgspec refuses to a person who knows only the file."""
+    """Explain an error of msgspec to a person who knows only the file."""
     found = _PLACE.search(refusal)
     place = found[1] if found else ""
     refusal = _PLACE.sub("", refusal)
@@ -266,7 +266,7 @@ def _wrong_value(place: str, key: str, text: str) -> Phrase:
 
 
 def _known(place: str) -> tuple[str, ...]:
-    """The keys that are allowed at a place."""
+    """The keys that are allowed at a position."""
     if not place.startswith("block_sets"):
         return _File.__struct_fields__
     kind = BlockNames if place.endswith((".show", ".hide")) else BlockSet
@@ -274,7 +274,7 @@ def _known(place: str) -> tuple[str, ...]:
 
 
 def _shown(place: str, text: str) -> str | None:
-    """The value at a place as in the file, shortened if it is long; None if it can't be shown."""
+    """The value at a position as in the file, shortened if long; None if it can't be shown."""
     try:
         value = json.loads(text)
         for index, key in re.findall(r"\[(\d+)\]|([^.\[\]]+)", place):
@@ -296,7 +296,7 @@ def _at(key: str, text: str, code: str, message: Phrase) -> Diagnostic:
 
 
 def _malformed(refusal: str, data: bytes) -> Diagnostic:
-    """Report a file that is not JSON, with the place."""
+    """Report a file that is not JSON, with the position."""
     found = _BYTE.search(refusal)
     at = int(found[1]) if found else len(data)
     start = data.rfind(b"\n", 0, at) + 1
@@ -312,12 +312,12 @@ def _refuse(filename: str, code: str, message: Phrase) -> NoReturn:
 
 # Writing.
 
-#: Levels of brackets that are split into lines: the file, a text, the list of stacks.
+#: The levels of brackets that are split into lines: the file, a text, the list of stacks.
 _SPREAD = 3
 
 
 def _values(project: Project) -> dict[str, Any]:
-    """The file's values; blocks stay Structs, since only `msgspec` encodes deep ones."""
+    """The file's values; blocks stay Structs, because only `msgspec` can encode deep ones."""
     values: dict[str, Any] = {"learnblock": VERSION, "robot": project.robot}
     values["world"] = project.world
     values["breakpoints"] = list(project.breakpoints)
@@ -336,7 +336,7 @@ def _values(project: Project) -> dict[str, Any]:
 
 
 def _written(value: Any, depth: int = _SPREAD, indent: str = "") -> str:
-    """Encode JSON with a line for each line of a text and for each stack of blocks."""
+    """Encode JSON with one line per line of text and per stack of blocks."""
     if not depth or not value or not isinstance(value, dict | list):
         return msgspec.json.encode(value).decode()
     inner = indent + "  "

@@ -1,8 +1,8 @@
-"""The output of programs on its way to the page."""
+"""The output of programs for the page."""
 
 import threading
 
-#: Characters sent at once, and kept for a page that opens later; the rest is left out.
+#: The limit of characters sent at once and kept for a page that opens later.
 MOST_AT_ONCE = 20_000
 MOST_KEPT = 100_000
 
@@ -17,16 +17,16 @@ class Console:
 
     @property
     def kept(self) -> str:
-        """The end of the output handed out so far."""
+        """The end of the output returned so far."""
         return self._kept
 
     def printed(self, text: str) -> None:
-        """Add output of the program; from any thread."""
+        """Add output of the program; may be called from any thread."""
         with self._lock:
             self._new.append(text)
 
     def take(self) -> str:
-        """The output since the last call, or its end where there is too much."""
+        """The output since the last call, or only its end if there is too much."""
         with self._lock:
             new, self._new = "".join(self._new), []
         shown = _shortened(new)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from learnblock.monitor import Monitor
     from learnblock.robots import RobotEntry
 
-#: The states reported as they are; a held program is reported with its line, an ended one with its
+#: The states reported as such; a paused program is reported with its line, an ended one with its
 #: report.
 _STATES: dict[State, messages.StateName] = {
     State.STARTING: "starting",
@@ -39,7 +39,7 @@ class Player:
 
     Args:
         viewers: the pages that show the project.
-        on_run_ended: is called after each run.
+        on_run_ended: called after each run.
     """
 
     def __init__(self, viewers: Viewers, on_run_ended: Callable[[messages.Ended], object]) -> None:
@@ -60,7 +60,7 @@ class Player:
 
     @property
     def monitor(self) -> "Monitor | None":
-        """The monitor of the robot: the program's, once it has made its robot."""
+        """The monitor of the robot: the program's, once it has created its robot."""
         return (self._playing and self._playing.run.monitor) or self._monitor
 
     @property
@@ -84,7 +84,7 @@ class Player:
         self._reporter.greet()
 
     def watch(self) -> None:
-        """Send camera frames, or stop, after a page has begun or ceased to watch."""
+        """Send camera frames, or stop, after a page has started or stopped watching."""
         self._reporter.watch()
 
     # The robot in its world.
@@ -104,10 +104,10 @@ class Player:
         self._reporter.greet()
 
     def place(self, x: float, y: float, heading: float) -> None:
-        """Place the robot; the next run begins there.
+        """Place the robot; the next run starts there.
 
         Raises:
-            LearnBlockError: the robot is moving, or it is a real one.
+            LearnBlockError: the robot is moving, or it is a real robot.
         """
         if self._state.state not in {"idle", "ended", "paused", "held"}:
             raise LearnBlockError("play-robot-moves")
@@ -128,7 +128,7 @@ class Player:
 
     @property
     def start(self) -> "Pose | None":
-        """The pose at which the user placed the robot; None without one."""
+        """The pose at which the user placed the robot; None if it was not placed."""
         return self._monitor.start if self._monitor else None
 
     async def run(self, played: Played, setting: Setting, *, paused: bool) -> None:
@@ -139,7 +139,7 @@ class Player:
         self._begin(playing)
 
     async def stop(self) -> None:
-        """Stop the program and the robot, and return when both are at rest."""
+        """Stop the program and the robot, and return once both have stopped."""
         playing = self._playing
         if playing:
             playing.run.stop()
@@ -158,7 +158,7 @@ class Player:
             (self._playing.run.step_over if over else self._playing.run.step)()
 
     def set_speed(self, factor: float | None) -> None:
-        """Set the speed of this run and of later ones, times real time; None is the fastest."""
+        """Set the speed of this and later runs, as a multiple of real time; None is the fastest."""
         self._speed = factor
         if self._playing:
             self._playing.run.set_speed(factor)
@@ -169,7 +169,7 @@ class Player:
             self._playing.set_breakpoints(blocks)
 
     def answer(self, text: str) -> None:
-        """Give the program the line that it waits for.
+        """Send the program the line that it is waiting for.
 
         Raises:
             LearnBlockError: it is not waiting for one.
@@ -254,12 +254,12 @@ class Player:
 
     async def _close_monitor(self) -> None:
         if self._monitor:
-            # It waits for the thread of a drive by hand.
+            # It waits for the thread of manual driving.
             await to_thread.run_sync(self._monitor.close)
 
 
 def _monitor(robot: "RobotEntry", world: str) -> "Monitor":
-    # The server answers before the simulator is loaded, which takes time.
+    # The server answers before the simulator is loaded, which is slow.
     from learnblock.monitor import make_monitor  # noqa: PLC0415
 
     return make_monitor(robot, world)

@@ -24,12 +24,12 @@ SEED = 0
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """The surroundings of a run.
+    """The setting of a run.
 
     Args:
-        name: of the program.
-        robot: that it runs on.
-        world: of a simulated robot.
+        name: the name of the program.
+        robot: the robot.
+        world: the world of a simulated robot.
         start: the pose at which the user placed the robot; None for the world's own start.
         breakpoints: the blocks before which it pauses.
     """
@@ -51,28 +51,28 @@ class Played(Protocol):
         """The block of a line of its Python; None for a line without one."""
 
     def python_line(self, block: str, /) -> int | None:
-        """The first line of a block; None if the block is not in it."""
+        """The first line of a block; None if the program does not contain it."""
 
 
 class Playing:
-    """A run: the program as it was at its beginning, its controls and its watcher.
+    """A run: the program as it was at the start, its controls and its watcher.
 
     Args:
         played: the program.
-        run: prepared.
-        watcher: that of `run`.
+        run: the prepared run.
+        watcher: the watcher of `run`.
     """
 
     def __init__(self, played: Played, run: ProgramRun, watcher: RunWatcher) -> None:
         self.played = played
         self.run = run
         self.watcher = watcher
-        #: Set when the run is over and its robot released.
+        #: Set when the run has ended and its robot has been released.
         self.over = asyncio.Event()
 
     @property
     def running_line(self) -> messages.RunningLine:
-        """The line and the block that are running."""
+        """The current line and block."""
         line = self.watcher.current_line
         return messages.RunningLine(line, self.played.block_at(line))
 
@@ -86,7 +86,7 @@ class Playing:
         threading.Thread(target=self._play, name="run", daemon=True).start()
 
     def set_breakpoints(self, blocks: Iterable[str]) -> None:
-        """Pause before these blocks, and before no others."""
+        """Pause before these blocks only."""
         self.run.set_breakpoints(lines(self.played, blocks))
 
     def ended(self, report: Report) -> messages.Ended:

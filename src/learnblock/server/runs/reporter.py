@@ -1,4 +1,4 @@
-"""Reports to the pages of a session, some times a second, what has changed in its world."""
+"""Reports changes in the world to the pages of a session, several times a second."""
 
 import asyncio
 from collections.abc import Awaitable, Callable
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from learnblock.monitor import Monitor
     from learnblock.monitor.pictures import Picture
 
-#: Seconds between two looks at the world, and between two camera frames.
+#: Seconds between two reports of the world, and between two camera frames.
 TELEMETRY_PERIOD = 1 / 20
 CAMERA_PERIOD = 1 / 12
 #: Seconds for which a world is watched after the user moved something in it.
@@ -41,7 +41,7 @@ class Reported(Protocol):
 
 
 class Reporter:
-    """Watches the world while something moves in it, and sleeps while nothing does.
+    """Watches the world while something moves in it, and sleeps otherwise.
 
     Args:
         of: the run, its world and its pages.
@@ -63,18 +63,18 @@ class Reporter:
         )
 
     def attend(self) -> None:
-        """Watch the world: something happens in it, or will in a moment."""
+        """Watch the world, because something moves in it or is about to."""
         self._until = monotonic() + ATTENTION
         self._awake.set()
 
     def watch(self) -> None:
-        """Send camera frames, or stop, after a page has begun or ceased to watch."""
+        """Send camera frames, or stop, after a page has started or stopped watching."""
         self._filmed = None
         watched = any(page.watching for page in self._of.viewers)
         (self._watched.set if watched else self._watched.clear)()
 
     def greet(self) -> None:
-        """Report the world once more, also where nothing moves: a page has just opened it."""
+        """Report the world once more, even if nothing moves, for a page that has just opened it."""
         self._last.clear()
         self.attend()
 
@@ -101,7 +101,7 @@ class Reporter:
 
     async def _report_world(self, monitor: "Monitor") -> None:
         self._send(await to_thread.run_sync(telemetry.telemetry, monitor))
-        # After the state, by which a link may turn out to be broken.
+        # After the state, which may reveal a broken link.
         self._send(telemetry.link(monitor))
         for sound in telemetry.sounds(monitor):
             for page in self._of.viewers:
@@ -122,7 +122,7 @@ class Reporter:
             self._watched.clear()
             return
         picture = await to_thread.run_sync(monitor.camera)
-        # The same object: nothing has moved since.
+        # The same object means that nothing has moved since.
         if picture and picture is not self._filmed:
             self._filmed = picture
             for page in watching:
@@ -132,7 +132,7 @@ class Reporter:
 async def _repeat(
     period: float, wanted: asyncio.Event, action: Callable[[], Awaitable[None]]
 ) -> None:
-    """Do something every so many seconds while it is wanted."""
+    """Repeat an action at an interval while its condition is true."""
     loop = asyncio.get_running_loop()
     while True:
         await wanted.wait()

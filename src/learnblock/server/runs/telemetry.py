@@ -1,4 +1,4 @@
-"""A robot's monitor as messages for the page."""
+"""Conversion of a robot's monitor to messages for the page."""
 
 from typing import TYPE_CHECKING
 
@@ -17,7 +17,7 @@ def scene(monitor: "Monitor") -> messages.Scene:
 
 
 def telemetry(monitor: "Monitor") -> messages.Telemetry:
-    """Its present state."""
+    """Its current state."""
     state = monitor.state()
     return messages.Telemetry(
         time=state.time,
@@ -29,7 +29,7 @@ def telemetry(monitor: "Monitor") -> messages.Telemetry:
 
 
 def link(monitor: "Monitor") -> messages.RobotLink:
-    """Its link, rounded so that noise is no news."""
+    """Its link, rounded so that noise is not reported."""
     now = monitor.link()
     return messages.RobotLink(now.state.value, _rounded(now.battery), _rounded(now.quality))
 
@@ -40,13 +40,13 @@ def sounds(monitor: "Monitor") -> tuple[messages.Sound, ...]:
 
 
 def camera_frame(picture: "Picture") -> messages.CameraFrame:
-    """The message before the picture itself."""
+    """The message that precedes the picture itself."""
     seen = msgspec.convert(picture.seen, tuple[messages.Seen, ...], from_attributes=True)
     return messages.CameraFrame(picture.width, picture.height, picture.time, seen)
 
 
 def _robot(now: "RobotNow") -> messages.Robot:
-    # A robot whose place is unknown is drawn in the middle.
+    # A robot whose position is unknown is drawn in the middle.
     x, y, heading = now.pose or (0.0, 0.0, 0.0)
     return messages.Robot(
         name=now.name,

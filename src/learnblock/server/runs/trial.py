@@ -8,7 +8,7 @@ from learnblock.blocks.source.signature import Signature, signatures
 from learnblock.errors import LearnBlockError, UnknownNameError
 from learnblock.runtime.program import Program
 
-# Names that a source hardly uses itself; the import stands for the chosen robot.
+# Names that a source is unlikely to use; the import represents the chosen robot.
 _MAKE = """
 
 from learnblock.robots.sim_ebo import Robot as _Robot
@@ -22,7 +22,7 @@ class Trial:
     """A call of a function of a custom block.
 
     Args:
-        name: of the block's file.
+        name: the name of the block's file.
         source: the whole file.
         functions: the names of its functions, which may call each other as skills.
         call: the line that calls the function.
@@ -41,11 +41,11 @@ class Trial:
         return Program(f"{self.name}.py", python, python)
 
     def block_at(self, python_line: int) -> None:
-        """None: no block of the workspace runs."""
+        """Return None, because no block of the workspace runs."""
         del python_line
 
     def python_line(self, block: str) -> None:
-        """None: no block of the workspace is in it."""
+        """Return None, because it contains no block of the workspace."""
         del block
 
     def custom_line(self, python_line: int) -> int:
@@ -54,16 +54,16 @@ class Trial:
 
 
 def trial(name: str, source: str, function: str, arguments: Sequence[object]) -> Trial:
-    """Make a program that tries a function.
+    """Create a program that tries a function.
 
     Args:
-        name: of the block's file; empty for a block that was never saved.
+        name: the name of the block's file; empty for a block that was never saved.
         source: the whole file.
-        function: its name; empty for the first one.
-        arguments: JSON values in the order of the parameters.
+        function: the name of the function; empty for the first one.
+        arguments: the arguments as JSON values in the order of the parameters.
 
     Raises:
-        ProgramError: the source is no Python.
+        ProgramError: the source is not valid Python.
         LearnBlockError: there is no such function, or it does not take these arguments.
     """
     known = {one.name: one for one in signatures(source, f"{name or 'block'}.py")}

@@ -12,15 +12,15 @@ class Viewer(Protocol):
 
     #: The program as this page shows it.
     shown: Shown
-    #: Whether it wants camera frames.
+    #: Whether it has requested camera frames.
     watching: bool
 
     def send(self, message: Message, data: bytes | None = None) -> None:
-        """Queue a message for the page, followed by `data` where there is any."""
+        """Queue a message for the page, followed by `data`, if any."""
 
 
 class Viewers:
-    """The pages that show a project at present."""
+    """The pages that currently show a project."""
 
     def __init__(self) -> None:
         self._viewers: list[Viewer] = []
@@ -32,11 +32,11 @@ class Viewers:
         return bool(self._viewers)
 
     def add(self, viewer: Viewer) -> None:
-        """Send a page what all others receive, from now on."""
+        """From now on, send a page everything that the others receive."""
         self._viewers.append(viewer)
 
     def remove(self, viewer: Viewer) -> None:
-        """Send a page nothing any more."""
+        """Stop sending messages to a page."""
         self._viewers.remove(viewer)
 
     def send(self, message: Message) -> None:

@@ -38,7 +38,7 @@ class RunWatcher(Watcher):
         self._audience = audience
         self._console = console
         self._loop = asyncio.get_running_loop()
-        #: The line of the program's Python that runs now; 0 before the first.
+        #: The line of the program's Python that is running; 0 before the first.
         self.current_line = 0
         self._input = threading.Condition()
         self._answer: str | None = None
@@ -56,7 +56,7 @@ class RunWatcher(Watcher):
         self._pass_on(self._audience.on_state, state)
 
     def held(self, line: int, variables: Variables) -> None:
-        # The variables first: the page has them when it shows that the program is held.
+        # The variables first: so that the page has them when it shows the pause.
         self._pass_on(self._audience.on_variables, variables)
         self._pass_on(self._audience.on_held, line)
 
@@ -82,7 +82,7 @@ class RunWatcher(Watcher):
     # The event loop.
 
     def answer(self, text: str) -> None:
-        """Give the program the line that it waits for."""
+        """Send the program the line that it is waiting for."""
         with self._input:
             self._answer = text
             self._input.notify_all()

@@ -27,9 +27,9 @@ class Archive:
 
     Args:
         folder: the folder of the projects.
-        project: returns the project in its present state.
-        saved: is called before each save; the function that it returns is called after success.
-        failed: is called with what went wrong.
+        project: returns the project in its current state.
+        saved: called before each save; the function that it returns is called after success.
+        failed: called with the error.
     """
 
     def __init__(
@@ -48,7 +48,7 @@ class Archive:
         self._tasks: set[asyncio.Task[Any]] = set()
 
     def changed(self) -> None:
-        """Note that the project has changed since it was saved."""
+        """Record that the project has changed since it was saved."""
         self._saver.changed()
 
     async def keep_version(self, reason: Reason) -> str:

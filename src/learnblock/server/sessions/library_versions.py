@@ -1,4 +1,4 @@
-"""The versions of libraries that a project was made with, and those installed."""
+"""The versions of libraries with which a project was made, and the installed ones."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
@@ -15,19 +15,19 @@ class LibraryVersions:
     """Versions by the name of the library.
 
     Args:
-        made_with: as saved in the project.
-        installed: the present ones.
+        made_with: the versions saved in the project.
+        installed: the installed versions.
     """
 
     made_with: Mapping[str, str]
     installed: Mapping[str, str] = field(default_factory=libraries.versions)
 
     def renewed(self) -> "LibraryVersions":
-        """Return the same with the versions installed now."""
+        """Return a copy with the versions installed now."""
         return replace(self, installed=libraries.versions())
 
     def used(self, program: Program) -> dict[str, str]:
-        """The versions that a program uses now; of a removed library, the last one."""
+        """The versions that a program uses now; for a removed library, the last one."""
         known = {**self.made_with, **self.installed}
         return {name: known[name] for name in sorted(imported(program)) if name in known}
 

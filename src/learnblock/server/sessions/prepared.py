@@ -13,23 +13,23 @@ from learnblock.server.projects.project_file import Project
 from learnblock.server.sessions.library_versions import LibraryVersions
 from learnblock.server.sessions.shown_blocks import ShownBlocks
 
-#: Used without the world that a project names, and without one that its robot prefers.
+#: Used if the project's world is missing and its robot has no default world.
 DEFAULT_WORLD = "empty"
 
 
 @dataclass(frozen=True)
 class Prepared:
-    """A project whose slow parts have been read.
+    """A project whose slow parts have been loaded.
 
     Args:
-        name: of the project.
+        name: the name of the project.
         document: its program.
-        robot: the one that it names, or else the default.
-        world: likewise.
+        robot: the robot that it names, else the default.
+        world: the world that it names, else the default.
         shown_blocks: the block set of the palette.
-        libraries: the versions that it was made with.
-        breakpoints: ids of blocks.
-        remarks: what differs from the saved project, and why.
+        libraries: the versions with which it was made.
+        breakpoints: the ids of blocks.
+        remarks: the differences from the saved project, with reasons.
     """
 
     name: str
@@ -43,7 +43,7 @@ class Prepared:
 
 
 def prepare(project: Project) -> Prepared:
-    """Read a project's program, and find its robot and world; this takes a while."""
+    """Read a project's program, and find its robot and world; this is slow."""
     robot, no_robot = _robot(project.robot)
     world, no_world = _world(project.world, robot)
     document = Document.from_text(
@@ -69,7 +69,7 @@ def prepare(project: Project) -> Prepared:
 
 
 def settled(document: Document) -> Document:
-    """Compute the slow properties of a document now, so that reading them is quick."""
+    """Compute the slow properties of a document now, so that reading them later is fast."""
     _ = document.problems, document.places, document.workspace
     return document
 

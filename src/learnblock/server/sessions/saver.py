@@ -12,7 +12,7 @@ class Saver:
 
     Args:
         write: saves it, and reports errors itself.
-        delay: seconds.
+        delay: the delay in seconds.
     """
 
     def __init__(self, write: Callable[[], Awaitable[None]], delay: float = DELAY) -> None:
@@ -22,7 +22,7 @@ class Saver:
         self._writing = asyncio.Lock()
 
     def changed(self) -> None:
-        """Note a change that is not on disk."""
+        """Record a change that is not on disk."""
         if self._waiting is None:
             self._waiting = asyncio.create_task(self._later())
 
@@ -38,6 +38,6 @@ class Saver:
     async def _later(self) -> None:
         await asyncio.sleep(self._delay)
         async with self._writing:
-            # This save may miss later changes, so they start a new wait.
+            # This save may miss later changes, so later changes start a new delay.
             self._waiting = None
             await self._write()

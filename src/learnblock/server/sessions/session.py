@@ -26,7 +26,7 @@ from learnblock.server.sessions.prepared import Prepared, loaded, prepare, settl
 class Session:
     """An open project.
 
-    Its methods run in the event loop; a caller that changes the project holds `turn`.
+    Its methods run in the event loop; a caller that changes the project must hold `turn`.
 
     Args:
         folder: the folder to save it in.
@@ -50,12 +50,12 @@ class Session:
 
     @property
     def document(self) -> Document:
-        """The present program."""
+        """The current program."""
         return self.edits.document
 
     @property
     def project(self) -> Project:
-        """The project as it is saved."""
+        """The project in the form that is saved."""
         return Project(
             name=self.name,
             blocktext=self.document.blocktext,
@@ -120,13 +120,13 @@ class Session:
         await self._think(self.edits.redo)
 
     async def restore(self, earlier: Project) -> None:
-        """Restore an earlier program, with the present robot and world."""
+        """Restore an earlier program, with the current robot and world."""
         await self.archive.keep_version("restored")
         module, devices = self.robot.module, self.robot.load().known_devices()
         await self.change(lambda _: prepare(earlier).document.with_robot(module, devices))
 
     async def know(self, configurations: Mapping[str, BlockConfiguration]) -> None:
-        """Read the program with other skills than before."""
+        """Read the program with a changed set of skills."""
         before = self.document
         self.libraries = await to_thread.run_sync(self.libraries.renewed)
         await self._think(lambda: self.edits.replace(before.with_configurations(configurations)))
@@ -189,12 +189,12 @@ class Session:
         await self._run(self.document, paused=paused)
 
     async def try_out(self, trial: Trial) -> None:
-        """Run a single function in place of the program."""
+        """Run a single function instead of the program."""
         await self.player.stop()
         await self._run(trial, paused=False)
 
     async def reset_world(self) -> None:
-        """Put everything in the world back where it was at first."""
+        """Reset the world to its initial state."""
         await self.player.set_the_stage(self.robot, self.world)
 
     async def _run(self, played: Played, *, paused: bool) -> None:
@@ -218,10 +218,10 @@ class Session:
             )
         )
 
-    # Within.
+    # Helpers.
 
     async def _think(self, change: Callable[[], None]) -> None:
-        """Change the program in a thread, as this takes its time, and send what has changed."""
+        """Change the program in a thread, because this is slow, and send the changes."""
 
         def think() -> None:
             change()
@@ -237,7 +237,7 @@ class Session:
         self.archive.changed()
 
     def _saving(self) -> Callable[[], None]:
-        """Note the last edit of each page, to confirm when it is saved."""
+        """Record the last edit of each page, to confirm it once it is saved."""
         edits = [(page, page.shown.edit) for page in self.viewers]
 
         def saved() -> None:

@@ -18,7 +18,7 @@ from learnblock.storage.block_files import BlockFiles
 
 
 class Sessions:
-    """The sessions by the name of the project.
+    """The sessions, by project name.
 
     Args:
         folder: the folder of the projects.
@@ -34,7 +34,7 @@ class Sessions:
         self._renewing: set[asyncio.Task[None]] = set()
         #: Notices changes that the user makes by hand.
         self.block_files = BlockFiles()
-        #: So that two pages that open the same project at once share it.
+        #: Lets two pages that open the same project at once share it.
         self._opening = asyncio.Lock()
 
     async def open(self, name: str) -> Session:
@@ -69,7 +69,7 @@ class Sessions:
             await to_thread.run_sync(self.folder.delete, name)
 
     def left(self, session: Session) -> None:
-        """Note that a page has left; after the last one the project is closed with a delay."""
+        """Record that a page has left; after the last one, the project is closed with a delay."""
         if not session.viewers and session.name not in self._ending:
             self._ending[session.name] = asyncio.create_task(self._end_later(session))
 
@@ -82,7 +82,7 @@ class Sessions:
         """Read every program with changed skills, and notify every page.
 
         Args:
-            own: the session whose turn it is; the others follow when they can.
+            own: the session whose turn it is; the others follow when it is their turn.
         """
         configurations = await to_thread.run_sync(all_configurations)
         if own:

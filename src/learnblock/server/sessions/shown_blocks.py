@@ -13,10 +13,10 @@ from learnblock.server.projects.project_file import Project
 class ShownBlocks:
     """The block set that the palette shows, and the sets saved in the project.
 
-    A project of an exercise brings its own sets, so that they are there on every computer.
+    A project for an exercise contains its own sets, so that they are available on every computer.
 
     Args:
-        name: of the set that is shown: one of LearnBlock's, or one of `carried`.
+        name: the name of the shown set: a built-in one, or one of `carried`.
         carried: the sets saved in the project, the last chosen first.
     """
 
@@ -25,7 +25,7 @@ class ShownBlocks:
 
     @classmethod
     def of(cls, project: Project) -> "ShownBlocks":
-        """The choice of a project.
+        """Restore the choice of a project.
 
         Raises:
             UnknownNameError: the project names an unknown set.
@@ -40,14 +40,14 @@ class ShownBlocks:
     def set(self) -> BlockSet:
         """The set that is shown."""
         found = self._find()
-        assert found is not None  # noqa: S101 - `of` and `choosing` see to it
+        assert found is not None  # noqa: S101 - `of` and `choosing` ensure it
         return found
 
     def choosing(self, chosen: BlockSet) -> "ShownBlocks":
-        """Choose another set, and save it in the project unless it is one of LearnBlock's.
+        """Choose another set, and save it in the project unless it is built in.
 
         Raises:
-            BlockSetError: the set has the name of one of LearnBlock's, or an unusable name.
+            BlockSetError: the set has the name of a built-in one, or an unusable name.
         """
         if block_sets.built_in().get(chosen.name) == chosen:
             return ShownBlocks(chosen.name, self.carried)
