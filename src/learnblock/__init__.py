@@ -1,6 +1,6 @@
 """LearnBlock: one program in blocks, Block-Text and Python, for any robot.
 
-The table of contents. A robot from Python:
+The public names of the package. To use a robot from Python:
 
     >>> import learnblock
     >>> robot = learnblock.connect("sim-ebo", world="empty")
@@ -8,7 +8,7 @@ The table of contents. A robot from Python:
     >>> robot.sleep(1)
     >>> robot.stop()
 
-and a program from one notation into another:
+and to convert a program from one notation to another:
 
     >>> program = learnblock.parse("function.move_straight()")
     >>> print(learnblock.to_python(program, "learnblock.robots.sim_ebo").text)
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from learnblock.language import check, format, from_python, parse, to_python  # noqa: A004
     from learnblock.robots import connect
 
-# Imported when first asked for: the child process of a program needs none of the language, and
+# Imported on first use: the child process of a program needs none of the language, and
 # `learnblock --help` nothing at all.
 _HOME = {
     "Client": "client",

@@ -120,10 +120,10 @@ class Camera(Sensor["Frame | None"]):
         detect: `detect(name)` returns the result of a detector (``lines``, ``tags``, ``faces``,
             ...) for the newest frame, or None without a frame or such a detector; by default the
             frame is searched in this process.
-        drawn: whether it sees only drawn and simulated faces, in which emotions may be recognised
+        drawn: whether it sees only drawn and simulated faces, whose emotions may be recognised
             regardless of the settings.
         focal: the focal length of the lens in pixels, if known; the distance to tags needs it.
-        close: switches the camera off, if that is necessary.
+        close: switches the camera off, if necessary.
     """
 
     def __init__(
@@ -137,7 +137,7 @@ class Camera(Sensor["Frame | None"]):
     ) -> None:
         super().__init__(read, detect=detect or self._detect)
         self.detect: Callable[[str], Any] = self.functions["detect"]
-        #: Whether it sees drawn and simulated faces alone.
+        #: Whether it sees only drawn and simulated faces.
         self.drawn = drawn
         self._focal = focal
         self._switch_off = close
@@ -162,7 +162,7 @@ class Camera(Sensor["Frame | None"]):
 class DistanceSensors(Sensor[Mapping[str, Sequence[float]]]):
     """Distance sensors: `read` returns front, left, right and back, each a list of mm.
 
-    A sensor between two directions counts for both; 2000 means nothing seen.
+    A sensor between two directions is listed in both; 2000 means that it sees nothing.
     """
 
 
@@ -171,9 +171,9 @@ class GroundSensors(Sensor[Mapping[str, float | None]]):
 
 
 class Gyroscope(Sensor[float]):
-    """A gyroscope: `read` returns degrees turned since `reset`, clockwise positive, not wrapped.
+    """A gyroscope: `read` returns the degrees turned since `reset`; clockwise is positive.
 
-    The usual key is ``Z_AXIS``, the axis that points up.
+    The angle is not wrapped. The usual key is ``Z_AXIS``, the axis that points up.
     """
 
     def __init__(self, read: Callable[[], float], reset: Callable[[], None]) -> None:
@@ -234,11 +234,11 @@ class JointMotor(Device):
 
 
 class Display(Device):
-    """A face: a screen, or lights that show emotions.
+    """A face: a screen or lights that show emotions.
 
     Args:
-        show_emotion: shows an emotion, given by its name.
-        show_image: shows a frame; None if the face cannot.
+        show_emotion: shows the emotion with this name.
+        show_image: shows a frame; None if the face cannot show images.
     """
 
     def __init__(
@@ -247,7 +247,7 @@ class Display(Device):
         show_image: "Callable[[Frame], None] | None" = None,
     ) -> None:
         super().__init__(show_emotion=show_emotion, show_image=show_image)
-        #: The emotion shown last.
+        #: The last emotion shown.
         self.emotion = Emotion.NONE
 
     def show_emotion(self, emotion: Emotion | str) -> None:
@@ -262,7 +262,7 @@ class Display(Device):
 
 
 class Led(Device):
-    """A lamp that is on or off; its key names its place on the robot."""
+    """A lamp that is on or off; its key names its position on the robot."""
 
     def __init__(self, set: Callable[[bool], None]) -> None:  # noqa: A002 - the usual word
         super().__init__(set=set)
@@ -272,7 +272,7 @@ class Led(Device):
 
 
 class RGBLed(Device):
-    """A lamp with a colour; red, green and blue from 0 to 255. Its key names its place."""
+    """A lamp with a colour; red, green and blue from 0 to 255. Its key names its position."""
 
     def __init__(self, set_color: Callable[[int, int, int], None]) -> None:
         super().__init__(set_color=set_color)
@@ -398,7 +398,7 @@ def number(name: str, value: object) -> float:
     """`value` as a finite float.
 
     Raises:
-        DeviceValueError: the parameter `name` has another value.
+        DeviceValueError: the parameter `name` has any other value.
     """
     # numpy's numbers are not subclasses of float, but convert like other numbers. This check is a
     # hundred times faster than `isinstance(value, typing.SupportsFloat)`.
@@ -408,7 +408,7 @@ def number(name: str, value: object) -> float:
     try:
         converted: float = convert(value)
     except (OverflowError, TypeError, ValueError) as error:
-        # Such as a whole number with 400 digits, or an array of two numbers.
+        # For example, a whole number with 400 digits, or an array of two numbers.
         raise DeviceValueError("device-not-number", name=name, value=f"{value!r:.80}") from error
     if not math.isfinite(converted):
         raise DeviceValueError("device-not-finite", name=name, value=repr(value))

@@ -1,6 +1,6 @@
-"""The errors of LearnBlock, and the one shape in which it reports what is wrong where.
+"""LearnBlock's errors, and the one format in which it reports mistakes in files.
 
-Each exception belongs to the family `LearnBlockError` and to the builtin it is, so that both
+Each exception belongs to the family `LearnBlockError` and to a builtin exception, so that both
 `except LearnBlockError` and `except ValueError` catch it.
 """
 
@@ -35,7 +35,7 @@ class Diagnostic:
     severity: Severity = "error"
 
     def located(self, filename: str) -> str:
-        """The form that editors and scripts read: ``FILE:LINE:COLUMN: code message``."""
+        """The format that editors and scripts read: ``FILE:LINE:COLUMN: code message``."""
         return f"{filename}:{self.line}:{self.column}: {self.code} {self.message}"
 
     def pointed(self, source: str) -> str:
@@ -53,14 +53,14 @@ class Diagnostic:
 
 
 class LearnBlockError(Exception):
-    """The base class of all our errors.
+    """The base class of all LearnBlock errors.
 
     ``str(error)`` is the English text.
 
     Args:
-        code: of the phrase, such as ``robot-no-answer``; or a whole sentence, in a
+        code: the code of the phrase, such as ``robot-no-answer``, or a whole sentence in a
             third-party robot or skill.
-        values: of the phrase, by name.
+        values: the values of the phrase, by name.
     """
 
     def __init__(self, code: str = "", /, **values: Value) -> None:
@@ -75,15 +75,15 @@ class LearnBlockError(Exception):
 
 
 class FileError(LearnBlockError, ValueError):
-    """A user's file is wrong: the base class of the errors with diagnostics.
+    """A user's file is invalid: the base class of the errors with diagnostics.
 
-    ``str(error)`` has the form that scripts read, with the file's name and codes; `phrase` has the
+    ``str(error)`` has the format that scripts read, with the file name and codes; `phrase` has the
     sentences for a person, with their lines.
 
     Args:
-        filename: as the user named it.
+        filename: the file name as the user gave it.
         diagnostics: at least one, in the order of the file.
-        source: the file's text, for the caret; empty where there is none to show.
+        source: the file's text, for the caret; empty if there is none.
     """
 
     def __init__(self, filename: str, diagnostics: Iterable[Diagnostic], source: str = "") -> None:
@@ -101,54 +101,54 @@ class FileError(LearnBlockError, ValueError):
 
 
 class EscapeError(LearnBlockError, ValueError):
-    """An escape sequence in a text names no character."""
+    """An escape sequence in a string does not name a character."""
 
 
 class ProgramError(FileError):
-    """A program in Block-Text or Python cannot be read, or says what cannot be meant."""
+    """A program in Block-Text or Python cannot be parsed or is not meaningful."""
 
 
 class WorldError(FileError):
-    """A world's description is wrong."""
+    """A world's description is invalid."""
 
 
 class RobotDescriptionError(FileError):
-    """A simulated robot's description is wrong."""
+    """A simulated robot's description is invalid."""
 
 
 class BlockConfigurationError(FileError):
-    """A block configuration is wrong."""
+    """A block configuration is invalid."""
 
 
 class CustomBlockError(FileError):
-    """A custom block is wrong, or its name, or the file that it was exported to."""
+    """A custom block, its name or its exported file is invalid."""
 
 
 class HintError(LearnBlockError, ValueError):
-    """A type hint has no field on a block."""
+    """A type hint is not supported by any field of a block."""
 
 
 class BlockSetError(FileError):
-    """A set of blocks is wrong, or its name."""
+    """A block set or its name is invalid."""
 
 
 class ProjectError(FileError):
-    """A project's file or name is wrong, or it cannot be saved."""
+    """A project's file or name is invalid, or it cannot be saved."""
 
 
 class LibraryError(FileError):
-    """A library is wrong, or the functions for a new one are."""
+    """A library is invalid, or a function for a new one is."""
 
 
 class SettingsError(FileError):
-    """A setting of a robot is wrong."""
+    """A robot setting is invalid."""
 
 
 class UnknownNameError(LearnBlockError, LookupError):
     """No robot, world, skill or example has this name.
 
     Args:
-        kind: what was looked for, by its short name in ``unknown.ftl``: ``robot``, ``block-set``.
+        kind: what was looked up, by its short name in ``unknown.ftl``: ``robot``, ``block-set``.
         name: the unknown name.
         known: the names that exist.
     """
@@ -172,7 +172,7 @@ class NewNameError(LearnBlockError, ValueError):
 
 
 class FileTakenError(LearnBlockError, FileExistsError):
-    """A new file would replace one that is there."""
+    """A new file would replace an existing one."""
 
 
 class KeyTakenError(LearnBlockError, ValueError):
@@ -184,7 +184,7 @@ class DeviceValueError(LearnBlockError, ValueError):
 
 
 class TagNamesError(FileError):
-    """The names of tags are wrong."""
+    """The tag names are invalid."""
 
 
 class TagSizeError(LearnBlockError, ValueError):
@@ -196,7 +196,7 @@ class FrameError(LearnBlockError, ValueError):
 
 
 class PictureError(LearnBlockError, ValueError):
-    """A component was sent something that is not a picture."""
+    """A component received something that is not a picture."""
 
 
 class WeightsMissingError(LearnBlockError, FileNotFoundError):
@@ -212,7 +212,7 @@ class RobotConnectionError(LearnBlockError, ConnectionError):
 
 
 class RobotNotFoundError(RobotConnectionError):
-    """Nothing that can be used answers at the robot's address; another connection may work."""
+    """Nothing usable answers at the robot's address; another connection may work."""
 
 
 class RobotBusyError(RobotConnectionError):
@@ -220,7 +220,7 @@ class RobotBusyError(RobotConnectionError):
 
 
 class EmulatorError(LearnBlockError, OSError):
-    """An emulator, or a program that it needs, does not start."""
+    """An emulator, or a program that it needs, did not start."""
 
 
 class SceneCallError(RobotConnectionError):
@@ -232,7 +232,7 @@ class IceError(RobotConnectionError):
 
 
 class IceEncodingError(IceError, ValueError):
-    """A value or the received bytes do not have the type in the interface."""
+    """A value or the received bytes do not have the type that the interface declares."""
 
 
 class IceLinkError(IceError):
@@ -243,9 +243,9 @@ class IceRefusedError(IceError):
     """A component refused a call.
 
     Args:
-        code: names the words, or is the component's own message.
+        code: the code of the words, or the component's own message.
         kind: the name of Ice's exception, such as ``OperationNotExistException``.
-        values: the values shown in the words.
+        values: the values inserted into the words.
     """
 
     def __init__(self, code: str, /, kind: str, **values: Value) -> None:
@@ -261,7 +261,7 @@ class NotWrittenError(LearnBlockError, NotImplementedError):
 
 
 class MissingPackageError(LearnBlockError, ImportError):
-    """A robot's own library is not installed."""
+    """The library that a robot needs is not installed."""
 
 
 class RobotStoppedError(LearnBlockError, RuntimeError):
@@ -269,15 +269,15 @@ class RobotStoppedError(LearnBlockError, RuntimeError):
 
 
 class RobotAttributeError(LearnBlockError, AttributeError):
-    """The robot has no skill of this name."""
+    """The robot has no skill with this name."""
 
 
 class InputEndedError(LearnBlockError, EOFError):
-    """A program asked for a line of input, and there is none."""
+    """A program asked for a line of input, but there is none."""
 
 
 class ForbiddenError(LearnBlockError, PermissionError):
-    """A program tried something that robot programs are not allowed to do."""
+    """A program tried something that robot programs must not do."""
 
 
 class StillTurningError(LearnBlockError, TimeoutError):
@@ -293,7 +293,7 @@ class ProgramStopped(BaseException):
 
 
 def _summary(diagnostics: Iterable[Diagnostic]) -> Phrase:
-    """Join all mistakes in a file into one phrase."""
+    """Combine all mistakes in a file into one phrase."""
     sentences = list(map(_at_line, diagnostics))
     summary = sentences.pop() if sentences else Phrase("")
     for sentence in reversed(sentences):

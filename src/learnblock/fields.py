@@ -14,13 +14,13 @@
         stop_at: TagName = "ball",
     ) -> None: ...
 
-The block then has a slider, a list of choices, a colour, a dial and the names of tags as its
-fields. Python and type checkers treat the values as plain numbers and texts.
+The block then has a slider, a list of choices, a colour, a dial and the tag names as its
+fields. Python and type checkers treat the values as plain numbers and strings.
 """
 
 from dataclasses import dataclass
 
-#: A text such as ``#ff8800``: two digits from 0 to f each for red, green and blue.
+#: A string such as ``#ff8800``: two digits from 0 to f each for red, green and blue.
 Colour = str
 #: Degrees, clockwise positive.
 Angle = float

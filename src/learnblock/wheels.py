@@ -8,11 +8,11 @@ adv - r * track / 2.
 import math
 
 Wheels = tuple[float, float]
-"""Speeds of the left and the right wheel over the ground, mm/s."""
+"""The ground speeds of the left and the right wheel, in mm/s."""
 
 
 def wheel_speeds(adv: float, rot: float, track: float) -> Wheels:
-    """The wheel speeds that move a robot at (adv, rot)."""
+    """The wheel speeds at which a robot moves at (adv, rot)."""
     difference = math.radians(rot) * track / 2
     return adv + difference, adv - difference
 

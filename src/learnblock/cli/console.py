@@ -23,7 +23,7 @@ class ExitCode(IntEnum):
     WELL = 0
     #: A file has mistakes, or a check failed.
     MISTAKES = 1
-    #: The command was wrong: an option, or a file, robot or world that is not there.
+    #: The command was invalid: an option, or a missing file, robot or world.
     USAGE = 2
     #: The program ended with an error.
     PROGRAM_FAILED = 3
@@ -34,7 +34,7 @@ class ExitCode(IntEnum):
 
 
 def text(phrase: "Phrase | str") -> str:
-    """A phrase in the reader's language; other text as it is."""
+    """A phrase in the reader's language; other text unchanged."""
     from learnblock.i18n import Phrase, translate  # noqa: PLC0415 - `--help` needs none of it
 
     return translate(phrase, language()) if isinstance(phrase, Phrase) else phrase
@@ -44,9 +44,9 @@ def say(code: str, /, *, err: bool = False, **values: Any) -> None:
     """Print a phrase in the reader's language.
 
     Args:
-        code: of the phrase.
+        code: the code of the phrase.
         err: print it to standard error.
-        values: of the phrase, by name.
+        values: the values of the phrase, by name.
     """
     from learnblock.i18n import Phrase  # noqa: PLC0415 - `--help` needs none of it
 
@@ -54,7 +54,7 @@ def say(code: str, /, *, err: bool = False, **values: Any) -> None:
 
 
 def usage_error(code: str, /, **values: Any) -> click.UsageError:
-    """An error of how a command was called, to be raised."""
+    """Create the error for a wrong call of a command."""
     from learnblock.i18n import Phrase  # noqa: PLC0415 - `--help` needs none of it
 
     return click.UsageError(text(Phrase(code, **values)))
@@ -84,7 +84,7 @@ def _with_texts(value: object) -> object:
 
 
 def print_settings(settings: "Sequence[Described]", *, as_json: bool) -> None:
-    """Print settings, one a line, with the values that each accepts."""
+    """Print settings, one per line, with the values that each accepts."""
     from learnblock.i18n import Phrase  # noqa: PLC0415 - `--help` needs none of it
 
     if as_json:
@@ -100,7 +100,7 @@ def print_settings(settings: "Sequence[Described]", *, as_json: bool) -> None:
 def print_diagnostics(
     filename: str, diagnostics: "Iterable[Diagnostic]", source: str, *, err: bool = False
 ) -> None:
-    """Print diagnostics, each with the line that it is about and a caret."""
+    """Print diagnostics, each with its line and a caret."""
     for diagnostic in diagnostics:
         click.echo(located(filename, diagnostic), err=err)
         if pointed := diagnostic.pointed(source):
@@ -113,5 +113,5 @@ def located(filename: str, one: "Diagnostic") -> str:
 
 
 def typed(value: Any) -> str:
-    """A setting's value as it is typed."""
+    """A setting's value as the user types it."""
     return value if isinstance(value, str) and value else repr(value)

@@ -1,6 +1,6 @@
 """`learnblock`: the page, and the commands that need none, such as `learnblock run`.
 
-Each command is imported when it is called, so that `learnblock --help` answers at once.
+Each command is imported when it is called, so that `learnblock --help` is fast.
 """
 
 from typing import Any

@@ -1,4 +1,4 @@
-"""Help in other languages than English, from ``help.ftl``.
+"""Help in languages other than English, from ``help.ftl``.
 
 English help is in the docstrings and options, so that English `--help` reads no Fluent file. In
 ``help.ftl`` a command has the code ``help-robots-set``, and its option ``--json`` the code
@@ -13,7 +13,7 @@ import click
 
 from learnblock.cli.language import LANGUAGES, language
 
-#: The codes of the words around the help of every command.
+#: The codes of the words that appear in the help of every command.
 COMMON_CODES = {
     "Usage": "help-word-usage",
     "Options": "help-word-options",
@@ -57,7 +57,7 @@ def translated(command: click.Command, path: tuple[str, ...]) -> click.Command:
 
 
 class _Formatter(click.HelpFormatter):
-    """Help whose headings are in the reader's language."""
+    """Help with headings in the reader's language."""
 
     def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
         if language() != LANGUAGES[0]:
@@ -70,7 +70,7 @@ class _Formatter(click.HelpFormatter):
 
 
 class Context(click.Context):
-    """The context of a command whose help may be in another language than English."""
+    """The context of a command whose help may be in a language other than English."""
 
     formatter_class = _Formatter
 

@@ -34,10 +34,10 @@ def _of_system() -> str:
 
 
 def _names() -> Iterator[str]:
-    """The locales that the environment or else the system names, the most important first."""
+    """The locales from the environment, else from the system, the most important first."""
     variables = (VARIABLE, "LC_ALL", "LC_MESSAGES", "LANG")
     named = [value for name in variables if (value := os.environ.get(name, ""))]
-    # The first one counts, also where it names a language that we do not have.
+    # The first one is used, even if we do not have its language.
     yield from named[:1] or [locale.getlocale()[0] or ""]
 
 

@@ -192,7 +192,7 @@ def _renaming(given: str) -> tuple[str, str]:
 
 
 def _clear(target: Path, *, replace: bool) -> None:
-    """Remove the library in the way of a new one.
+    """Remove the library that a new one replaces.
 
     Raises:
         LearnBlockError: it must not be replaced, or is not a library.

@@ -1,4 +1,4 @@
-"""The lists of robots, worlds and skills."""
+"""The commands that list robots, worlds and skills."""
 
 from typing import TYPE_CHECKING, Any
 

@@ -47,10 +47,10 @@ def open_page(
 
     Args:
         file: the program to open, if any.
-        projects: the projects folder; None for the usual one.
+        projects: the projects folder; None for the default.
         no_browser: only print the page's address.
         window: show the page in a separate window.
-        place: where the server listens.
+        place: the address where the server listens.
     """
     from learnblock.server import serve  # noqa: PLC0415
     from learnblock.storage.home import home  # noqa: PLC0415 - `--help` needs none of it

@@ -22,15 +22,15 @@ from learnblock.running import Options, ProgramRun, Report, Source
 from learnblock.runtime.ending import How
 from learnblock.runtime.watcher import Watcher
 
-#: A program that never ends, at full speed, needs an end: seconds of the robot's time.
+#: The limit of an endless program at full speed, in seconds of the robot's time.
 DEFAULT_SECONDS = 300.0
-#: Seconds of the wall clock between two states of the status line.
+#: Seconds of the wall clock between two updates of the status line.
 STATUS_PERIOD = 0.1
 
-#: Characters of the longest label of the report, and what begins a further line of a value.
+#: Characters of the longest label of the report, and the indent of a value's further lines.
 _LABEL = 10
 _NEW_LINE = "\n" + " " * (_LABEL + 1)
-#: How a run ended, by the names in the words of the report.
+#: How a run ended, by the names in the report's words.
 _HOW = {How.FINISHED: "finished", How.STOPPED: "stopped"}
 
 _EXIT_CODES = {
@@ -38,7 +38,7 @@ _EXIT_CODES = {
     How.NO_CALL: ExitCode.PROGRAM_STOPPED,
     How.OUTPUT_LIMIT: ExitCode.PROGRAM_STOPPED,
     How.KILLED: ExitCode.PROGRAM_STOPPED,
-    # Only a signal, such as that of Ctrl-C, stops a run from here.
+    # Here, only a signal such as Ctrl-C stops a run.
     How.STOPPED: ExitCode.INTERRUPTED,
 }
 
@@ -101,7 +101,7 @@ def demonstrate(picture: Path) -> int:
 
 
 class _Terminal(Watcher):
-    """A listener that shows prints at once, and on a terminal a line with the state of the run."""
+    """A listener that shows output at once and, on a terminal, a line with the state of the run."""
 
     #: The run whose state is shown.
     session: ProgramRun | None = None
@@ -146,7 +146,7 @@ class _Terminal(Watcher):
 
 
 def _refused(source: Source, entry: RobotEntry, *, anyway: bool, as_json: bool) -> bool:
-    """Print the diagnostics of the check; return whether the program cannot be run."""
+    """Print the diagnostics of the check; return whether they prevent the run."""
     diagnostics = running.check(source, entry)
     errors = [
         one
@@ -268,7 +268,7 @@ def _ending(report: Report, session: ProgramRun) -> str:
 
 
 def _within(place: object) -> str:
-    """The position in a file of the user's folder, below the line of the program."""
+    """The position in a file of the user's folder, shown below the program's line."""
     if not isinstance(place, Mapping):
         return ""
     return f"{_NEW_LINE}{place['file']}:{place['line']}{_quoted(place)}"

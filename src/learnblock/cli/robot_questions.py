@@ -32,7 +32,7 @@ Answers = dict[str, Any]
 
 
 def ask_plan(name: str | None) -> RobotPlan:
-    """Ask for the description of a robot; a wrong answer is refused, and asked for again.
+    """Ask for the description of a robot; invalid answers are refused and the question repeated.
 
     Args:
         name: of the robot; None to ask for it.
@@ -87,7 +87,7 @@ def _distance_sensors(body: Answers) -> Iterator[Answers]:
 
 
 def _sides(direction: float) -> str:
-    """Where a reading appears by default; between two sides, at both."""
+    """The sides of a reading by default; both sides, if it is between two."""
     looks = {"front": 0, "right": 90, "back": 180, "left": -90}
     apart = {side: abs((direction - middle + 180) % 360 - 180) for side, middle in looks.items()}
     return ", ".join(side for side, degrees in apart.items() if degrees <= 45)
@@ -151,7 +151,7 @@ def _half_length(body: Answers) -> float:
 
 
 def _fields(table: str, struct: type[Struct], **defaults: Any) -> Answers:
-    """Ask for fields of a table of the description."""
+    """Ask for fields of a table in the description."""
     return {
         field: _ask(f"{table}.{field}", struct, field, default)
         for field, default in defaults.items()
@@ -171,7 +171,7 @@ def _ask(key: str, struct: type[Struct], field: str, default: Any) -> Any:
                 "new-ask-wrong-value", key=key, value=text[:80], allowed=allowed
             ) from None
 
-    # The meaning only; what is allowed is in the message about a wrong value.
+    # Only the meaning; the message about an invalid value says what is allowed.
     note = allowed.partition(" (")[2].removesuffix(")")
     return click.prompt(f"{key} ({note})", default=default, value_proc=converted)
 
@@ -201,7 +201,7 @@ def _keys(question: str) -> list[str]:
 
 
 def _split(text: str) -> list[str]:
-    """The words between commas, each once, without ``none``."""
+    """The comma-separated words without duplicates and without ``none``."""
     words = (word.strip() for word in text.split(","))
     return list(dict.fromkeys(word for word in words if word and word != "none"))
 

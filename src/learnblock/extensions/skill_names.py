@@ -1,4 +1,4 @@
-"""Places of skill names in Python source, which is read and not run."""
+"""Positions of skill names in Python source, which is read and not run."""
 
 import ast
 from collections.abc import Collection, Iterable, Iterator, Mapping
@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True, order=True)
 class Place:
-    """A place where a skill is defined or called.
+    """A position where a skill is defined or called.
 
     Args:
-        line: from 1.
-        column: in bytes, from 0.
-        name: of the skill.
+        line: the line, from 1.
+        column: the column in bytes, from 0.
+        name: the skill's name.
         is_plain: whether the source spells it the same, and not in another form of Unicode.
     """
 
@@ -23,12 +23,12 @@ class Place:
 
 
 def places(tree: ast.Module, source: str, names: Collection[str]) -> Iterator[Place]:
-    """The places of skill names.
+    """The positions of skill names.
 
     Args:
-        tree: of the source.
+        tree: the syntax tree of the source.
         source: a module.
-        names: of the skills, which need not be in the source.
+        names: the names of the skills, which need not be in the source.
     """
     lines = _lines(source)
     for line, column, name in _named(tree, lines, names):
@@ -37,9 +37,9 @@ def places(tree: ast.Module, source: str, names: Collection[str]) -> Iterator[Pl
 
 
 def replaced(source: str, found: Iterable[Place], names: Mapping[str, str]) -> str:
-    """The source with other names in these places, which must be plain."""
+    """The source with other names at these positions, which must be plain."""
     lines = _lines(source)
-    # From the end, so that earlier places keep their positions.
+    # From the end, so that earlier positions stay valid.
     for place in sorted(found, reverse=True):
         text, end = lines[place.line - 1], place.column + len(place.name.encode())
         lines[place.line - 1] = text[: place.column] + names[place.name].encode() + text[end:]

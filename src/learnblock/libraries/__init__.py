@@ -13,7 +13,7 @@ from learnblock.storage.home import home
 
 def _folders() -> Iterator[Path]:
     program = Path(getattr(sys.modules["__main__"], "__file__", None) or "")
-    # A program that the page runs has no file, and therefore no folder.
+    # A program run from the page has no file, and therefore no folder.
     if program.is_absolute():
         yield program.parent
     yield home() / "libraries"

@@ -30,7 +30,7 @@ FUNCTIONS: Mapping[str, tuple[str, ...]] = {
     "RGBLed": ("set_color",),
     "Speaker": ("say", "play", "tone"),
 }
-#: The devices that a robot can have several of; their keys are in a table.
+#: The types of which a robot can have several devices; their keys are in a table.
 _TABLES = {
     "Camera": "CAMERAS",
     "JointMotor": "JOINT_RANGES",
@@ -40,7 +40,7 @@ _TABLES = {
 
 
 def client_source(plan: RobotPlan, title: str) -> str:
-    """The text of its module."""
+    """The source of its module."""
     kinds = device_types(plan)
     parts = [_part(plan, kind) for kind in kinds]
     return fill(
@@ -58,7 +58,7 @@ def client_source(plan: RobotPlan, title: str) -> str:
 
 
 def device_types(plan: RobotPlan) -> list[str]:
-    """The types of its devices; the wheels come first."""
+    """The types of its devices, wheels first."""
     kinds = {device.partition(":")[0] for device in plan.devices()}
     return sorted(kinds, key=lambda kind: (kind != "Base", kind))
 
@@ -73,7 +73,7 @@ def function_names(plan: RobotPlan) -> list[str]:
 
 
 def literal(text: str) -> str:
-    """A text as a Python literal."""
+    """A string as a Python literal."""
     return json.dumps(text, ensure_ascii=False)
 
 
@@ -90,7 +90,7 @@ def _part(plan: RobotPlan, kind: str) -> tuple[str, str]:
 
 
 def _imports(kinds: list[str], plan: RobotPlan) -> Iterator[str]:
-    """The imports, in the order of import sorters."""
+    """The imports, in the order that import sorters use."""
     if "DistanceSensors" in kinds:
         yield "from collections.abc import Sequence"
     if _TABLES.keys() & kinds:
@@ -142,7 +142,7 @@ def _reached(plan: RobotPlan) -> str:
 
 
 def _tables(plan: RobotPlan) -> Iterator[str]:
-    """The tables of devices that a robot can have several of."""
+    """The tables of the types of which a robot can have several devices."""
     if plan.distance:
         sides = [_tuple(map(literal, sensor.sides)) for sensor in plan.distance]
         meaning = "The sides that each sensor looks to, from left to right."
@@ -167,7 +167,7 @@ def _joint_ranges(joints: Sequence[Joint]) -> str:
 
 
 def _table(meaning: str, name: str, rows: Sequence[str]) -> str:
-    """A constant with one row in each line, or a single row in one line, like formatters."""
+    """A constant with one row per line, or a single row on one line, as formatters write it."""
     if len(rows) == 1:
         return f"#: {meaning}\n{name} = {_tuple(rows)}"
     return "\n".join((f"#: {meaning}", f"{name} = (", *(f"    {row}," for row in rows), ")"))

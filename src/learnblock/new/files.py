@@ -8,14 +8,14 @@ from learnblock.storage.files import save
 
 
 def write_new(files: Mapping[Path, str], *, force: bool = False) -> None:
-    """Write files.
+    """Write new files.
 
     Args:
         files: the text of each file, by path.
         force: replace existing files.
 
     Raises:
-        FileTakenError: one of them exists; then nothing is written.
+        FileTakenError: one of them exists, so nothing is written.
         OSError: one cannot be written.
     """
     taken = tuple(str(path) for path in files if path.exists())

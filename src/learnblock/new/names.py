@@ -1,4 +1,4 @@
-"""The names of new robots and skills: they become file names, modules and words of programs."""
+"""The names of new robots and skills: they become names of files, modules and functions."""
 
 import keyword
 import re
@@ -11,7 +11,7 @@ from learnblock.robots import entries
 from learnblock.storage.files import is_device_name
 
 LONGEST = 40
-"""Characters of a name."""
+"""The limit of a name, in characters."""
 
 _ROBOT = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 _FUNCTION = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
@@ -39,8 +39,8 @@ def check_skill_name(name: str, file: Path) -> None:
     """Refuse a name that a new skill cannot have.
 
     Args:
-        name: of the function.
-        file: of the skill; if it exists, it may already contain a skill of that name.
+        name: the function's name.
+        file: the skill's file; if it exists, it may already contain a skill with that name.
 
     Raises:
         NewNameError: the name is not allowed, or is taken.

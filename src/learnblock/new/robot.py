@@ -15,7 +15,7 @@ from learnblock.simulator import RobotDescription, World, load_world
 from learnblock.simulator.robot_description import RobotFile
 from learnblock.storage import toml_source
 
-#: Examples with a fitting world each; those that need the most devices come first.
+#: Examples, each with a suitable world; those that need the most devices come first.
 _EXAMPLES = (
     ("labyrinth.bt", "labyrinth"),
     ("avoid.bt", "obstacles"),
@@ -31,7 +31,7 @@ _EXAMPLES = (
 )
 _EXAMPLES_WITH_ROOM = tuple(one for one in _EXAMPLES if one[1] == "empty")
 _EXAMPLES_TRIED = 4
-#: The results that `check_robot` accepts for a second of 50 mm/s and 45 degrees/s, less some noise.
+#: The results that `check_robot` accepts for 1 s of 50 mm/s and 45 degrees/s, minus some noise.
 _FORWARD = (30.0, 85.0)
 _RIGHT = (25.0, 75.0)
 _WIDEST = 110.0
@@ -42,7 +42,7 @@ def files_at_home(plan: RobotPlan, home: Path) -> dict[Path, str]:
     """The robot's files in the user's folder, where LearnBlock finds them.
 
     Args:
-        plan: with a checked name.
+        plan: the plan, with a checked name.
         home: the folder, `learnblock.storage.home.home`.
     """
     module = _module(plan)
@@ -58,8 +58,8 @@ def files_of_package(plan: RobotPlan, folder: Path) -> dict[Path, str]:
     """The robot's files in a separate package, to be installed with pip.
 
     Args:
-        plan: with a checked name.
-        folder: of the package, which may not exist yet.
+        plan: the plan, with a checked name.
+        folder: the folder of the package, which may not exist yet.
     """
     module = _module(plan)
     package = f"learnblock_{module}"
@@ -74,7 +74,7 @@ def files_of_package(plan: RobotPlan, folder: Path) -> dict[Path, str]:
 
 
 def title_of(plan: RobotPlan) -> str:
-    """The robot's name for people."""
+    """The robot's display name."""
     return plan.title or plan.name.replace("-", " ").title()
 
 
@@ -96,9 +96,9 @@ def _test(plan: RobotPlan, *, imports: tuple[str, str] = ("", ""), home: str = "
     """The test of client and twin.
 
     Args:
-        plan: of the robot.
-        imports: an import of a module and one of a name, which `home` needs.
-        home: lines that name the folder of the robot.
+        plan: the plan of the robot.
+        imports: an import of a module and one of a name, both needed by `home`.
+        home: lines that set the folder of the robot.
     """
     module, names = imports
     return fill(
@@ -149,7 +149,7 @@ def _excused(plan: RobotPlan) -> str:
 
 
 def unkept(plan: RobotPlan) -> Mapping[str, str]:
-    """The claims of `check_robot` that such a robot cannot keep, with the reasons."""
+    """The claims of `check_robot` that such a robot cannot meet, with the reasons."""
     found = {}
     ahead, turned = _driven(plan, 50, 0)[0], _driven(plan, 0, 45)[1]
     if not _FORWARD[0] < ahead < _FORWARD[1]:

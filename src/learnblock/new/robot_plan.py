@@ -88,16 +88,16 @@ def read_plan(file: Path) -> RobotPlan:
 
     Raises:
         RobotDescriptionError: the file has mistakes.
-        OSError: it cannot be read.
+        OSError: the file cannot be read.
     """
     return toml_source.read(file, RobotPlan, RobotDescriptionError, _check)
 
 
 def parse_plan(source: str) -> RobotPlan:
-    """A description in a text.
+    """A description in a string.
 
     Raises:
-        RobotDescriptionError: the text has mistakes.
+        RobotDescriptionError: it has mistakes.
     """
     name, error = "the description", RobotDescriptionError
     values = toml_source.parse(source, name, error)
@@ -105,10 +105,10 @@ def parse_plan(source: str) -> RobotPlan:
 
 
 def plan_of(values: Mapping[str, Any]) -> RobotPlan:
-    """A description from values that are not from a file.
+    """A description from values, not from a file.
 
     Raises:
-        RobotDescriptionError: a value is wrong.
+        RobotDescriptionError: a value is invalid.
     """
     name = "the description"
     return toml_source.convert(values, RobotPlan, RobotDescriptionError, _check, name=name)
@@ -120,7 +120,7 @@ def named(plan: RobotPlan, name: str) -> RobotPlan:
 
 
 def is_key(text: str) -> bool:
-    """Whether a text can be the key of a device."""
+    """Whether a string can be the key of a device."""
     return bool(_WORDS.fullmatch(text)) and len(text) <= 40
 
 
@@ -139,7 +139,7 @@ def _check(plan: RobotPlan) -> Iterator[Finding]:
 
 
 def _check_keys(plan: RobotPlan) -> Iterator[Finding]:
-    """Refuse keys that are not words, because they become part of a Python file."""
+    """Refuse keys that are not identifiers, because they become part of a Python file."""
     keys = [(("camera", i, "key"), one.key) for i, one in enumerate(plan.camera)]
     keys += [(("joint", i, "key"), one.key) for i, one in enumerate(plan.joint)]
     keys += [(("led", i, "slot"), one.slot) for i, one in enumerate(plan.led)]

@@ -10,8 +10,8 @@ def skill_files(name: str, folder: Path) -> dict[Path, str]:
     """A new skill and its test.
 
     Args:
-        name: of the function and its files.
-        folder: `learnblock.storage.home.home`, or another folder of that kind.
+        name: the name of the function and its files.
+        folder: `learnblock.storage.home.home`, or another folder with the same structure.
 
     Raises:
         NewNameError: the name is not allowed, or is taken.

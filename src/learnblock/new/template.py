@@ -11,7 +11,7 @@ def fill(name: str, /, **values: object) -> str:
 
     Args:
         name: such as ``robot/client.py``.
-        values: by the names in the template; the caller has checked that they fit there.
+        values: the values by their names in the template; the caller has checked them.
     """
     return Template(read(name)).substitute(values)
 

@@ -12,8 +12,8 @@ def world_files(name: str, folder: Path) -> dict[Path, str]:
     """A new world with one object of most kinds.
 
     Args:
-        name: of the world and its file.
-        folder: `learnblock.storage.home.home`, or another folder of that kind.
+        name: the name of the world and its file.
+        folder: `learnblock.storage.home.home`, or another folder with the same structure.
 
     Raises:
         WorldError: the name is not allowed.

@@ -1,4 +1,4 @@
-"""Changes of the files that define blocks, which a user may edit by hand."""
+"""Detection of changes to the files that define blocks, which users may edit by hand."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -23,7 +23,7 @@ class BlockFiles:
 
 
 def version() -> Version:
-    """The files, the time of each one's last change, and its size."""
+    """The files, each with its modification time and size."""
     return frozenset(_stamps())
 
 

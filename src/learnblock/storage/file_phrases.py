@@ -7,7 +7,7 @@ from learnblock.i18n import Phrase
 
 
 def place(path: str) -> Phrase:
-    """Name a place within a file, such as ``wall[2]``; the file itself for an empty path."""
+    """Name a position in a file, such as ``wall[2]``; the file itself for an empty path."""
     return Phrase("file-place", path=path) if path else Phrase("file-itself")
 
 

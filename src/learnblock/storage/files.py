@@ -13,7 +13,7 @@ def is_device_name(name: str) -> bool:
 
 
 def save(path: Path, data: bytes) -> None:
-    """Write a file so that a crash, even of the machine, leaves the old file or the new one.
+    """Write a file so that a crash, even of the machine, leaves either the old file or the new one.
 
     Raises:
         OSError: it cannot be written; the old file is unchanged.

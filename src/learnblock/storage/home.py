@@ -7,7 +7,7 @@ from types import ModuleType
 
 
 def home() -> Path:
-    """Path in ``LEARNBLOCK_HOME``, or else the system's place for a user's configuration."""
+    """The path in ``LEARNBLOCK_HOME``, or else the system's folder for user configuration."""
     chosen = os.environ.get("LEARNBLOCK_HOME")
     if chosen:
         return Path(chosen)
@@ -17,10 +17,10 @@ def home() -> Path:
 
 
 def import_file(path: Path) -> ModuleType:
-    """Import a Python file of the user's folder; again only after a change.
+    """Import a Python file from the user's folder; import it again only after a change.
 
     Raises:
-        Exception: any error that the file raises; it is then not imported.
+        Exception: any error that the file raises, which is then not imported.
     """
     import importlib.util  # noqa: PLC0415 - most programs never need it
 

@@ -1,4 +1,4 @@
-"""JSON that a person wrote: its value, and the place of each part for messages."""
+"""JSON that a person wrote: its value, and the position of each part, for messages."""
 
 import json
 import re
@@ -14,9 +14,9 @@ from learnblock.i18n import Phrase
 #: The keys and indices that lead to a part of a value.
 Path = tuple[str | int, ...]
 
-#: Characters; the configurations of all blocks that we ship have a fifth of it.
+#: The limit in characters; the configurations of all built-in blocks together have a fifth of it.
 LARGEST = 250_000
-#: Nested brackets: a configuration needs five, and a default value that is a list a few more.
+#: The limit of nested brackets: a configuration needs five, and a list as a default a few more.
 DEEPEST = 16
 
 # An unclosed string extends to the end of the text, so that reading always takes linear time.
@@ -24,7 +24,7 @@ _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"?|[][{}:,]|[^\s"\][{}:,]+', re.DOTALL)
 _NO_NUMBERS = frozenset({"NaN", "Infinity", "-Infinity"})
 _OPENING, _CLOSING = frozenset("[{"), frozenset("]}")
 
-#: What Python's own messages mean for a person who wrote a configuration.
+#: Python's own messages in terms of a configuration.
 _SLIPS = {
     "Expecting ',' delimiter": "json-missing-comma",
     "Expecting ':' delimiter": "json-missing-colon",
@@ -39,7 +39,7 @@ _SLIPS = {
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A place in the text; line and columns count from 1."""
+    """A position in the text; line and column are counted from 1."""
 
     line: int = 0
     column: int = 0
@@ -48,13 +48,13 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Document:
-    """The value of a JSON text, and the places of its parts.
+    """The value of a JSON text, and the positions of its parts.
 
     Args:
         value: as `json.loads` returns it.
-        values: the place of each value.
-        keys: the place of each object's key, by the path of its value.
-        repeated: keys that one object has twice, with the place of the later one.
+        values: the position of each value.
+        keys: the position of each object's key, by the path of its value.
+        repeated: duplicate keys of an object, with the position of the later one.
     """
 
     value: object
@@ -76,7 +76,7 @@ class _Token:
 def parse(text: str, filename: str) -> Document:
     """Read JSON; a text that starts with a key is read as an object without its braces.
 
-    Line breaks inside texts are allowed, as in the paper's example.
+    Line breaks inside strings are allowed, as in the paper's example.
 
     Raises:
         BlockConfigurationError: the text is not JSON, or is too large or too deeply nested.
@@ -174,7 +174,7 @@ class _Source:
         elif at is not None:
             place = self._place_at(at)
         diagnostic = Diagnostic(code, message, place.line, place.column, place.end_column)
-        # A file that is too large is not shown, and needs no caret.
+        # A file that is too large is not shown, so it needs no caret.
         shown = self._text if len(self._text) <= LARGEST else ""
         raise BlockConfigurationError(self._filename, [diagnostic], shown)
 
@@ -234,7 +234,7 @@ def _is_braceless(tokens: Sequence[_Token]) -> bool:
 
 
 def _strings(value: object) -> Iterator[str]:
-    """Every text in a JSON value, keys included."""
+    """Every string in a JSON value, keys included."""
     if isinstance(value, str):
         yield value
     elif isinstance(value, list):

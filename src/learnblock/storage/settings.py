@@ -32,7 +32,7 @@ Patience = Annotated[float, Meta(ge=0.1, le=60, description="robot-setting-patie
 
 
 class Settings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """The base of every table; each field has a default."""
+    """The base class of every table; each field has a default."""
 
 
 SettingsT = TypeVar("SettingsT", bound=Settings)
@@ -43,9 +43,9 @@ class Described:
     """One setting, as it is shown to a person.
 
     Args:
-        name: of the setting.
+        name: the name of the setting.
         value: the current value.
-        default: the value without a choice by the user.
+        default: the value if the user has not chosen one.
         allowed: its possible values, such as ``a whole number from 1 to 65535 (a port)``.
     """
 
@@ -56,7 +56,7 @@ class Described:
 
 
 def file() -> Path:
-    """Path of the user's settings file, which may not exist."""
+    """The path of the user's settings file, which may not exist."""
     return home() / "settings.toml"
 
 
@@ -65,8 +65,8 @@ class Table(Generic[SettingsT]):
     """One table of the file.
 
     Args:
-        path: the names of the tables around it, and its own name.
-        owner: what the settings belong to, such as ``the robot cozmo``.
+        path: the names of the enclosing tables and its own name.
+        owner: the owner of the settings, such as ``the robot cozmo``.
         kind: the type of the settings.
     """
 
@@ -81,7 +81,7 @@ class Table(Generic[SettingsT]):
             chosen: settings by name, which take precedence over the file.
 
         Raises:
-            SettingsError: a value or a name is wrong, in the file or among those chosen.
+            SettingsError: a value or a name in the file or in `chosen` is invalid.
         """
         if not file().exists():
             return self._converted(dict(chosen or {}))
@@ -94,7 +94,7 @@ class Table(Generic[SettingsT]):
 
         Raises:
             UnknownNameError: there is no such setting.
-            SettingsError: the value is wrong, or the file already has a mistake.
+            SettingsError: the value is invalid, or the file already is.
         """
         field = next((one for one in msgspec.structs.fields(self.kind) if one.name == name), None)
         if field is None:
@@ -117,7 +117,7 @@ class Table(Generic[SettingsT]):
         """Change several settings in the user's file, all of them or none.
 
         Raises:
-            SettingsError: a value or a name is wrong, or the file already has a mistake.
+            SettingsError: a value or a name is invalid, or the file already is.
         """
         changed = self._converted({**_as_dict(self.load()), **values})
         self._save(changed)
@@ -127,7 +127,7 @@ class Table(Generic[SettingsT]):
         """Describe every setting with its current value.
 
         Raises:
-            SettingsError: the user's file has a mistake.
+            SettingsError: the user's file is invalid.
         """
         present, types = self.load(), self._types()
         for field in msgspec.structs.fields(self.kind):
@@ -154,12 +154,12 @@ class Table(Generic[SettingsT]):
         save(file(), tomli_w.dumps(whole).encode())
 
     def _file_kind(self) -> Any:
-        """The type of the file as far as this table goes, so that mistakes have their line."""
+        """The type of the file, limited to this table, so that mistakes have a line."""
         return reduce(_table_with, reversed(self.path), self.kind)
 
 
 def _table_with(kind: Any, name: str) -> Any:
-    """A table that contains another one."""
+    """A table that contains another table."""
     return msgspec.defstruct(
         "Table",
         [(_identifier(name), kind, kind())],
@@ -169,19 +169,19 @@ def _table_with(kind: Any, name: str) -> Any:
 
 
 def _value(text: str, kind: inspect.Type) -> Any:
-    """Read a value typed on the command line; all types but text are written as in the file."""
+    """Read a value typed on the command line; all types except strings are written as in TOML."""
     if _is_text(kind):
         return text
     try:
         written = tomllib.loads(f"value = {text}")
     except tomllib.TOMLDecodeError:
-        # One of the allowed words, or a wrong value, which is reported as such.
+        # One of the allowed words, or an invalid value, which is reported later.
         return text
     return written["value"] if len(written) == 1 else text
 
 
 def _is_text(kind: inspect.Type) -> bool:
-    """Whether only texts are allowed."""
+    """Whether only strings are allowed."""
     if isinstance(kind, inspect.Metadata):
         return _is_text(kind.type)
     if isinstance(kind, inspect.LiteralType):

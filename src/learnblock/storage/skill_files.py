@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import ast
     from importlib.metadata import EntryPoint
 
-#: In bytes, more than any file of skills written by hand.
+#: The limit in bytes, larger than any hand-written file of skills.
 LARGEST = 1024 * 1024
 
 _DEFINITION = re.compile(r"^def[ \t]+([^\W\d_]\w*)[ \t]*\([ \t]*[^\W\d*)]", re.MULTILINE)
@@ -28,7 +28,7 @@ def own_files() -> tuple[Path, ...]:
 
 def plugins() -> "Iterable[EntryPoint]":
     """List the installed plugins: the entry points in the group ``learnblock.skills``."""
-    from importlib.metadata import entry_points  # noqa: PLC0415 - it searches all packages
+    from importlib.metadata import entry_points  # noqa: PLC0415 - slow: it searches all packages
 
     return entry_points(group="learnblock.skills")
 
@@ -72,7 +72,7 @@ def require_python(source: str, filename: str) -> None:
 
 @contextmanager
 def _reporting(source: str, filename: str) -> Iterator[None]:
-    """Report Python's complaints about a file as ours."""
+    """Report Python's errors about a file as our own."""
     import warnings  # noqa: PLC0415 - most programs have no custom skills
 
     try:
@@ -111,7 +111,7 @@ def names(path: Path) -> tuple[str, ...]:
 
 
 def names_in(source: str) -> tuple[str, ...]:
-    """Guess the names of the skills in a text that is not valid Python."""
+    """Guess the names of the skills in a file that is not valid Python."""
     return tuple(dict.fromkeys(_DEFINITION.findall(source)))
 
 

@@ -1,6 +1,6 @@
-"""The types of a Struct's fields: what values they allow, in words and as choices.
+"""The types of a Struct's fields: the values that they allow, in words and as choices.
 
-Numbers are given as texts, since a file spells them the same in every language.
+Numbers are passed as strings, because a file spells them the same in every language.
 """
 
 from msgspec import inspect
@@ -70,7 +70,7 @@ def fields(allowed: inspect.Type) -> tuple[inspect.Field, ...]:
 
 
 def type_at(root: inspect.Type, path: KeyPath) -> inspect.Type:
-    """The type at a path, with its description; of a union, the path enters the list."""
+    """The type at a path, with its description; in a union, the path leads into the list."""
     allowed = root
     for step in path:
         allowed = _entry(allowed, step)

@@ -1,6 +1,6 @@
-"""Reads a TOML file that a person wrote into a Struct, and reports each mistake with its line.
+"""Reads a hand-written TOML file into a Struct, and reports each mistake with its line.
 
-Worlds, simulated robots and settings are such files. What msgspec refuses is reported in the terms
+Worlds, simulated robots and settings are such files. Errors of msgspec are reported in the terms
 of the file: the key, its value, the allowed values (from the Struct's own types and descriptions),
 and the line.
 """
@@ -28,7 +28,7 @@ from learnblock.storage.file_phrases import place, unknown_key
 from learnblock.storage.struct_types import KeyPath, choices, describe, fields, type_at
 from learnblock.storage.toml_lines import find_key
 
-#: Bytes; the largest world that we ship has 3 % of it.
+#: The limit in bytes; the largest built-in world has 3 % of it.
 MAXIMUM_FILE_SIZE = 256 * 1024
 _LONGEST_VALUE = 60
 
@@ -68,7 +68,7 @@ def parse(source: str, name: str, error: type[FileError]) -> dict[str, Any]:
 
     Args:
         source: TOML.
-        name: of the file.
+        name: the name of the file.
         error: what to raise, with the diagnostic and the text.
     """
     try:
@@ -101,7 +101,7 @@ def convert(
         struct: the type to convert them to.
         error: what to raise, with the diagnostics and the text.
         check: finds mistakes that the types of `struct` accept.
-        name: of the file.
+        name: the name of the file.
         source: the file's text, for the lines of mistakes.
     """
     try:
@@ -116,11 +116,11 @@ def convert(
 
 
 def write(struct: msgspec.Struct, name: str, error: type[FileError]) -> str:
-    """Write the text of a file that `read` reads as the same `struct`; defaults are left out.
+    """Format a `struct` as the text of a file, as accepted by `read`; defaults are left out.
 
     Args:
         struct: the file's values.
-        name: of the file.
+        name: the name of the file.
         error: what to raise when the text is larger than `read` accepts.
     """
     text = tomli_w.dumps(_document_of(struct))
@@ -189,7 +189,7 @@ _MSGSPEC = re.compile(r"Expected `|Invalid ")
 def _explain(
     refusal: msgspec.ValidationError, document: Mapping[str, Any], root: inspect.Type
 ) -> Finding:
-    """Explain what msgspec refused to a person who knows only the file."""
+    """Explain an error of msgspec to a person who knows only the file."""
     text = str(refusal)
     place = _PLACE.search(text)
     steps = _STEP.findall(place[1]) if place else []
@@ -205,7 +205,7 @@ def _explain(
 
 
 def _refused(path: KeyPath, cause: BaseException | None, text: str) -> Finding:
-    """Pass on what the Struct itself refused; the text of a plain ValueError may be a code."""
+    """Return an error raised by the Struct itself; the text of a plain ValueError may be a code."""
     reason = cause.phrase if isinstance(cause, LearnBlockError) else Phrase(text)
     return Finding(
         path, "wrong-value", Phrase("file-wrong-value", place=_place(path), reason=reason)
@@ -228,7 +228,7 @@ def _missing_key(path: KeyPath, owner: inspect.Type) -> Finding:
 
 def _wrong_value(path: KeyPath, value: object, allowed: inspect.Type) -> Phrase:
     if isinstance(value, dict) and len(path) == 1:
-        # The header [wall], where there may be many walls.
+        # The header [wall], although there may be many walls.
         return Phrase("toml-single-table", name=str(path[0]))
     values: dict[str, Value] = {
         "place": _place(path),

@@ -24,8 +24,8 @@ def check(
 
     Args:
         source: the Python of its functions.
-        configuration: of its blocks, as JSON; empty for the defaults.
-        name: to save it under; empty if it has none yet.
+        configuration: the configuration of its blocks, as JSON; empty for the defaults.
+        name: the name the name to save it under; empty if it has none yet.
         replaces: the name it is saved under now, if any.
         others: the result of `others_names`, if it is already known.
     """
@@ -40,7 +40,7 @@ def check(
     try:
         found = signatures(source, filename)
     except ProgramError:
-        # It is among the problems of the source.
+        # This is already among the problems of the source.
         return Checked(tuple(problems), chosen=configuration)
     if not name and found:
         # The page calls a new file after its first function.

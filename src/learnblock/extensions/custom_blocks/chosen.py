@@ -1,4 +1,4 @@
-"""The configuration of custom blocks: joined with their source, and separated from it."""
+"""The configuration of custom blocks: merged with their source, and separated from it."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
@@ -13,7 +13,7 @@ from learnblock.i18n import Phrase
 
 
 def read(text: str) -> tuple[tuple[BlockConfiguration, ...], tuple[Diagnostic, ...]]:
-    """The configurations in a text, or its mistakes; an empty text has no configurations."""
+    """The configurations in a string, or its mistakes; an empty string has no configurations."""
     if not text.strip():
         return (), ()
     try:
@@ -25,9 +25,9 @@ def read(text: str) -> tuple[tuple[BlockConfiguration, ...], tuple[Diagnostic, .
 def followed(
     chosen: Iterable[BlockConfiguration], signatures: Iterable[Signature]
 ) -> tuple[BlockConfiguration, ...]:
-    """The configurations, one of which may follow a renamed function.
+    """The configurations; if a function was renamed, its configuration is too.
 
-    If only one function and only one configuration have no partner, the function was renamed: it
+    If just one function and one configuration do not match any other, the function was renamed: it
     keeps its colour and its words in other languages.
     """
     blocks, names = list(chosen), [one.name for one in signatures]
@@ -56,9 +56,9 @@ def complete(
 
 
 def apart(blocks: Iterable[BlockConfiguration], signatures: Iterable[Signature]) -> str:
-    """The configuration to save: without the words that the source says itself.
+    """The configuration to save: without the words that are already in the source.
 
-    Otherwise, a later change of a docstring would never be shown.
+    Otherwise, a later change to a docstring would never be shown.
     """
     pairs = zip(blocks, signatures, strict=True)
     return written(_without(block, derived(one, "")) for block, one in pairs)
@@ -84,7 +84,7 @@ def _differing(texts: Mapping[str, str], known: Mapping[str, str]) -> dict[str, 
 def out_of_date(
     chosen: Mapping[str, BlockConfiguration], signatures: Mapping[str, Signature]
 ) -> Iterator[Phrase]:
-    """The parts of configurations that contradict their functions, a message each."""
+    """The parts of configurations that contradict their functions, with a message for each."""
     for name, block in chosen.items():
         if name not in signatures:
             yield Phrase("custom-stale-function", name=name)

@@ -30,7 +30,7 @@ def taken_names(
 
 
 def others_names() -> Mapping[str, Phrase]:
-    """The names that are taken by others than custom blocks."""
+    """The names that are taken by anything except custom blocks."""
     taken = {
         one.name: Phrase("custom-taken-by-library", name=one.name, library=one.library)
         for one in installed_blocks()

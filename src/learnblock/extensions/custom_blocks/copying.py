@@ -36,12 +36,12 @@ def renamed_source(source: str, names: Mapping[str, str]) -> str:
         ProgramError: it is not valid Python.
     """
     tree = skill_files.parse(source, "block.py")
-    # A name written in an unusual way is not renamed; the check of the copy reports it.
+    # A name spelled in an unusual form of Unicode is not renamed; the check of the copy reports it.
     return replaced(source, (one for one in places(tree, source, names) if one.is_plain), names)
 
 
 def renamed_configuration(configuration: str, names: Mapping[str, str]) -> str:
-    """A configuration with the functions renamed; a wrong one is returned as it is."""
+    """A configuration with the functions renamed; an invalid one is returned unchanged."""
     blocks, wrong = choices.read(configuration)
     if wrong or not blocks:
         return configuration

@@ -36,8 +36,8 @@ class Checked:
     """The result of a check.
 
     Args:
-        problems: in the order of each part.
-        blocks: of the source, as far as it can be read.
+        problems: the problems of each part, in order.
+        blocks: the blocks of the source, as far as it can be parsed.
         chosen: the configuration without what the source already says, as JSON; this is saved.
     """
 
@@ -70,12 +70,12 @@ class CustomBlock:
     """A custom block as it is saved.
 
     Args:
-        name: of the file, without the ending.
-        source: its Python.
-        configuration: of its blocks, as JSON; empty for the defaults.
+        name: the name of the file, without its suffix.
+        source: the Python source.
+        configuration: the configuration of its blocks, as JSON; empty for the defaults.
         functions: the names of its skills, even if the source is not valid Python.
         category: the palette tab of its first block.
-        problems: of the source and the configuration.
+        problems: the problems of the source and the configuration.
     """
 
     name: str
@@ -87,7 +87,7 @@ class CustomBlock:
 
 
 def checked_name(name: str) -> str:
-    """The name in the form that is used for files.
+    """The name in the form used for files.
 
     Raises:
         CustomBlockError: a custom block cannot have this name.

@@ -1,6 +1,6 @@
 """Saved custom blocks: ``skills/NAME.py`` and ``blocks/NAME.json`` in `home`.
 
-A deleted block is moved to a folder ``deleted`` beside them, which keeps the last of each name.
+A deleted block is moved to the folder ``deleted`` beside them, which keeps one block per name.
 """
 
 from collections.abc import Callable, Mapping
@@ -31,7 +31,7 @@ from learnblock.storage.home import home
 
 
 def load_all() -> tuple[CustomBlock, ...]:
-    """All custom blocks in the order of their names, including those with errors."""
+    """All custom blocks sorted by name, including those with errors."""
     others = others_names()
     return tuple(_read(path, others) for path in skill_files.own_files())
 
@@ -49,9 +49,9 @@ def save(name: str, source: str, configuration: str = "", *, replaces: str = "")
     """Save a block, unless the check finds errors in it.
 
     Args:
-        name: of its files.
-        source: the Python of its functions.
-        configuration: of its blocks, as JSON.
+        name: the name of its files.
+        source: the Python source of its functions.
+        configuration: the configuration of its blocks, as JSON.
         replaces: its current name, which may be the same; empty for a new block.
 
     Raises:
@@ -101,8 +101,8 @@ def restore(name: str) -> CustomBlock:
     """Restore a deleted block.
 
     Raises:
-        UnknownNameError: no block of that name was deleted.
-        CustomBlockError: there is another block of that name now.
+        UnknownNameError: no block with that name was deleted.
+        CustomBlockError: there is now another block with that name.
         OSError: it cannot be moved.
     """
     deleted = _deleted(_source(name))
@@ -118,7 +118,7 @@ def export(name: str) -> tuple[str, str]:
 
     Raises:
         UnknownNameError: there is no such block.
-        BlockConfigurationError: its configuration is wrong.
+        BlockConfigurationError: its configuration is invalid.
     """
     block = find(name)
     packed = package.pack(Package(block.name, block.source, block.configuration))
@@ -129,11 +129,11 @@ def import_file(text: str, *, replace: bool = False) -> CustomBlock:
     """Import the block in an exported file.
 
     Args:
-        text: of the file.
-        replace: whether to replace a block of the same name.
+        text: the text of the file.
+        replace: whether to replace a block with the same name.
 
     Raises:
-        CustomBlockError: the file is wrong, or the name is taken.
+        CustomBlockError: the file is invalid, or the name is taken.
         OSError: the block cannot be written.
     """
     found = package.unpack(text)
@@ -169,7 +169,7 @@ def _names(folder: Path) -> tuple[str, ...]:
 
 
 def _existing(name: str) -> Path:
-    """The source file of an existing block; a name can never lead out of the folder."""
+    """The source file of an existing block; the name cannot lead outside the folder."""
     known = _names(_folder())
     if name not in known:
         raise UnknownNameError("block", name, known)

@@ -29,7 +29,7 @@ from learnblock.i18n import Phrase
 
 ENDING = ".block.json"
 VERSION = 1
-#: Characters.
+#: The limit in characters.
 LARGEST = 2_000_000
 
 
@@ -38,9 +38,9 @@ class Package:
     """The content of such a file.
 
     Args:
-        name: of the block.
-        source: its Python.
-        configuration: as JSON; empty for the defaults.
+        name: the name of the block.
+        source: the Python source.
+        configuration: the configuration as JSON; empty for the defaults.
     """
 
     name: str
@@ -59,10 +59,10 @@ _decode = msgspec.json.Decoder(_File).decode
 
 
 def pack(package: Package) -> str:
-    """The text of the file.
+    """The block as the text of the file.
 
     Raises:
-        BlockConfigurationError: the configuration is wrong.
+        BlockConfigurationError: the configuration is invalid.
     """
     # A configuration written by hand may lack its outer braces, like those in the paper.
     chosen = load_configurations(package.configuration) if package.configuration.strip() else ()

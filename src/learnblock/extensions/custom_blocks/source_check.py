@@ -19,8 +19,8 @@ def wrong_source(source: str, filename: str, taken: Mapping[str, Phrase]) -> Ite
     """Check a Python file of skills.
 
     Args:
-        source: its text.
-        filename: for Python's own messages.
+        source: the text of the file.
+        filename: the name that Python's messages show.
         taken: names that its functions cannot have, each with the reason.
     """
     try:

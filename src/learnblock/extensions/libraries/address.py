@@ -24,7 +24,7 @@ def find(address: str) -> Library:
     Raises:
         LibraryError: there is no library.
         ProgramError: a file in it is not valid Python or Block-Text.
-        BlockConfigurationError: ``blocks.json`` is wrong.
+        BlockConfigurationError: ``blocks.json`` is invalid.
         OSError: it cannot be read.
     """
     path = _path(address)
@@ -42,7 +42,7 @@ def find(address: str) -> Library:
 
 def _path(address: str) -> Path:
     parts = urlsplit(address)
-    # A single letter is a drive of Windows.
+    # A single letter is a Windows drive.
     if len(parts.scheme) < 2:
         return Path(address)
     if parts.scheme == "file" and parts.netloc in {"", "localhost"}:

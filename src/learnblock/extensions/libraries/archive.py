@@ -33,7 +33,7 @@ def unpack(content: bytes, where: str) -> Library:
     Raises:
         LibraryError: they are not a library in one file.
         ProgramError: a file in it is not valid Python or Block-Text.
-        BlockConfigurationError: ``blocks.json`` is wrong.
+        BlockConfigurationError: ``blocks.json`` is invalid.
     """
     if len(content) > LARGEST:
         raise _wrong(where, "too-large", Phrase("library-file-too-large", limit=LARGEST))
@@ -46,7 +46,7 @@ def read(path: Path) -> Library:
     Raises:
         LibraryError: it is not a library.
         ProgramError: a file in it is not valid Python or Block-Text.
-        BlockConfigurationError: ``blocks.json`` is wrong.
+        BlockConfigurationError: ``blocks.json`` is invalid.
         OSError: it cannot be read.
     """
     if path.is_dir():
@@ -83,7 +83,7 @@ def _unzipped(content: bytes, where: str) -> dict[str, bytes]:
 
 
 def _entries(archive: zipfile.ZipFile, where: str) -> Iterator[tuple[str, bytes]]:
-    """The files of a zip; they may be in one folder, as when a folder was packed."""
+    """The files of a zip; they may all be in one folder, as in a zip of a folder."""
     entries = [entry for entry in archive.infolist() if not entry.is_dir()]
     if len(entries) > MOST_FILES:
         raise _too_many(where)

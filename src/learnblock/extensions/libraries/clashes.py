@@ -29,7 +29,7 @@ class Clash:
 
     @property
     def phrase(self) -> Phrase:
-        """The message about it."""
+        """The message about the clash."""
         return Phrase("library-clash", skill=self.skill, library=self.library, place=self.place)
 
 
@@ -51,7 +51,7 @@ def refuse_clashes(libraries: Iterable[Library]) -> None:
     """Refuse libraries whose skills have taken names.
 
     Raises:
-        LibraryError: with every clash.
+        LibraryError: a name is taken; the error lists every clash.
     """
     found = clashes(libraries)
     if found:
@@ -60,7 +60,7 @@ def refuse_clashes(libraries: Iterable[Library]) -> None:
 
 
 def _others(coming: Iterable[str]) -> Mapping[str, Phrase]:
-    """The taken names with their places, without those of the libraries to be installed."""
+    """The taken names and where they are, except those of the libraries to be installed."""
     found = {
         name: Phrase("library-place-plugin")
         for name, one in all_configurations().items()

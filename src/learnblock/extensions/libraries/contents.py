@@ -24,7 +24,7 @@ FUNCTIONS = "functions.bt"
 #: The file that makes a folder a Python package.
 PACKAGE = "__init__.py"
 MOST_FILES = 100
-#: Bytes of all files together: a hundred times the usual size.
+#: The limit for all files together, in bytes: a hundred times the usual size.
 LARGEST = 4 * 1024 * 1024
 
 _MADE = "functions.py"
@@ -36,10 +36,10 @@ class Library:
     """Skills that programs import together.
 
     Args:
-        manifest: of the library.
-        functions: in Block-Text.
-        modules: Python by the file's name; a hand-written ``__init__.py`` is the only one.
-        configurations: of the blocks, as JSON; empty for the defaults.
+        manifest: the manifest of the library.
+        functions: the functions in Block-Text.
+        modules: Python source by file name; a hand-written ``__init__.py`` is the only module.
+        configurations: the configurations of the blocks, as JSON; empty for the defaults.
     """
 
     manifest: Manifest
@@ -53,7 +53,7 @@ class Library:
 
     @cached_property
     def files(self) -> Mapping[str, str]:
-        """The text of each file by its name, including the generated files."""
+        """The text of each file by name, including the generated files."""
         found = {MANIFEST: write_manifest(self.manifest), **self.modules}
         if self.functions:
             found[FUNCTIONS] = self.functions
@@ -74,13 +74,13 @@ def from_files(files: Mapping[str, bytes], where: str) -> Library:
     """The library in these files; nothing in them is run.
 
     Args:
-        files: the content of each by its name.
+        files: the content of each file, by name.
         where: the folder or file they come from, for errors.
 
     Raises:
         LibraryError: they are not a library.
         ProgramError: a file is not valid Python or Block-Text.
-        BlockConfigurationError: ``blocks.json`` is wrong.
+        BlockConfigurationError: ``blocks.json`` is invalid.
     """
     texts = _texts(files, where)
     functions = _functions(texts.get(FUNCTIONS, ""))
@@ -101,9 +101,9 @@ def check(library: Library, where: str) -> None:
     """Refuse a library whose skills could not be used.
 
     Raises:
-        LibraryError: it has no skills, or two with one name.
+        LibraryError: it has no skills, or two with the same name.
         ProgramError: a file is not valid Python.
-        BlockConfigurationError: ``blocks.json`` is wrong.
+        BlockConfigurationError: ``blocks.json`` is invalid.
     """
     seen: dict[str, str] = {}
     for file, text in library.files.items():
@@ -147,7 +147,7 @@ def _text(name: str, content: bytes) -> str:
 
 
 def plain_lines(text: str) -> str:
-    """A text with the line ends that libraries have."""
+    """A text with the line endings of library files."""
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 

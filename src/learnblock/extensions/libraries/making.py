@@ -46,15 +46,15 @@ def make(
     """Make a library from functions of a program, those that they call, and custom blocks.
 
     Args:
-        manifest: of the library.
-        program: with the functions.
+        manifest: the manifest of the library.
+        program: the program with the functions.
         functions: their names.
-        own: names of custom blocks, or of their files.
-        filename: the program's, for errors.
+        own: the names of custom blocks or of their files.
+        filename: the file name of the program, for errors.
 
     Raises:
         UnknownNameError: there is no such function or block.
-        LibraryError: a function needs the rest of the program, or has a bad name.
+        LibraryError: a function needs the rest of the program, or has an invalid name.
     """
     text = extracted(program, functions, filename) if functions else ""
     for name, function in language.parse(text).functions.items():
@@ -67,7 +67,7 @@ def make(
 
 
 def own_skills() -> Mapping[str, tuple[str, ...]]:
-    """The skills of the custom blocks, by the name of their file without its ending."""
+    """The skills of the custom blocks, by their file's name without its suffix."""
     return {path.stem: skill_files.names(path) for path in skill_files.own_files()}
 
 
@@ -133,7 +133,7 @@ def _skill_calls(function: Def) -> Iterator[SkillCall]:
 
 
 def _described(library: Library, program: Program) -> Iterator[BlockConfiguration]:
-    """The blocks of the library with all that is known of them."""
+    """The blocks of the library with everything known about them."""
     known = all_configurations()
     made = language.parse(library.functions).functions
     for name, block in library.skills.items():
@@ -145,7 +145,7 @@ def _described(library: Library, program: Program) -> Iterator[BlockConfiguratio
 
 
 def _of_function(block: BlockConfiguration, program: Program) -> BlockConfiguration:
-    """A function's block: its comment is the tooltip, and calls of it determine the types."""
+    """A function's block: its comment is the tooltip, and the calls to it determine the types."""
     types = _given(program, block.name)
     parameters = tuple(replace(one, type=types.get(one.name, one.type)) for one in block.parameters)
     comment = _comment(program, block.name)

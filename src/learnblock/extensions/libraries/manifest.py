@@ -34,10 +34,10 @@ class Manifest(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=
 
     Args:
         learnblock: the version of this format.
-        name: that programs import.
-        version: a higher one is newer.
-        title: the tab of the palette, by language code.
-        description: of the purpose.
+        name: the name that programs import.
+        version: a higher version is newer.
+        title: the name of the palette tab, by language code.
+        description: the purpose of the library.
     """
 
     learnblock: Annotated[int, Meta(ge=1, le=1, description="the version of the format, 1")]
@@ -64,7 +64,7 @@ def manifest(
     """The manifest of a new library.
 
     Raises:
-        LibraryError: a value is wrong.
+        LibraryError: a value is invalid.
     """
     values = {
         "learnblock": 1,
@@ -77,10 +77,10 @@ def manifest(
 
 
 def read_manifest(text: str) -> Manifest:
-    """The manifest in a text.
+    """The manifest in a string.
 
     Raises:
-        LibraryError: it has a mistake.
+        LibraryError: it is invalid.
     """
     values = toml_source.parse(text, MANIFEST, LibraryError)
     return toml_source.convert(

@@ -14,9 +14,9 @@ def renamed(source: str, name: str, new: str, filename: str) -> str:
 
     Args:
         source: a module.
-        name: of the skill, which need not be in the source.
+        name: the skill's name, which need not be in the source.
         new: its new name.
-        filename: for errors.
+        filename: the file name shown in errors.
 
     Raises:
         LibraryError: the new name is already used, or the old one has other meanings.

@@ -1,4 +1,4 @@
-"""Rename skills of a library, so that it can be used beside others."""
+"""Rename skills of a library, so that it can be used together with others."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -18,8 +18,8 @@ def renamed(library: Library, names: Mapping[str, str]) -> Library:
     """Rename skills of a library, also where they call each other.
 
     Args:
-        library: to be renamed.
-        names: the new name of each skill by its old one.
+        library: the library to change.
+        names: the new name of each skill, by its old name.
 
     Raises:
         UnknownNameError: there is no such skill.

@@ -23,10 +23,10 @@ class Shelved:
     """An installed library.
 
     Args:
-        name: that programs import.
-        folder: of its files.
+        name: the name that programs import.
+        folder: the folder of its files.
         library: None if it is broken.
-        problem: why it is broken; empty if it is not.
+        problem: why it is broken; empty if it is intact.
     """
 
     name: str
@@ -69,14 +69,14 @@ def install(coming: Iterable[Library], *, replace: bool = False) -> tuple[Librar
     """Install libraries: all of them, or none if one cannot be installed.
 
     Args:
-        coming: the libraries.
+        coming: the libraries to install.
         replace: whether a library may replace the same or a newer version.
 
     Returns:
-        The libraries that were not installed in this form before.
+        The libraries that were not installed in exactly this form before.
 
     Raises:
-        LibraryError: two skills have one name, or an installed version is not older.
+        LibraryError: two skills have the same name, or an installed version is not older.
         OSError: they cannot be written.
     """
     coming = tuple(coming)
