@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from learnblock.blocks import NUMBERS, BlockConfiguration, Parameter
+from learnblock.blocks.old_names import todays_name
 from learnblock.errors import Severity, nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
@@ -103,7 +104,8 @@ class CallChecker:
             return Phrase("check-function-as-skill", name=name)
         if reason := self.findings.broken.get(name):
             return Phrase("check-skill-with-error", name=name, reason=reason)
-        near = nearest(name, self.findings.skills)
+        skills = self.findings.skills
+        near = todays_name(name, skills) or nearest(name, skills)
         if near is None:
             return Phrase("check-unknown-skill", name=name)
         return Phrase("check-unknown-skill-near", name=name, near=near)
@@ -217,8 +219,12 @@ class CallChecker:
             return Phrase("check-skill-as-name", name=name)
         if name == "robot":
             return Phrase("check-robot-not-first")
-        near = nearest(name, [*self.findings.functions, *FUNCTIONS])
-        if near is None and (skill := nearest(name, self.findings.skills)) is not None:
+        skills = self.findings.skills
+        if (today := todays_name(name, skills)) is not None:
+            near: str | None = f"function.{today}"
+        else:
+            near = nearest(name, [*self.findings.functions, *FUNCTIONS])
+        if near is None and (skill := nearest(name, skills)) is not None:
             near = f"function.{skill}"
         if near is None:
             return Phrase("check-unknown-function", name=name)

@@ -117,6 +117,16 @@ def test_without_a_robot_no_device_is_missing(found):
             Phrase("check-unknown-skill-near", name="trun", near="turn"),
         ),
         (
+            "function.mover_recto()\n",
+            "unknown-skill",
+            Phrase("check-unknown-skill-near", name="mover_recto", near="move_straight"),
+        ),
+        (
+            "parar()\n",
+            "unknown-function",
+            Phrase("check-unknown-function-near", name="parar", near="function.stop_bot"),
+        ),
+        (
             "def go(): pass end\ngoo()\n",
             "unknown-function",
             Phrase("check-unknown-function-near", name="goo", near="go"),
