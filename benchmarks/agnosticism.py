@@ -13,7 +13,7 @@ from runs import EXAMPLES, TWINS, WORLDS  # noqa: E402 - found through the line 
 
 
 def outcome(path: Path, robot: str) -> str:
-    """Return `ran`, or the missing devices because of which the check refused the program."""
+    """Return `ran`, or the missing devices that made the check refuse the program."""
     source, entry = running.read(path), robots.find(robot)
     errors = [one for one in running.check(source, entry) if one.severity == "error"]
     if errors:

@@ -1,7 +1,7 @@
 """Measure the cost of a call: in one process, and between a program and its robot's host.
 
 Run it with ``python benchmarks/calls.py``. It prints microseconds, and the ratio to the same
-work without us: a bare function call, and a bare byte sent to another process and back.
+work without LearnBlock: a bare function call, and a bare byte sent to another process and back.
 """
 
 import socket
@@ -25,7 +25,7 @@ from learnblock.runtime.watcher import Watcher
 from learnblock.testing import VirtualClock
 
 ROUNDS = 5
-#: The limits, in microseconds; in milliseconds for the start.
+#: The limits in microseconds, and in milliseconds for the start.
 AIMS = {"skill": 5.0, "read": 60.0, "move": 60.0, "sleep": 60.0, "start": 100.0}
 
 PROGRAM = """
@@ -127,7 +127,7 @@ def in_process() -> dict[str, float]:
 
 
 def over_the_link() -> dict[str, float]:
-    """Measure from a program in a process of its own."""
+    """Measure from a program in a separate process."""
     world, printer = World(), Printer()
     text = PROGRAM.replace("{rounds}", str(ROUNDS))
     run = Run(

@@ -1,4 +1,4 @@
-"""Measure how long Block-Text takes to become Python, compared with the paper's own tool.
+"""Measure the time to convert Block-Text to Python, compared with the paper's own tool.
 
 Run it with ``python benchmarks/conversion.py``. Each time is the best of several runs.
 """

@@ -189,7 +189,7 @@ def filled(page: Page, turn: int) -> "Sync":
 
 
 def digit_of(turn: int) -> str:
-    """Each turn types a different digit."""
+    """Each repetition types a different digit."""
     return str(2 + turn % 8)
 
 

@@ -34,7 +34,7 @@ LENS_HEIGHT = 100.0
 
 @dataclass
 class Tally:
-    """How many of the shown things were found, and how many of these were recognised correctly."""
+    """The number of shown objects that were found, and of those recognised correctly."""
 
     shown: int = 0
     found: int = 0
@@ -79,7 +79,7 @@ def span(value: float, step: int, unit: str) -> str:
 def faces(focal: float) -> Iterator[tuple[str, float, float, str | None]]:
     """Return each poster's emotion, distance, angle, and recognised emotion if found."""
     chance = np.random.default_rng(int(focal))
-    # A poster that is nearer does not fit into the frame.
+    # A nearer poster does not fit into the frame.
     nearest = max(250, 200 * focal / 230)
     for view in range(VIEWS):
         emotion = EMOTIONS[view % len(EMOTIONS)]

@@ -1,4 +1,4 @@
-"""Real-time factor of worlds whose robots run programs in processes of their own, at 20 Hz."""
+"""Real-time factor of worlds whose robots run programs in separate processes, at 20 Hz."""
 
 import os
 from contextlib import nullcontext

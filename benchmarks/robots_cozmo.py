@@ -89,7 +89,7 @@ def costs() -> dict[str, tuple[float, float]]:
 
 
 def rates() -> tuple[float, float, float]:
-    """Return reports and pictures a second, and the ms until a command reaches the robot."""
+    """Return reports and pictures per second, and the ms until a command reaches the robot."""
     with emulated() as (machine, port), reached(port) as robot:
         camera, frames, last = robot.device(Camera), 0, None
         reports: list[object] = []

@@ -23,7 +23,7 @@ from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.wheels import turns
 from learnblock.robots.ev3.wires import UNLOCK
 
-#: Short and many, since the machine has other things to do too.
+#: Short and many, because the machine is also doing other work.
 ROUNDS, CYCLES = 100, 100
 #: The command that `move_straight(1)` sends.
 DRIVE = turns(1, 0, 30, 120)
@@ -61,7 +61,7 @@ def bare_agent(settings: Any) -> float:
 
 
 def bare_rpyc(settings: Any) -> float:
-    """Call the function on the brick that does the same."""
+    """Call the equivalent function on the brick."""
     with classic(settings) as connection:
         connection.execute(AGENT.read_text() + BEGIN)
         introduction = lines.introduction(Settings(**settings), "").decode()
@@ -73,7 +73,7 @@ def bare_rpyc(settings: Any) -> float:
 
 
 def papers_rpyc(settings: Any) -> float:
-    """Drive as the paper's client did: python-ev3dev2's motors from here, speeds created once."""
+    """Drive like the paper's client: python-ev3dev2's motors from here, speeds created once."""
     with classic(settings) as connection:
         motors = connection.modules["ev3dev2.motor"]
         speed, gyroscope = motors.SpeedDPS(10), connection.modules["ev3dev2.sensor.lego"].GyroSensor
@@ -91,7 +91,7 @@ def papers_rpyc(settings: Any) -> float:
 
 
 def classic(settings: Any) -> Any:
-    """Connect as rpyc does by default."""
+    """Connect with rpyc's defaults."""
     return closing(rpyc.classic.connect(settings["address"], settings["rpyc_port"]))
 
 

@@ -1,4 +1,4 @@
-"""Measure calls and pictures a second over Ice, and what our layers add to a call.
+"""Measure calls and pictures per second over Ice, and what our layers add to a call.
 
 Run it with ``python benchmarks/robots_ice.py``. The components use the real Ice runtime
 (Debian's python3-zeroc-ice) on this machine.

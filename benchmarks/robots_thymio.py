@@ -53,7 +53,7 @@ def speed(ground: Playground, robot: Robot) -> tuple[float, float]:
 def driven(
     ground: Playground, begin: Callable[[], None], end: Callable[[], None]
 ) -> tuple[Pose, Pose, float]:
-    """Return its place at two moments of a steady drive, and the seconds between them."""
+    """Return its position at two moments of a steady drive, and the seconds between them."""
     begin()
     sleep(0.5)
     first, began = ground.pose, monotonic()
@@ -78,7 +78,7 @@ def proximity(ground: Playground, robot: Robot, distance: float) -> list[int]:
 
 
 def renewals(robot: Robot) -> float:
-    """Return how many times a second the readings are updated."""
+    """Return the number of updates of the readings per second."""
     link = robot._link  # noqa: SLF001
     seen, began = 0, monotonic()
     last = None

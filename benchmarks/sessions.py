@@ -3,7 +3,7 @@
     python benchmarks/sessions.py [sessions] [seconds]
 
 Every page runs an endless program in real time and counts the updates of its world, which
-should be ten a second or more.
+should be ten per second or more.
 """
 
 import asyncio

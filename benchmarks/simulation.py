@@ -1,9 +1,9 @@
-"""Measure the embedded world: microseconds a step, and the factor of real time.
+"""Measure the embedded world: microseconds per step, and the factor of real time.
 
     python benchmarks/simulation.py [seconds of simulated time]
 
 Robots drive in circles in the world `obstacles`, bump into each other, and read their sensors at 20
-Hz, as a program does.
+Hz, like a program.
 """
 
 import platform

@@ -18,14 +18,14 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-#: Folders whose tests need the other end of a robot's wire, or a browser. They come first: those
-#: of a wire keep time best beside each other, since they mostly wait, and a browser is started once
+#: Folders whose tests need the other end of a robot's wire, or a browser. They run first: those
+#: with a wire keep time best in parallel, because they mostly wait, and a browser is started once
 #: if its tests follow each other.
 MARKED = ("wire", "browser")
 
 
 def pytest_xdist_auto_num_workers(config):
-    """One worker per core; none for a file or a test named by hand, which starts at once."""
+    """One worker per core; none for a single file or test, which then starts at once."""
     if config.args != config.getini("testpaths"):
         return 0
     return os.cpu_count() or 1
@@ -55,7 +55,7 @@ def _folder(item):
 @pytest.fixture(autouse=True)
 def own_home(tmp_path_factory, monkeypatch):
     """Use an empty home, so that no test sees or changes the files of the user who runs it."""
-    # A name of its own: to number thousands of folders takes longer with each of them.
+    # A random name, because numbering thousands of folders gets slower with each one.
     home = tmp_path_factory.mktemp(f"home-{uuid4().hex}", numbered=False)
     monkeypatch.setenv("LEARNBLOCK_HOME", str(home))
     for name in ("WORLD", "SEED", "PACE", "TRACE"):

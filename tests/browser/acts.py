@@ -176,7 +176,7 @@ class Monkey:
             return "no block"
         at = self._chance.choice(grips)
         others = self._page.evaluate(GRIPS, BLOCKS)
-        # Mostly to a place where it can connect.
+        # Mostly to a position where it can connect.
         goal = self._chance.choice(others) if others and self._chance.random() < 0.6 else None
         to = (goal["x"], goal["y"] + 20) if goal else self._somewhere()
         self._drag((at["x"], at["y"]), to)

@@ -18,7 +18,7 @@ from places import ROOT
 
 #: The folder for the screenshots of the tests.
 ARTEFACTS = Path(os.environ.get("LEARNBLOCK_ARTEFACTS", ROOT / "build" / "screenshots"))
-#: The first draws no window, which saves a tenth of the time.
+#: The first has no window, which saves a tenth of the time.
 BROWSERS = (
     "chromium-headless-shell",
     "chromium",
@@ -103,7 +103,7 @@ class Server:
 
 @pytest.fixture(scope="package")
 def server(tmp_path_factory):
-    """A server shared by all tests that leave it intact."""
+    """A server shared by all tests that do not damage it."""
     server = Server(tmp_path_factory.mktemp("served-home"))
     yield server
     assert server.stop() == 0

@@ -19,7 +19,7 @@ FIRST_IN_LOOP = (38, 56)
 
 
 class Pupil:
-    """A user with a browser of their own, in which the page is open.
+    """A user with their own browser, in which the page is open.
 
     Args:
         browser: the browser.
@@ -171,7 +171,7 @@ class Pupil:
     def click_beside(self, view, line):
         """Click in the margin next to a line, where breakpoints are."""
         margin = self.page.locator(f"[data-region={view}] .cm-breakpoints .cm-gutterElement")
-        # The first one holds the margin open.
+        # The first one keeps the margin open.
         margin.nth(line).click()
 
     def put_cursor(self, view, word, occurrence=0):
@@ -220,7 +220,7 @@ class Pupil:
         return 1 + next(at for at, line in enumerate(self.reads(view)) if words in line)
 
     def scrolled(self, view):
-        """Return how far a text is scrolled down, in pixels."""
+        """Return the scroll position of a text in pixels."""
         return self.editor(view).evaluate("content => content.closest('.cm-scroller').scrollTop")
 
     # Blocks.
@@ -240,7 +240,7 @@ class Pupil:
             row.click()
 
     def take(self, category, kind, words=""):
-        """Drag the first block with these words from the palette to an empty place.
+        """Drag the first block with these words from the palette to an empty spot.
 
         Returns:
             Its id.
@@ -316,7 +316,7 @@ class Pupil:
         self._drag(self.block(block), (path["x"], path["y"] + path["height"] - 8 * SCALE))
 
     def put_on(self, block, value):
-        """Plug a value in at the place of another value or an empty input."""
+        """Plug in a value in place of another value or into an empty input."""
         box = value.bounding_box()
         self._drag(self.block(block), (box["x"] + 4, box["y"] + 4))
 

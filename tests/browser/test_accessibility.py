@@ -1,4 +1,4 @@
-"""Accessibility: axe finds no serious fault on the page."""
+"""Accessibility: axe finds no serious violation on the page."""
 
 import re
 
@@ -38,7 +38,7 @@ def test_axe_finds_a_button_without_a_name(pupil, axe):
     assert [fault[0] for fault in faults(pupil, axe, "header")] == ["button-name"]
 
 
-def test_the_page_has_no_serious_fault_during_and_after_a_run_in_any_theme(pupil, axe):
+def test_the_page_has_no_serious_violation_during_and_after_a_run_in_any_theme(pupil, axe):
     for name in ("Robot camera", "Manual drive"):
         pupil.press(name)
     pupil.write("blocktext", WAITS)
@@ -56,7 +56,7 @@ def test_the_page_has_no_serious_fault_during_and_after_a_run_in_any_theme(pupil
     assert faults(pupil, axe) == []
 
 
-def test_errors_have_no_serious_fault_in_any_theme(pupil, axe):
+def test_errors_have_no_serious_violation_in_any_theme(pupil, axe):
     pupil.write("blocktext", WRONG)
     expect(pupil.page.locator(".stale-note")).to_be_visible()
     pupil.tab("Problems")
@@ -66,7 +66,7 @@ def test_errors_have_no_serious_fault_in_any_theme(pupil, axe):
         assert (theme, faults(pupil, axe)) == (theme, [])
 
 
-def test_palette_search_and_menu_have_no_serious_fault_in_any_theme(pupil, axe):
+def test_palette_search_and_menu_have_no_serious_violation_in_any_theme(pupil, axe):
     for theme in THEMES:
         choose_theme(pupil, theme)
         pupil.open_category("Control")
@@ -113,7 +113,7 @@ def test_a_selected_block_is_read_out_with_its_words_and_values(pupil):
         expect(name).to_have_accessible_name(re.compile(words))
 
 
-def test_no_dialog_has_a_serious_fault_in_any_theme(pupil, axe):
+def test_no_dialog_has_a_serious_violation_in_any_theme(pupil, axe):
     found = []
     for theme in THEMES:
         choose_theme(pupil, theme)
@@ -122,7 +122,7 @@ def test_no_dialog_has_a_serious_fault_in_any_theme(pupil, axe):
     assert found == []
 
 
-def test_the_world_editor_has_no_serious_fault_in_any_theme(pupil, axe):
+def test_the_world_editor_has_no_serious_violation_in_any_theme(pupil, axe):
     for theme in THEMES:
         choose_theme(pupil, theme)
         pupil.press("Edit world")
@@ -193,7 +193,7 @@ def faults_of_dialog(pupil, axe, opened):
 
 
 def faults(pupil, axe, part="body"):
-    """Return the serious and critical faults in a part of the page, with their places."""
+    """Return the serious and critical violations in a part of the page, with their elements."""
     pupil.page.evaluate(f"() => {{ if (!globalThis.axe) {{ {axe} }} }}")
     found = pupil.page.evaluate("(part) => axe.run(part, { resultTypes: ['violations'] })", part)
     return [

@@ -33,7 +33,7 @@ def pupil(sit_down, own_server):
     return pupil
 
 
-def test_a_first_lesson_shows_ten_blocks_and_leaves_the_program_as_it_is(pupil):
+def test_a_first_lesson_shows_ten_blocks_and_does_not_change_the_program(pupil):
     pupil.write("blocktext", LOOP)
     expect(pupil.blocks("controls_repeat_ext")).to_be_visible()
     assert len(tabs(pupil)) > 20
@@ -93,7 +93,7 @@ def test_single_blocks_and_whole_tabs_are_chosen_and_saved(pupil, own_server):
     assert '"controls_if:else"' in saved
 
 
-def test_an_exercise_brings_its_own_set_and_keeps_it(pupil, own_server, tmp_path):
+def test_an_exercise_contains_its_own_set_and_keeps_it(pupil, own_server, tmp_path):
     file = tmp_path / "exercise.learnblock"
     file.write_text(EXERCISE, "utf-8")
     pupil.upload(file)
@@ -153,7 +153,7 @@ def test_escape_keeps_the_ticks_and_cancel_discards_them(pupil):
     expect(pupil.dialog().get_by_role("checkbox", name="Camera", exact=True)).to_be_checked()
 
 
-def test_a_wrong_file_is_reported_in_the_dialog(pupil, tmp_path):
+def test_an_invalid_file_is_reported_in_the_dialog(pupil, tmp_path):
     file = tmp_path / "lesson.toml"
     file.write_text("[show]\nblock = []\n")
     open_dialog(pupil)
@@ -163,7 +163,7 @@ def test_a_wrong_file_is_reported_in_the_dialog(pupil, tmp_path):
     expect(pupil.dialog().get_by_role("alert")).to_contain_text("Did you mean 'blocks'?")
 
 
-def test_the_dialog_works_by_keyboard_alone(pupil):
+def test_the_dialog_works_with_the_keyboard_alone(pupil):
     open_dialog(pupil)
     page = pupil.page
     page.get_by_role("radio", name="Everything").focus()

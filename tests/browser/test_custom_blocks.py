@@ -310,7 +310,7 @@ def test_the_dialogs_are_in_spanish(sit_down, workshop):
 
 
 @pytest.mark.parametrize("theme", THEMES)
-def test_the_dialogs_have_no_serious_fault(bench, pupil, theme):
+def test_the_dialogs_have_no_serious_violation(bench, pupil, theme):
     if not AXE.exists():
         pytest.skip("no axe-core: npm ci in frontend")
     axe = AXE.read_text()

@@ -1,4 +1,4 @@
-"""Errors are shown at their place, and the last working program stays visible."""
+"""Errors are shown where they are, and the last working program stays visible."""
 
 import pytest
 from playwright.sync_api import expect
@@ -20,7 +20,7 @@ def pupil(sit_down, server):
 @pytest.mark.parametrize(
     ("view", "name", "line"), [("blocktext", "Block-Text", 3), ("python", "Python", 7)]
 )
-def test_a_wrong_line_is_underlined_and_listed_and_the_other_views_wait_for_its_correction(
+def test_an_invalid_line_is_underlined_and_listed_and_the_other_views_wait_for_its_correction(
     pupil, view, name, line
 ):
     pupil.put_cursor(view, "while")

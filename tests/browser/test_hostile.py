@@ -128,7 +128,7 @@ def test_a_websocket_for_another_host_or_origin_is_refused(server, host, origin)
 
 
 @pytest.mark.parametrize("key", ["world", "robot"])
-def test_a_project_with_a_path_out_of_its_folder_is_refused(pupil, tmp_path, key):
+def test_a_project_with_a_path_outside_its_folder_is_refused(pupil, tmp_path, key):
     before = pupil.page.url
     file = tmp_path / "outside.learnblock"
     file.write_text(f'{{"learnblock": 1, "blocktext": ["main:"], "{key}": "../../etc/passwd"}}')

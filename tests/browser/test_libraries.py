@@ -84,7 +84,7 @@ def test_exported_functions_work_the_same_in_a_profile_with_a_name_clash(first, 
     expect(second.blocks("lb_skill_slow_waltz")).to_be_visible()
     trace = second.trace_of_a_run()
     assert trace == trace_of_the_command_line(second, tmp_path)
-    # Both robots drove the same way: the names of the skills do not matter.
+    # Both robots drove the same path: the names of the skills do not matter.
     assert seconds(second) == run_and_measure(first)
 
 
@@ -163,7 +163,7 @@ def test_a_library_is_removed_after_confirmation(first, tmp_path):
     expect(dialog).to_contain_text("No libraries installed yet.")
 
 
-def test_by_keyboard_alone(first, tmp_path):
+def test_with_the_keyboard_alone(first, tmp_path):
     open_libraries(first)
     keyboard = first.page.keyboard
     press_with_keyboard(first, "Create library…")
@@ -195,7 +195,7 @@ def test_in_spanish_and_in_the_dark(sit_down, own_server, tmp_path):
 
 
 @pytest.mark.parametrize("theme", THEMES)
-def test_the_dialog_has_no_serious_fault(first, tmp_path, theme):
+def test_the_dialog_has_no_serious_violation(first, tmp_path, theme):
     if not AXE.exists():
         pytest.skip("no axe-core: npm ci in frontend")
     axe = AXE.read_text()

@@ -12,7 +12,7 @@ WRONG = read("robot/description.toml").replace("radius = 33", "radius = -1")
 
 @pytest.fixture
 def pupil(sit_down, own_server):
-    """A pupil with a server of their own."""
+    """A pupil with their own server."""
     return sit_down(own_server)
 
 

@@ -133,7 +133,7 @@ def test_an_example_opens_as_a_new_project(pupil):
     pupil.picture("opened")
 
 
-def test_two_tabs_of_one_project_follow_each_other(pupil):
+def test_two_tabs_of_one_project_stay_in_step(pupil):
     pupil.begin()
     first, second = pupil.page, pupil.open(pupil.page.url)
     pupil.page = second
@@ -205,7 +205,7 @@ def test_a_file_dropped_on_the_page_becomes_a_project(pupil):
         ("long.bt", "#" * 1_000_001, "long.bt is too large"),
     ],
 )
-def test_a_wrong_file_is_refused_with_an_explanation(pupil, tmp_path, name, text, sentence):
+def test_an_invalid_file_is_refused_with_an_explanation(pupil, tmp_path, name, text, sentence):
     before = pupil.page.url
     file = tmp_path / name
     file.write_text(text)

@@ -99,9 +99,9 @@ def test_as_many_readings_arrive_as_from_the_twin(pupil, reach, name):
     twins = len(readings(pupil))
     run(pupil, name)
     pupil.state("Ended")
-    # Twenty a second for two seconds on an idle machine; a busy one delays the emulator too.
+    # Twenty per second for two seconds on an idle machine; a busy one delays the emulator too.
     assert len(readings(pupil)) >= max(15, 0.6 * twins)
-    # The robot's own readings, and not the same again and again.
+    # The robot's own readings, and not the same one repeatedly.
     assert len({json.dumps(one) for one in readings(pupil)}) >= 10
     assert messages(pupil, "Ended")[0]["ended"] == "finished"
     expect(pupil.page.locator(".world-pane .link")).to_have_text("Not connected")

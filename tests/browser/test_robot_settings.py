@@ -14,7 +14,7 @@ def pupil(sit_down, own_server):
     return pupil
 
 
-def test_robot_settings_are_saved_and_a_wrong_value_is_reported_at_its_field(pupil, own_server):
+def test_robot_settings_are_saved_and_an_invalid_value_is_reported_at_its_field(pupil, own_server):
     choose(pupil, "Robot settings…")
     pupil.dialog().get_by_role("combobox", name="Robot").select_option("ev3")
     field(pupil, "Address").fill("192.168.1.7")

@@ -57,7 +57,7 @@ def test_a_pause_during_a_sleep_stops_the_world_until_resume(pupil):
     pupil.state("Paused")
     held = pupil.seconds_at_rest()
     pupil.picture("paused")
-    # A robot that is not paused would drive far during these requests.
+    # Without a pause, the robot would drive far during these requests.
     for tab in ("Variables", "Sensors", "Console"):
         pupil.tab(tab)
     assert pupil.seconds() == held

@@ -14,7 +14,7 @@ ANDROID = (
     "Mozilla/5.0 (Linux; Android 14; SM-X200) AppleWebKit/537.36 (KHTML, like Gecko) "
     "Chrome/140.0.0.0 Safari/537.36"
 )
-#: An element of each part of the page that shows it is loaded.
+#: An element of each part of the page, visible once that part is loaded.
 SHOWN = {
     "Blocks": ".blocklyToolbox",
     "Block-Text": "[data-region=blocktext] .cm-content",
@@ -24,7 +24,7 @@ SHOWN = {
 }
 #: The point where a block is held, right of and below its corner; no field is there.
 GRIP = (5, 14)
-#: The name and place of each visible control after scrolling to it.
+#: The name and position of each visible control after scrolling to it.
 CONTROLS = """() => {
     const all = "button, select, input, a[href], [role=tab], .blocklyToolboxCategory";
     return [...document.querySelectorAll(all)]

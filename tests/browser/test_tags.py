@@ -26,7 +26,7 @@ def test_a_named_tag_is_shown_and_suggested(pupil, own_server):
     expect(pupil.page.locator(".cm-tooltip-autocomplete")).to_contain_text('"ball"')
 
 
-def test_a_wrong_entry_is_reported_at_its_line_and_not_saved(pupil):
+def test_an_invalid_entry_is_reported_at_its_line_and_not_saved(pupil):
     add(pupil, "12", "7")
     expect(pupil.dialog()).to_contain_text("A name needs at least one letter.")
     expect(pupil.dialog().get_by_role("button", name="Save")).to_be_disabled()
@@ -54,7 +54,7 @@ def test_names_are_downloaded_and_uploaded_again(pupil, tmp_path):
         expect(pupil.dialog().get_by_role("textbox", name="Name")).to_have_value("red door")
 
 
-def test_a_wrong_file_of_names_is_reported_in_the_dialog(pupil, tmp_path):
+def test_an_invalid_file_of_names_is_reported_in_the_dialog(pupil, tmp_path):
     file = tmp_path / "tags.toml"
     file.write_text("ball = 1000\n")
     upload(pupil, file)

@@ -103,7 +103,7 @@ def test_a_number_changed_in_python_changes_in_blocks_and_block_text_and_nothing
     assert pupil.places_of_blocks() == before
 
 
-def test_a_statement_typed_in_python_appears_as_a_block_in_its_place(pupil):
+def test_a_statement_typed_in_python_appears_as_a_block_in_its_position(pupil):
     pupil.write("blocktext", "main:\n    function.move_straight()\n    function.sleep(5)\nend\n")
     pupil.sees("python", "robot.sleep(5)")
     before = pupil.block_ids()
@@ -208,7 +208,7 @@ def test_a_rename_changes_all_views_and_one_undo_reverts_it(pupil, view, word, n
     assert pupil.foreign == []
 
 
-def test_undo_and_redo_go_through_the_edits_of_all_views_in_their_order(pupil):
+def test_undo_and_redo_follow_the_order_of_edits_in_all_views(pupil):
     pupil.write("blocktext", "main:\n    function.move_straight()\n    function.sleep(5)\nend\n")
     pupil.sees("python", "robot.sleep(5)")
     pupil.select_block(pupil.blocks("lb_skill_move_straight"))

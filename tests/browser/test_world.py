@@ -22,7 +22,7 @@ def pupil(sit_down, server):
 # Placing the robot.
 
 
-def test_a_dragged_robot_starts_at_its_new_place_until_the_world_is_reset(pupil):
+def test_a_dragged_robot_starts_at_its_new_position_until_the_world_is_reset(pupil):
     pupil.press("View from above")
     before = pupil.where_is_the_robot()
     pupil.carry_robot(right=60, down=-30)
@@ -199,7 +199,7 @@ def save_world_as(pupil, name):
     pupil.dialog().get_by_role("button", name="Save and use").click()
 
 
-def test_a_wrong_value_of_a_world_is_reported_at_its_field(pupil):
+def test_an_invalid_value_of_a_world_is_reported_at_its_field(pupil):
     pupil.press("Edit world")
     editor = pupil.dialog()
     editor.get_by_role("button", name="Box", exact=True).click()

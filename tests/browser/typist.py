@@ -98,7 +98,7 @@ class Typist:
     # Blocks.
 
     def take(self, category, block):
-        """Insert a block from the palette at the place that Blockly offers."""
+        """Insert a block from the palette at the position that Blockly offers."""
         self.press("t")
         self.walk("ArrowDown", f"^{category}$")
         self.press("ArrowRight")

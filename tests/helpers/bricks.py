@@ -17,7 +17,7 @@ SPEED = 6
 
 @contextmanager
 def brick(way, world="empty", *, speed=1, start=None):
-    """Emulate a brick; the timeout is short, since only rpyc is slow on this machine."""
+    """Emulate a brick; the timeout is short, except for rpyc, which is slow."""
     emulators = []
 
     def begin():
@@ -33,7 +33,7 @@ def brick(way, world="empty", *, speed=1, start=None):
 
 @contextmanager
 def relayed(way, **others):
-    """Emulate a brick behind a wire that can fail; return emulation, relay and settings."""
+    """Emulate a brick behind a wire that can fail; yield emulation, relay and settings."""
     with brick(way, **others) as emulation:
         settings = emulation.settings
         port = port_of(settings)
@@ -42,7 +42,7 @@ def relayed(way, **others):
 
 
 def port_of(settings):
-    """Return the name of the setting that holds the port of the connection."""
+    """Return the name of the setting for the port of the connection."""
     return f"{settings['connection']}_port"
 
 

@@ -26,7 +26,7 @@ HEALTHY = (
 
 
 class Socket:
-    """Returns the given bytes, again and again."""
+    """Returns the given bytes repeatedly."""
 
     def __init__(self, answers):
         self.answers = answers
@@ -60,7 +60,7 @@ def use(scene, answers):
 
 
 class Functions:
-    """The vendor's object of functions, whose names are not known here."""
+    """The vendor's object of functions, whose names are unknown here."""
 
     def __init__(self, client):
         self._client = client
@@ -72,16 +72,16 @@ class Functions:
 
 
 def listed(value):
-    """The values that a function returns, as they are sent."""
+    """The values that a function returns, in the sent format."""
     return list(value) if isinstance(value, tuple) else [value]
 
 
-#: Separates two replies in a text.
+#: Separates two replies in a string.
 BETWEEN = b"\n----\n"
 
 
 def read(text):
-    """Use a robot in each kind of scene, with CoppeliaSim's replies from a text of bytes."""
+    """Use a robot in each kind of scene, with CoppeliaSim's replies from a string of bytes."""
     answers = text.encode("latin-1", "replace").split(BETWEEN)
     refusals = []
     for scene in SCENES:

@@ -1,4 +1,4 @@
-"""Cozmo's messages as texts for the fuzzer: each letter is a byte."""
+"""Cozmo's messages as strings for the fuzzer: each letter is a byte."""
 
 from functools import cache
 

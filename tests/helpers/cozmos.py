@@ -36,7 +36,7 @@ class Cozmo:
         return connect("cozmo", **{"address": "127.0.0.1", "port": self.port, **chosen})
 
     def is_default(self) -> None:
-        """Write the settings with which the driver reaches it."""
+        """Write the settings for reaching it."""
         for name, text in (("address", "127.0.0.1"), ("port", str(self.port))):
             settings.change("cozmo", CozmoSettings, name, text)
 
@@ -45,7 +45,7 @@ class Cozmo:
             return body.pose
 
     def speed(self) -> float:
-        """Return mm/s over a tenth of a second."""
+        """Return the speed in mm/s over a tenth of a second."""
         began, (x, y, _) = self.twin.time, self.pose()
         wait_for(lambda: self.twin.time >= began + 0.1, "time passes")
         later_x, later_y, _ = self.pose()

@@ -64,7 +64,7 @@ def run_until(happened, name, example):
 
 
 def pose(twin):
-    """Return the place of the twin."""
+    """Return the position of the twin."""
     with twin.body() as body:
         return body.pose
 
@@ -92,7 +92,7 @@ def away(point, leg):
 
 
 def assert_told_when_gone(kind, chosen, setting, *, sentence, fault, use):
-    """Return the error of a component whose wire fails, also at the start; it works afterwards."""
+    """Return the error of a component whose wire fails, even at the start; it works afterwards."""
     with Relay(("127.0.0.1", port_of(chosen, setting))) as relay:
         through = {**with_port(chosen, setting, relay.port), "patience": TIMEOUT}
         robot = kind(**through)
@@ -110,7 +110,7 @@ def assert_told(sentence, call):
     began = monotonic()
     with pytest.raises(RobotConnectionError, match=f"{sentence} 127"):
         call()
-    # Twice its timeout, as it may have to connect again.
+    # Twice its timeout, because it may have to reconnect.
     assert monotonic() - began < 2 * TIMEOUT + 2
 
 
@@ -121,6 +121,6 @@ def port_of(chosen, setting):
 
 
 def with_port(chosen, setting, port):
-    """Return the settings with another port there."""
+    """Return the settings with another port in it."""
     found = chosen[setting]
     return {**chosen, setting: port if isinstance(found, int) else [port, *found[1:]]}

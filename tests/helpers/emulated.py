@@ -8,7 +8,7 @@ from learnblock.robots import find, settings
 
 @contextmanager
 def reachable(name, world="empty"):
-    """Emulate a robot, and write the settings with which programs reach it; return the twin."""
+    """Emulate a robot, and write the settings for reaching it; yield the twin."""
     with emulate(name, world) as emulation:
         settle(name, emulation.settings)
         yield emulation.twin
@@ -18,7 +18,7 @@ def settle(name, chosen):
     """Write the settings of a robot."""
     kind = find(name).load().settings_type
     for setting, value in chosen.items():
-        # As a user would type it.
+        # As typed by a user.
         typed = list(value) if isinstance(value, tuple) else value
         text = value if isinstance(value, str) else repr(typed)
         settings.change(name, kind, setting, text)

@@ -1,4 +1,4 @@
-"""An EV3's messages as texts for the fuzzer, whose letters are bytes."""
+"""An EV3's messages as strings for the fuzzer, whose letters are bytes."""
 
 import json
 import struct

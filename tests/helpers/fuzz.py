@@ -1,4 +1,4 @@
-"""Fuzz everything that reads user input: only our own errors may be raised.
+"""Fuzz everything that reads user input; only our own errors may be raised.
 
     uv run python tests/helpers/fuzz.py --seconds 600
 
@@ -36,7 +36,7 @@ from new_robots import EVERYTHING, guide
 from places import ROOT, TESTS
 
 PACKAGE = ROOT / "src" / "learnblock"
-#: Texts that have caused errors in readers before.
+#: Texts that caused errors in readers before.
 NASTY = (
     "\0", "\ufeff", "\r", "\f", "\u2028", "\ud800", "'''", '"', "`", "#", "(" * 150, "[" * 300, ")",
     "end\n", "main:\n", "python:\n", "when x:\n", "if a:\n" * 120, "not " * 500, "-" * 500, "1e999",
@@ -54,7 +54,7 @@ SETTINGS = (
 
 @dataclass(frozen=True)
 class Target:
-    """A reader of texts, and texts to begin with."""
+    """A reader of texts, and its initial texts."""
 
     name: str
     read: Callable[[str], object]
@@ -123,7 +123,7 @@ def texts(folder: Path, pattern: str) -> tuple[str, ...]:
 
 
 def read_block_text(text: str) -> None:
-    """Do everything that is possible with a program in Block-Text."""
+    """Perform every operation on a program in Block-Text."""
     tree, _ = language.recover(text)
     found = language.check(tree, builtin(), frozenset({"Base:ROBOT"}))
     tree = language.parse(text)
@@ -143,7 +143,7 @@ def read_block_text(text: str) -> None:
 
 
 def read_python(text: str) -> None:
-    """Do everything that is possible with a program in Python."""
+    """Perform every operation on a program in Python."""
     tree = language.from_python(text)
     if language.to_python(tree, None).text != text:
         raise AssertionError("Python does not come back byte for byte")
@@ -158,7 +158,7 @@ def new_robot(folder: Path, text: str) -> object:
 
 
 def read_world(folder: Path, text: str) -> None:
-    """Load a world and let a moment pass in it."""
+    """Load a world and advance it briefly."""
     world = World(load_world(written(folder / "world.toml", text)))
     world.step()
 
@@ -192,7 +192,7 @@ def mutated(text: str, corpus: tuple[str, ...], chance: random.Random) -> str:
 
 
 def inputs(target: Target, chance: random.Random) -> Iterator[str]:
-    """Yield texts without end: first the corpus unchanged, then mutations."""
+    """Yield an endless series of texts: first the corpus unchanged, then mutations."""
     yield from target.corpus
     while True:
         yield mutated(chance.choice(target.corpus), target.corpus, chance)

@@ -37,7 +37,7 @@ class Components:
     """Running components.
 
     Attributes:
-        ports: of the objects, in the order of the request.
+        ports: the ports of the objects, in the order of the request.
     """
 
     def __init__(self, process):

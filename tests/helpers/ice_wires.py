@@ -1,4 +1,4 @@
-"""Messages of EBO and RCIS as texts for the fuzzer, whose letters are bytes."""
+"""Messages of EBO and RCIS as strings for the fuzzer, whose letters are bytes."""
 
 from learnblock.ice.encoding import Writer
 from learnblock.ice.interface import write_all

@@ -68,7 +68,7 @@ def read_archive(text):
 
 
 def archives():
-    """Return a library in one file, as a text with a letter for each byte."""
+    """Return a library in one file, as a string with a letter for each byte."""
     return (libraries.pack(_read(functions=FUNCTIONS)).decode("latin-1"),)
 
 

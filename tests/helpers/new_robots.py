@@ -6,7 +6,7 @@ from places import ROOT
 
 DOCS = ROOT / "docs" / "new.md"
 
-#: Every device, and several of some.
+#: Every device, some of them several times.
 EVERYTHING = """
 title = "Every-Thing (2), Ñandú & Co."
 world = "tags"

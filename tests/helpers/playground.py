@@ -32,7 +32,7 @@ NUMBER = r"<(-?[\d.e+-]+)>"
 
 
 def missing():
-    """Return how to install the missing programs; empty if none is missing."""
+    """Return installation instructions for the missing programs; empty if none is missing."""
     packages = [package for name, package in PACKAGES.items() if shutil.which(name) is None]
     return f"apt-get install {' '.join(packages)}" if packages else ""
 
@@ -103,7 +103,7 @@ class Playground(thymio.Emulator):
             )
             if done.returncode == 0:
                 return done.stdout
-            # It listens a moment before it is on the bus.
+            # It listens slightly earlier than it appears on the bus.
             assert monotonic() < until, done.stderr
 
 

@@ -1,4 +1,4 @@
-"""Pictures for components: a tag and a face in known places."""
+"""Pictures for components: a tag and a face at known positions."""
 
 import numpy as np
 

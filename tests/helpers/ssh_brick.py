@@ -14,7 +14,7 @@ class SshBrick:
 
     Args:
         home: the folder of its user, whose name and password are those of every new brick.
-        environment: of its programs.
+        environment: the environment of its programs.
     """
 
     def __init__(self, home, environment):

@@ -35,7 +35,7 @@ class Tape:
 
 
 def read_robot(text):
-    """Let a link read all of it: only our own errors may be raised."""
+    """Let a link read everything; only our own errors may be raised."""
     hear(AsebaLink, text)
 
 
@@ -57,7 +57,7 @@ def hear(kind, text):
 
 
 def robot_texts():
-    """Return a whole description with what follows, and single messages."""
+    """Return a complete description with later messages, and single messages."""
     words = [
         encoded(Message.ID_VARIABLES, 0, *range(40)),
         encoded(READY.number, 1),

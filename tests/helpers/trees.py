@@ -1,6 +1,6 @@
 """Random programs, many of them not sensible.
 
-Each comes from one random number, since drawing every node from Hypothesis would be fifty times
+Each comes from one random number, because drawing every node from Hypothesis would be fifty times
 slower. A failing seed is enough to reproduce a failure: `Trees(seed).program()`.
 """
 
@@ -224,5 +224,5 @@ class Trees:
         items += self.some(6, self.item)
         main = self.perhaps(Main(self.body(2)))
         ending = (Comment("bye"),) if main and self.random.random() < 0.2 else ()
-        # Parsed, since a tree built by hand may have blank lines in places where none can be.
+        # Parsed, because a tree built by hand may have blank lines where none are possible.
         return parse(format_program(Program(tuple(items), main, ending)))

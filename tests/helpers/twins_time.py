@@ -22,7 +22,7 @@ class TwinsClock:
         wait_for(lambda: self._twin.time >= until, "its world advances", 60)
 
     def charge(self):
-        """Do nothing: a real access takes its own time."""
+        """Do nothing: a real access takes time anyway."""
 
 
 def follow(twin, monkeypatch):

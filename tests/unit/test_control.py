@@ -116,7 +116,7 @@ def at_rest(stage):
     return stage.state().time == before
 
 
-def test_a_pause_in_a_long_sleep_holds_the_world_at_once(play):
+def test_a_pause_in_a_long_sleep_pauses_the_world_at_once(play):
     playing = play("robot.sleep(60)")
     begun(playing)
     asked = monotonic()
@@ -159,7 +159,7 @@ def test_a_message_to_a_program_that_has_just_ended_does_not_change_its_ending(p
     assert playing.end().ended == "finished"
 
 
-def test_a_pause_that_holds_no_line_yet_is_resumed(play):
+def test_a_pause_is_resumed_before_it_reaches_a_line(play):
     playing = play("robot.sleep(0.3)\npass")
     begun(playing)
     playing.run.pause()
@@ -171,7 +171,7 @@ def test_a_pause_that_holds_no_line_yet_is_resumed(play):
 
 
 @pytest.mark.parametrize("worker", [ProcessWorker, ThreadWorker])
-def test_a_program_that_computes_is_paused_at_once(play, worker):
+def test_a_busy_program_is_paused_at_once(play, worker):
     playing = play(
         "robot.sleep(0.05)\nn = 0\nwhile n < 10**9:\n    n += 1\n", worker=worker, speed=None
     )
@@ -194,7 +194,7 @@ def test_a_breakpoint_set_while_the_program_runs_is_found(play):
     assert playing.observer.lines == [5]
 
 
-def test_a_breakpoint_on_the_first_line_holds_the_program_before_there_is_a_robot(play):
+def test_a_breakpoint_on_the_first_line_pauses_the_program_before_it_has_a_robot(play):
     playing = play("pass", debugger=Debugger([1]))
     playing.observer.wait_for("held")
     assert playing.run.monitor is None
@@ -217,7 +217,7 @@ def test_a_speed_set_before_there_is_a_robot_is_the_worlds(play):
     assert playing.run.client.simulation.pacing.factor == 5
 
 
-def test_a_pause_before_there_is_a_robot_holds_the_world_once_it_is_there(play):
+def test_a_pause_before_there_is_a_robot_pauses_its_world_too(play):
     debugger = Debugger()
     debugger.pause()
     playing = play("robot.sleep(1)", debugger=debugger)
@@ -238,14 +238,14 @@ def test_a_stop_ends_a_run_that_is_paused(play):
     assert monotonic() - asked < PROMPT
 
 
-def test_a_stop_ends_a_run_that_waits_for_input(play):
+def test_a_stop_ends_a_run_waiting_for_input(play):
     playing = play("input('Name?')\nrobot.sleep(60)")
     playing.observer.wait_for("input")
     playing.run.stop()
     assert playing.end().ended == "stopped"
 
 
-def test_a_pause_during_input_holds_at_the_line_after_it(play):
+def test_a_pause_during_input_pauses_at_the_next_line(play):
     playing = play("name = input('Name?')\nprint(name)")
     playing.observer.wait_for("input")
     playing.run.pause()
@@ -280,11 +280,11 @@ def iter_queue(told):
         yield told.get()
 
 
-def test_variables_are_reported_while_a_program_computes(play):
+def test_variables_are_reported_while_a_program_is_busy(play):
     playing = play("robot.sleep(0.05)\nn = 0\nwhile n < 10**9:\n    n += 1\n", speed=None)
     begun(playing)
     playing.run.report_variables(enabled=True)
-    # The first notification may be from before the counting.
+    # The first notification may date from before the loop.
     counts = {None}
     while len(counts) < 3:
         counts.add(playing.observer.told.get(timeout=5).shared.get("n"))
@@ -333,7 +333,7 @@ pass
 
 
 @pytest.mark.parametrize("breakpoints", [(), (12,)])
-def test_to_look_at_a_variable_neither_moves_the_robot_nor_prints(play, breakpoints):
+def test_inspecting_a_variable_neither_moves_the_robot_nor_prints(play, breakpoints):
     quiet = play(SHY, speed=None).end()
     playing = play(SHY, speed=3.0, debugger=Debugger(breakpoints))
     playing.run.report_variables(enabled=True)
@@ -407,7 +407,7 @@ def test_an_example_that_is_debugged_leaves_the_trace_of_one_that_is_not(name):
 CAP = "n = 0\nwhile n < 3000:\n    n += 1\nrobot.sleep(0.1)\nn += 1\n"
 
 
-def test_the_cap_of_lines_at_one_time_holds_for_a_debugged_program_too(play):
+def test_the_limit_of_lines_at_one_time_applies_to_a_debugged_program_too(play):
     traces = []
     for debugger in (Debugger(), Debugger([6])):
         playing = play("m = 0\n" + CAP, debugger=debugger, speed=None)
@@ -426,7 +426,7 @@ def test_the_cap_of_lines_at_one_time_holds_for_a_debugged_program_too(play):
 
 @contextmanager
 def hammering(run):
-    """Read all of its state again and again, and pause now and then."""
+    """Read all of its state repeatedly, and pause occasionally."""
     over = threading.Event()
 
     def hammer():

@@ -110,7 +110,7 @@ def test_whole_numbers_are_rounded():
 @pytest.mark.parametrize(
     ("value", "taken"), [(-1, 0), (0, 0), (128.4, 128), (255, 255), (999, 255)]
 )
-def test_values_outside_are_clamped_to_the_nearest(value, taken):
+def test_values_out_of_range_are_clamped(value, taken):
     assert clamped("x", value, 255) == taken
 
 
@@ -166,7 +166,7 @@ def test_an_unsupported_function_of_a_device_returns_false(log):
     assert list(log) == [("say", "hello")]
 
 
-def test_functions_a_robot_lacks_are_not_among_a_devices_functions(log):
+def test_missing_functions_are_not_among_a_devices_functions(log):
     assert set(Base(log["move"]).functions) == {"move"}
     assert set(Base(log["move"], lambda: (0, 0, 0)).functions) == {"move", "read"}
 
@@ -185,7 +185,7 @@ def test_any_device_can_be_rebuilt_from_its_functions_by_name(kind):
     assert kind(**device.functions).functions == device.functions
 
 
-def test_a_function_replaced_from_outside_is_what_a_command_reaches(log):
+def test_a_command_calls_a_function_replaced_from_outside(log):
     gyroscope = Gyroscope(lambda: 1.0, log["reset"])
     gyroscope.functions["reset"] = log["watched"]
     gyroscope.reset()

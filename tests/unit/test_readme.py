@@ -21,7 +21,7 @@ def blocks(language):
 
 @pytest.fixture
 def first(tmp_path, monkeypatch):
-    """A folder with the first own program, in which commands are run."""
+    """A folder with the reader's first program, in which commands are run."""
     monkeypatch.chdir(tmp_path)
     Path("first.bt").write_text(blocks("blocktext")[0])
     return tmp_path
@@ -36,7 +36,7 @@ def test_a_command_of_the_first_program_works(first, command):
     assert result.exit_code == 0, result.stderr
 
 
-def test_the_first_program_meets_something_and_is_surprised(first):
+def test_the_first_program_meets_an_obstacle_and_looks_surprised(first):
     result = CliRunner().invoke(main, ["run", "first.bt", "--world", "obstacles"])
     assert "shown      surprise" in result.stderr
 
@@ -50,12 +50,12 @@ def test_its_python_is_the_one_shown_and_runs_by_itself(first):
     subprocess.run([sys.executable, "first.py"], check=True, timeout=60)
 
 
-def test_continuous_integration_runs_the_very_test_command():
+def test_continuous_integration_runs_the_same_test_command():
     assert "pip install uv && uv run pytest" in blocks("")[1]
     assert "pip install --quiet uv && uv run pytest" in (ROOT / ".ci" / "run").read_text()
 
 
-def test_every_page_it_names_is_there():
+def test_every_linked_page_exists():
     named = re.findall(r"\]\(([^)#:]+)\)", README)
     assert [name for name in named if not (ROOT / name).exists()] == []
 

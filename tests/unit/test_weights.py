@@ -51,7 +51,7 @@ def padded(values, stride):
 
 
 def convolved(values, stride, step):
-    """Return the sum of `step` over the nine places of a filter."""
+    """Return the sum of `step` over the nine positions of a filter."""
     around, side = padded(values, stride), -(-values.shape[0] // stride)
     reach = stride * (side - 1) + 1
     return sum(
@@ -106,7 +106,7 @@ def test_numbers_in_bytes_are_unpacked(maker):
     }
 
 
-def test_another_file_than_the_one_that_was_checked_is_refused(maker, tmp_path):
+def test_a_file_other_than_the_checked_one_is_refused(maker, tmp_path):
     import tarfile
 
     folder = tmp_path / "package" / "model"
@@ -121,7 +121,7 @@ def test_another_file_than_the_one_that_was_checked_is_refused(maker, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
-def test_weights_that_are_there_are_not_made_again(maker, tmp_path):
+def test_existing_weights_are_not_built_again(maker, tmp_path):
     assert not maker.are_made(tmp_path)
     (tmp_path / maker.HASH_FILE).write_text(maker.sources_hash() + "\n")
     assert maker.are_made(tmp_path)

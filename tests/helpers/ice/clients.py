@@ -22,7 +22,7 @@ import RoboCompRGBD  # noqa: E402
 
 
 def failure(call):
-    """How a call fails."""
+    """The error of a call."""
     try:
         call()
     except Ice.UserException as error:

@@ -2,7 +2,7 @@
 
     /usr/bin/python3 servants.py '{"slices": "all.ice", "objects": [["laser", {"dist": [1, 2]}]]}'
 
-Every object listens at a free port of its own; the first line of output holds the ports, and each
+Every object listens on its own free port; the first line of output contains the ports, and each
 further line is a command that an object received.
 """
 
@@ -192,7 +192,7 @@ class Tags(RoboCompApriltag.Apriltag):
 
     Args:
         order: the number that it reads as the rows, ``rows`` or ``columns``.
-        number: of the tag that it reports for every dark square.
+        number: the number of the tag that it reports for every dark square.
         wait: seconds until it replies.
     """
 
@@ -258,7 +258,7 @@ def main():
             adapter.activate()
             ports.append(adapter.getEndpoints()[0].getInfo().port)
         print(json.dumps(ports), flush=True)
-        # The process that started this one closes our input when the test is over.
+        # The parent process closes our input when the test has ended.
         sys.stdin.read()
 
 

@@ -2,7 +2,7 @@
 
 from string import Template
 
-#: The orders of members in the three layouts in use.
+#: The orders of members in the three layouts.
 ORDERS = {
     "robot": {
         "state": "bool isMoving; float x; float z; float alpha; float correctedX; float correctedZ;"

@@ -1,4 +1,4 @@
-"""Block sets: ours name existing blocks, and a user's file with any content can be read."""
+"""Block sets: the built-in sets name existing blocks, and a user's file may have any content."""
 
 import msgspec
 import pytest
@@ -67,7 +67,7 @@ def test_our_sets_name_existing_blocks_in_every_language(name, tabs):
     assert {"en", "es"} == set(ours.title) == set(ours.description)
 
 
-def test_no_two_blocks_of_a_tab_have_one_name(tabs):
+def test_no_two_blocks_of_a_tab_have_the_same_name(tabs):
     for tab in tabs:
         blocks = [one["block"] for one in tab.get("contents", ())]
         assert len(blocks) == len(set(blocks))
@@ -124,14 +124,14 @@ def test_a_missing_set_cannot_be_deleted():
         (f"[show]\nblocks = {['x'] * 1001}\n", 2, "0 to 1,000 items"),
     ],
 )
-def test_a_wrong_file_is_reported_with_its_line(text, line, message):
+def test_an_invalid_file_is_reported_with_its_line(text, line, message):
     with pytest.raises(BlockSetError) as refused:
         block_sets.parse(text, "lesson")
     (diagnostic,) = refused.value.diagnostics
     assert (diagnostic.line, message in str(diagnostic.message)) == (line, True), diagnostic
 
 
-def test_a_wrong_file_does_not_affect_the_others(own_home):
+def test_an_invalid_file_does_not_affect_the_others(own_home):
     (own_home / "sets").mkdir()
     (own_home / "sets" / "broken.toml").write_text("show = 3")
     (own_home / "sets" / "good.toml").write_text(LESSON)

@@ -28,7 +28,7 @@ def library(folder, manifest=MANIFEST, skills=SKILLS, name="dance"):
     return folder / name
 
 
-def test_the_blocks_of_a_library_name_it(home):
+def test_the_blocks_of_a_library_have_its_name(home):
     library(home / "libraries")
     waltz = all_configurations()["waltz"]
     assert ("dance", "Ball room", "Dance.") == (waltz.library, waltz.category, waltz.tooltip["EN"])
@@ -50,7 +50,7 @@ def test_a_configuration_adds_details_to_a_block():
         waltz.type, waltz.category, dict(waltz.languages))  # fmt: skip
 
 
-def test_a_broken_library_breaks_no_other_block(home):
+def test_a_broken_library_does_not_affect_other_blocks(home):
     library(home / "libraries", skills="def waltz(robot:\n")
     library(home / "libraries", name="songs")
     assert "songs" == all_configurations()["waltz"].library

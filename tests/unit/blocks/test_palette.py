@@ -48,7 +48,7 @@ def test_every_skill_is_in_the_toolbox_once():
 
 
 @every_language
-def test_each_place_in_a_message_is_filled(language):
+def test_each_placeholder_in_a_message_is_filled(language):
     words = translation(language)
     for one in palette(builtin(), language)["definitions"]:
         reference = re.fullmatch(r"%\{BKY_(\w+)\}", one["message0"])
@@ -105,7 +105,7 @@ def test_a_percent_sign_in_a_label_is_escaped():
     assert "100%% loud" == named(palette({"loud": volume}, "en"), "lb_skill_loud")["message0"]
 
 
-def test_a_tab_of_the_users_keeps_its_name():
+def test_a_custom_tab_keeps_its_name():
     waltz = replace(builtin()["stop_bot"], name="waltz", category="Dances")
     tabs = palette({"waltz": waltz}, "es")["toolbox"]["contents"]
     assert ("Dances", "lb_skill_waltz") == (tabs[0]["name"], tabs[0]["contents"][0]["type"])

@@ -149,7 +149,7 @@ def test_a_syntax_error_affects_only_programs_that_use_the_block(run, program, o
     assert "bad.py, line 2: This is not valid Python" in report["error"]["message"]
 
 
-def test_a_block_that_shadows_a_skill_hides_nothing(run, program, own_home):
+def test_a_block_with_the_name_of_a_skill_does_not_hide_it(run, program, own_home):
     (own_home / "skills").mkdir()
     (own_home / "skills" / "mine.py").write_text("def stop_bot(robot):\n    print('mine')\n")
 
@@ -157,7 +157,7 @@ def test_a_block_that_shadows_a_skill_hides_nothing(run, program, own_home):
     assert "LearnBlock already has a skill 'stop_bot'." in run("blocks").stdout
 
 
-def test_a_block_asks_and_prints_as_its_program_does(run, tmp_path):
+def test_a_block_asks_and_prints_like_its_program(run, tmp_path):
     custom_blocks.save("talk", "def greet(robot):\n    print('hello', input('name? '))\n")
     (tmp_path / "program.bt").write_text("main:\n    function.greet()\nend\n")
     result = CliRunner().invoke(main, ["run", "program.bt"], input="Ana\n")

@@ -59,7 +59,7 @@ def described(commands, path=()):
 @pytest.mark.parametrize(
     ("words", "lines"), list(described({name: load(name) for name in COMMANDS}))
 )
-def test_examples_in_a_help_stand_line_by_line(words, lines):
+def test_examples_in_help_are_on_separate_lines(words, lines):
     shown = [line.strip() for line in call(*words, "--help").output.splitlines()]
     examples = [line for line in lines if line.startswith("learnblock ")]
     assert [line for line in examples if line not in shown] == []
@@ -154,7 +154,7 @@ def test_a_program_with_mistakes_is_not_run(write):
     assert "Did you mean 'move_straight'?" in result.stderr
 
 
-def test_a_question_without_a_sensor_is_refused_unless_run_anyway():
+def test_a_query_without_a_sensor_is_refused_unless_run_anyway():
     line = EXAMPLES / "line-thymio.bt"
     refused = call("run", line, "--robot", "sim-ebo")
     anyway = call("run", line, "--robot", "sim-ebo", "--anyway", "--for", 2, "--json")
@@ -174,20 +174,20 @@ def test_a_question_without_a_sensor_is_refused_unless_run_anyway():
         (["--pace", "fast"], "The pace has to be free, real or a positive number"),
     ],
 )
-def test_a_wrong_choice_is_named_with_advice(arguments, sentence):
+def test_an_invalid_choice_is_reported_with_advice(arguments, sentence):
     result = call("run", SQUARE, *arguments)
     assert result.exit_code == 2
     assert sentence in result.stderr
 
 
-def test_check_prints_place_code_and_message_and_exits_with_1(write):
+def test_check_prints_position_code_and_message_and_exits_with_1(write):
     program = write("typo.bt", "main:\n    function.move_strait()\nend\n")
     result = call("check", program)
     assert result.exit_code == 1
     assert result.stdout.startswith(f"{program}:2:5: unknown-skill ")
 
 
-def test_warnings_alone_do_not_fail():
+def test_warnings_alone_are_not_a_failure():
     result = call("check", EXAMPLES / "line-thymio.bt", "--robot", "sim-thymio")
     assert result.exit_code == 0
     assert "missing-device" in result.stdout
@@ -209,7 +209,7 @@ def test_format_rewrites_a_file_and_checks_without_touching_it(write):
 
 
 @pytest.mark.parametrize("robot", [*TWINS, "ev3", "cozmo", "ebo", "thymio", "rcis"])
-def test_convert_names_any_robot_in_the_import_line_and_changes_nothing_else(robot):
+def test_convert_names_any_robot_in_the_import_line_only(robot):
     python = call("convert", SQUARE, "--to", "python", "--robot", robot).stdout
     first, *rest = python.splitlines()
     assert first == f"from learnblock.robots.{robot.replace('-', '_')} import Robot"
@@ -287,7 +287,7 @@ def test_a_terminal_shows_the_state_in_one_line():
     assert sum(" x real time" in state for state in states) > 2
 
 
-def test_the_users_own_folder_adds_a_skill_a_world_and_a_robot(own_home, write):
+def test_the_users_folder_adds_a_skill_a_world_and_a_robot(own_home, write):
     for name in ("skills", "worlds", "robots"):
         (own_home / name).mkdir()
     (own_home / "skills" / "mine.py").write_text(

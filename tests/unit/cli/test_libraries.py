@@ -55,7 +55,7 @@ def exported(run):
     run("library", "export", "songs.bt", "--functions", "waltz", "--name", "songs")
 
 
-def test_functions_are_exported_with_those_that_they_call(run):
+def test_functions_are_exported_with_the_functions_that_they_call(run):
     args = ("library", "export", "dance.bt", "--functions", "waltz", "--name", "dance")
     assert run(*args) == (0, "dance.lblib: waltz, step\n")
     assert run(*args) == (
@@ -73,7 +73,7 @@ def test_a_refused_export_names_the_line(run):
     assert (1, "late.bt:2:12: shared-variable") == (code, said[:29])
 
 
-def test_a_folder_that_is_no_library_is_never_replaced(run):
+def test_a_folder_that_is_not_a_library_is_never_replaced(run):
     Path("dance").mkdir()
     Path("dance", "precious.txt").write_text("")
     args = ("library", "export", "dance.bt", "--functions", "waltz", "--name", "dance")

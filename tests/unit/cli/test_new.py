@@ -28,7 +28,7 @@ def test_a_robot_is_created_and_the_next_steps_are_shown(own_home, description):
     assert f"pytest -rs {own_home / 'tests' / 'test_pathfinder.py'}" in result.output
 
 
-def test_a_robot_gets_the_name_that_is_given_or_described_or_its_files(own_home, description):
+def test_a_robot_gets_the_name_from_the_option_the_description_or_its_file(own_home, description):
     assert "sim-rover\n" in new("robot", "rover", "--from", description).output
     description.write_text(f'name = "walker"\n{guide()}')
     assert "sim-walker\n" in new("robot", "--from", description).output
@@ -62,7 +62,7 @@ def test_nothing_is_replaced_without_force(own_home, description):
         (("world", "line"), "There is already a world 'line'"),
     ],
 )
-def test_a_bad_name_is_refused_with_a_message(own_home, arguments, message):
+def test_an_invalid_name_is_refused_with_a_message(own_home, arguments, message):
     result = new(*arguments)
     assert result.exit_code in {1, 2}
     assert message in result.output
@@ -90,7 +90,7 @@ def test_a_skill_is_a_block_at_once(own_home):
     assert block.tooltip["EN"] == "Sway to the right and to the left."
 
 
-def test_a_world_can_be_driven_in_at_once(own_home):
+def test_a_robot_can_drive_in_the_world_at_once(own_home):
     result = new("world", "my garden")
     assert "learnblock run PROGRAM --world 'my garden'" in result.output
     world = find_world("my garden")
@@ -98,6 +98,6 @@ def test_a_world_can_be_driven_in_at_once(own_home):
     assert [goal.name for goal in world.goal.follow] == ["follow the path"]
 
 
-def test_a_world_elsewhere_is_named_by_its_file(tmp_path):
+def test_a_world_in_another_folder_is_named_by_its_file(tmp_path):
     result = new("world", "garden", "--folder", tmp_path)
     assert f"--world {tmp_path / 'worlds' / 'garden.toml'}" in result.output

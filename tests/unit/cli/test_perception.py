@@ -69,7 +69,7 @@ def test_a_script_confirms_with_an_option_and_still_prints_the_warning():
     assert TABLE.load().emotions_on_cameras
 
 
-def test_switching_emotions_off_asks_nothing():
+def test_switching_emotions_off_asks_no_questions():
     TABLE.change("emotions_on_cameras", "true")
     assert "AI Act" not in call().output
     assert "AI Act" not in call("set", "emotions_on_cameras", "false").stderr
@@ -89,7 +89,7 @@ def test_switching_emotions_off_asks_nothing():
         (("set", "webcam", "0", "--default"), "Give either a value or --default."),
     ],
 )
-def test_a_wrong_value_is_refused_with_a_message(arguments, sentence):
+def test_an_invalid_value_is_refused_with_a_message(arguments, sentence):
     result = call(*arguments)
     assert result.exit_code != 0
     assert sentence in result.output

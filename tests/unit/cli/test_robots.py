@@ -8,7 +8,7 @@ from click.testing import CliRunner
 from learnblock.cli import main
 from learnblock.robots import find
 
-#: A user's own robot, with fake wheels and sensors, and real settings.
+#: A user's robot, with fake wheels and sensors, and real settings.
 MINE = """
 from learnblock.devices import Base, Display, DistanceSensors
 from learnblock.robots.real import RealRobot
@@ -83,7 +83,7 @@ def test_a_setting_is_changed_for_all_later_programs():
         (("test", "mien"), "Did you mean 'mine'?"),
     ],
 )
-def test_a_wrong_argument_is_refused_with_a_message(arguments, sentence):
+def test_an_invalid_argument_is_refused_with_a_message(arguments, sentence):
     result = call(*arguments)
     assert result.exit_code != 0
     assert sentence in result.output

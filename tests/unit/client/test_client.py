@@ -67,7 +67,7 @@ def test_stop_stops_the_motors_first_and_then_disconnects():
     assert robot.stopped
 
 
-def test_stopping_twice_does_nothing_more():
+def test_stopping_twice_is_harmless():
     robot = Logging()
     robot.stop()
     robot.stop()
@@ -80,7 +80,7 @@ def test_the_end_of_a_with_stops_the_robot():
     assert LIFE == robot.log
 
 
-def test_an_error_in_a_with_stops_the_robot_and_goes_on():
+def test_an_error_in_a_with_stops_the_robot_and_propagates():
     with pytest.raises(ZeroDivisionError), Logging() as robot:
         1 / 0  # noqa: B018 - it raises
     assert LIFE == robot.log
@@ -115,7 +115,7 @@ def test_an_error_while_disconnecting_is_raised_once():
     assert LIFE == robot.log
 
 
-def test_motors_that_cannot_be_stopped_keep_neither_the_others_nor_the_disconnection():
+def test_motors_that_cannot_be_stopped_prevent_neither_other_stops_nor_the_disconnection():
     class Broken(Logging):
         def mover(self, number):
             def move(adv, rot):
@@ -131,7 +131,7 @@ def test_motors_that_cannot_be_stopped_keep_neither_the_others_nor_the_disconnec
     assert robot.log == ["connect", "move 2", "move 1", "move 0", "disconnect"]
 
 
-def test_an_interrupt_while_stopping_does_not_keep_the_motors_running(monkeypatch):
+def test_an_interrupt_while_stopping_does_not_leave_the_motors_running(monkeypatch):
     def interrupt(stop):
         atexit.unregister(stop)
         raise KeyboardInterrupt
@@ -328,7 +328,7 @@ def test_a_second_device_with_the_same_key_is_refused():
     assert caught.value.phrase == Phrase("robot-key-taken", device="Base", key="0")
 
 
-def test_one_key_serves_devices_of_different_types():
+def test_devices_of_different_types_can_share_a_key():
     with Logging() as robot:
         robot.add(Led(bool), "0")
         assert robot.device(Led, "0")
@@ -354,7 +354,7 @@ def test_a_missing_device_is_reported_once_per_call():
     ]
 
 
-def test_close_questions_are_answered_from_one_picture():
+def test_queries_in_quick_succession_use_the_same_picture():
     pictures = []
 
     class Watching(Client):
@@ -399,7 +399,7 @@ def test_only_the_programs_calls_are_reported_to_the_observer():
     assert observer.calls == [("turn_90_right", (), {}), ("move_straight", (), {"advSpeed": 30})]
 
 
-def test_a_stopped_robot_refuses_everything():
+def test_a_stopped_robot_refuses_all_calls():
     robot = FakeRobot()
     robot.stop()
     for ask in (
@@ -460,7 +460,7 @@ class Angle(Client):
         self.angle = 0.0
 
 
-def test_a_reset_gyroscope_reads_0_at_once_also_while_it_is_polled():
+def test_a_reset_gyroscope_reads_0_at_once_even_while_it_is_polled():
     with Angle(skills=[]) as robot:
         assert robot.read(Gyroscope) == 90.0
         robot.device(Gyroscope).reset()
@@ -468,13 +468,13 @@ def test_a_reset_gyroscope_reads_0_at_once_also_while_it_is_polled():
         assert robot.read(Gyroscope) == 0.0
 
 
-def test_sensors_are_polled_on_a_wall_clock_only():
+def test_sensors_are_polled_only_on_a_wall_clock():
     with Angle(skills=[]) as wall, Angle(skills=[], clock=VirtualClock()) as virtual:
         assert isinstance(wall._readings, PolledReadings)
         assert not isinstance(virtual._readings, PolledReadings)
 
 
-def test_a_sensing_period_of_none_reads_when_asked():
+def test_a_sensing_period_of_none_reads_on_demand():
     class Direct(Angle):
         sensing_period = None
 
@@ -489,7 +489,7 @@ class PricedClock(VirtualClock):
         self.charges += 1
 
 
-def test_using_devices_and_reading_the_time_is_charged():
+def test_using_devices_and_reading_the_time_takes_time():
     clock = PricedClock()
     with Logging(clock=clock) as robot:
         robot.device(Base, "0")
@@ -498,7 +498,7 @@ def test_using_devices_and_reading_the_time_is_charged():
         assert clock.charges == 3
 
 
-def test_within_a_snapshot_time_stands_still():
+def test_time_stops_within_a_snapshot():
     clock = PricedClock()
     with Logging(clock=clock) as robot, robot._snapshot():
         robot.read(DistanceSensors)
@@ -523,7 +523,7 @@ def test_a_robot_without_hardware_takes_no_time():
     assert time.monotonic() - began < 1
 
 
-def test_a_slow_detector_does_not_hold_up_a_distance_sensor():
+def test_a_slow_detector_does_not_delay_a_distance_sensor():
     looking, read_on, free = threading.Event(), threading.Event(), threading.Event()
     looks, distances = [], []
 
@@ -553,6 +553,6 @@ def test_a_slow_detector_does_not_hold_up_a_distance_sensor():
         robot.is_front_obstacle()
         assert looking.wait(5)
         assert read_on.wait(5)
-        # A program that asks for detections does not wait either.
+        # A program that requests detections does not wait either.
         assert not robot.is_there_face()
         free.set()

@@ -179,7 +179,7 @@ def test_the_time_is_0_after_deactivation_and_in_the_next_first_pass():
     assert robot.seen == times * 2
 
 
-def test_times_carry_no_rounding_errors():
+def test_times_have_no_rounding_errors():
     robot = Stage(cycles=1)
     when = robot.when(bool)
     robot.clock.sleep(0.1)
@@ -239,7 +239,7 @@ def test_a_cycle_takes_at_least_20_ms():
     assert robot.clock.time() == pytest.approx(0.1)
 
 
-def test_a_long_cycle_is_followed_by_no_sleep():
+def test_no_sleep_follows_a_long_cycle():
     robot = Stage(cycles=3)
     robot.when(lambda: True)(lambda: robot.clock.sleep(0.5))
     robot.run()
@@ -294,7 +294,7 @@ def test_a_when_describes_itself():
     assert repr(dance) == "<when dance: active>"
 
 
-def test_an_error_in_a_body_ends_the_run_at_its_place():
+def test_an_error_in_a_body_ends_the_run_at_its_line():
     robot = Stage()
     robot.when(lambda: True)(lambda: 1 / 0)
     with pytest.raises(ZeroDivisionError):

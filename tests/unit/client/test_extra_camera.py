@@ -79,7 +79,7 @@ def test_a_program_sees_the_video_on_a_simulated_robot_the_same_in_every_run(vid
     assert 1.0 <= runs[0].report.time < 1.3
 
 
-def test_faces_of_a_video_are_not_read(tmp_path):
+def test_emotions_in_a_video_are_not_recognised(tmp_path):
     TABLE.change("video", str(record(tmp_path / "face.avi", [a_face("joy")] * 3)))
     with Blind(clock=VirtualClock()) as robot:
         assert robot.is_there_face()
@@ -123,15 +123,15 @@ def test_a_fake_robot_gets_no_added_camera(video):
         assert robot.device(Camera, "webcam") is None
 
 
-def test_wrong_settings_are_reported_by_every_robot():
+def test_invalid_settings_are_reported_by_every_robot():
     file().write_text('[perception]\nwebcam = "front"\n')
     with pytest.raises(SettingsError, match=r"'perception\.webcam' is \"front\""):
         connect("sim-ebo")
-    # A program that only asks for the robot's devices still gets them.
+    # The robot's devices are still available.
     assert find("sim-ebo").load().known_devices()
 
 
-def test_a_question_to_the_webcam_is_no_mistake(video, tmp_path):
+def test_using_the_webcam_is_not_a_mistake(video, tmp_path):
     program = tmp_path / "look.bt"
     program.write_text("main:\n    print(function.is_any_tag())\nend\n")
     source = running.read(program)

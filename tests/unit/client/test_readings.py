@@ -40,12 +40,12 @@ def test_a_sensor_is_read_again_at_the_next_instant(clock, sensor):
     assert readings.latest("a", sensor) == 2
 
 
-def test_with_a_wall_clock_every_question_reads_again(sensor):
+def test_with_a_wall_clock_every_query_reads_again(sensor):
     readings = Readings(WallClock())
     assert [readings.latest("a", sensor) for _ in range(3)] == [1, 2, 3]
 
 
-def test_sensors_are_kept_apart(clock):
+def test_sensors_are_independent(clock):
     readings = Readings(clock)
     assert readings.latest("a", lambda: 1) == 1
     assert readings.latest("b", lambda: 2) == 2
@@ -67,13 +67,13 @@ def test_within_a_snapshot_every_sensor_is_read_once_with_any_clock(sensor):
     assert readings.latest("a", sensor) == 2
 
 
-def test_different_questions_of_one_glance_see_one_picture(clock, sensor):
+def test_different_queries_of_one_glance_use_the_same_picture(clock, sensor):
     glance = Glance(clock)
     assert [glance.see(question, "lines", sensor) for question in "abc"] == [1, 1, 1]
     assert glance.see("d", "tags", lambda: "tag") == "tag"
 
 
-def test_a_question_that_is_repeated_is_a_new_glance(clock, sensor):
+def test_a_repeated_query_starts_a_new_glance(clock, sensor):
     glance = Glance(clock)
     assert [glance.see(question, "lines", sensor) for question in "abaab"] == [1, 1, 2, 3, 3]
 
@@ -99,7 +99,7 @@ def test_a_failed_snapshot_ends(clock):
     assert not readings.frozen
 
 
-def test_a_sensor_error_is_raised_only_where_the_program_reads_it(clock):
+def test_a_sensor_error_is_raised_only_if_the_program_reads_it(clock):
     def fail():
         raise OSError("the cable is out")
 
@@ -116,7 +116,7 @@ def polled():
     readings.close()
 
 
-def test_the_first_question_reads_at_once_and_the_next_ones_never_wait(polled, sensor):
+def test_the_first_query_reads_at_once_and_the_next_ones_never_wait(polled, sensor):
     assert polled.latest("a", sensor) == 1
     assert polled.latest("a", sensor) == 1
     polled.poll()
@@ -193,7 +193,7 @@ def test_a_reading_that_overlaps_a_reset_is_discarded(polled):
     assert polled.latest("gyroscope", read) == 0.0
 
 
-def test_the_thread_polls_by_itself_until_it_is_closed():
+def test_the_thread_polls_until_it_is_closed():
     third = threading.Event()
     sensor = Counter()
 
@@ -208,7 +208,7 @@ def test_the_thread_polls_by_itself_until_it_is_closed():
     assert not readings._pollers[SENSORS]._thread.is_alive()
 
 
-def test_a_sensor_that_hangs_does_not_hold_up_the_end():
+def test_a_sensor_that_hangs_does_not_delay_the_end():
     hanging, free = threading.Event(), threading.Event()
     sensor = Counter()
 
@@ -227,7 +227,7 @@ def test_a_sensor_that_hangs_does_not_hold_up_the_end():
     thread.join(5)
 
 
-def test_a_slow_sensor_does_not_hold_up_another_pace():
+def test_a_slow_sensor_does_not_delay_another_pace():
     looking, read_on, free = threading.Event(), threading.Event(), threading.Event()
     looks, distance = Counter(), Counter()
 
@@ -259,20 +259,20 @@ def test_nothing_is_read_after_close(sensor):
     assert sensor.reads == read
 
 
-def test_a_watched_sensor_is_polled_apart_from_those_of_the_program(sensor):
+def test_a_watched_sensor_is_polled_separately_from_those_of_the_program(sensor):
     readings = PolledReadings(WallClock(), period=3600)
     readings.watch("a", sensor)
     assert readings.newest("a") is None
     readings.poll(WATCHED)
     assert (readings.newest("a"), sensor.reads) == (1, 1)
-    # The program's first question reads it at once; after that only the program reads it.
+    # The program's first query reads it at once; after that only the program reads it.
     assert readings.latest("a", sensor) == 2
     readings.poll(WATCHED)
     assert (readings.newest("a"), sensor.reads) == (2, 2)
     readings.close()
 
 
-def test_the_error_of_a_watched_sensor_is_kept_for_those_who_watch():
+def test_the_error_of_a_watched_sensor_is_kept_for_observers():
     def fail():
         raise OSError("gone")
 

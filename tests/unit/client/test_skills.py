@@ -1,4 +1,4 @@
-"""Claims that hold for every skill, by its block configuration."""
+"""Claims about every skill, by its block configuration."""
 
 import inspect
 
@@ -72,7 +72,7 @@ def test_a_skill_without_its_device_has_no_effect_and_reports_it(block):
 def test_with_every_device_no_skill_reports_a_missing_one(block):
     listener = Listener()
     with FakeRobot(skills=[block.name], observer=listener) as robot:
-        # RGBled and led ask for the lamp at the place "Up", which this robot has.
+        # RGBled and led ask for the lamp with the key "Up", which this robot has.
         answer = call(robot, block)
 
         assert [] == listener.lacking

@@ -13,7 +13,7 @@ def waltz(robot, waltzes=1):
 '''
 
 
-def test_a_skill_gets_another_name_where_it_is_defined_and_called():
+def test_a_skill_is_renamed_where_it_is_defined_and_called():
     found = places(ast.parse(SOURCE), SOURCE, {"waltz"})
     assert replaced(SOURCE, found, {"waltz": "ball"}) == SOURCE.replace(
         "def waltz", "def ball"

@@ -89,7 +89,7 @@ def test_codes_begin_with_the_name_of_their_file(write, tmp_path):
     )
 
 
-def test_a_code_is_there_once(write, tmp_path):
+def test_a_code_is_defined_once(write, tmp_path):
     text = "robot-lost = No answer from { $address }."
     write(f"{MESSAGES}/en/robot.ftl", text, text)
     assert run(tmp_path) == (1, ["en/robot.ftl: robot-lost is there twice"])
@@ -101,7 +101,7 @@ def test_a_word_of_the_page_that_english_lacks_is_an_error(write, tmp_path):
     assert run(tmp_path) == (1, ["frontend/src/bar.tsx: en lacks page-bar-off"])
 
 
-def test_a_code_that_is_put_together_uses_every_word_that_fits(write, tmp_path):
+def test_a_composed_code_uses_every_matching_word(write, tmp_path):
     words = [
         "page-bar-state-idle = Idle",
         "page-bar-state-ended = Ended",
@@ -143,7 +143,7 @@ def test_words_of_blocks_are_compared_too(write, tmp_path):
     )
 
 
-def test_texts_of_skills_are_wanted_in_every_language(write, tmp_path):
+def test_texts_of_skills_are_required_in_every_language(write, tmp_path):
     write(f"{MESSAGES}/fr/robot.ftl", "robot-lost = Pas de réponse de { $address }.")
     where = "src/learnblock/blocks/configurations"
     block = {"name": "stop_bot", "languages": {"EN": "stop"}, "tooltip": {"EN": "a", "FR": "b"}}

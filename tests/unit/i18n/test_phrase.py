@@ -37,7 +37,7 @@ def test_a_tuple_is_shown_as_a_list():
 
 
 @pytest.mark.parametrize("text", ["The battery is empty.", "unknown-code", "", "no"])
-def test_text_that_is_no_code_of_ours_is_shown_as_it_is(text):
+def test_text_that_is_not_a_code_is_shown_unchanged(text):
     assert text == translate(Phrase(text), "es")
 
 
@@ -51,7 +51,7 @@ def test_english_is_the_first_language():
 
 
 @pytest.mark.parametrize("form", [msgspec.json, msgspec.msgpack])
-def test_a_phrase_travels(form):
+def test_a_phrase_can_be_sent(form):
     phrase = Phrase("a-b", inner=TOO_LARGE, several=("x", TOO_LARGE), number=1.5)
     assert phrase == form.decode(form.encode(phrase), type=Phrase)
 
@@ -65,7 +65,7 @@ def test_it_survives_pickling(value):
     assert str(value) == str(pickle.loads(pickle.dumps(value)))  # noqa: S301 - our own bytes
 
 
-def test_an_error_carries_its_phrase():
+def test_an_error_has_its_phrase():
     error = LearnBlockError("file-too-large", name="square.bt", limit=4)
     assert TOO_LARGE == error.phrase
     assert str(TOO_LARGE) == str(error)

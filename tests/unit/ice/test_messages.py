@@ -45,7 +45,7 @@ def asked(body=None, version=(1, 1)):
     return read_request(body or request(5, opening, writer.encapsulated())[HEADER.size :])
 
 
-def test_a_request_is_read_as_it_was_written():
+def test_a_request_survives_a_round_trip():
     found = asked()
     assert (found.number, found.identity, found.facet) == (5, "base", ())
     assert (found.operation, found.mode, found.parameters.left) == ("move", 0, 0)
@@ -60,14 +60,14 @@ def answered(data):
     return open_reply(body)
 
 
-def test_a_reply_brings_what_was_given():
+def test_a_reply_contains_the_results():
     gives = Writer()
     gives.text("well")
     assert answered(reply(asked(), gives)).text() == "well"
 
 
 @pytest.mark.parametrize("version", [(1, 0), (1, 1)])
-def test_a_user_exception_comes_in_both_encodings(version):
+def test_a_user_exception_is_read_in_both_encodings(version):
     known = Refusal("::RoboCompDisplay::HardwareFailedException")
     with pytest.raises(IceRefusedError, match="it is dark") as caught:
         answered(refusal(asked(version=version), known, "it is dark"))
@@ -118,7 +118,7 @@ def test_bytes_that_are_not_a_message_are_rejected(header, sentence):
         read_header(header)
 
 
-def test_a_message_that_is_only_a_header_has_nothing_behind_it():
+def test_a_message_that_is_only_a_header_has_no_content():
     assert read_header(message(Kind.VALIDATE)) == (Kind.VALIDATE, 0)
 
 

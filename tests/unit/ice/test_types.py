@@ -77,13 +77,13 @@ def test_a_value_has_the_bytes_of_the_manual(kind, value, expected):
 
 
 @pytest.mark.parametrize(("count", "length"), [(254, 1), (255, 5), (70_000, 5)])
-def test_a_size_takes_one_byte_up_to_254_and_five_from_there(count, length):
+def test_a_size_takes_one_byte_up_to_254_and_five_beyond(count, length):
     data = STRING.encoded("x" * count)
     assert len(data) == length + count
     assert STRING.decoded(data) == "x" * count
 
 
-def test_numbers_in_a_row_come_as_an_array_and_bytes_as_bytes():
+def test_sequences_of_numbers_are_arrays_and_bytes_are_bytes():
     assert Sequence(FLOAT).decoded(Sequence(FLOAT).encoded([1.5, 2.5])) == array("f", [1.5, 2.5])
     assert Sequence(BYTE).decoded(b"\x02ab") == b"ab"
 
@@ -95,7 +95,7 @@ def test_a_struct_follows_the_order_of_its_layout():
     assert there.decoded(data) == Thing("t", 1.0, here=True, count=2)
 
 
-def test_an_order_that_leaves_a_member_out_is_refused():
+def test_an_order_without_one_of_the_members_is_refused():
     with pytest.raises(ValueError, match="are not the members of Thing"):
         Structure.of(Thing, "count name")
 
@@ -122,7 +122,7 @@ def test_an_order_that_leaves_a_member_out_is_refused():
         (THING, Thing("t", 1.0, here=True, count="many")),
     ],
 )
-def test_a_wrong_value_is_rejected_by_name(kind, value):
+def test_an_invalid_value_is_rejected_by_name(kind, value):
     with pytest.raises(IceEncodingError, match=f"is not a valid {kind}"):
         kind.encoded(value)
 

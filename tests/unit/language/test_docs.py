@@ -21,7 +21,7 @@ def test_an_example_becomes_the_python_below_it(block_text, whole, python):
 
 
 @pytest.mark.parametrize("block_text", [example[0] for example in EXAMPLES])
-def test_an_example_comes_back_from_python(block_text):
+def test_an_example_is_restored_from_python(block_text):
     program = parse(block_text)
     assert program == from_python(to_python(program).text)
     assert program == parse(format_program(program))

@@ -22,7 +22,7 @@ from learnblock.robots import find
 
 
 class ManualClock:
-    """A clock that runs by itself, at a speed set by the test."""
+    """A running clock whose speed the test sets."""
 
     instant = None
 
@@ -128,7 +128,7 @@ def test_a_sensor_that_the_program_uses_is_not_read_for_the_page(robot):
     assert values(monitor.state())["DistanceSensors", "ROBOT", "front", 1] == 100
 
 
-def test_looking_reads_no_sensor_itself(robot):
+def test_observing_reads_no_sensor(robot):
     monitor = monitor_of(robot)
     look(robot, monitor)
     before = dict(robot.reads)
@@ -138,7 +138,7 @@ def test_looking_reads_no_sensor_itself(robot):
     assert robot.reads == before
 
 
-def test_sensors_keep_their_place_while_they_have_no_value(robot):
+def test_sensors_remain_listed_while_they_have_no_value(robot):
     monitor = monitor_of(robot)
     look(robot, monitor)
     robot.forget_readings()
@@ -202,7 +202,7 @@ def test_a_link_is_weak_when_messages_are_missing_or_late(robot, reported, state
     assert (link.state, link.battery, link.quality) == (state, 4.0, reported.link_quality)
 
 
-def test_a_link_is_weak_when_no_reading_succeeds_for_a_while(robot):
+def test_a_link_is_weak_if_no_reading_succeeds_for_a_while(robot):
     monitor = monitor_of(robot)
     look(robot, monitor)
     robot.clock.sleep(WEAK_SILENCE + 0.1)
@@ -253,7 +253,7 @@ def test_a_frame_is_developed_once(robot):
     assert monitor.camera() is not picture
 
 
-def test_a_camera_that_fails_keeps_its_last_picture(robot):
+def test_a_failed_camera_keeps_its_last_picture(robot):
     monitor = monitor_of(robot)
     robot.frame = np.zeros((240, 320, 3), np.uint8)
     picture = monitor.camera()

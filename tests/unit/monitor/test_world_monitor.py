@@ -104,12 +104,12 @@ def test_a_robot_is_placed_elsewhere_and_starts_there(watch):
     assert monitor.start == monitor.scene().start == (100, -200, 90)
 
 
-def test_a_robot_begins_at_the_given_start(watch):
+def test_a_robot_starts_at_the_given_pose(watch):
     monitor = watch(start=(50.0, 60.0, -90.0))
     assert pose(monitor) == monitor.start == (50, 60, -90)
 
 
-def test_a_reset_puts_everything_back_to_its_first_place(watch):
+def test_a_reset_restores_all_initial_positions(watch):
     monitor = watch(world="line-and-box")
     before = monitor.state()
     monitor.place(300, 300, 45)
@@ -192,7 +192,7 @@ def test_a_robot_without_a_camera_has_no_picture(watch):
     assert watch("sim-thymio", "empty").camera() is None
 
 
-def test_a_twin_measures_the_distance_of_a_tag_by_its_lens():
+def test_a_twin_measures_the_distance_to_a_tag_by_its_lens():
     with Ebo(world="tags") as robot:
         monitor = WorldMonitor.of(robot)
         tag = monitor.scene().world["tag"][0]
@@ -231,7 +231,7 @@ def test_a_sound_is_reported_once():
         assert list(monitor.sounds()) == []
 
 
-def test_a_run_begins_at_the_given_start_and_its_trace_records_it():
+def test_a_run_starts_at_the_given_pose_and_its_trace_records_it():
     there = run_example("square.bt", "sim-ebo", start=(100, 200, 90), seconds=1)
     default = run_example("square.bt", "sim-ebo", seconds=1)
     assert there.recorder.path[0][1] == (100, 200, 90)

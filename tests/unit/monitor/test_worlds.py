@@ -73,7 +73,7 @@ edited = of(
 
 @settings(max_examples=150, deadline=None)
 @given(edited)
-def test_a_world_comes_back_as_it_was_saved(values):
+def test_a_saved_world_is_read_back_unchanged(values):
     worlds.save_world("mine", values)
     expected = worlds.world_from_values(values)
     assert worlds.world_from_values(worlds.world_values(find_world("mine"))) == expected
@@ -98,13 +98,13 @@ def test_default_values_are_not_written():
     "name",
     ["", ".", "..", "../evil", "a/b", "a\\b", ".hidden", "a.toml", "x" * 41, "a\0", " a", "a\n"],
 )
-def test_a_world_with_a_bad_file_name_is_refused(own_home, name):
+def test_a_world_with_an_invalid_file_name_is_refused(own_home, name):
     with pytest.raises(WorldError, match="wrong-name"):
         worlds.save_world(name, {})
     assert not (own_home / "worlds").exists()
 
 
-def test_a_wrong_world_is_reported_and_leaves_the_file_as_it_was():
+def test_an_invalid_world_is_reported_and_the_file_unchanged():
     path = worlds.save_world("mine", {"title": "good"})
     wrong = {"box": [{"x": 5001, "y": 0}]}
     (problem,) = worlds.check_world(wrong)
@@ -158,7 +158,7 @@ json = st.recursive(
         max_size=3,
     )
 )
-def test_any_values_from_the_page_are_a_world_or_reported_as_wrong(values):
+def test_any_values_from_the_page_are_a_world_or_reported_as_invalid(values):
     for problem in worlds.check_world(values):
         assert str(problem)
 

@@ -1,4 +1,4 @@
-"""The client of a new robot: written code works, and the rest says what is to be done."""
+"""The client of a new robot: the generated code works, and the rest says what to do."""
 
 import math
 
@@ -121,7 +121,7 @@ def test_joints_only_get_angles_within_their_ranges(client):
         assert sorted(robot.turned.values()) == [20, 22]
 
 
-def test_an_unwritten_function_names_its_place_and_its_task(client):
+def test_an_unwritten_function_names_its_position_and_its_task(client):
     class Opened(client):
         def open_link(self):
             self.measure_heading = lambda: 0.0
@@ -146,7 +146,7 @@ def test_an_unwritten_function_names_its_place_and_its_task(client):
 
 
 def task_of(robot, function):
-    """Return what a function says is to be done; empty if it is already written."""
+    """Return the task that a function reports; empty if it is already written."""
     try:
         check_function(robot, function)
     except NotWrittenError as task:

@@ -15,7 +15,7 @@ def test_all_files_are_written_or_none(tmp_path):
     assert (tmp_path / "b").read_text() == "mine"
 
 
-def test_force_replaces(tmp_path):
+def test_force_replaces_files(tmp_path):
     (tmp_path / "b").write_text("mine")
     write_new({tmp_path / "deep" / "a": "ñ", tmp_path / "b": "new"}, force=True)
     assert (tmp_path / "deep" / "a").read_text(encoding="utf-8") == "ñ"

@@ -1,4 +1,4 @@
-"""Names of new robots and skills: they become files, modules and words of programs."""
+"""Names of new robots and skills: they become names of files, modules and functions."""
 
 import pytest
 
@@ -14,7 +14,7 @@ def test_a_robot_name_has_lower_case_letters_digits_and_hyphens(name):
 
 
 @pytest.mark.parametrize("name", [*HOSTILE, "Rover", "my_rover", "class", "con", "lpt1"])
-def test_a_bad_robot_name_is_refused(name):
+def test_an_invalid_robot_name_is_refused(name):
     with pytest.raises(NewNameError, match=r"A robot cannot be named (.|\n)* at most 40"):
         check_robot_name(name)
 
@@ -37,7 +37,7 @@ def test_a_custom_robot_may_be_replaced(own_home):
 
 
 @pytest.mark.parametrize("name", [*HOSTILE, "Waltz", "a-b", "while", "con"])
-def test_a_bad_skill_name_is_refused(name, tmp_path):
+def test_an_invalid_skill_name_is_refused(name, tmp_path):
     with pytest.raises(NewNameError, match=r"A skill cannot be named (.|\n)* at most 40"):
         check_skill_name(name, tmp_path / "skill.py")
 

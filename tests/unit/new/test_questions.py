@@ -1,4 +1,4 @@
-"""The questions about a new robot: a wrong answer is refused, and asked for again."""
+"""The questions about a new robot: an invalid answer is refused, and the question repeated."""
 
 import pytest
 from click.testing import CliRunner
@@ -71,7 +71,7 @@ def test_every_device_can_be_answered(own_home):
         (14, "left, behind", "'behind' is not one of left, central, right."),
     ],
 )
-def test_a_wrong_answer_is_refused_and_asked_for_again(own_home, position, wrong, message):
+def test_an_invalid_answer_is_refused_and_the_question_repeated(own_home, position, wrong, message):
     answers = ["my-rover", *PLAIN]
     result = new_robot(*answers[:position], wrong, *answers[position:])
     assert result.exit_code == 0, result.output
@@ -79,7 +79,7 @@ def test_a_wrong_answer_is_refused_and_asked_for_again(own_home, position, wrong
     assert "sim-my-rover" in robots.entries()
 
 
-def test_a_wrong_range_is_asked_for_again(own_home):
+def test_an_invalid_range_is_asked_again(own_home):
     answers = [*PLAIN[:18], "ARM", "20", "10", "10", "20", "n", ""]
     result = new_robot("my-rover", *answers)
     assert "Error: joint.minimum must be below joint.maximum." in result.output

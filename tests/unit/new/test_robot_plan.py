@@ -71,7 +71,7 @@ def test_a_description_gets_another_name(read):
     assert named(read(guide()), "rover").name == "rover"
 
 
-def test_the_description_that_a_page_begins_with_is_that_of_the_guide():
+def test_the_template_on_the_page_is_the_description_in_the_guide():
     description = template.read("robot/description.toml")
     assert guide().strip() == description.strip()
     assert parse_plan(description).title == "Pathfinder"

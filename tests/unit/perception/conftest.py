@@ -11,7 +11,7 @@ LENS_HEIGHT = 100.0
 def poster(texture, size, angle=0.0):
     """A square picture of `size` mm at (0, 0), as high as the lens.
 
-    It looks west, turned by `angle` degrees anticlockwise seen from above.
+    It faces west, turned by `angle` degrees anticlockwise seen from above.
     """
     half = size / 2
     x, y = half * math.sin(math.radians(angle)), half * math.cos(math.radians(angle))

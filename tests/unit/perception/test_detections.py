@@ -75,7 +75,7 @@ def test_lines_survive_a_journey_between_processes(found):
 
 
 @given(line_views())
-def test_a_line_that_is_there_is_on_exactly_one_side(view):
+def test_a_line_is_on_exactly_one_side(view):
     assert view.is_there == ([view.is_left, view.is_center, view.is_right].count(True) == 1)
 
 
@@ -98,7 +98,7 @@ def test_the_side_with_the_most_pixels_has_the_line():
     assert [view.is_left, view.is_center, view.is_right] == [False, False, True]
 
 
-def test_of_equally_full_sides_the_center_has_the_line():
+def test_if_sides_are_equal_the_line_is_in_the_center():
     assert LineView("black", 500, 500, 500).is_center
 
 

@@ -41,7 +41,7 @@ def test_detect_runs_the_detector_with_that_name():
     assert detect_lines(frame) == detect("lines", frame)
 
 
-def test_a_slip_in_a_detector_s_name_is_recognised():
+def test_a_misspelt_detector_gets_a_suggestion():
     with pytest.raises(UnknownNameError, match="Did you mean 'faces'"):
         detect("face", frame_with_everything())
 
@@ -54,7 +54,7 @@ def test_every_detector_refuses_anything_but_a_picture(name):
 
 @pytest.mark.parametrize("name", DETECTORS)
 @pytest.mark.parametrize("size", [(1, 1), (2, 400), (400, 1), (30, 31)])
-def test_every_detector_looks_at_frames_of_any_size(name, size):
+def test_every_detector_accepts_frames_of_any_size(name, size):
     noise = np.random.default_rng(1).integers(0, 256, (*size, 3)).astype(np.uint8)
     assert detect(name, noise) == detect(name, noise[::-1][::-1])
 

@@ -76,7 +76,7 @@ def test_a_similar_name_is_suggested(dictionary):
         ("ball: 3\n", "not-toml .* such as: ball = 3"),
     ],
 )
-def test_a_wrong_dictionary_is_refused_with_its_line(dictionary, text, message):
+def test_an_invalid_dictionary_is_refused_with_its_line(dictionary, text, message):
     dictionary.write_text(text)
 
     with pytest.raises(TagNamesError, match=message):
@@ -98,7 +98,7 @@ def test_all_written_names_are_read_again(names):
         assert parse(write(names, as_csv=True), "tags.csv") == stripped
 
 
-def test_a_table_of_a_spreadsheet_needs_no_heading(dictionary):
+def test_a_spreadsheet_table_needs_no_header(dictionary):
     assert parse("ball,3\r\n red door ,12\r\n", "TAGS.CSV") == {"ball": 3, "red door": 12}
 
 
@@ -120,7 +120,7 @@ def test_saved_names_replace_the_previous_ones(dictionary):
     ],
     ids=["empty", "two lines", "long", "a number", "no tag", "many"],
 )
-def test_a_wrong_dictionary_is_not_saved(names, code, dictionary):
+def test_an_invalid_dictionary_is_not_saved(names, code, dictionary):
     with pytest.raises(TagNamesError) as refused:
         save_names(names)
     assert code in {problem.message.code for problem in refused.value.diagnostics}

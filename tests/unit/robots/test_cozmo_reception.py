@@ -25,7 +25,7 @@ def test_the_quality_is_the_share_of_the_reports_that_arrive():
     assert received(range(0, 100, 2)).quality == pytest.approx(0.5, abs=0.02)
 
 
-def test_a_robot_that_restarts_begins_again():
+def test_a_restarted_robot_is_counted_anew():
     reception = received(range(1000, 1100))
     reception.note(0)
     assert reception.quality is None

@@ -24,7 +24,7 @@ class Robot(Client):
 """
 
 
-def test_our_robots_are_there():
+def test_the_built_in_robots_are_listed():
     assert {"sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo"} <= robots.entries().keys()
 
 
@@ -45,7 +45,7 @@ def test_a_misspelt_robot_gets_a_hint():
 
 
 @pytest.mark.parametrize("name", ["coppeliasim", "cozmo", "ebo", "ev3", "rcis", "thymio"])
-def test_the_papers_robots_are_there(name):
+def test_the_papers_robots_are_listed(name):
     assert robots.find(name).load().name() == name
 
 
@@ -90,7 +90,7 @@ def test_our_robots_come_first_if_two_share_a_name(home):
         ("def (", "The robot 'rover' can't be loaded (SyntaxError: invalid syntax"),
     ],
 )
-def test_a_wrong_file_of_a_user_is_reported_by_name(home, text, message):
+def test_an_invalid_file_of_a_user_is_reported_by_name(home, text, message):
     (home / "rover.py").write_text(textwrap.dedent(text))
     with pytest.raises(LearnBlockError) as caught:
         robots.find("rover").load()
@@ -106,7 +106,7 @@ def test_a_robot_that_failed_to_load_leaves_nothing_behind(home):
     assert "learnblock_home.robots.rover" not in sys.modules
 
 
-def test_robots_of_others_come_from_entry_points(monkeypatch):
+def test_third_party_robots_come_from_entry_points(monkeypatch):
     point = EntryPoint("acme-rover", "acme.rover", "learnblock.robots")
     monkeypatch.setattr("importlib.metadata.entry_points", lambda group: [point])
     assert robots.find("acme-rover") == robots.RobotEntry("acme-rover", "acme.rover")

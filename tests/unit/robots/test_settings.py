@@ -1,4 +1,4 @@
-"""What a real robot is told about itself: typed, kept in the user's folder, refused by name."""
+"""The settings of a real robot: typed, saved in the user's folder, refused by name."""
 
 from typing import Annotated
 
@@ -26,7 +26,7 @@ def test_without_a_file_all_settings_have_their_defaults():
     assert settings.load("mine", Mine) == Mine()
 
 
-def test_a_changed_setting_is_saved_and_the_rest_of_the_file_stays():
+def test_a_changed_setting_is_saved_and_the_rest_of_the_file_is_unchanged():
     settings.file().write_text("[robots.other]\nx = 1\n[page]\ny = 2\n")
     settings.change("mine", Mine, "port", "6000")
     settings.change("mine", Mine, "wheels", '["A", "C"]')
@@ -37,7 +37,7 @@ def test_a_changed_setting_is_saved_and_the_rest_of_the_file_stays():
     assert "y = 2" in text
 
 
-def test_a_setting_goes_back_to_its_default():
+def test_a_setting_is_reset_to_its_default():
     settings.change("my-robot", Mine, "port", "6000")
     settings.change("my-robot", Mine, "port", None)
     assert settings.load("my-robot", Mine) == Mine()
@@ -49,7 +49,7 @@ def test_chosen_settings_override_the_file():
     assert settings.load("mine", Mine, {"address": "me"}) == Mine(port=6000, address="me")
 
 
-def test_a_wrong_value_is_refused_by_name_and_changes_nothing():
+def test_an_invalid_value_is_refused_by_name_and_changes_nothing():
     settings.change("mine", Mine, "port", "6000")
     with pytest.raises(SettingsError, match="'port' is 70000, but must be a whole number"):
         settings.change("mine", Mine, "port", "70000")

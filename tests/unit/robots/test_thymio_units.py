@@ -1,4 +1,4 @@
-"""What a Thymio's numbers mean, and what is made of bytes that are no messages."""
+"""The meaning of a Thymio's numbers, and bytes that are not messages."""
 
 import pytest
 from hypothesis import given
@@ -28,7 +28,7 @@ def test_backward_is_negative():
     assert units.wheels(-50, 0, **KNOWN) == (-151, -151)
 
 
-def test_too_fast_a_curve_keeps_its_shape():
+def test_a_curve_that_is_too_fast_keeps_its_shape():
     slow = units.wheels(40, 30, **KNOWN)
     fast = units.wheels(400, 300, **KNOWN)
     assert max(fast) == 500
@@ -67,12 +67,12 @@ def test_gravity_is_felt_upwards_at_rest():
     assert units.acceleration([0, 0, 23]) == pytest.approx((0, 0, 9.81))
 
 
-def test_a_robot_that_leans_to_the_left_is_held_up_from_the_right():
+def test_a_robot_that_leans_to_the_left_is_supported_from_the_right():
     _, left, _ = units.acceleration([23, 0, 0])
     assert left == pytest.approx(-9.81)
 
 
-def test_a_robot_that_leans_back_is_held_up_from_behind():
+def test_a_robot_that_leans_back_is_supported_from_behind():
     forward, _, _ = units.acceleration([0, 23, 0])
     assert forward == pytest.approx(9.81)
 
@@ -160,9 +160,9 @@ def test_the_source_for_the_suite_answers_every_command_and_calls_every_function
     assert [f"call {native}(" in text for native in NATIVES.values()] == [True] * len(NATIVES)
 
 
-def test_the_numbers_of_events_are_their_places():
+def test_the_number_of_an_event_is_its_position():
     assert [event.number for event in EVENTS] == list(range(len(EVENTS)))
 
 
-def test_what_is_read_has_as_many_numbers_as_we_take():
+def test_the_read_variables_have_the_expected_sizes():
     assert (READ["prox.horizontal"], READ["prox.ground.delta"], READ["acc"]) == (7, 2, 3)

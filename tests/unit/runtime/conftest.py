@@ -125,7 +125,7 @@ class Result:
     def left_over(self):
         """Return the process groups of the run in which a process is still alive.
 
-        A killed process needs the processor once more to be gone.
+        A killed process must be scheduled once more before it disappears.
         """
         deadline = time.monotonic() + 5
         while (living := list(filter(alive, self.processes))) and time.monotonic() < deadline:

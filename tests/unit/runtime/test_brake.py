@@ -20,7 +20,7 @@ class Wheels:
         self.brake = Brake([self.base])
 
 
-def test_a_brake_stops_the_wheels_and_lets_them_go_on():
+def test_a_brake_stops_the_wheels_and_releases_them():
     wheels = Wheels()
     wheels.base.move(100, 5)
     wheels.brake.pause()
@@ -39,7 +39,7 @@ def test_commands_under_the_brake_take_effect_afterwards():
     assert wheels.told == [(0, 0), (20, 0)]
 
 
-def test_a_stop_passes_the_brake_at_once():
+def test_a_stop_takes_effect_despite_the_brake():
     wheels = Wheels()
     wheels.base.move(100, 0)
     wheels.brake.pause()

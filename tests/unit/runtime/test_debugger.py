@@ -45,7 +45,7 @@ def debug(run, request):
     return debug
 
 
-def test_a_program_is_held_at_its_breakpoints(debug):
+def test_a_program_pauses_at_its_breakpoints(debug):
     script = Script(breakpoints=[10])
     result = debug(script)
     assert script.lines == [10, 10]
@@ -85,13 +85,13 @@ def test_stepping_over_stays_in_the_function(debug):
     assert script.lines == [9, 10, 9, 11]
 
 
-def test_stepping_over_the_end_of_a_function_holds_in_its_caller(debug):
+def test_stepping_over_the_end_of_a_function_pauses_in_its_caller(debug):
     script = Script("step_over", "step_over", breakpoints=[5])
     debug(script, PROGRAM.replace("range(2)", "range(1)"))
     assert script.lines == [5, 6, 9]
 
 
-def test_a_command_while_nothing_is_held_changes_nothing(debug):
+def test_a_command_while_nothing_is_paused_changes_nothing(debug):
     script = Script(breakpoints=[11])
     for command in ("resume", "step", "step_over"):
         getattr(script.debugger, command)()
@@ -99,7 +99,7 @@ def test_a_command_while_nothing_is_held_changes_nothing(debug):
     assert script.lines == [11]
 
 
-def test_a_pause_holds_at_the_next_line(run):
+def test_a_pause_takes_effect_at_the_next_line(run):
     class Pausing(Script):
         def input(self, prompt):
             self.debugger.pause()
@@ -110,7 +110,7 @@ def test_a_pause_holds_at_the_next_line(run):
     assert script.lines == [4]
 
 
-def test_a_stop_while_held_ends_the_program_at_once(stage):
+def test_a_stop_during_a_pause_ends_the_program_at_once(stage):
     class Held(Listener):
         at = threading.Event()
 
@@ -144,7 +144,7 @@ def test_a_variable_that_cannot_be_shown_does_not_end_the_program(debug):
     }
 
 
-def test_a_run_that_is_debugged_has_the_trace_of_one_that_is_not(stage, run):
+def test_debugging_does_not_change_the_trace(stage, run):
     script = Script(breakpoints=[9])
     debugged = run(PROGRAM, debugger=script.debugger, watcher=script)
     fresh = type(stage)()

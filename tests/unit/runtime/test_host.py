@@ -194,7 +194,7 @@ ENDLESS = {
 
 @needs_posix
 @pytest.mark.parametrize("name", ENDLESS)
-def test_a_program_without_end_is_ended(run, impatient, name):
+def test_an_endless_program_is_ended(run, impatient, name):
     source, lines = ENDLESS[name]
     result = run(DRIVE + source, limits=impatient)
     assert result.how in {How.NO_CALL, How.OUTPUT_LIMIT}
@@ -243,7 +243,7 @@ def test_a_program_that_prints_too_much_is_ended(run):
     assert len(result.output) <= 20_000
 
 
-def test_ten_megabytes_in_one_print_are_too_much_as_well(run):
+def test_ten_megabytes_in_one_print_are_too_much_too(run):
     assert How.OUTPUT_LIMIT == run("print('x' * 10**7)").how
 
 
@@ -266,7 +266,7 @@ def test_processor_time_is_limited(run):
     assert result.ending.phrase == Phrase("run-processor-time", seconds=1)
 
 
-def test_a_program_that_never_makes_its_robot_is_ended(run):
+def test_a_program_that_never_creates_its_robot_is_ended(run):
     result = run("while True: pass", header="", limits=Limits(preparation=0.2))
     assert How.NO_CALL == result.how
     assert result.ending.phrase == Phrase("run-no-robot", seconds=0.2)
@@ -277,7 +277,7 @@ def test_an_error_in_the_python_names_its_line(run):
     assert result.ending == Ending(How.ERROR, Phrase("SyntaxError: '(' was never closed"), 3)
 
 
-def test_a_stop_that_fails_is_reported_where_nothing_else_went_wrong(run):
+def test_a_stop_that_fails_is_reported_if_nothing_else_went_wrong(run):
     result = run("", broken={"disconnect"})
     assert How.ERROR == result.how
     assert result.ending.phrase == Phrase("run-robot-not-stopped", reason=BROKEN)
@@ -288,13 +288,13 @@ def test_a_stop_that_fails_does_not_hide_an_earlier_error(run):
     assert ending.phrase == Phrase("ZeroDivisionError: division by zero")
 
 
-def test_a_stop_that_fails_in_the_program_is_reported_as_well(run):
+def test_a_stop_that_fails_in_the_program_is_reported_too(run):
     result = run("robot.stop()", broken={"disconnect"})
     assert result.ending.phrase == Phrase("run-robot-not-stopped", reason=BROKEN)
     assert result.log.count(("disconnect",)) == 1
 
 
-def test_motors_that_do_not_stop_are_disconnected_all_the_same(run):
+def test_motors_that_do_not_stop_are_still_disconnected(run):
     assert run("", broken={"move"}).log == [("move", 0.0, 0.0), ("disconnect",)]
 
 
@@ -334,7 +334,7 @@ def test_a_second_robot_may_follow_the_first(run):
     assert (How.FINISHED, "False\n") == (result.how, result.output)
 
 
-def test_a_device_kept_after_the_stop_is_dead(run):
+def test_a_device_kept_after_the_stop_cannot_be_used(run):
     result = run(
         "from learnblock.devices import Base\n"
         "base = robot.device(Base)\nrobot.stop()\nbase.move(100, 0)\nrobot.sleep"
@@ -370,7 +370,7 @@ def test_input_comes_from_the_watcher(run):
     assert result.output == "name? hello Ada\n"
 
 
-def test_a_sleep_takes_the_worlds_time(run):
+def test_a_sleep_takes_time_of_the_world(run):
     assert run("robot.clock.sleep(1.234)\nprint(robot.clock.time())").output == "1.24\n"
 
 
@@ -379,14 +379,14 @@ def test_a_poll_without_a_sleep_moves_the_world(run):
     assert result.output == "0.05\n"
 
 
-def test_a_time_limit_is_a_good_end(run):
+def test_a_time_limit_is_not_an_error(run):
     result = run("n = 0\nwhile True:\n    robot.clock.sleep(0.3)\n    n += 1\n", seconds=1)
     assert result.ending == Ending(How.TIME_LIMIT, Phrase("run-time-limit", seconds=1), 5)
     assert result.ending.well
     assert result.run.recorder.time() == 1.0
 
 
-def test_a_time_limit_holds_on_a_real_robot_too(run):
+def test_a_time_limit_applies_to_a_real_robot_too(run):
     result = run("while True: pass", real=True, seconds=0.2)
     assert result.how == How.TIME_LIMIT
 
@@ -398,14 +398,14 @@ def test_on_a_real_robot_long_silence_is_allowed(run):
 
 
 class EndsWhenLookedAt(ThreadWorker):
-    """A program that sends its last message and ends between our receiving and our check."""
+    """A program that sends its last message and ends between our last receive and our check."""
 
     def wait(self, timeout):
         self._thread.join(5)
         return super().wait(timeout)
 
 
-def test_the_last_message_of_a_process_that_has_ended_is_received(run):
+def test_the_last_message_of_an_ended_process_is_received(run):
     result = run("robot.clock.sleep(0.2)", real=True, worker=EndsWhenLookedAt)
     assert result.how == How.FINISHED
 
@@ -433,7 +433,7 @@ class Listener(Watcher):
         self.text.append(text)
 
 
-def test_a_program_that_was_ended_does_not_hold_up_the_others(stage, impatient):
+def test_a_program_that_was_ended_does_not_delay_the_others(stage, impatient):
     stage.add("while True: pass", limits=impatient)
     stage.add("robot.clock.sleep(5)\nprint(robot.clock.time())", limits=impatient)
     stage.host().run()
@@ -477,12 +477,12 @@ def test_nothing_is_recorded_after_the_robot_was_stopped(run):
     assert result.output == "bye\n"
 
 
-def test_a_programs_module_is_found_beside_it(run, tmp_path):
+def test_a_programs_module_is_found_next_to_it(run, tmp_path):
     (tmp_path / "helper.py").write_text("def greet(): print('hello')\n")
     assert run("from helper import greet\ngreet()", folder=str(tmp_path)).output == "hello\n"
 
 
-def test_robots_of_others_are_taken_from_their_own_modules(run):
+def test_third_party_robots_come_from_their_own_modules(run):
     result = run("print(robot.stopped)", header="from acme.rover import Robot\nrobot = Robot()\n",
                  robots=("acme.rover",))  # fmt: skip
     assert result.output == "False\n"
@@ -530,7 +530,7 @@ def test_memory_of_other_sizes_may_be_allowed(run):
 
 
 @needs_posix
-def test_a_host_that_is_interrupted_leaves_nothing_behind(stage):
+def test_an_interrupted_host_leaves_nothing_behind(stage):
     class Interrupting(Watcher):
         def printed(self, text):
             signal.raise_signal(signal.SIGINT)
@@ -569,14 +569,14 @@ def test_a_device_of_a_type_that_programs_cannot_reach_is_named(run):
 
 
 @needs_posix
-def test_a_file_may_only_be_so_large(run, tmp_path):
+def test_the_size_of_a_file_is_limited(run, tmp_path):
     path = str(tmp_path / "big")
     result = run(f"open({path!r}, 'wb').write(bytes(10**6))", limits=Limits(file_size=1000))
     assert str(result.ending.phrase).startswith("OSError: [Errno 27]")
 
 
 @needs_posix
-def test_only_so_many_files_may_be_open(run):
+def test_the_number_of_open_files_is_limited(run):
     result = run("files = [open('/dev/null') for _ in range(100)]")
     assert str(result.ending.phrase).startswith("OSError: [Errno 24]")
 
@@ -584,7 +584,7 @@ def test_only_so_many_files_may_be_open(run):
 @pytest.mark.parametrize(
     "argument", ["10**30", "'\\ud800'", "[[[[[]]]]]", "{(1, 2): 3}", "object()"]
 )
-def test_a_call_with_an_argument_no_message_can_hold_is_recorded_by_its_description(run, argument):
+def test_an_argument_that_cannot_be_sent_is_recorded_by_its_description(run, argument):
     result = run(f"robot.say_Text({argument})\nrobot.clock.sleep(1)\nprint('on')")
     assert (How.FINISHED, "on\n") == (result.how, result.output)
     assert ["say_Text"] == [event["call"] for event in result.events if "call" in event]

@@ -46,13 +46,13 @@ def test_the_skills_of_an_installed_library_are_the_robots(run, home):
     assert result.output == "step 1\nstep 2\nstep 3\n"
 
 
-def test_a_trace_has_the_skill_of_a_library_but_not_the_skills_it_uses(run, home):
+def test_a_trace_has_the_skill_of_a_library_but_not_the_skills_it_calls(run, home):
     installed(home)
     result = run(PROGRAM.format(robot="tiny"), header="")
     assert ["waltz", "waltz"] == [event["call"] for event in result.events if "call" in event]
 
 
-def test_a_library_is_not_there_before_it_is_imported(run, home):
+def test_a_library_is_not_available_before_it_is_imported(run, home):
     installed(home)
     result = run("robot.waltz(1)")
     assert "'waltz'" in str(result.ending.phrase) or "`waltz`" in str(result.ending.phrase)

@@ -91,7 +91,7 @@ def test_an_error_of_the_listener_reaches_the_program():
         exec(code, {})  # noqa: S102 - our own
 
 
-def test_depth_counts_the_calls_of_a_file():
+def test_the_depth_is_the_number_of_calls_in_a_file():
     depths = []
     source = "def f(n):\n    note()\n    if n: f(n - 1)\nnote()\nf(2)"
     code = compile(source, "program.py", "exec")
@@ -103,7 +103,7 @@ def test_a_program_that_does_not_run_has_no_frame():
     assert program_frame("program.py", sys._getframe()) is None
 
 
-def test_a_budget_hands_on_so_many_lines_at_one_time():
+def test_a_budget_limits_the_lines_at_one_time():
     clock, seen = VirtualClock(), []
     budget = LineBudget(clock, seen.append)
     for _ in range(2):
@@ -113,7 +113,7 @@ def test_a_budget_hands_on_so_many_lines_at_one_time():
     assert seen == 2 * list(range(MOST_LINES_AT_ONE_TIME))
 
 
-def test_a_budget_counts_by_tenths_of_a_second_where_time_flows():
+def test_a_budget_counts_by_tenths_of_a_second_in_real_time():
     class Flowing(WallClock):
         now = 0.0
 

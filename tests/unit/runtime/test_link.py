@@ -118,7 +118,7 @@ EVERY_KIND = [
 
 
 @pytest.mark.parametrize("kind", EVERY_KIND)
-def test_every_message_arrives_as_it_was_sent(ends, kind):
+def test_every_message_arrives_unchanged(ends, kind):
     here, there = ends
 
     @settings(max_examples=25, deadline=None)
@@ -152,7 +152,7 @@ def test_nothing_within_the_timeout_is_none(ends):
     assert ends[0].receive(0.001) is None
 
 
-def test_a_frame_arrives_as_a_picture_one_may_draw_on(ends):
+def test_a_frame_arrives_as_a_writable_picture(ends):
     here, there = ends
     frame = np.arange(2 * 3 * 3, dtype=np.uint8).reshape(2, 3, 3)
     here.send(Answer(frame))
@@ -197,7 +197,7 @@ def test_a_value_that_cannot_be_sent_leaves_the_link_intact(ends, value):
     assert (Answer("before"), Answer("after")) == (arrived[0], arrived[2])
 
 
-def test_a_circle_cannot_be_sent(ends):
+def test_a_cyclic_list_cannot_be_sent(ends):
     circle = []
     circle.append(circle)
     with pytest.raises(DeviceValueError) as refused:
@@ -205,7 +205,7 @@ def test_a_circle_cannot_be_sent(ends):
     assert refused.value.phrase.code == "run-value-not-sendable"
 
 
-def test_too_long_a_message_is_refused_before_it_is_sent(ends):
+def test_a_message_that_is_too_long_is_refused_before_it_is_sent(ends):
     with pytest.raises(DeviceValueError) as refused:
         ends[0].put(Printed("x" * (MAX_MESSAGE + 1)))
     assert refused.value.phrase.code == "run-value-too-large"
@@ -216,7 +216,7 @@ def test_the_largest_frame_passes(ends):
     here, there = ends
     frame = np.zeros((1080, 1920, 3), np.uint8)
     here.put(Answer(frame))
-    # In parts, since no socket holds it all at once.
+    # In parts, because no socket buffers it all at once.
     queued, here._outgoing = bytes(here._outgoing), bytearray()
     there._received += queued
     there._split()
@@ -238,7 +238,7 @@ def test_on_a_busy_machine_polling_is_short(ends, monkeypatch):
     assert len(looks) == 1
 
 
-def test_a_closed_link_is_the_end_for_both(ends):
+def test_a_closed_link_ends_the_conversation_for_both(ends):
     here, there = ends
     here.close()
     with pytest.raises(EOFError, match="the other end of the link is gone"):
@@ -278,7 +278,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("name", WRONG)
-def test_nonsense_is_refused(name):
+def test_invalid_data_is_refused(name):
     ours, theirs = socket.socketpair()
     with ours, theirs:
         link = Link(theirs, FromHost | FromChild)
@@ -288,7 +288,7 @@ def test_nonsense_is_refused(name):
 
 
 def _push(connection, data, link):
-    """Send all of `data` through a socket that may not hold it, to a link that sends nothing."""
+    """Send all of `data` through a socket that may not buffer it, to a link that sends nothing."""
     while True:
         data = data[connection.send(data) :] if data else data
         assert link.receive(0.01) is None

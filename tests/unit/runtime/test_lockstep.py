@@ -37,13 +37,13 @@ def test_a_sleep_that_is_not_positive_does_not_wait(seconds):
 
 
 @given(st.integers(1, 10**6))
-def test_a_whole_number_of_steps_is_exactly_so_many(steps):
+def test_a_whole_number_of_steps_is_exact(steps):
     world = World()
     clock_of(world).sleep(steps * 0.01)
     assert world.waits == [steps]
 
 
-def test_the_time_counts_from_where_the_program_began_and_has_no_noise():
+def test_the_time_starts_with_the_program_and_has_no_rounding_errors():
     world = World(steps=250)
     clock = clock_of(world)
     assert clock.time() == 0
@@ -54,7 +54,7 @@ def test_the_time_counts_from_where_the_program_began_and_has_no_noise():
     assert times == [0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07]
 
 
-def test_so_many_accesses_cost_one_step():
+def test_a_number_of_accesses_take_one_step():
     world = World()
     clock = clock_of(world)
     for _ in range(3 * ACCESSES_PER_STEP):
@@ -62,7 +62,7 @@ def test_so_many_accesses_cost_one_step():
     assert world.waits == [1, 1, 1]
 
 
-def test_a_sleep_pays_for_the_accesses_before_it():
+def test_a_sleep_includes_the_time_of_earlier_accesses():
     world = World()
     clock = clock_of(world)
     for _ in range(5):
@@ -72,7 +72,7 @@ def test_a_sleep_pays_for_the_accesses_before_it():
     assert world.waits == [5] * 5
 
 
-def test_the_instant_is_the_step_the_program_woke_at():
+def test_the_instant_is_the_step_at_which_the_program_woke():
     world = World(steps=4)
     clock = clock_of(world)
     assert clock.instant == 4

@@ -14,7 +14,7 @@ def written(*texts):
     return lines
 
 
-def test_lines_are_handed_on_whole_with_their_ends():
+def test_lines_are_passed_on_whole_with_their_ends():
     assert written("a\nb", "c\n", "d") == ["a\n", "bc\n", "d"]
 
 
@@ -36,7 +36,7 @@ def test_print_writes_to_it():
     assert lines == ["a 1\n"]
 
 
-def test_an_unfinished_line_is_handed_on_by_flush_alone_and_seen_at_once():
+def test_an_unfinished_line_is_passed_on_only_by_flush():
     told = []
     writer = LineWriter(told.append, lambda: told.append("seen"))
     writer.write("a")

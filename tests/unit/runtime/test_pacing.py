@@ -56,7 +56,7 @@ def test_a_world_that_is_a_little_late_catches_up(wall):
     assert not pacing.slipped
 
 
-def test_a_late_world_slips_and_continues_from_there(wall):
+def test_a_late_world_runs_slower_and_continues_from_there(wall):
     pacing = paced(1.0, wall)
     pacing.wait(0.0)
     wall.now += SLIP + 0.5
@@ -67,7 +67,7 @@ def test_a_late_world_slips_and_continues_from_there(wall):
     assert wall.waits == [pytest.approx(0.01)]
 
 
-def test_a_new_factor_counts_from_where_it_is_set(wall):
+def test_a_new_factor_applies_from_when_it_is_set(wall):
     pacing = paced(1.0, wall)
     drive(pacing, 51)
     before = wall.now
@@ -112,7 +112,7 @@ def stepping():
     assert not world.thread.is_alive()
 
 
-def test_a_paused_world_makes_the_steps_it_is_allowed_and_no_more(stepping):
+def test_a_paused_world_makes_exactly_the_allowed_steps(stepping):
     stepping.pacing.step(3)
     assert stepping.await_steps(3)
     with stepping.moved:
@@ -133,7 +133,7 @@ def test_steps_left_over_are_forgotten_at_the_next_pause(stepping):
         assert not stepping.moved.wait_for(lambda: stepping.steps > now + 1, timeout=0.02)
 
 
-def test_a_pause_holds_a_world_that_waits_for_its_time_already():
+def test_a_pause_also_stops_a_world_that_is_already_waiting():
     pacing = Pacing(0.001)
     world = Stepping(pacing)
     pacing.wait(0.0)
@@ -148,7 +148,7 @@ def test_a_pause_holds_a_world_that_waits_for_its_time_already():
     world.thread.join(5)
 
 
-def test_an_end_lets_a_waiting_world_go():
+def test_an_end_releases_a_waiting_world():
     pacing = Pacing(0.0001)
     world = Stepping(pacing)
     world.thread.start()
@@ -158,7 +158,7 @@ def test_an_end_lets_a_waiting_world_go():
     world.thread.join(5)
 
 
-def test_a_faster_pace_is_felt_at_once():
+def test_a_faster_pace_takes_effect_at_once():
     pacing = Pacing(0.0001)
     world = Stepping(pacing)
     world.thread.start()

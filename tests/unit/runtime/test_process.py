@@ -71,22 +71,22 @@ def test_a_program_stopped_before_its_start_reports_it():
         assert link.receive(10) == Ended(stopped=True)
 
 
-def test_a_worker_that_runs_has_no_status(worker):
+def test_a_running_worker_has_no_status(worker):
     assert worker.wait(0) is None
 
 
-def test_killing_twice_does_nothing_more(worker):
+def test_killing_twice_does_nothing(worker):
     worker.kill()
     worker.kill()
 
 
-def test_a_process_ends_when_its_host_lets_go_of_the_link():
+def test_a_process_ends_when_its_host_closes_the_link():
     worker = ProcessWorker()
     worker.link.close()
     assert worker.wait(10) is not None
 
 
-def test_prints_of_a_thread_do_not_reach_the_hosts_output(capsys):
+def test_output_of_a_thread_do_not_reach_the_hosts_output(capsys):
     worker = ThreadWorker()
     worker.link.send(setup("print('inside')"))
     assert heard(worker)[0] == Printed("inside\n")

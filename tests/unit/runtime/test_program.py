@@ -13,7 +13,7 @@ def test_a_program_is_the_same_on_every_robot_and_under_every_name():
     assert program(ebo).identity == Program("other.bt", thymio, "main:\nend").identity
 
 
-def test_another_program_is_another():
+def test_another_program_has_another_identity():
     assert program("x = 1").identity != program("x = 2").identity
 
 
@@ -21,7 +21,7 @@ def test_the_names_of_a_program_are_its_attributes():
     assert program(SQUARE.format("ebo")).names == ("turn",)
 
 
-def test_a_program_that_cannot_be_read_names_nothing():
+def test_a_program_that_cannot_be_parsed_has_no_names():
     assert program("def f(").names == ()
     assert program("\0").names == ()
 
@@ -30,7 +30,7 @@ def test_half_a_surrogate_pair_has_an_identity_too():
     assert program("x = '\ud800'").identity
 
 
-def test_lines_map_back_to_the_written_text():
+def test_lines_map_back_to_the_source():
     mapped = Program("a.bt", "import x\n\ny\n", "  first\nsecond", SourceMap((0, 0, 2)))
     assert mapped.written_line(3) == 2
     assert mapped.written_line(1) == 0

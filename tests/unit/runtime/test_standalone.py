@@ -81,13 +81,13 @@ def test_a_program_without_a_host_has_the_same_trace(tmp_path, run):
         ("with robot: pass", "finished"),
     ],
 )
-def test_a_trace_ends_as_the_program_does_alone_and_hosted(tmp_path, run, source, how):
+def test_a_trace_ends_like_the_program_standalone_and_hosted(tmp_path, run, source, how):
     _, trace = alone(tmp_path, HEADER + source)
     assert trace[-1] == {"t": 0.0, "end": how}
     assert trace[1:] == run(source).events[1:]
 
 
-def test_lines_of_a_function_that_makes_the_robot_are_traced(tmp_path):
+def test_lines_of_a_function_that_creates_the_robot_are_traced(tmp_path):
     source = "from tiny import Robot\ndef main():\n    robot = Robot()\n    x = 1\nmain()\ny = 2\n"
     _, trace = alone(tmp_path, source)
     assert [event["line"] for event in trace if "line" in event] == [4, 6]

@@ -38,7 +38,7 @@ def test_a_trace_without_a_file_has_the_same_hash(file, recorder):
     assert recorder.trace.sha256 == nowhere.trace.sha256
 
 
-def test_lines_of_one_time_are_written_as_one_by_one(file, recorder):
+def test_lines_of_one_time_are_written_as_if_one_by_one(file, recorder):
     recorder.lines((3, 10, 4))
     together = file.getvalue()
     file.truncate(0)
@@ -91,7 +91,7 @@ def robot():
         yield robot
 
 
-def test_commands_to_devices_are_recorded_and_carried_out(file, robot):
+def test_commands_to_devices_are_recorded_and_executed(file, robot):
     record(robot, "program", Trace(file))
     robot.device(Base).move(10, 0)
     robot.device(Speaker).say("hello")
@@ -102,7 +102,7 @@ def test_commands_to_devices_are_recorded_and_carried_out(file, robot):
     assert robot.commands == [("Base.move", 10.0, 0.0), ("Speaker.say", "hello")]
 
 
-def test_a_lasting_command_is_news_only_when_it_changes(file, robot):
+def test_a_lasting_command_is_recorded_only_when_it_changes(file, robot):
     record(robot, "program", Trace(file))
     for speed in (10, 10, 20, 10):
         robot.device(Base).move(speed, 0)

@@ -21,14 +21,14 @@ def clock():
     return VirtualClock()
 
 
-def test_a_programs_sleep_is_the_robots(clock):
+def test_a_programs_sleep_uses_the_robots_time(clock):
     restore = use_robot_time(clock)
     time.sleep(3600)
     restore()
     assert clock.time() == 3600
 
 
-def test_all_a_programs_clocks_are_the_robots(clock):
+def test_all_clocks_of_a_program_show_the_robots_time(clock):
     restore = use_robot_time(clock)
     clock.sleep(1.5)
     seconds = [time.time(), time.monotonic(), time.perf_counter()]
@@ -38,7 +38,7 @@ def test_all_a_programs_clocks_are_the_robots(clock):
     assert nanoseconds == [1_500_000_000] * 3
 
 
-def test_reading_the_time_is_charged():
+def test_reading_the_time_takes_time():
     class Priced(VirtualClock):
         charges = 0
 
@@ -74,7 +74,7 @@ def test_other_threads_keep_the_wall_clock(clock):
     assert other > 10**9
 
 
-def test_two_threads_have_a_clock_each_whichever_ends_first():
+def test_two_threads_have_separate_clocks_whichever_ends_first():
     first, second = VirtualClock(), VirtualClock()
     first.sleep(1)
     second.sleep(2)
@@ -92,14 +92,14 @@ def test_two_threads_have_a_clock_each_whichever_ends_first():
     assert time.time() > 10**9
 
 
-def test_the_way_back_may_be_taken_twice(clock):
+def test_undoing_twice_is_harmless(clock):
     restore = use_robot_time(clock)
     restore()
     restore()
     assert time.time() > 10**9
 
 
-def test_of_two_clocks_in_one_thread_the_newer_counts(clock):
+def test_of_two_clocks_in_one_thread_the_newer_one_is_used(clock):
     newer = VirtualClock()
     newer.sleep(5)
     restore_older, restore_newer = use_robot_time(clock), use_robot_time(newer)

@@ -72,5 +72,5 @@ def test_only_long_texts_are_shortened():
     assert shortened("abcd", 3) == "abc..."
 
 
-def test_ordinary_text_is_encodable_as_it_is():
+def test_ordinary_text_is_not_changed():
     assert encodable("año 😀") == "año 😀"

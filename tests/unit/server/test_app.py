@@ -25,33 +25,33 @@ def get(server, path, **headers):
     return server.get(path, Cookie=f"learnblock_token={TOKEN}", **headers)
 
 
-def test_the_page_comes_first(server, built):
+def test_the_root_is_the_page(server, built):
     response = server.get(f"/?token={TOKEN}")
     assert response.body == b"<title>the page</title>"
     assert response.headers["Cache-Control"] == "no-store"
 
 
-def test_without_a_built_page_it_says_how_to_build_it(server):
+def test_without_a_built_page_instructions_to_build_it_are_shown(server):
     response = server.get(f"/?token={TOKEN}")
     assert response.status == 503
     assert b"npx vite build" in response.body
 
 
-def test_hashed_files_are_kept_for_good(server, built):
+def test_hashed_files_are_cached_permanently(server, built):
     assert "immutable" in server.get("/assets/index-1a2b3c.js").headers["Cache-Control"]
 
 
-def test_other_files_are_asked_for_again(server, built):
+def test_other_files_are_revalidated(server, built):
     assert server.get("/icon.svg").headers["Cache-Control"] == "no-cache"
 
 
-def test_files_travel_packed(server, built):
+def test_files_are_sent_compressed(server, built):
     response = server.get("/assets/index-1a2b3c.js", **{"Accept-Encoding": "gzip"})
     assert response.headers["Content-Encoding"] == "gzip"
     assert gzip.decompress(response.body).decode() == SCRIPT
 
 
-def test_what_the_build_has_packed_travels_so_to_whoever_can_unpack_it(server, built):
+def test_precompressed_files_are_sent_to_browsers_that_accept_them(server, built):
     (built / "assets" / "index-1a2b3c.js.br").write_bytes(b"packed")
     response = server.get("/assets/index-1a2b3c.js", **{"Accept-Encoding": "gzip, br;q=0.9"})
     assert response.headers["Content-Encoding"] == "br"
@@ -68,7 +68,7 @@ def test_nothing_but_the_page_is_served(server, built, path):
     assert server.get(path).status == 404
 
 
-def test_the_palette_is_kept_while_it_is_the_same(server):
+def test_the_palette_is_cached_until_it_changes(server):
     first = get(server, "/palette/es.json")
     assert json.loads(first.body)["language"] == "es"
     again = get(server, "/palette/es.json", **{"If-None-Match": first.headers["ETag"]})
@@ -103,7 +103,7 @@ def test_a_missing_picture_is_not_found(server, path):
     assert get(server, path).status == 404
 
 
-def test_everything_is_under_the_base_address(projects, built):
+def test_everything_is_below_the_base_address(projects, built):
     with serving(projects, static=built, base_url="/robots/") as server:
         assert server.get(f"/robots/?token={TOKEN}").body == b"<title>the page</title>"
         assert "Path=/robots/" in server.get(f"/robots/?token={TOKEN}").headers["Set-Cookie"]

@@ -52,7 +52,7 @@ def children(process):
     return found.stdout.split()
 
 
-def test_the_address_holds_the_token():
+def test_the_address_contains_the_token():
     with learnblock("--port", "0") as (_, address):
         assert address.startswith("http://127.0.0.1:")
         assert address.endswith(f"/?token={TOKEN}")
@@ -77,7 +77,7 @@ def test_at_the_end_every_program_ends_and_every_project_is_saved(tmp_path, stop
     assert "# edited" in (tmp_path / "program.learnblock").read_text("utf-8")
 
 
-def test_a_killed_server_leaves_no_program_and_loses_no_more_than_a_second(tmp_path):
+def test_a_killed_server_leaves_no_program_and_loses_at_most_a_second(tmp_path):
     with learnblock("--port", "0", "--projects", str(tmp_path)) as (process, address):
         with visit(address) as page:
             page.open(text=RUNNING)
@@ -116,7 +116,7 @@ def test_a_project_of_the_folder_is_opened_in_place(tmp_path):
     assert [path.name for path in tmp_path.glob("*.learnblock")] == ["mine.learnblock"]
 
 
-def test_it_listens_at_a_unix_socket(tmp_path):
+def test_it_listens_on_a_unix_socket(tmp_path):
     path = tmp_path / "socket"
     options = (
         "--unix-socket",
@@ -151,14 +151,14 @@ def test_the_socket_of_a_killed_server_is_taken_over(tmp_path):
             pass
 
 
-def test_a_port_that_is_taken_is_refused_where_it_was_asked_for(tmp_path):
+def test_a_port_that_is_taken_is_refused_if_it_was_requested(tmp_path):
     with _bound("127.0.0.1", 0) as taken:
         port = taken.getsockname()[1]
         with pytest.raises(LearnBlockError, match=f"port {port}.*--port"):
             serve(Service(tmp_path, port=port))
 
 
-def test_where_the_usual_port_is_taken_another_one_serves(tmp_path, monkeypatch):
+def test_if_the_default_port_is_taken_another_one_is_used(tmp_path, monkeypatch):
     with _bound("127.0.0.1", 0) as taken:
         port = taken.getsockname()[1]
         monkeypatch.setattr("learnblock.server.serve.DEFAULT_PORT", port)
@@ -172,7 +172,7 @@ def test_a_token_that_no_browser_can_send_is_refused(tmp_path, monkeypatch):
         serve(Service(tmp_path, port=0))
 
 
-def test_without_pywebview_a_window_says_what_it_needs():
+def test_without_pywebview_a_window_reports_what_it_needs():
     command = [sys.executable, "-c", "import sys; sys.modules['webview'] = None;"]
     command[-1] += "from learnblock.cli import main; main(['--window'])"
     ran = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -6,7 +6,7 @@ from places import ROOT
 WRITTEN = ROOT / "frontend" / "src" / "protocol" / "messages.ts"
 
 
-def test_the_page_has_the_types_of_the_present_conversation():
+def test_the_types_of_the_page_are_up_to_date():
     # To update: python -m learnblock.server.typescript > frontend/src/protocol/messages.ts
     assert typescript() == WRITTEN.read_text(encoding="utf-8")
 

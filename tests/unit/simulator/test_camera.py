@@ -16,7 +16,7 @@ def plain(*colour):
 
 
 def facing_west(x, *, width=100.0, height=100.0, y=0.0, z=0.0, texture=WHITE, **options):
-    """Return an upright quad whose front faces a camera at the origin that looks east."""
+    """Return an upright quad whose front faces a camera at the origin that faces east."""
     left, right, top, bottom = y + width / 2, y - width / 2, z + height / 2, z - height / 2
     corners = [(x, left, top), (x, right, top), (x, right, bottom), (x, left, bottom)]
     return Surface(np.array(corners), texture, **options)
@@ -95,7 +95,7 @@ def test_an_object_straight_ahead_is_in_the_middle_of_the_picture():
         (CameraPose(0, 0, 100), 0, 1),
     ],
 )
-def test_turning_right_moves_things_left_and_looking_up_moves_them_down(pose, column, row):
+def test_turning_right_moves_objects_left_and_tilting_up_moves_them_down(pose, column, row):
     rows, columns = np.nonzero(render([facing_west(1000)], MODEL, pose, BLACK)[..., 0])
     moved = (np.sign(round(columns.mean() - 159.5)), np.sign(round(rows.mean() - 119.5)))
     assert (column, row) == moved
@@ -214,7 +214,7 @@ def test_a_fine_pattern_far_away_becomes_its_mean():
 
 
 @pytest.mark.parametrize("heading", [-25, 0, 15])
-def test_a_thin_line_far_off_on_the_floor_has_no_gaps(heading):
+def test_a_thin_line_far_away_on_the_floor_has_no_gaps(heading):
     texture = np.full((2000, 2000, 3), 240, np.uint8)
     texture[:, 1290:1320] = 0
     ground_1_mm = ground(texture, half=1000.0)

@@ -29,7 +29,7 @@ def alone(
     return world, world.add_robot(description, start=start)
 
 
-def test_driving_forward_at_heading_0_leads_east() -> None:
+def test_driving_forward_at_heading_0_goes_east() -> None:
     world, robot = alone(exact())
     robot.drive(100, 0)
     run(world, 3)
@@ -86,7 +86,7 @@ def test_no_wheel_exceeds_its_limit() -> None:
     assert robot.pose[0] == pytest.approx(2 * 167, abs=3)
 
 
-def test_too_fast_a_curve_is_driven_slower_but_is_the_same_curve() -> None:
+def test_a_curve_that_is_too_fast_is_driven_slower_with_the_same_shape() -> None:
     world, robot = alone(exact())
     robot.drive(1000, 450)
     run(world, 1)
@@ -151,7 +151,7 @@ def test_two_robots_bump_into_each_other() -> None:
     assert right.pose[0] - left.pose[0] == pytest.approx(150, abs=1)
 
 
-def test_a_placed_robot_is_still_and_has_not_driven() -> None:
+def test_a_placed_robot_is_at_rest_and_has_not_driven() -> None:
     world, robot = alone(exact())
     robot.drive(100, 0)
     run(world, 1)

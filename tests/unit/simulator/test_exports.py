@@ -6,11 +6,11 @@ import pytest
 from learnblock import simulator
 
 
-def test_every_name_of_the_table_of_contents_is_there() -> None:
+def test_every_exported_name_exists() -> None:
     assert all(getattr(simulator, name) for name in simulator.__all__)
 
 
-def test_a_name_that_is_not_there_is_an_attribute_error() -> None:
+def test_a_missing_name_is_an_attribute_error() -> None:
     with pytest.raises(AttributeError, match="has no attribute 'Wrld'"):
         _ = simulator.Wrld
 

@@ -82,7 +82,7 @@ def test_a_large_floor_is_drawn_coarser(tmp_path: Path) -> None:
     assert world(tmp_path, "[floor]\nsize = [8000, 8000]").floor.image.shape == (2000, 2000, 3)
 
 
-def test_a_world_without_a_camera_does_without_opencv() -> None:
+def test_a_world_without_a_camera_does_not_need_opencv() -> None:
     program = (
         "import sys\n"
         "from learnblock.simulator import World, load_robot, load_world\n"

@@ -12,7 +12,7 @@ lengths = st.floats(-2000, 2000)
 points = st.tuples(lengths, lengths)
 
 
-def test_heading_90_looks_south() -> None:
+def test_heading_90_faces_south() -> None:
     assert forward(90) == pytest.approx((0, -1))
 
 

@@ -105,7 +105,7 @@ def test_a_fraction_of_the_line_may_be_enough() -> None:
     assert goal.state.progress == 1.0
 
 
-def test_too_far_beside_the_line_does_not_count() -> None:
+def test_too_far_from_the_line_is_not_following() -> None:
     goal = only(Follow(distance=50.0))
     for pose in lap(1.0, offset=60):
         goal.look(0.0, {"a": pose})
@@ -135,7 +135,7 @@ def test_two_robots_do_not_share_a_lap() -> None:
     [
         (Pose(200, 0, 0), True),
         (Pose(100, 0, 0), False),  # too far away
-        (Pose(200, 0, 40), False),  # looks past it
+        (Pose(200, 0, 40), False),  # faces past it
         (Pose(800, 0, 180), False),  # is behind it
         (Pose(300, 150, 37), True),  # from the side, but facing it
     ],

@@ -77,7 +77,7 @@ def test_a_beam_detects_an_object_beside_its_middle() -> None:
     assert wide.distances()["front"][0] == pytest.approx(400, abs=15)
 
 
-def test_noise_grows_with_the_distance_and_is_the_same_all_through_a_step() -> None:
+def test_noise_grows_with_the_distance_and_is_the_same_throughout_a_step() -> None:
     world, robot = in_world(ranger(noise=0.02))
     readings = []
     for _ in range(200):
@@ -127,7 +127,7 @@ def test_the_ground_sensors_of_thymio_see_the_line_and_its_edge() -> None:
 
     assert on_line["central"] is None
     assert max(on_line["left"] or 0, on_line["right"] or 0) < 50
-    # It looks west, so left is south: off the line.
+    # It faces west, so left is south, off the line.
     assert (beside["left"] or 0) > 50 > (beside["right"] or 0)
 
 
@@ -224,7 +224,7 @@ def test_a_joint_moves_at_its_speed_to_its_limit() -> None:
     assert robot.joint("CAMERA") == -45
 
 
-def test_a_joint_turned_back_on_its_way_does_not_jump() -> None:
+def test_a_joint_reversed_on_its_way_does_not_jump() -> None:
     world, robot = in_world(load_robot("ebo"))
     robot.set_joint("CAMERA", 40)
     run(world, 0.1)
@@ -246,7 +246,7 @@ def test_a_frame_stays_the_newest_until_the_cameras_rate_allows_another() -> Non
     assert [frame is first for frame in frames] == [True, True, True, False]
 
 
-def test_a_frame_cannot_be_scribbled_on() -> None:
+def test_a_frame_is_read_only() -> None:
     _, robot = in_world(load_robot("ebo"))
 
     with pytest.raises(ValueError, match="read-only"):
@@ -280,7 +280,7 @@ def test_a_camera_that_is_turned_right_sees_the_tag_move_left() -> None:
     assert columns[1] - columns[0] == pytest.approx(-480 * math.tan(math.radians(11.2)), rel=0.1)
 
 
-def test_camera_noise_depends_on_the_step_alone() -> None:
+def test_camera_noise_depends_only_on_the_step() -> None:
     camera = Camera(z=80, focal=300, noise=5)
     frames = []
     for others in (0, 1):
@@ -317,7 +317,7 @@ def test_an_led_takes_a_colour_within_0_and_255() -> None:
     assert robot.leds["Up"] == (255, 12, 0)
 
 
-def test_commands_to_other_devices_are_noted_with_their_time() -> None:
+def test_commands_to_other_devices_are_logged_with_their_time() -> None:
     world, robot = in_world(load_robot("cozmo"))
     run(world, 0.5)
     robot.note("Speaker", "tone", 440, 200)

@@ -51,7 +51,7 @@ DEVICES = {
 }
 
 
-def test_the_four_robots_come_with_us() -> None:
+def test_the_four_robots_are_built_in() -> None:
     assert set(robot_names()) == set(DEVICES)
 
 
@@ -74,7 +74,7 @@ def test_ebo_groups_its_five_readings_as_the_real_one() -> None:
     assert ["right" in sensor.sides for sensor in sensors] == [False, False, False, True, True]
 
 
-def test_a_robot_of_ones_own_takes_keys_for_every_device(tmp_path: Path) -> None:
+def test_a_custom_robot_can_name_every_device(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text(
         """
         outputs = ["MP3"]

@@ -33,7 +33,7 @@ def normal(surface: Surface) -> np.ndarray:
 @pytest.mark.parametrize(
     "thing", [Box(x=0.0, y=0.0, heading=30.0), Cylinder(x=0.0, y=0.0)], ids=["box", "cylinder"]
 )
-def test_the_fronts_of_a_solid_look_outwards(thing: Box | Cylinder) -> None:
+def test_the_fronts_of_a_solid_face_outwards(thing: Box | Cylinder) -> None:
     middle = np.array([300, -200, 50])
 
     for surface in solid(thing).at(Pose(300, -200, 77)):
@@ -62,7 +62,7 @@ def test_the_top_of_a_cylinder_is_covered() -> None:
     assert seen == pytest.approx(12 / 2 * math.sin(math.radians(30)) * 50**2, rel=0.02)
 
 
-def test_a_box_turned_by_its_heading_is_longer_that_way() -> None:
+def test_a_box_is_turned_by_its_heading() -> None:
     (box,) = (Box(x=0.0, y=0.0, heading=90.0, length=200.0, width=40.0),)
     corners = np.concatenate([surface.corners for surface in surfaces(box=(box,))])
 

@@ -23,7 +23,7 @@ def test_a_tag_is_read_as_its_number(number):
     assert [number] == [found.id for found in detect_tags(on_grey(tag(number)))]
 
 
-def test_a_tag_is_upright_as_its_corners_are_named():
+def test_a_tag_is_upright_by_its_named_corners():
     top_left, top_right, _, bottom_left = detect_tags(on_grey(tag(5, 100)))[0].corners
     assert pytest.approx(top_left, abs=1.5) == (70, 30)
     assert pytest.approx(top_right, abs=1.5) == (150, 30)
@@ -72,7 +72,7 @@ def test_a_face_has_the_requested_size(pixels):
     assert ((pixels, pixels, 3), np.uint8) == (face("joy", pixels).shape, face("joy").dtype)
 
 
-def test_a_slip_in_an_emotion_is_recognised():
+def test_a_misspelt_emotion_gets_a_suggestion():
     with pytest.raises(UnknownNameError, match="Did you mean 'sadness'"):
         face("sadnes")
 
@@ -120,7 +120,7 @@ def test_a_later_line_is_on_top():
     assert tuple(floor((100, 100), WHITE, [across, along])[50, 50].tolist()) == (0, 0, 255)
 
 
-def test_a_line_beyond_the_floor_leaves_no_mark():
+def test_a_line_beyond_the_floor_is_not_drawn():
     away = [FloorLine([(900, 0), (900, 50)], 10), FloorLine([(-900, 0), (-900, -950)], 10)]
     assert (floor((100, 100), WHITE, away) == 255).all()
 
@@ -134,7 +134,7 @@ def test_a_picture_is_stretched_below_the_lines():
     assert tuple(picture[20, 50].tolist()) == (255, 0, 0)
 
 
-def test_drawing_on_a_floor_leaves_the_given_picture_as_it_was():
+def test_drawing_on_a_floor_does_not_change_the_given_picture():
     picture = np.full((100, 100, 3), 200, np.uint8)
     floor((100, 100), WHITE, [FloorLine([(-50, 0), (50, 0)], 10)], picture=picture)
     assert (picture == 200).all()

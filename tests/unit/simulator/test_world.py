@@ -89,13 +89,13 @@ def test_robots_take_the_start_poses_in_order() -> None:
     assert second.pose == (700, -500, -90)
 
 
-def test_a_robot_may_ask_for_a_start_pose_by_name() -> None:
+def test_a_robot_may_choose_a_start_pose_by_name() -> None:
     world = World(load_world("walls"))
 
     assert world.add_robot(load_robot("cozmo"), start="east").pose == (700, -500, -90)
 
 
-def test_an_unknown_start_pose_is_answered_with_a_near_name() -> None:
+def test_an_unknown_start_pose_gets_a_suggestion() -> None:
     world = World(load_world("walls"))
 
     with pytest.raises(UnknownNameError, match="Did you mean 'east'"):
@@ -114,7 +114,7 @@ def test_thirty_robots_find_room_side_by_side() -> None:
     assert world.take_events() == []
 
 
-def test_a_full_floor_takes_no_more_robots() -> None:
+def test_a_full_floor_accepts_no_more_robots() -> None:
     world = World(WorldDescription(floor=Floor(size=(300.0, 300.0)), name="tiny"))
 
     world.add_robot(load_robot("ebo"), "first")
@@ -170,7 +170,7 @@ def test_light_falls_off_with_the_distance_squared() -> None:
     assert levels == [400, 200, 80]
 
 
-def test_a_robot_sees_all_but_itself() -> None:
+def test_a_robot_sees_everything_but_itself() -> None:
     world = World(load_world("obstacles"))
     for name in ("a", "b"):
         world.add_robot(load_robot("ebo"), name)

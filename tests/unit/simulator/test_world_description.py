@@ -23,7 +23,7 @@ EXPECTED = {
 }
 
 
-def test_the_worlds_of_the_paper_come_with_us() -> None:
+def test_the_worlds_of_the_paper_are_built_in() -> None:
     assert set(world_names()) == EXPECTED
 
 
@@ -64,7 +64,7 @@ def test_the_line_bends_gently_and_both_ways() -> None:
 
 
 @pytest.mark.parametrize("name", ["line", "line-and-box"])
-def test_a_robot_starts_on_the_line_and_looks_along_it(name: str) -> None:
+def test_a_robot_starts_on_the_line_and_faces_along_it(name: str) -> None:
     world = load_world(name)
     (line,), (start, *_) = world.line, world.start
     middle = line.polyline()
@@ -76,7 +76,7 @@ def test_a_robot_starts_on_the_line_and_looks_along_it(name: str) -> None:
     assert middle.nearest(ahead, start.y)[1] > along
 
 
-def test_a_path_walks_right_for_positive_turns(tmp_path: Path) -> None:
+def test_a_path_turns_right_for_positive_turns(tmp_path: Path) -> None:
     (tmp_path / "w.toml").write_text(
         "[[line]]\nstart = [0, 0, 0]\npath = [{ forward = 100 }, { turn = 90, radius = 300 }]"
     )

@@ -6,10 +6,10 @@ from places import ROOT
 PAGE = ROOT / "frontend" / "src" / "features" / "world-editor" / "schema.json"
 
 
-def test_the_page_edits_worlds_by_the_schema_of_today() -> None:
+def test_the_schema_of_the_page_is_up_to_date() -> None:
     assert PAGE.read_text(encoding="utf-8") == world_schema()
 
 
-def test_the_schema_bounds_a_box_as_its_file_is_bounded() -> None:
+def test_the_schema_has_the_bounds_of_a_box() -> None:
     length = msgspec.json.decode(world_schema())["Box"]["properties"]["length"]
     assert (length["minimum"], length["maximum"], length["default"]) == (5, 2000, 100.0)

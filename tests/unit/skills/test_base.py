@@ -31,7 +31,7 @@ def test_speeds_can_be_given_by_name(robot):
     assert [("Base.move", 80, -30)] == robot.commands
 
 
-def test_the_robot_drives_on_while_the_program_waits(robot):
+def test_the_robot_keeps_driving_while_the_program_waits(robot):
     robot.move_straight()
     robot.sleep(5)
 
@@ -39,7 +39,7 @@ def test_the_robot_drives_on_while_the_program_waits(robot):
 
 
 @pytest.mark.parametrize("angle", [90, -90, 33.3, -5, 720])
-def test_turning_with_a_gyroscope_ends_within_a_degree_at_standstill(robot, angle):
+def test_turning_with_a_gyroscope_ends_within_a_degree_and_stops(robot, angle):
     robot.turn(angle)
 
     assert angle == pytest.approx(robot.wheels.pose[2], abs=1)
@@ -110,7 +110,7 @@ def test_an_angle_that_is_not_a_number_is_refused_by_name(robot, angle):
         robot.turn(angle)
 
 
-def test_the_orientation_counts_from_the_last_reset(robot):
+def test_the_orientation_is_relative_to_the_last_reset(robot):
     robot.turn(50)
     robot.reset_orientation()
     robot.set_orientation(-90)
@@ -128,14 +128,14 @@ def test_a_reset_is_seen_at_once_although_no_time_passes(robot):
 @pytest.mark.parametrize(
     ("start", "angle", "end"), [(270, 360, 360), (10, 350, -10), (0, 180, 180)]
 )
-def test_an_orientation_is_reached_the_shorter_way(robot, start, angle, end):
+def test_an_orientation_is_reached_by_the_shorter_way(robot, start, angle, end):
     robot.wheels.pose = (0, 0, start)
     robot.set_orientation(angle)
 
     assert end == pytest.approx(robot.wheels.pose[2], abs=2)
 
 
-def test_an_orientation_is_reached_at_five_to_fifteen_degrees_a_second(robot):
+def test_an_orientation_is_reached_at_five_to_fifteen_degrees_per_second(robot):
     robot.set_orientation(90)
 
     speeds = [rot for _, _, rot in robot.commands if rot]
@@ -180,14 +180,14 @@ def test_slowing_down_takes_a_tenth_of_a_second_per_step(robot):
 
 
 @pytest.mark.parametrize("speed", [(3, -1), (-3, 1), (2, 0), (0, -2)])
-def test_slowing_down_never_passes_standstill(robot, speed):
+def test_slowing_down_never_reverses(robot, speed):
     robot.set_move(*speed)
     robot.slow_down(10, 10)
 
     assert ("Base.move", 0, 0) == robot.commands[-1]
 
 
-def test_slowing_down_a_standing_robot_takes_no_time(robot):
+def test_slowing_down_a_stopped_robot_takes_no_time(robot):
     robot.slow_down()
 
     assert 0 == robot.clock.time()

@@ -37,7 +37,7 @@ def test_a_line_is_where_most_of_its_colour_is(robot, colour, side):
     assert [(colour, side), (colour, "there")] == seen
 
 
-def test_a_few_pixels_are_no_line(robot):
+def test_a_few_pixels_are_not_a_line(robot):
     robot.set_detections("lines", lines(red={"center": 20}))
 
     assert not robot.is_there_red_line()
@@ -52,7 +52,7 @@ def test_a_crossing_is_red_and_black_in_the_center(robot):
     assert not robot.is_line_crossing()
 
 
-def test_a_tag_number_may_be_a_number_or_a_text(robot):
+def test_a_tag_number_may_be_a_number_or_a_string(robot):
     robot.set_detections("tags", (tag(8, 160),))
 
     assert [True] * 4 == [robot.is_tag(), robot.is_tag(8), robot.is_tag(8.0), robot.is_tag("8")]
@@ -97,7 +97,7 @@ def test_a_tag_is_left_or_right_beyond_forty_pixels_from_the_middle(robot, colum
     assert [] == [one for one in SIDES if getattr(robot, f"tag_on_the_{one}")(2)]
 
 
-def test_without_a_number_the_first_tag_seen_counts(robot):
+def test_without_a_number_the_first_tag_seen_is_used(robot):
     robot.set_detections("tags", (tag(1, 10), tag(2, 300)))
 
     assert robot.tag_on_the_left()
@@ -113,7 +113,7 @@ def test_a_tag_is_as_far_away_as_its_pose_says(robot):
     assert [None, None] == [robot.get_tag_distance(), robot.get_tag_distance(7)]
 
 
-def test_any_tag_will_do(robot):
+def test_any_tag_is_enough(robot):
     assert not robot.is_any_tag()
     robot.set_detections("tags", (tag(99, 10),))
 

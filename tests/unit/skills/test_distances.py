@@ -11,7 +11,7 @@ def test_any_sensor_of_a_side_detects_an_obstacle_within_200_mm(robot, side):
     assert [side] == [one for one in sides if getattr(robot, f"is_{one}_obstacle")()]
 
 
-def test_the_threshold_itself_is_no_obstacle(robot):
+def test_an_obstacle_must_be_nearer_than_the_threshold(robot):
     robot.set_reading(DistanceSensors, {"front": [100]})
 
     assert not robot.is_front_obstacle(100)

@@ -26,7 +26,7 @@ def test_an_object_of_another_colour_does_not_count(robot):
     assert robot.get_object_size("blue") == 0
 
 
-def test_the_largest_of_several_counts(robot):
+def test_the_largest_of_several_is_used(robot):
     robot.set_detections("objects", (thing("red", 60, 7680), thing("red", 260, 100)))
 
     assert robot.is_left_object("red")

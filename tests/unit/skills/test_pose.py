@@ -32,14 +32,14 @@ def test_near_is_within_fifty_millimetres_by_default(robot, x, near):
 @pytest.mark.parametrize(
     ("heading", "ahead", "left", "right"),
     [
-        # Clockwise from x: a heading of 90 looks along -y.
+        # Clockwise from x: a heading of 90 faces along -y.
         (0, (500, 0), (0, 300), (0, -300)),
         (90, (0, -500), (300, 0), (-300, 0)),
         (180, (-500, 0), (0, -300), (0, 300)),
         (-90, (0, 500), (-300, 0), (300, 0)),
     ],
 )
-def test_a_place_is_ahead_to_the_left_or_to_the_right(robot, heading, ahead, left, right):
+def test_a_position_is_ahead_to_the_left_or_to_the_right(robot, heading, ahead, left, right):
     robot.wheels.pose = (0, 0, heading)
 
     assert [True, False, False] == [robot.target_at_front(*at) for at in (ahead, left, right)]
@@ -54,5 +54,5 @@ def test_ahead_is_within_twenty_millimetres_to_either_side(robot, y, ahead):
     assert ahead is robot.target_at_front(500, y)
 
 
-def test_a_place_behind_is_not_ahead(robot):
+def test_a_position_behind_is_not_ahead(robot):
     assert not robot.target_at_front(-500, 0)

@@ -53,5 +53,5 @@ def test_the_shortest_way_is_the_same_direction_by_at_most_half_a_turn(angle):
     assert math.isclose(math.remainder(way - angle, 360), 0, abs_tol=1e-9)
 
 
-def test_half_a_turn_goes_to_the_right():
+def test_half_a_turn_is_to_the_right():
     assert [180, 180, 180] == [shortest(angle) for angle in (180, -180, 540)]

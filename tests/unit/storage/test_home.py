@@ -15,7 +15,7 @@ def test_home_is_otherwise_a_folder_named_learnblock_for_the_systems_configurati
     assert home().is_absolute()
 
 
-def test_a_file_in_the_users_folder_is_run_once_and_again_after_a_change(own_home):
+def test_a_file_in_the_users_folder_is_run_once_and_again_only_after_a_change(own_home):
     path = own_home / "robots" / "mine.py"
     path.parent.mkdir()
     path.write_text("speed = 1\n")

@@ -37,7 +37,7 @@ def test_every_value_is_read_back(value, indent):
 
 
 @given(values, st.sampled_from([None, 1]))
-def test_every_part_is_found_at_its_place(value, indent):
+def test_every_part_has_its_position(value, indent):
     source = json.dumps(value, indent=indent)
     document = parse(source, "f")
 
@@ -68,7 +68,7 @@ def test_any_text_is_read_or_refused_with_our_own_error(text):
         assert diagnostic.line <= len(text.splitlines()) + 1
 
 
-def test_a_repeated_key_is_reported_with_its_later_place():
+def test_a_repeated_key_is_reported_with_its_later_position():
     document = parse('{"a": 1,\n "b": {"a": 2}, "a": 3}', "f")
 
     assert (("a", Place(2, 17, 20)),) == document.repeated

@@ -61,7 +61,7 @@ def test_unknown_tables_are_ignored():
         (INNER, "[all]\nof-mine = []\n"),
     ],
 )
-def test_a_value_in_place_of_a_table_is_reported(table, text):
+def test_a_value_instead_of_a_table_is_reported(table, text):
     file().write_text(text)
     with pytest.raises(SettingsError) as refused:
         table.load()

@@ -50,6 +50,6 @@ def test_a_file_that_is_too_large_has_no_skills(mine):
         skill_files.read(mine)
 
 
-def test_a_mistake_is_reported_with_its_place():
+def test_a_mistake_is_reported_with_its_position():
     with pytest.raises(ProgramError, match=r"mine\.py:2:6: syntax-error This is not valid Python"):
         skill_files.parse("x = 1\ndef f(robot:\n", "mine.py")

@@ -28,7 +28,7 @@ def test_there_are_enough_examples_of_mistakes() -> None:
 
 
 @pytest.mark.parametrize("file", WORLDS, ids=lambda file: file.stem)
-def test_a_wrong_world_is_reported_with_key_value_and_line(file: Path) -> None:
+def test_an_invalid_world_is_reported_with_key_value_and_line(file: Path) -> None:
     with pytest.raises(WorldError) as caught:
         load_world(file)
 
@@ -36,7 +36,7 @@ def test_a_wrong_world_is_reported_with_key_value_and_line(file: Path) -> None:
 
 
 @pytest.mark.parametrize("file", ROBOTS, ids=lambda file: file.stem)
-def test_a_wrong_robot_is_reported_with_key_value_and_line(file: Path) -> None:
+def test_an_invalid_robot_is_reported_with_key_value_and_line(file: Path) -> None:
     with pytest.raises(RobotDescriptionError) as caught:
         load_robot(file)
 

@@ -1,4 +1,4 @@
-"""What every robot promises, asked of good clients and of ones that break each promise."""
+"""The rules for every robot, checked on good clients and on ones that break each rule."""
 
 import pytest
 
@@ -27,7 +27,7 @@ def test_the_fake_robot_conforms():
 
 
 class Broken(FakeRobot):
-    """Each subclass breaks one promise."""
+    """Each subclass breaks one rule."""
 
     def __init__(self):
         super().__init__(only=[Base, Gyroscope, DistanceSensors])
@@ -82,6 +82,6 @@ class Careless(Client):
         (Careless, "its gyroscope reads 0 after a reset"),
     ],
 )
-def test_a_client_that_breaks_a_rule_gets_the_name_of_the_rule(robot, claim):
+def test_a_client_that_breaks_a_rule_is_told_which_rule(robot, claim):
     with pytest.raises(NotConformingError, match=f"broken   {claim}"):
         check_robot(robot)

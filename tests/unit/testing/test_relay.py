@@ -1,4 +1,4 @@
-"""A wire between client and robot that fails when it is told to."""
+"""A wire between client and robot that fails on request."""
 
 import socket
 import threading
@@ -11,7 +11,7 @@ from learnblock.testing import Fault, Relay
 
 @pytest.fixture
 def echo():
-    """A robot that says what it hears, over TCP."""
+    """A robot that echoes what it receives, over TCP."""
     with socket.create_server(("127.0.0.1", 0)) as server:
         threading.Thread(target=_echo_all, args=(server,), daemon=True).start()
         yield server.getsockname()
@@ -75,7 +75,7 @@ def test_a_silent_link_forwards_nothing_and_stays_open(relay, client):
         client.recv(10)
 
 
-def test_garbage_comes_from_the_robot_alone(relay, client):
+def test_garbage_comes_only_from_the_robot(relay, client):
     relay.fault = Fault.GARBAGE
     client.sendall(b"hello")
     assert client.recv(10) != b"hello"
@@ -117,12 +117,12 @@ def test_the_share_of_lost_datagrams_is_as_set(udp_echo):
         relay.loss = 0.3
         came = sum(comes_back(client, relay) for _ in range(500))
     assert came + relay.lost == 500
-    # Lost on either way: 0.7 squared.
+    # Lost in either direction: 0.7 squared.
     assert 205 < came < 285
 
 
 def comes_back(client, relay):
-    """Whether a datagram that is sent comes back; else the relay has lost it."""
+    """Whether a datagram comes back; otherwise, the relay has lost it."""
     before = relay.lost
     client.send(b"x")
     while relay.lost == before:

@@ -44,7 +44,7 @@ def test_a_reading_lasts_until_the_next_one_is_set():
         assert robot.is_front_obstacle()
 
 
-def test_stopping_is_noted_as_a_command():
+def test_stopping_is_recorded_as_a_command():
     robot = FakeRobot()
     robot.move_straight()
     robot.stop()

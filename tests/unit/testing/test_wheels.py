@@ -42,7 +42,7 @@ def test_reading_the_pose_does_not_change_the_path(adv, rot, parts):
     assert poses[0] == pytest.approx(poses[1], abs=1e-6)
 
 
-def test_stuck_wheels_do_not_catch_up_when_they_are_free_again():
+def test_stuck_wheels_do_not_catch_up_once_they_are_free():
     clock = VirtualClock()
     wheels = Wheels(clock)
     wheels.stuck = True

@@ -1,4 +1,4 @@
-"""CoppeliaSim's end of the wire, against the vendor's own client and whatever else may come."""
+"""CoppeliaSim's end of the wire, tested with the vendor's own client and with invalid data."""
 
 import socket
 from contextlib import closing
@@ -21,7 +21,7 @@ def emulator():
 
 @pytest.fixture
 def sim(emulator, monkeypatch):
-    # The vendor's client leaves a function behind in the main module.
+    # The vendor's client leaves a function in the main module.
     monkeypatch.setattr("__main__.require", None, raising=False)
     client = RemoteAPIClient("127.0.0.1", emulator.port)
     client.socket.linger = 0
@@ -37,7 +37,7 @@ def test_the_vendors_client_finds_the_functions_and_constants_it_knows(sim):
     sim.stopSimulation()
 
 
-def test_a_client_that_asks_for_a_step_waits_until_it_is_made(emulator, sim):
+def test_a_client_that_requests_a_step_waits_until_it_is_made(emulator, sim):
     before = emulator._twin.time
     sim.step()
     assert emulator._twin.time >= before + 0.05
@@ -50,7 +50,7 @@ def test_missing_objects_give_coppeliasims_own_errors(sim):
         sim.getObjectMatrix(999)
 
 
-def test_a_script_speaks_only_while_the_simulation_runs(sim):
+def test_a_script_answers_only_while_the_simulation_runs(sim):
     script = sim.getScript(sim.scripttype_simulation, "/LearnBlock")
     with pytest.raises(Exception, match="the simulation is stopped"):
         sim.callScriptFunction("sense", script)

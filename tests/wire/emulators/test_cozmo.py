@@ -1,4 +1,4 @@
-"""Cozmo's end of the wire, spoken to in bytes."""
+"""Cozmo's end of the wire, tested in bytes."""
 
 import io
 import socket
@@ -48,11 +48,11 @@ def test_a_frame_that_the_robots_app_sent_is_read():
     assert face.pixels(bytes(frame.packets[1][1].image)).any()
 
 
-def test_what_the_robot_writes_pycozmo_reads():
+def test_pycozmo_reads_what_the_robot_writes():
     state = packets.RobotState(pose_x=3, cliff_data_raw=(0, 0, 0, 0))
     contents = [packets.Connect(), state, packets.BodyInfo(serial_number=7)]
     theirs = TheirFrame.from_bytes(encoded(ack=5, first=9, contents=contents))
-    # pycozmo counts from 0 what on the wire counts from 1.
+    # pycozmo counts from 0, the wire from 1.
     assert (theirs.first_seq, theirs.seq, theirs.ack) == (8, 9, 4)
     assert [type(packet) for packet in theirs.pkts] == [type(packet) for packet in contents]
     assert theirs.pkts[1].pose_x == 3
@@ -90,7 +90,7 @@ def test_a_damaged_frame_raises_only_our_own_error(tail, kind):
 
 
 @pytest.mark.parametrize("name", FIXTURES)
-def test_the_screen_shows_what_the_robots_own_shows(name):
+def test_the_screen_shows_the_same_as_the_real_one(name):
     fixture = FIXTURES[name]
     expected = np.array(str_to_image(fixture["image"]))
     assert np.array_equal(face.pixels(hex_load(fixture["seq"])), expected)
@@ -145,11 +145,11 @@ def test_a_picture_comes_in_pieces_that_fit_into_frames():
     assert max(len(chunk) for chunk in chunks) + 4 <= frames.MOST_PAYLOAD
 
 
-# A client that speaks in bytes.
+# A client that sends bytes.
 
 
 class Client:
-    """An app that knows no more of the protocol than it says."""
+    """An app that uses only a part of the protocol."""
 
     def __init__(self, there: Cozmo) -> None:
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -206,7 +206,7 @@ def there():
         yield one
 
 
-def test_a_reset_is_granted_as_the_description_says(there):
+def test_a_reset_is_accepted_as_documented(there):
     with Client(there) as client:
         frame = client.hear()
         assert frame.ack == 1
@@ -217,16 +217,16 @@ def test_a_reset_is_granted_as_the_description_says(there):
         ]
 
 
-def test_what_is_not_acknowledged_is_sent_again(there):
+def test_packets_without_acknowledgement_are_sent_again(there):
     with Client(there) as client:
         assert repr(client.hear()) == repr(client.hear())
         client.ack = 3
         client.command(packets.Enable())
-        # The last was sent again perhaps before the acknowledgement came; the next is new.
+        # The last packet may have been sent again before the acknowledgement; the next one is new.
         assert client.hear_until(packets.BodyInfo)[1] == 4
 
 
-def test_a_packet_counts_once_and_only_after_the_one_before(there):
+def test_a_packet_is_executed_once_and_only_in_order(there):
     with Client(there) as client:
         before = there.machine.received.copy()
         client.command(packets.SetRobotVolume(level=3), number=3)
@@ -237,7 +237,7 @@ def test_a_packet_counts_once_and_only_after_the_one_before(there):
         assert client.hear_until(packets.RobotState)[2] == 3
 
 
-def test_a_ping_comes_back(there):
+def test_a_ping_is_answered(there):
     with Client(there) as client:
         client.frame(FrameKind.PING, packets.Ping(time_sent_ms=7.5, counter=3).to_bytes(), 0)
         ping, number, _ = client.hear_until(packets.Ping)
@@ -274,7 +274,7 @@ def test_it_stops_and_forgets_a_client_after_a_long_silence(there, monkeypatch):
         assert there.machine.received["Enable"] == before
 
 
-def test_it_reports_thirty_three_times_a_second_and_films_fifteen_times(there):
+def test_it_reports_thirty_three_times_per_second_and_sends_fifteen_pictures(there):
     with Client(there) as client:
         client.enable()
         client.command(packets.EnableCamera())

@@ -34,7 +34,7 @@ def emulation(monkeypatch):
 
 @pytest.fixture
 def ask(emulation):
-    """Call one of its components as a client of its own would."""
+    """Call one of its components as a separate client."""
 
     def ask(identity, *call, layout=Layout.ROBOT):
         text = f"{identity}:tcp -h 127.0.0.1 -p {emulation.settings[PORTS[identity]]}"
@@ -44,7 +44,7 @@ def ask(emulation):
     return ask
 
 
-def test_it_drives_on_when_its_client_is_gone_as_the_real_one_does(emulation, ask):
+def test_it_keeps_driving_without_its_client_like_the_real_one(emulation, ask):
     ask("differentialrobot", "setSpeedBase", 100.0, math.pi / 2)
     time, (_, _, heading) = emulation.twin.time, pose(emulation.twin)
     while emulation.twin.time < time + 0.7:

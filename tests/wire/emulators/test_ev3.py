@@ -1,4 +1,4 @@
-"""The emulated EV3: its files as real python-ev3dev2 sees them, and its firmware's byte code."""
+"""The emulated EV3: its files as seen by the real python-ev3dev2, and its firmware's byte code."""
 
 import json
 import struct
@@ -19,7 +19,7 @@ from learnblock.errors import UnknownNameError
 from learnblock.robots import connect
 from waiting import wait_for
 
-#: python-ev3dev2 on the emulator's files, as rpyc has it, without rpyc.
+#: python-ev3dev2 on the emulator's files, as over rpyc, without rpyc.
 EV3DEV2 = (
     RPYC.partition("server =")[0].replace("from rpyc", "# from rpyc")
     + """
@@ -31,7 +31,7 @@ from ev3dev2.sensor.lego import ColorSensor, GyroSensor, TouchSensor, Ultrasonic
 
 
 def ev3dev2(emulation, program):
-    """What a program with python-ev3dev2 prints on the emulated brick."""
+    """The output of a program with python-ev3dev2 on the emulated brick."""
     finished = subprocess.run(
         [sys.executable, "-c", EV3DEV2 + program, str(emulation.brick.sysfs)],
         env=emulation.brick.environment,
@@ -70,7 +70,7 @@ print(json.dumps({
         came = x_of(emulation.twin) - begun
         with emulation.twin.body() as body:
             front = body.distances()["front"][0]
-    # 30 mm of radius: 0.52 mm a degree.
+    # With a radius of 30 mm, 0.52 mm per degree.
     assert came == pytest.approx(read["position"] * 0.5236, rel=0.15)
     assert read["speed_sp"] == 200
     assert read["light"] > 50
@@ -79,7 +79,7 @@ print(json.dumps({
     assert read["touched"] == 0
 
 
-def test_what_our_agent_writes_is_what_python_ev3dev2_reads():
+def test_python_ev3dev2_reads_what_our_agent_writes():
     read = "m = LargeMotor('outB'); print(json.dumps([m.speed_sp, m.stop_action, m.state]))"
     with brick("agent") as emulation, connect("ev3", **emulation.settings) as robot:
         # 1 mm/s is 1.9 degrees/s.
@@ -125,7 +125,7 @@ def test_a_shorter_value_replaces_a_longer_one_whole(tmp_path):
     attribute.close()
 
 
-def test_a_user_emulates_one_way_in():
+def test_a_user_emulates_one_connection():
     with emulate("ev3", "empty", connection="direct") as emulation:
         assert emulation.settings.keys() == {"connection", "address", "direct_port"}
     with pytest.raises(UnknownNameError, match="There is no connection 'telepathy'"):
@@ -136,7 +136,7 @@ def test_a_user_emulates_one_way_in():
 
 
 class FakeVehicle:
-    """Notes what it is told."""
+    """Records its calls."""
 
     def __init__(self):
         self.speeds = {}
@@ -194,7 +194,7 @@ def test_a_timed_motor_turns_until_its_time_is_over(vehicle):
     assert vehicle.speeds["B"] == 0
 
 
-def test_a_reply_has_what_was_asked_for_at_the_places_named(vehicle):
+def test_a_reply_has_the_requested_values_at_the_given_positions(vehicle):
     # Type and mode at port 4, the count of motor B, and what the sensors at ports 4 and 1 read.
     code = "99050003" + "6061" + "b3000164" + "991d00030000016" + "8" + "991d0000000001" + "6c"
     reply = Machine(vehicle).execute(message(code, 16))
@@ -212,7 +212,7 @@ def test_the_firmware_rejects_unknown_commands(vehicle, code):
     assert Machine(vehicle).execute(message(code, 4)) == b"\x01\x00\x04"
 
 
-def test_a_command_that_wants_no_reply_gets_none(vehicle):
+def test_a_command_without_a_reply_gets_none(vehicle):
     assert Machine(vehicle).execute(message("94010282e80382e803", kind=0x80)) == b""
     assert vehicle.noted == [("tone", 1000.0, 1000.0)]
 

@@ -43,19 +43,19 @@ def numbers(element, *names):
     return pytest.approx([float(element.get(name)) for name in names])
 
 
-def test_a_pose_goes_there_and_comes_back(world):
+def test_a_pose_survives_conversion_and_back(world):
     there = Pose(-120.0, 30.0, 75.0)
     back = pose(world, *place(world, there))
     assert (back.x, back.y, back.heading) == pytest.approx((there.x, there.y, there.heading))
 
 
-def test_the_robot_stands_in_cm_from_the_corner_and_turns_anticlockwise(scene):
+def test_positions_are_in_cm_from_the_corner_and_angles_anticlockwise(scene):
     robot = scene.find("robot")
     assert [60, 25, -math.pi / 2] == numbers(robot, "x", "y", "angle")
     assert (robot.get("type"), robot.get("port")) == ("thymio2", "4321")
 
 
-def test_the_floor_is_a_picture_of_the_worlds_own_shape(scene, tmp_path):
+def test_the_floor_is_a_picture_with_the_shape_of_the_world(scene, tmp_path):
     floor = scene.find("world")
     assert [100, 60] == numbers(floor, "w", "h")
     assert floor.get("groundTexture") == GROUND
@@ -79,7 +79,7 @@ def test_a_cylinder_without_mass_is_fixed(scene):
     assert [40, 25, 3, -1] == numbers(cylinder, "x", "y", "r", "mass")
 
 
-def test_every_colour_that_is_used_is_there(scene):
+def test_every_used_colour_is_defined(scene):
     known = {colour.get("name") for colour in scene.findall("color")}
     used = {element.get("color") for element in scene if element.get("color")}
     assert used <= known
@@ -110,7 +110,7 @@ def test_a_program_can_connect_to_an_emulated_thymio(monkeypatch):
         assert emulation.twin is None
         with connect("thymio", **emulation.settings) as robot:
             reading = robot.device(GroundSensors).read()
-    # It stands on the black line of the twin's own world.
+    # It is on the black line of the twin's default world.
     assert max(reading["left"], reading["right"]) < 50
 
 

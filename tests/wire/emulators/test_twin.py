@@ -1,4 +1,4 @@
-"""A simulated robot that lives in real time."""
+"""A simulated robot in real time."""
 
 import pytest
 
@@ -7,7 +7,7 @@ from learnblock.emulators.twin import Twin
 from learnblock.errors import LearnBlockError, UnknownNameError
 
 
-def test_a_twin_drives_without_calls_for_its_time():
+def test_a_twin_drives_without_further_calls():
     with Twin("sim-cozmo", "empty", speed=100) as twin:
         with twin.body() as body:
             start = body.pose

@@ -50,7 +50,7 @@ def robot(request, tmp_path_factory):
             proxy.close()
 
 
-def test_every_object_says_what_it_is(robot):
+def test_every_object_reports_its_type(robot):
     _, _, proxies = robot
     for proxy in proxies.values():
         proxy.check()
@@ -163,7 +163,7 @@ def test_components_are_read(robot):
         ("laser", ("fly",), "OperationNotExistException", "Laser' has no operation 'fly'"),
     ],
 )  # fmt: skip
-def test_a_refusal_says_why(robot, component, call, kind, sentence):
+def test_a_refusal_gives_its_reason(robot, component, call, kind, sentence):
     _, _, proxies = robot
     with pytest.raises(IceRefusedError, match=sentence) as caught:
         proxies[component].call(*call)
@@ -220,7 +220,7 @@ def test_a_text_that_is_not_a_proxy_is_rejected(text):
         Proxy.parse(text, interfaces(Layout.TOOL)["laser"])
 
 
-def test_a_proxys_text_says_where_it_is():
+def test_a_proxys_text_contains_its_address():
     proxy = Proxy.parse("base : tcp  -p 5 -h 10.0.0.1 -t 500", interfaces(Layout.TOOL)["laser"])
     assert (proxy.identity, proxy.endpoint.host, proxy.endpoint.port) == ("base", "10.0.0.1", 5)
     assert repr(proxy) == "<Proxy base:tcp -h 10.0.0.1 -p 5>"

@@ -27,7 +27,7 @@ COUNTER = Interface(
     ),
 )
 BASE = interfaces(Layout.TOOL)["differentialrobot"]
-#: Seconds a call may take here, and what it may take more.
+#: The limit of a call in seconds, and the tolerance.
 TIMEOUT, MORE = 0.6, 2.0
 
 
@@ -73,7 +73,7 @@ def test_many_threads_get_their_own_replies(counter):
         ]
 
 
-def test_a_call_that_hangs_holds_up_no_other():
+def test_a_call_that_hangs_delays_no_other():
     heard, let_go = threading.Event(), threading.Event()
 
     def serve(connection):
@@ -93,7 +93,7 @@ def test_a_call_that_hangs_holds_up_no_other():
 
 
 def reply_to(number, value):
-    """The message that answers the request of that number."""
+    """The message that answers the request with that number."""
     return message(Kind.REPLY, number + b"\0" + struct.pack("<iBBi", 10, 1, 1, value))
 
 
@@ -105,7 +105,7 @@ def read(connection):
 
 @contextmanager
 def peer(serve):
-    """Somebody who answers in a way of his own; the port."""
+    """A server with its own way of answering; yields the port."""
     with socket.create_server(("127.0.0.1", 0)) as listener:
 
         def run():
@@ -191,7 +191,7 @@ def test_a_server_without_ice_is_reported(says, sentence):
         proxy.ping()
 
 
-def test_signs_of_life_and_late_replies_are_skipped():
+def test_keep_alive_messages_and_late_replies_are_skipped():
     def serve(connection):
         connection.sendall(message(Kind.VALIDATE) * 3)
         number = read(connection)[:4]
@@ -227,7 +227,7 @@ def test_a_call_lost_with_its_connection_is_repeated_if_that_is_harmless():
 
 
 def read_all(connection):
-    """The body of the next request; nothing when the client is gone."""
+    """The body of the next request; empty if the client is gone."""
     header = connection.recv(HEADER.size, socket.MSG_WAITALL)
     if len(header) < HEADER.size or header[8] != Kind.REQUEST:
         return b""
@@ -272,7 +272,7 @@ def test_components_that_come_back_are_found_by_the_next_call(tmp_path):
 
 
 def test_a_connection_that_ice_closes_when_idle_is_reopened(tmp_path):
-    # Ice closes after twice the time it is told, in seconds, at most.
+    # Ice closes after at most twice the configured time in seconds.
     idle = ("--Ice.ACM.Server.Timeout=1", "--Ice.ACM.Server.Close=1")
     with (
         components(tmp_path, "tool", "differentialrobot", ice=idle) as running,

@@ -32,7 +32,7 @@ MOTOR = MotorState(pos=0.25, vel=0.5, timeStamp="now", p=-5, isMoving=True, temp
 
 
 class Everything:
-    """One object for all interfaces."""
+    """One object with all interfaces."""
 
     def getBaseState(self):
         return STATE
@@ -82,7 +82,7 @@ class Everything:
 
 @pytest.mark.parametrize("encoding", ["1.0", "1.1"])
 @pytest.mark.parametrize("layout", Layout)
-def test_the_real_ice_is_given_what_our_servants_give(layout, encoding, tmp_path):
+def test_the_real_ice_receives_what_our_servants_return(layout, encoding, tmp_path):
     require_ice()
     everything = Everything()
     servants = {

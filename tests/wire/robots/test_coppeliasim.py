@@ -27,12 +27,12 @@ from learnblock.testing import Fault, Relay, check_robot
 from places import ROOT
 from runs import run_example, run_file
 
-#: Seconds; a robot that does not answer shall not hold the tests up.
+#: In seconds, short so that a robot that does not answer does not delay the tests.
 TIMEOUT = 1.0
 
 
 class Place:
-    """CoppeliaSim with a twin in it, and the settings that reach it."""
+    """CoppeliaSim with a twin in it, and the settings for reaching it."""
 
     def __init__(self, twin, emulator):
         self.scene = emulator.scene
@@ -55,7 +55,7 @@ class Place:
             return body.pose
 
     def speed(self):
-        """mm/s over a tenth of a second of the world's."""
+        """The speed in mm/s over a tenth of a second of the world's time."""
         begun, before = self.twin.time, self.pose
         assert until(lambda: self.twin.time >= begun + 0.1)
         return math.dist(self.pose[:2], before[:2]) / (self.twin.time - begun)
@@ -126,7 +126,7 @@ def test_the_pose_is_the_robots_position(place, scene):
 
 
 @pytest.mark.parametrize("scene", ["script", "paper", "names"])
-def test_the_distance_to_a_wall_is_right(scene):
+def test_the_distance_to_a_wall_is_correct(scene):
     with coppeliasim(world="obstacles") as there, there.robot(scene) as robot:
         with there.twin.body() as body:
             expected = body.distances()["front"]
@@ -143,7 +143,7 @@ def test_nothing_in_front_reads_as_nothing_seen(scene):
 
 
 @pytest.mark.parametrize("scene", ["script", "paper", "names"])
-def test_the_brightness_of_the_floor_is_right(place, scene):
+def test_the_brightness_of_the_floor_is_correct(place, scene):
     with place.robot(scene) as robot:
         with place.twin.body() as body:
             expected = body.ground()["central"]
@@ -178,7 +178,7 @@ def test_a_gyroscope_follows_full_turns_and_can_be_reset():
 
 
 def matrix(x, y, axis):
-    """A joint at (x, y) in m whose z looks along `axis`."""
+    """A joint at (x, y) in m whose z axis points along `axis`."""
     return (0, 0, axis[0], x, 0, 0, axis[1], y, 0, 0, 0, 0.03)
 
 
@@ -191,13 +191,13 @@ def matrix(x, y, axis):
         ((0, -0.05), (0, 0.05), 180),
     ],
 )
-def test_a_robot_looks_a_quarter_of_a_turn_to_the_right_of_its_left_wheel(left, right, heading):
+def test_a_robot_faces_a_quarter_turn_to_the_right_of_its_left_wheel(left, right, heading):
     axle = Axle(matrix(*left, (0, 1)), matrix(*right, (0, 1)))
     assert axle.pose == pytest.approx((0, 0, heading))
     assert axle.track == pytest.approx(100)
 
 
-def test_a_joint_whose_axis_looks_to_the_left_rolls_forward():
+def test_a_joint_whose_axis_points_to_the_left_rolls_forward():
     axle = Axle(matrix(0, 0.05, (0, 1)), matrix(0, -0.05, (0, -1)))
     assert axle.direction(axle.left) == 1
     assert axle.direction(axle.right) == -1
@@ -207,14 +207,14 @@ def test_a_joint_whose_axis_looks_to_the_left_rolls_forward():
 
 
 def path_of(points):
-    """The places of a path, from where it begins to move."""
+    """The positions of a path, from where it starts to move."""
     places = [(x, y) for x, y, _ in points]
     begun = next(i for i, place in enumerate(places) if math.dist(place, places[0]) > 2)
     return places[max(0, begun - 1) :]
 
 
 def farthest(path, other):
-    """By how much `path` leaves the line of `other`, mm."""
+    """The largest distance of `path` from the line of `other`, in mm."""
     return max(min(math.dist(here, there) for there in other) for here in path)
 
 
@@ -222,7 +222,7 @@ def farthest(path, other):
     ("example", "scene", "world", "seconds"),
     [("square.bt", "script", "empty", 8), ("avoid.bt", "names", "obstacles", 4)],
 )
-def test_a_program_drives_as_the_twin_does(example, scene, world, seconds, own_home):
+def test_a_program_drives_like_the_twin(example, scene, world, seconds, own_home):
     with coppeliasim(world=world) as there:
         there.save_settings(scene)
         finished = run_example(example, "coppeliasim", seconds=seconds)
@@ -270,7 +270,7 @@ def test_the_motors_stop_in_time_at_the_end_of_a_program(place, scene):
     assert until(lambda: place.speed() < 1, 0.5)
 
 
-def test_our_script_stops_the_motors_while_the_program_is_silent(place):
+def test_our_script_stops_the_motors_while_the_program_sends_nothing(place):
     with place.robot() as robot:
         robot.device(Base).move(100, 0)
         assert until(lambda: place.speed() > 80)
@@ -280,7 +280,7 @@ def test_our_script_stops_the_motors_while_the_program_is_silent(place):
         assert until(lambda: place.speed() > 20)
 
 
-def test_a_program_that_only_sleeps_drives_on(place):
+def test_a_program_that_only_sleeps_keeps_driving(place):
     with place.robot() as robot:
         robot.device(Base).move(50, 0)
         begun = place.twin.time
@@ -298,7 +298,7 @@ def test_the_motors_stop_in_time_when_a_program_is_killed(place, scene, tmp_path
         killed = place.twin.time
         process.kill()
         assert until(lambda: place.twin.time > killed + 1.5)
-    # Half a second, and what a machine that is busy with other tests may need.
+    # Half a second, plus some time for a busy machine.
     after = [pose for time, pose in place.twin.path if time >= killed + 0.5 + 0.5]
     assert math.dist(after[0][:2], after[-1][:2]) < 2
 
@@ -417,7 +417,7 @@ def test_without_the_vendors_client_the_error_names_the_package(monkeypatch):
         Robot()
 
 
-# The command line's part.
+# The command line.
 
 
 def test_devices_are_known_beforehand_if_the_settings_name_them(own_home):

@@ -1,7 +1,7 @@
-"""Our scene script for CoppeliaSim, run by a real Lua against an API that keeps what it is told.
+"""Our scene script for CoppeliaSim, run by a real Lua against an API that records its calls.
 
 The API's functions and constants are those of CoppeliaSim 4.6; one that is misspelt fails. What the
-physics of CoppeliaSim makes of the robot that is built here nobody has seen.
+physics of CoppeliaSim does with the robot built here has not been tested.
 """
 
 import itertools
@@ -44,7 +44,7 @@ def turned(quaternion, vector):
 
 
 class Sim:
-    """The objects of a scene, and what each was told."""
+    """The objects of a scene, and the calls to each."""
 
     def __init__(self, lua, missing):
         self.lua = lua
@@ -76,7 +76,7 @@ class Sim:
         return guard(table)
 
     def functions(self):
-        """CoppeliaSim's, by their names."""
+        """CoppeliaSim's constants, by name."""
         return {
             "computeMassAndInertia": self.compute_mass_and_inertia,
             "createForceSensor": self.create,
@@ -158,7 +158,7 @@ class Sim:
     # For the tests.
 
     def place(self, handle, point):
-        """Where a point of an object is in the world."""
+        """The position in the world of a point of an object."""
         while handle is not None:
             parent, pose = self.poses[handle]
             point = np.array(pose[:3]) + turned(pose[3:], point)
@@ -166,7 +166,7 @@ class Sim:
         return np.array(point)
 
     def direction(self, name, vector):
-        """Where an object's own direction looks, seen from the hull."""
+        """A direction of an object, relative to the hull."""
         pose = self.poses[self.names[name]][1]
         return turned(pose[3:], vector)
 
@@ -201,7 +201,7 @@ class LuaRemote:
         return from_lua(self._functions[name](*given))
 
 
-#: What an older version does not have yet, and a newer one not any more.
+#: Functions that are missing in older or in newer versions.
 OLD = ("setFloatProperty", "joint_revolute", "proximitysensor_ray")
 NEW = (
     "setEngineFloatParam",
@@ -218,7 +218,7 @@ def sim():
 
 @pytest.fixture
 def script(sim):
-    """The script's functions, once CoppeliaSim has begun its simulation."""
+    """The script's functions, once CoppeliaSim has started its simulation."""
     return begun(sim)
 
 
@@ -241,14 +241,14 @@ def wheels(sim):
     return tuple(sim.velocities[sim.names[f"{side}Motor"]] for side in ("left", "right"))
 
 
-def test_it_stands_where_the_dummy_is_and_looks_as_that_does(devices):
+def test_it_has_the_position_and_heading_of_the_dummy(devices):
     x, y, heading = devices[Base].functions["read"]()
-    # The axle lies 40 mm behind the middle of the hull, which the dummy's x looks ahead of.
+    # The axle is 40 mm behind the middle of the hull; the dummy's x axis points ahead.
     assert (x, y) == pytest.approx((500, -290))
     assert heading == pytest.approx(-90)
 
 
-def test_without_a_dummy_of_its_name_it_stands_in_the_middle(sim, script):
+def test_without_a_dummy_of_its_name_it_is_in_the_middle(sim, script):
     del sim.names["/LearnBlock"]
     script.sysCall_init()
     assert sim.place(sim.names["LearnBlockRobot"], (0, 0, 0)) == pytest.approx((0, 0, 0.07))
@@ -259,17 +259,17 @@ def test_forward_turns_both_wheels_forward(sim, devices):
     assert wheels(sim) == pytest.approx((2.5, 2.5))
 
 
-def test_to_the_right_the_left_wheel_is_the_faster_one(sim, devices):
+def test_the_left_wheel_is_faster_in_a_right_turn(sim, devices):
     devices[Base].move(0, 90)
     assert wheels(sim) == pytest.approx((2.7489, -2.7489), abs=1e-4)
 
 
-def test_a_joint_that_turns_positively_rolls_forward(sim, script):
+def test_a_joint_that_turns_in_positive_direction_rolls_forward(sim, script):
     for side in ("left", "right"):
         assert sim.direction(f"{side}Motor", (0, 0, 1)) == pytest.approx((0, 1, 0))
 
 
-def test_everything_that_touches_the_floor_touches_it_just_so(sim, script):
+def test_wheels_and_ball_just_touch_the_floor(sim, script):
     for name, radius in (("leftWheel", 0.04), ("rightWheel", 0.04), ("caster", 0.02)):
         assert sim.place(sim.names[name], (0, 0, 0))[2] == pytest.approx(radius)
 
@@ -294,7 +294,7 @@ def test_the_ball_slides_and_the_wheels_grip_in_every_version(missing):
         ("back1", 180),
     ],
 )
-def test_a_distance_sensor_looks_where_it_is_said_to(sim, script, name, degrees):
+def test_a_distance_sensor_points_in_the_given_direction(sim, script, name, degrees):
     angle = math.radians(degrees)
     expected = (math.cos(angle), -math.sin(angle), 0)
     assert sim.direction(name, (0, 0, 1)) == pytest.approx(expected, abs=1e-9)
@@ -307,13 +307,13 @@ def test_no_distance_sensor_sees_the_robot_itself(sim, script, name):
     assert not (abs(x + 0.04) < 0.04 and 0.06 < abs(y) < 0.08)
 
 
-def test_the_camera_looks_ahead_with_its_top_up(sim, script):
+def test_the_camera_points_ahead_and_is_upright(sim, script):
     assert sim.direction("camera", (0, 0, 1)) == pytest.approx((1, 0, 0))
     assert sim.direction("camera", (0, 1, 0)) == pytest.approx((0, 0, 1))
 
 
 @pytest.mark.parametrize(("side", "y"), [("left", 0.015), ("central", 0), ("right", -0.015)])
-def test_a_ground_sensor_looks_down_at_its_side(sim, script, side, y):
+def test_a_ground_sensor_points_down_on_its_side(sim, script, side, y):
     assert sim.direction(f"ground{side}", (0, 0, 1)) == pytest.approx((0, 0, -1))
     assert sim.poses[sim.names[f"ground{side}"]][1][1] == pytest.approx(y)
 
@@ -338,7 +338,7 @@ def test_its_gyroscope_turns_with_the_hull(sim, devices):
     hull = sim.names["LearnBlockRobot"]
     relative, pose = sim.poses[hull]
     sim.poses[hull] = (relative, (*pose[:3], 0, 0, 0, 1))
-    # It looked along y, and looks along x now: that is a quarter to the right.
+    # It faced along y and now faces along x, a quarter turn to the right.
     assert devices[Gyroscope].read() == pytest.approx(90)
 
 
@@ -350,7 +350,7 @@ def test_a_face_shows_every_emotion(sim, devices):
     assert sim.colours[sim.names["face"]] == [0, 0, 0]
 
 
-def test_the_motors_stop_when_nothing_is_heard_for_a_while(sim, script, devices):
+def test_the_motors_stop_when_no_message_arrives_for_a_while(sim, script, devices):
     devices[Base].move(100, 0)
     sim.time = 0.34
     script.sysCall_actuation()
@@ -360,7 +360,7 @@ def test_the_motors_stop_when_nothing_is_heard_for_a_while(sim, script, devices)
     assert wheels(sim) == (0, 0)
 
 
-def test_a_program_that_is_heard_again_drives_on(sim, script, devices):
+def test_a_program_that_sends_again_continues_driving(sim, script, devices):
     devices[Base].move(100, 0)
     sim.time = 5
     script.sysCall_actuation()
@@ -369,14 +369,14 @@ def test_a_program_that_is_heard_again_drives_on(sim, script, devices):
     assert wheels(sim) == pytest.approx((2.5, 2.5))
 
 
-def test_a_new_program_begins_standing(sim, script, devices):
+def test_a_new_program_starts_with_the_robot_stopped(sim, script, devices):
     devices[Base].move(100, 0)
     ScriptScene(LuaRemote(script), Settings())
     script.sysCall_actuation()
     assert wheels(sim) == (0, 0)
 
 
-def test_a_reading_is_a_sign_of_life(sim, script, devices):
+def test_a_reading_resets_the_watchdog(sim, script, devices):
     devices[Base].move(100, 0)
     sim.time = 0.3
     devices[DistanceSensors].read()

@@ -1,4 +1,4 @@
-"""Whatever CoppeliaSim, or what stands in its place, answers: only our own errors come of it."""
+"""Any answer of CoppeliaSim, or of another server in its place, raises only our own errors."""
 
 from contextlib import suppress
 
@@ -24,7 +24,7 @@ REPLIES = (
 ).map(cbor2.dumps) | st.binary(max_size=60)
 
 
-# No deadline: a client that is told to wait again and again does so for a tenth of a second.
+# No deadline: a client that is repeatedly asked to wait does so for a tenth of a second.
 @pytest.mark.parametrize("scene", SCENES)
 @settings(deadline=None)
 @given(answers=st.lists(REPLIES, min_size=1, max_size=8))

@@ -82,8 +82,8 @@ def test_it_connects_over_a_slow_link_within_two_seconds():
 
 # The paper's programs.
 
-#: mm by which the path may be from the twin's own in lock-step, while time runs faster than ours
-#: on a machine that does other things as well. In real time it was 8 mm.
+#: The allowed distance in mm from the twin's path in lock-step, while time runs fast
+#: on a busy machine. In real time it was 8 mm.
 TOLERANCE = 60
 PAPERS = [("square.bt", "empty", 80, 2.0), ("tags.bt", "tags", 26, 2.0)]
 
@@ -100,19 +100,19 @@ def test_the_papers_programs_drive_it_like_its_twin(name, world, seconds, speed,
         reached = {goal for goal, is_reached in there.twin.goals().items() if is_reached}
     assert finished.report.error is None
     assert finished.report.ended == own.report.ended
-    # In a program that goes on for ever, there may be time for one more.
+    # In an endless program, there may be time for one more.
     assert finished.report.emotions[: len(own.report.emotions)] == own.report.emotions
     assert tuple(there.machine.felt) == finished.report.emotions
     assert reached == {goal.name for goal in own.report.goals if goal.state == "reached"}
     of_twin = [pose for _, pose in own.recorder.path]
     assert furthest(path, of_twin) < TOLERANCE
     if own.report.ended == "finished":
-        # The other one was stopped somewhere on its way.
+        # The other run was stopped on its way.
         assert furthest(of_twin, path) < TOLERANCE
 
 
 def furthest(path, other):
-    """mm from the place of a path that is furthest from another path."""
+    """The largest distance in mm of a path from another path."""
     return max(min(math.dist(here[:2], there[:2]) for there in other) for here in path)
 
 
@@ -134,7 +134,7 @@ def test_it_drives_in_mm_and_turns_in_degrees_to_the_right(pair):
     wait_for(lambda: abs(there.pose()[2] - heading) > 60, "it turns")
     base.stop()
     wait_for(lambda: there.speed() < 1, "it stands")
-    # Seen from where it stood when it was connected.
+    # Relative to its pose when it was connected.
     true_x, true_y, true_heading = there.pose()
     wait_for(lambda: abs(gyroscope.read() - true_heading) < 1, "the gyroscope follows")
     measured = base.functions["read"]()
@@ -207,7 +207,7 @@ def test_each_lamp_has_its_own_colour(pair, slot):
     there, robot = pair
     colour = {"Left": 40, "Front": 80, "Center": 120, "Rear": 160, "Right": 255}[slot]
     robot.device(RGBLed, slot).set_color(colour, 0, 255)
-    # Of each colour five bits go over the wire.
+    # Five bits of each colour are sent.
     wait_for(lambda: abs(_led(there, slot)[0] - colour) <= 8, "it is lit")
     assert _led(there, slot)[1:] == (0, 255)
 
@@ -226,7 +226,7 @@ def test_its_camera_sees_what_the_twin_sees(colour):
         with there.twin.body() as body:
             truth = body.frame()
         seen = camera.read()
-        # There is nothing yet that a picture would be of.
+        # There are no pictures yet.
         assert seen.shape == (240, 320, 3)
         assert not seen.flags.writeable
         expected = truth if colour else np.repeat(truth.mean(axis=2)[..., None], 3, axis=2)
@@ -257,7 +257,7 @@ def test_it_stops_at_a_cliff_and_reports_it(tmp_path):
         wait_for(lambda: ground.read()["central"] == 100, "it backs away")
 
 
-# What it plays.
+# Sounds.
 
 
 @pytest.fixture
@@ -285,7 +285,7 @@ def test_it_speaks_in_the_voice_of_its_settings(quiet_pair):
         sound.speech("hello", "xx")
 
 
-def test_without_espeak_it_says_nothing(monkeypatch):
+def test_without_espeak_it_does_not_speak(monkeypatch):
     monkeypatch.setattr("learnblock.robots.cozmo.sound.can_speak", lambda: False)
     with cozmo() as there, there.robot() as robot:
         assert robot.device(Speaker).say("hello") is False
@@ -473,11 +473,11 @@ def test_speeds_of_the_treads(adv, rot, left, right):
 
 
 @given(st.floats(-1e300, 1e300), st.floats(-1e300, 1e300))
-def test_treads_never_go_faster_than_they_can(adv, rot):
+def test_treads_never_exceed_their_top_speed(adv, rot):
     assert max(map(abs, units.treads(adv, rot))) <= units.MAXIMUM_SPEED * (1 + 1e-9)
 
 
-def test_heads_and_lifts_go_no_further_than_they_can():
+def test_heads_and_lifts_stay_within_their_ranges():
     assert units.head_angle(90) == math.radians(44.5)
     assert units.head_angle(-90) == math.radians(-25)
     assert units.lift_height(90) == 92

@@ -44,7 +44,7 @@ def broker():
 
 
 class Publisher:
-    """EBO's camera: sends a picture, again and again."""
+    """EBO's camera: sends a picture repeatedly."""
 
     def __init__(self, port):
         self.picture = encoded(halves())
@@ -86,11 +86,11 @@ def publisher(broker):
 
 @pytest.fixture(scope="module", params=list(Layout))
 def brain(request, tmp_path_factory):
-    """EBO's components on the real Ice, and the settings that reach them."""
+    """EBO's components on the real Ice, and the settings for reaching them."""
     layout = request.param
     with components(tmp_path_factory.mktemp("ebo"), layout, *OBJECTS.items()) as running:
         ports = dict(zip(PORTS, running.ports, strict=True))
-        # Without a camera, where a test does not speak of it.
+        # Without a camera, unless the test asks for one.
         yield layout, running, {"address": "127.0.0.1", "camera_port": 0, **ports}
 
 
@@ -135,7 +135,7 @@ def test_its_face_shows_every_emotion_that_it_has(brain, emotion):
 
 
 def known_layout(layout):
-    """The one that EBO's silent components do not show."""
+    """The layout that EBO's silent components do not reveal."""
     return {"layout": layout} if layout is Layout.SINCE_2020 else {}
 
 
@@ -230,7 +230,7 @@ def test_a_stream_that_ends_is_reported(broker, publisher, fault):
 
 
 def use_up(camera):
-    """Check it until it says something."""
+    """Check it until it raises an error."""
     while True:
         camera.check()
 
@@ -307,7 +307,7 @@ def test_a_robot_without_a_camera_has_no_camera_device(emulation):
         assert robot.device(Camera) is None
 
 
-def test_two_programs_can_drive_it_and_the_last_command_counts(emulation):
+def test_two_programs_can_drive_it_and_the_last_command_applies(emulation):
     with Robot(**emulation.settings) as one, Robot(**emulation.settings) as another:
         one.device(Base).move(50, 0)
         another.device(Base).move(-50, 0)
@@ -327,11 +327,11 @@ def test_a_scan_without_robots_finds_nothing(own_home):
     assert list(Robot.scan(0.4)) == []
 
 
-# The paper's programs, unchanged. The worlds go faster than real time, as the wire has no time of
+# The paper's programs, unchanged. The worlds run faster than real time, but the wire has no time of
 # its own; so the program is slower to react, and the tolerances allow for it.
 
 
-def test_it_follows_the_line_into_its_curve_as_its_twin_does(monkeypatch):
+def test_it_follows_the_line_into_its_curve_like_its_twin(monkeypatch):
     with Twin("sim-ebo", "line", speed=2) as twin:
         assert_drives_like_its_twin(
             "ebo", Emulator, twin, "line-ebo.bt", monkeypatch,
@@ -340,7 +340,7 @@ def test_it_follows_the_line_into_its_curve_as_its_twin_does(monkeypatch):
         )  # fmt: skip
 
 
-def test_it_visits_a_tag_and_looks_happy_as_its_twin_does(monkeypatch):
+def test_it_visits_a_tag_and_looks_happy_like_its_twin(monkeypatch):
     with Twin("sim-ebo", "tags", speed=2) as twin:
         emotions = assert_drives_like_its_twin(
             "ebo", Emulator, twin, "tags.bt", monkeypatch,

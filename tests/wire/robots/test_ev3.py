@@ -1,4 +1,4 @@
-"""EV3 by each way in: agent, rpyc and LEGO's own firmware, to a brick that moves a twin."""
+"""EV3 over each connection: agent, rpyc and LEGO's own firmware, with a brick that moves a twin."""
 
 import ast
 import math
@@ -168,9 +168,9 @@ def nearest(point, path):
     return min(math.dist(point[:2], pose[:2]) for _, pose in path)
 
 
-def test_the_papers_square_is_a_square_and_the_twins_own(monkeypatch):
+def test_the_papers_square_is_a_square_like_the_twins(monkeypatch):
     path = driven_path("agent", EXAMPLES / "square.bt", monkeypatch)
-    # The paper's own criterion, as the twins keep it.
+    # The paper's own criterion, which the twins meet.
     assert math.dist(path[-1][1][:2], path[0][1][:2]) < 0.05 * 800
     assert abs(path[-1][1][2]) < 3
 
@@ -189,14 +189,14 @@ end
 
 
 @pytest.mark.parametrize("way", ["rpyc", "direct"])
-def test_a_corner_is_driven_as_the_twin_drives_it(way, monkeypatch, tmp_path):
+def test_a_corner_is_driven_as_by_the_twin(way, monkeypatch, tmp_path):
     corner = tmp_path / "corner.bt"
     corner.write_text(CORNER)
     driven_path(way, corner, monkeypatch)
 
 
 def driven_path(way, program, monkeypatch):
-    """The twin's path behind driver and wire, which is that of the twin by itself."""
+    """The twin's path behind driver and wire, which should equal that of the twin alone."""
     own = run_file(program, "sim-ev3", world="empty").recorder.path
     for _ in range(3):
         with brick(way, speed=SPEED) as emulation, monkeypatch.context() as patched:
@@ -256,7 +256,7 @@ def test_the_example_of_the_guide_drives(capsys):
     assert 15 < x < 40
 
 
-# A brick without its program.
+# A brick whose program is gone.
 
 
 @pytest.mark.parametrize("fault", [Fault.CUT, Fault.SILENT])
@@ -278,7 +278,7 @@ def test_on_a_link_that_is_slow_for_a_while_it_stutters_and_then_keeps_driving(w
     with relayed(way) as (emulation, relay, settings), ev3(settings, patience=3) as robot:
         robot.device(Base).move(40, 0)
         relay.fault = Fault.SLOW
-        # The next word comes 0.6 s after the last one.
+        # The next message arrives 0.6 s after the last one.
         wait_for(lambda: wheels_stand(emulation.twin), "it stutters")
         relay.fault = Fault.NONE
         begun = x_of(emulation.twin)
@@ -344,7 +344,7 @@ def test_a_scan_finds_a_brick_at_the_address_that_is_set(way):
     assert {"connection": way, "address": "127.0.0.1"} in found
 
 
-# Bricks that are not there, or not as they should be.
+# Missing or misconfigured bricks.
 
 
 @pytest.mark.parametrize("way", [*WAYS, "auto"])
@@ -418,7 +418,7 @@ def test_a_brick_with_rpyc_but_without_python_ev3dev2_is_reported():
 
 
 @pytest.mark.parametrize("way", WAYS)
-def test_the_way_in_is_found_by_itself(way):
+def test_the_connection_is_detected(way):
     with brick(way) as emulation:
         others = {f"{other}_port": closed_port() for other in WAYS if other != way}
         with ev3(emulation.settings, connection="auto", patience=3, **others) as robot:

@@ -1,4 +1,4 @@
-"""The agent of an EV3's brick, by itself: what it runs on, what it says, what it does not bear."""
+"""The agent of an EV3's brick, on its own: its requirements, its answers, and invalid input."""
 
 import ast
 import contextlib
@@ -21,7 +21,7 @@ from waiting import wait_for
 SOURCE = AGENT.read_text()
 
 
-def test_it_is_python_3_5_with_nothing_but_the_standard_library():
+def test_it_is_python_3_5_with_only_the_standard_library():
     tree = ast.parse(SOURCE, feature_version=(3, 5))
     newer = (ast.JoinedStr, ast.AnnAssign, ast.NamedExpr, ast.AsyncFor, ast.Match)
     assert [node for node in ast.walk(tree) if isinstance(node, newer)] == []
@@ -39,7 +39,7 @@ def test_it_is_python_3_5_with_nothing_but_the_standard_library():
 
 
 class FakeBrick:
-    """Notes what it is told."""
+    """Records its calls."""
 
     def __init__(self):
         self.told = []
@@ -65,7 +65,7 @@ def test_the_brick_executes_the_clients_commands():
     assert brick.told == [[10.5, -20], [440, 100], "é 名", [0, 0], "hushed"]
 
 
-def test_motors_stop_in_silence_and_a_client_that_returns_late_gets_an_error(monkeypatch):
+def test_motors_stop_without_messages_and_a_client_that_returns_late_gets_an_error(monkeypatch):
     monkeypatch.setattr(agent, "ABSENCE", 0.5)
     brick, ended = FakeBrick(), []
     guard = agent.Guard(brick, lambda: ended.append(True))
@@ -129,7 +129,7 @@ def emulated():
 
 @pytest.fixture
 def stranger(emulated):
-    """Someone who connects; answers a socket and its lines."""
+    """A client that connects; yields a socket and its lines."""
     connection = socket.create_connection(("127.0.0.1", emulated["agent_port"]), 5)
     with connection, connection.makefile("rb") as heard:
         yield connection, heard
@@ -169,13 +169,13 @@ def test_an_endless_line_ends_the_connection(stranger):
     connection, heard = stranger
     heard.readline()
     with contextlib.suppress(OSError):
-        # It may be closed before we are done.
+        # It may be closed before everything is sent.
         connection.sendall(b"x" * 20_000)
     with pytest.raises(OSError, match=r"reset|pipe|abort"):
         heard.read() or connection.sendall(b"x")
 
 
-def test_clients_that_only_wait_do_not_block_others(emulated, stranger):
+def test_idle_clients_do_not_block_others(emulated, stranger):
     connection, heard = stranger
     connection.sendall(introduction(heard, emulated["token"]))
     assert "state" in json.loads(heard.readline())

@@ -1,4 +1,4 @@
-"""Direct commands of LEGO's firmware: byte for byte, hostile replies, and other wires than WiFi."""
+"""Direct commands of LEGO's firmware: byte for byte, invalid replies, and wires besides Wi-Fi."""
 
 import os
 import socket
@@ -43,7 +43,7 @@ def test_a_motor_is_turned_for_a_time_and_stopped():
     assert direct.stop(3).hex() == "a3000801"
 
 
-def test_a_command_names_the_places_of_its_results_each_at_a_multiple_of_its_size():
+def test_a_command_names_the_positions_of_its_results_each_at_a_multiple_of_its_size():
     question = direct.Question([direct.kind_of(2), direct.turned(1), direct.reading(3, 0)])
     code = "99050002" + "6061" + "b30001" + "64" + "991d0003000001" + "68"
     body = struct.pack("<HBH", 7, 0, 12) + bytes.fromhex("01" + code)
@@ -96,13 +96,13 @@ def test_the_rounding_of_a_speed_is_corrected_later():
 
 
 class Silence(Link):
-    """A link that is closed while somebody waits to say something."""
+    """A link that is closed while a thread is waiting to send."""
 
     def exchange(self, word):
         raise AssertionError("a wire that was let go is used")
 
     def hang_up(self):
-        """There is no wire."""
+        """Do nothing: there is no wire."""
 
 
 def test_a_closed_link_sends_nothing_more_and_is_not_broken():
@@ -142,7 +142,7 @@ def test_a_brick_that_sends_beacons_is_found():
 
 @contextmanager
 def cable(path, *, reports):
-    """A brick at a device's file; answers the twin."""
+    """A brick at a device file; yields the twin."""
     tty = pytest.importorskip("tty", reason="this system has no such files")
     ours, theirs = os.openpty()
     tty.setraw(theirs)
@@ -158,7 +158,7 @@ def cable(path, *, reports):
 
 
 @pytest.mark.parametrize(("name", "reports"), [("rfcomm0", False), ("hidraw0", True)])
-def test_a_brick_is_driven_by_bluetooth_and_by_usb(tmp_path, name, reports):
+def test_a_brick_is_driven_over_bluetooth_and_usb(tmp_path, name, reports):
     with cable(tmp_path / name, reports=reports) as twin:
         with connect("ev3", device=str(tmp_path / name), patience=2) as robot:
             begun = x_of(twin)

@@ -1,4 +1,4 @@
-"""The agent is put on a brick over SSH, and runs there."""
+"""The agent is installed on a brick over SSH and runs there."""
 
 import os
 import signal
@@ -21,7 +21,7 @@ from waiting import wait_for
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a brick's shell is one of POSIX")
 
-#: The brick's Python: this machine's, told where the brick's devices are.
+#: The brick's Python: this machine's, with the paths of the brick's devices.
 PYTHON = """#!/bin/sh
 exec {python} -I -S "$@" --sysfs {sysfs} --address 127.0.0.1
 """
@@ -29,14 +29,14 @@ exec {python} -I -S "$@" --sysfs {sysfs} --address 127.0.0.1
 
 @pytest.fixture
 def emulation():
-    """A brick whose own agent is not the one that is tried."""
+    """A brick whose own agent is not the one under test."""
     with brick("agent") as emulation:
         yield emulation
 
 
 @pytest.fixture
 def server(emulation, tmp_path):
-    """Its SSH server; the agents that are started by it are ended."""
+    """Its SSH server; the agents that it starts are ended afterwards."""
     home = tmp_path / "robot"
     home.mkdir()
     python = emulation.brick.folder / "bin" / "python3"

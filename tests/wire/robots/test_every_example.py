@@ -11,15 +11,15 @@ from learnblock.runtime.process import ProcessWorker
 from runs import EXAMPLES, WORLDS, run_example
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
-#: Seconds of each run: what is asked is that all its devices answer; the paper's own programs are
-#: run to their ends in the tests of each robot.
+#: The seconds of each run, enough for all its devices to answer; the paper's programs are
+#: run to the end in the tests of each robot.
 SECONDS = 0.8
 
 pytestmark = pytest.mark.spread
 
 
 def missing(name, robot):
-    """The devices that keep an example from running on a robot."""
+    """The devices whose absence prevents an example from running on a robot."""
     found = running.check(running.read(EXAMPLES / name), robots.find(robot))
     needs = [one.message.values["devices"] for one in found if one.severity == "error"]
     return sorted({device.values["kind"] for devices in needs for device in devices})

@@ -1,4 +1,4 @@
-"""A robot whose program is gone without a word is stopped by its guardian, which then ends."""
+"""A robot whose program was killed is stopped by its guardian, which then ends."""
 
 import os
 import signal
@@ -17,7 +17,7 @@ from learnblock.robots.rcis import Robot, Settings
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
 
-#: Drives, tells its guardian's number, and then either waits for its death or dies at once.
+#: Drives, prints its guardian's process id, and then either waits to be killed or exits at once.
 PROGRAM = """
 from learnblock.robots.rcis import Robot
 import os, signal, sys
@@ -29,17 +29,17 @@ if "--at-once" in sys.argv:
     os.kill(os.getpid(), signal.SIGKILL)
 robot.sleep(60)
 """
-#: Seconds after which the motors stand still, and mm that count as standing.
+#: Seconds within which the motors must stop, and the mm that count as standing still.
 LIMIT, STILL = 0.5, 1.0
 
 
 def runs(pid):
-    """Whether a process is there, and is not only waiting to be buried."""
+    """Whether a process is running, and not a zombie."""
     try:
         status = Path(f"/proc/{pid}/stat").read_text()
     except (FileNotFoundError, ProcessLookupError):
         return False
-    # Its state stands behind its name in brackets.
+    # The state follows the name in brackets.
     return status.rpartition(")")[2].split()[0] != "Z"
 
 
@@ -58,7 +58,7 @@ def x_of(twin):
 
 @pytest.fixture
 def begin(tmp_path):
-    """Run the program; answers its process and its guardian's number."""
+    """Run the program; yield its process and its guardian's process id."""
     begun = []
 
     def begin(*options):
@@ -101,7 +101,7 @@ def test_a_guardian_that_has_just_started_stops_the_robot(begin):
         process, guardian = begin("--at-once")
         process.wait()
         assert gone_within(guardian, 5)
-        # Wheels need their time to stand.
+        # Wheels need some time to stop.
         wait_for(twin, 0.2)
         there = x_of(twin)
         wait_for(twin, LIMIT)

@@ -42,7 +42,7 @@ OBJECTS = (
 
 
 def settings_of(running):
-    """The settings that reach components which were started in the order of `OBJECTS`."""
+    """The settings for reaching components that were started in the order of `OBJECTS`."""
     base, *lasers, joint, display, camera = running.ports
     return {
         "address": "127.0.0.1",
@@ -56,14 +56,14 @@ def settings_of(running):
 
 @pytest.fixture(scope="module", params=list(Layout))
 def simulator(request, tmp_path_factory):
-    """RCIS's components on the real Ice, and the settings that reach them."""
+    """RCIS's components on the real Ice, and the settings for reaching them."""
     with components(tmp_path_factory.mktemp("rcis"), request.param, *OBJECTS) as running:
         yield request.param, running, settings_of(running)
 
 
 @contextmanager
 def robot_on(simulator):
-    """The robot; afterwards it has been told to stand."""
+    """The robot, which is stopped afterwards."""
     _, running, settings = simulator
     with Robot(**settings) as robot:
         yield robot, running
@@ -94,7 +94,7 @@ def test_its_servo_turns_the_other_way_round(simulator):
         assert joint.functions["read"]() == pytest.approx(30)
 
 
-def test_the_least_of_each_laser_is_a_distance(simulator):
+def test_the_smallest_value_of_each_laser_is_a_distance(simulator):
     with robot_on(simulator) as (robot, _):
         assert robot.read(DistanceSensors) == {
             "left": [250.5, 900],
@@ -103,14 +103,14 @@ def test_the_least_of_each_laser_is_a_distance(simulator):
         }
 
 
-def test_its_pictures_have_rows_and_columns_in_their_places(simulator):
+def test_its_pictures_have_the_right_rows_and_columns(simulator):
     with robot_on(simulator) as (robot, _):
         frame = robot.read(Camera)
         assert (frame.shape, frame.dtype) == ((240, 320, 3), np.uint8)
         # The real Ice sends row, column and 7 in each pixel.
         assert frame[239, 100].tolist() == [239, 100, 7]
         assert frame[5, 300].tolist() == [5, 300 % 256, 7]
-        # The same picture is the same frame, so that nothing is looked for in it twice.
+        # The same picture is the same frame, so that it is not searched twice.
         assert robot.device(Camera).read() is robot.device(Camera).read()
 
 
@@ -122,10 +122,10 @@ def test_its_screen_shows_our_face_for_each_emotion(simulator, emotion):
         assert running.told() == ["setImage", 480, 320, 3, face.nbytes, int(face.sum())]
 
 
-def test_every_emotion_has_a_face_of_its_own_that_a_mirror_does_not_change():
+def test_every_emotion_has_its_own_symmetric_face():
     faces = {emotion: draw_face(emotion) for emotion in Emotion}
     pictures = {face.tobytes() for face in faces.values()}
-    # None shows what neutral does.
+    # None looks like neutral.
     assert len(pictures) == len(faces) - 1
     for face in faces.values():
         assert np.mean(cv2.absdiff(face, cv2.flip(face, 1))) < 2
@@ -135,7 +135,7 @@ def test_every_emotion_has_a_face_of_its_own_that_a_mirror_does_not_change():
     ("size", "shape"),
     [(230_400, (240, 320, 3)), (921_600, (480, 640, 3)), (36, (3, 4, 3))],
 )
-def test_the_size_of_a_picture_tells_its_shape(size, shape):
+def test_the_size_of_a_picture_determines_its_shape(size, shape):
     assert shape_of(size) == shape
 
 
@@ -246,7 +246,7 @@ def test_a_cut_link_ends_a_run_with_an_error_and_the_robot_stops_once_it_is_rest
         assert report.ended == "error"
         sentence = str(report.error["message"])
         assert "Can't reach the wheels in RCIS at 127.0.0.1" in sentence
-        # Nobody could tell it to stop: the guardian does as soon as it can.
+        # No one could stop it: the guardian does so as soon as it can.
         assert is_driving(emulation.twin)
         relay.fault = Fault.NONE
         assert stands_soon(emulation.twin)
@@ -274,7 +274,7 @@ def stands_soon(twin):
     return True
 
 
-def test_it_follows_the_line_as_its_twin_does(monkeypatch):
+def test_it_follows_the_line_like_its_twin(monkeypatch):
     with Twin("sim-ebo", "line", speed=2) as twin:
         assert_drives_like_its_twin(
             "rcis", Emulator, twin, "line-ebo.bt", monkeypatch,

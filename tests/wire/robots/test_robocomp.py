@@ -1,4 +1,4 @@
-"""What robots of RoboComp's components share: units, signs, layouts, and what they say."""
+"""The shared parts of RoboComp robots: units, signs, layouts and messages."""
 
 import math
 from contextlib import ExitStack, contextmanager
@@ -50,7 +50,7 @@ def test_a_ranger_that_sees_nothing_reads_2000(mm, expected):
     assert in_range(mm) == expected
 
 
-def test_five_distances_look_to_three_sides():
+def test_five_distances_cover_three_sides():
     assert by_side([1, 2, 3, 4, 5]) == {"left": [1, 2], "front": [2, 3, 4], "right": [4, 5]}
 
 
@@ -62,7 +62,7 @@ NAMES = ("differentialrobot", "laser", "jointmotor")
 
 @contextmanager
 def endpoints_of(running):
-    """Where the three are."""
+    """The endpoints of the three components."""
     with ExitStack() as stack:
         yield {
             name: stack.enter_context(Endpoint("127.0.0.1", port, 5))
@@ -70,7 +70,7 @@ def endpoints_of(running):
         }
 
 
-#: What answers zeros and empty strings, as EBO's components do.
+#: Answers of zeros and empty strings, like those of EBO's components.
 SILENT = {"silent": True}
 
 

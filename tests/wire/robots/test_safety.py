@@ -1,4 +1,4 @@
-"""Whatever becomes of a program, its robot stands still half a second later.
+"""However a program ends, its robot has stopped half a second later.
 
 Through each real driver and its wire, to an emulator whose twin is watched.
 """
@@ -16,7 +16,7 @@ from learnblock.emulators import TWINS
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 
-#: Seconds after which the motors stand still, by the issue; mm that count as standing.
+#: Seconds within which the motors must stop; mm that count as standing still.
 LIMIT, STILL = 0.5, 1.0
 
 PROGRAM = """
@@ -40,14 +40,14 @@ LONG = "robot.sleep(60)"
 
 @pytest.fixture(params=sorted(TWINS))
 def emulation(request):
-    """A robot at the other end of its wire, which programs reach by the user's settings."""
+    """A robot at the other end of its wire, which programs reach through the user's settings."""
     with reachable(request.param) as twin:
         yield request.param, twin
 
 
 @pytest.fixture
 def begin(tmp_path):
-    """Run a program; answer its process once the robot is on its way."""
+    """Run a program; yield its process once the robot is moving."""
     begun = []
 
     def begin(name, ending, *, hosted=True):
@@ -73,18 +73,18 @@ def begin(tmp_path):
 
 
 def assert_stands(twin):
-    """It drove until now, and stands still in time."""
+    """Check that it was driving until now and stops in time."""
     now = twin.time
     deadline = monotonic() + 10
     while twin.time < now + LIMIT + 0.5 and monotonic() < deadline:
-        sleep(0.01)  # leaves the processor to whatever has to stop the robot
+        sleep(0.01)  # yields the processor to whatever has to stop the robot
     driving = [x for time, (x, _, _) in twin.path if now - 0.4 < time <= now]
     after = [x for time, (x, _, _) in twin.path if time >= now + LIMIT]
     assert driving[-1] - driving[0] > 5, "it did not drive"
     assert max(after) - min(after) < STILL, f"it went on driving: {after}"
 
 
-# What the host does then is the same for every robot.
+# The host then does the same for every robot.
 @pytest.mark.parametrize("emulation", ["cozmo"], indirect=True)
 @pytest.mark.parametrize("ending", ENDINGS)
 def test_it_stops_when_its_program(emulation, begin, ending):
@@ -107,7 +107,7 @@ def test_it_stops_when_its_runner_gets_a_signal(emulation, begin, number, hosted
 
 
 def is_alone(process):
-    """Whether nothing that it started is left."""
+    """Whether none of its processes is left."""
     deadline = monotonic() + 5
     while monotonic() < deadline:
         try:

@@ -37,9 +37,9 @@ from learnblock.testing import Fault, Relay, check_robot
 from playground import Playground, missing
 from runs import run_example
 
-#: Seconds within which the motors stand still, by the issue, and mm that count as standing.
+#: Seconds within which the motors must stop, and the mm that count as standing still.
 STOPPING, STILL = 0.5, 1.0
-#: A reading takes a step of the playground's, 30 ms, to come about and another one to arrive.
+#: A reading takes one step of the playground, 30 ms, to be measured and another one to arrive.
 TIMEOUT = 2.0
 #: The accelerometer is always 0 there.
 EXCUSED = {"its accelerometer shows 1 g upwards at rest": "the playground simulates none"}
@@ -64,7 +64,7 @@ fraction = 0.2
 
 @pytest.fixture(scope="module")
 def shared():
-    """A playground with an empty floor, 2 by 2 m, for all who leave it as it was."""
+    """A playground with an empty floor, 2 by 2 m, for all tests that leave it unchanged."""
     with closing(Playground("empty")) as ground:
         yield ground
 
@@ -91,9 +91,9 @@ def until(condition, seconds=TIMEOUT):
 
 @contextmanager
 def switched(world):
-    """A playground behind Aseba's switch, which lets many clients at one robot.
+    """A playground behind Aseba's switch, which connects many clients to one robot.
 
-    The switch stands what a relay does to connections, and the playground alone does not.
+    The switch survives broken connections, and the playground alone does not.
     """
     with closing(Playground(world)) as ground:
         port = _free_port()
@@ -142,10 +142,10 @@ def test_it_conforms(hub, relay):
     assert certificate.passed
 
 
-# Devices, against where the robot truly is.
+# Devices, compared with the robot's true pose.
 
 
-def test_speeds_are_true_mm_and_degrees_a_second(ground, robot):
+def test_speeds_are_true_mm_and_degrees_per_second(ground, robot):
     robot.set_move(60, 45)
     with ground.watching() as path:
         assert until(lambda: path and path[-1][0] > 1.5, 5)
@@ -154,13 +154,13 @@ def test_speeds_are_true_mm_and_degrees_a_second(ground, robot):
     turned = math.radians(last.heading - first.heading)
     radius = math.dist((last.x, last.y), (first.x, first.y)) / (2 * math.sin(turned / 2))
     assert radius == pytest.approx(60 / math.radians(45), rel=0.05)
-    # On a machine that is busy the playground's time lags behind ours.
+    # On a busy machine, the playground's time lags behind ours.
     assert 30 < math.degrees(turned) / (end - begin) < 48
 
 
 @pytest.mark.parametrize("mm", [20, 60, 110])
-def test_the_distance_to_a_wall_in_front_is_right(ground, robot, mm):
-    # The front sensor sits 79.5 mm before the middle, and the border is at 1 m.
+def test_the_distance_to_a_wall_in_front_is_correct(ground, robot, mm):
+    # The front sensor is 79.5 mm in front of the middle, and the border is at 1 m.
     ground.pose = Pose(1000 - 79.5 - mm, 0, 0)
     assert until(lambda: abs(front(robot) - mm) < 3), front(robot)
 
@@ -169,14 +169,14 @@ def front(robot):
     return robot.device(DistanceSensors).read()["front"][1]
 
 
-def test_a_wall_on_the_right_is_seen_on_the_right_alone(ground, robot):
+def test_a_wall_on_the_right_is_seen_only_on_the_right(ground, robot):
     ground.pose = Pose(0, -1000 + 100, 0)
     sensors = robot.device(DistanceSensors)
     assert until(lambda: min(sensors.read()["right"]) < 2000)
     assert min(sensors.read()["left"]) == 2000
 
 
-def test_a_wall_behind_is_seen_behind_alone(ground, robot):
+def test_a_wall_behind_is_seen_only_behind(ground, robot):
     ground.pose = Pose(-1000 + 70, 0, 0)
     sensors = robot.device(DistanceSensors)
     assert until(lambda: min(sensors.read()["back"]) < 60)
@@ -202,11 +202,11 @@ def test_the_playground_has_no_accelerometer(robot):
     assert robot.device(Accelerometer).read() == (0.0, 0.0, 0.0)
 
 
-# Lamps and sounds, as the robot itself tells that it has shown and played them.
+# Lamps and sounds, as reported by the robot itself.
 
 
 class Tap(Relay):
-    """A wire on which somebody listens to what the robot tells."""
+    """A wire that records what the robot reports."""
 
     def __init__(self, target):
         super().__init__(target)
@@ -218,7 +218,7 @@ class Tap(Relay):
 
     @property
     def done(self):
-        """(event's number, its numbers...) of all that the robot has shown and played."""
+        """(event's number, its numbers...) of everything that the robot has shown and played."""
         messages = list(Frames().feed(self._heard))
         return [tuple(one.user_event_arg) for one in messages if one.id == DONE.number]
 
@@ -248,11 +248,11 @@ def test_lamps_and_sounds_reach_the_robots_own_functions(hub):
     assert numbers == expected
 
 
-# Programs in a run of their own.
+# Programs in their own runs.
 
 
 def reach(place, **others):
-    """Have the user's settings lead there."""
+    """Point the user's settings to this robot."""
     settle("thymio", {**place, **others})
 
 
@@ -277,7 +277,7 @@ def test_the_papers_program_follows_a_line(tmp_path):
     assert tap.done == [lamp for emotion in shown for lamp in emotion]
 
 
-def test_a_program_takes_it_where_it_takes_its_twin(ground):
+def test_a_program_drives_it_to_the_same_place_as_its_twin(ground):
     reach(ground.settings)
     with ground.watching() as path:
         run_example("polygons.bt", "thymio", seconds=9)
@@ -290,7 +290,7 @@ def test_a_program_takes_it_where_it_takes_its_twin(ground):
 
 
 def from_its_start(track):
-    """A track whose time begins when the robot does, and whose place is its own."""
+    """A track whose time starts when the robot starts, relative to its start."""
     _, x0, y0 = track[0]
     begin = next(time for time, x, y in track if math.dist((x, y), (x0, y0)) > 2)
     return [(time - begin, x - x0, y - y0) for time, x, y in track if time >= begin]
@@ -300,7 +300,7 @@ def at(track, time):
     return min(track, key=lambda one: abs(one[0] - time))[1:]
 
 
-# Whatever becomes of the program, the robot stands.
+# However the program ends, the robot stops.
 
 PROGRAM = """
 from learnblock.robots.thymio import Robot
@@ -333,7 +333,7 @@ def test_it_stops_when_its_runner_is_killed(ground, tmp_path, hosted):
 
 
 def assert_stood(path, ended):
-    """It drove when it ended, and has stood since half a second later."""
+    """Check that it was driving when the program ended and stopped half a second later."""
     before = [pose.x for time, pose in path if time <= ended]
     after = [pose.x for time, pose in path if time >= ended + STOPPING]
     assert before[-1] - before[0] > 3, "it did not drive"
@@ -402,7 +402,7 @@ def test_the_playground_accepts_a_second_program_and_the_first_one_gets_an_error
 
 
 def let_go(robot):
-    """It cannot be told to stand any more, and may say so."""
+    """The first program can no longer stop the robot, and may report that."""
     with suppress(RobotConnectionError):
         robot.stop()
     assert robot.stopped
@@ -444,7 +444,7 @@ def test_after_a_cut_it_can_be_connected_again(hub, relay):
 @contextmanager
 def cable(ground):
     """The path of a serial port that leads to the playground, and a way to unplug it."""
-    import pty  # which Windows lacks
+    import pty  # not available on Windows
 
     inner, outer = pty.openpty()
     unplugged = threading.Event()
@@ -498,7 +498,7 @@ def test_without_a_thymio_the_error_asks_for_the_cable(monkeypatch):
         Robot(connection="serial")
 
 
-# Looking for it.
+# Scanning.
 
 
 def test_a_scan_yields_settings(ground, monkeypatch):

@@ -1,7 +1,7 @@
 """A Thymio of Thymio Suite, with `tdmclient`'s own server as the Suite.
 
-The Suite itself is not in Debian, so its true timing is not tried here. The program for its
-compiler is compiled by another tool of Aseba's instead.
+The Suite itself is not in Debian, so its real timing is not tested here. The program for its
+compiler is compiled by another Aseba tool instead.
 """
 
 import shutil
@@ -28,12 +28,12 @@ from learnblock.robots.thymio.program import DRIVE, EVENTS, source
 from learnblock.testing import Fault, Relay
 
 TIMEOUT = 1.0
-#: From which a locale is made.
+#: The source of a locale.
 ENGLISH = Path("/usr/share/i18n/locales/en_US")
 
 
 class Thymio(ServerNode):
-    """What the Suite knows of one robot: it notes the program, and the events."""
+    """The Suite's state of one robot: it records the program and the events."""
 
     def __init__(self):
         variables = {name: [0] * size for name, size in READ.items()}
@@ -46,9 +46,9 @@ class Thymio(ServerNode):
 
 
 class Suite:
-    """The Suite's end of the wire; what its messages mean is `tdmclient`'s affair.
+    """The Suite's end of the wire; `tdmclient` handles its messages.
 
-    Its server's threads never end, so these are ours.
+    Its server's threads never end, so these threads are ours.
     """
 
     def __init__(self, nodes):
@@ -82,7 +82,7 @@ class Suite:
         client.settimeout(0.05)
         with client, suppress(ConnectionError):
             self._converse(client, handler)
-        # What it had borrowed is given back when a client is gone; the library's server forgets.
+        # Robots are released when their client is gone; the library's server forgets that.
         for node in free:
             node.status = ThymioFB.NODE_STATUS_AVAILABLE
 
@@ -141,7 +141,7 @@ def test_our_program_is_loaded_and_its_variables_are_read(thymio):
     assert until(lambda: thymio.status == ThymioFB.NODE_STATUS_AVAILABLE)
 
 
-def test_a_thymio_that_another_program_has_is_not_taken(thymio):
+def test_a_thymio_in_use_by_another_program_is_not_taken(thymio):
     refused = pytest.raises(RobotConnectionError, match="has no free Thymio")
     with suite(thymio) as opened, connect(opened.port), refused:
         connect(opened.port)
@@ -180,10 +180,10 @@ def test_a_failing_link_is_reported_and_it_can_be_connected_again(thymio, fault,
 
 @pytest.fixture(scope="module")
 def bridge(tmp_path_factory):
-    """Aseba's HTTP switch before a playground: a function that asks it for a path."""
+    """Aseba's HTTP switch before a playground: a function that requests a path from it."""
     if shutil.which("asebahttp") is None or not ENGLISH.exists():
         pytest.skip("apt-get install aseba locales")
-    # It only begins where American English is known.
+    # It starts only with an American English locale.
     folder = tmp_path_factory.mktemp("locale")
     locale = folder / "en_US.UTF-8"
     subprocess.run(["localedef", "-i", "en_US", "-f", "UTF-8", locale], check=True)
@@ -207,7 +207,7 @@ def bridged(robot):
 
 
 def ask(port, path, program=None):
-    """What the switch answers to a GET, or to a PUT of a program; None where it refuses."""
+    """The switch's answer to a GET or to a PUT of a program; None if it refuses."""
     place = f"http://127.0.0.1:{port}{path}"
     request = urllib.request.Request(place, data=program, method="PUT" if program else "GET")
     try:
@@ -218,7 +218,7 @@ def ask(port, path, program=None):
 
 
 def aesl(text):
-    """A program as Aseba's tools keep it, with its events."""
+    """A program in the file format of Aseba's tools, with its events."""
     network = Xml.Element("network")
     for event in EVENTS:
         Xml.SubElement(network, "event", name=event.name, size=str(event.size))
@@ -226,7 +226,7 @@ def aesl(text):
     return b"<!DOCTYPE aesl-source>" + Xml.tostring(network)
 
 
-def test_asebas_own_compiler_takes_the_source_and_it_drives_and_watches(bridge):
+def test_asebas_own_compiler_accepts_the_source_which_drives_and_has_a_watchdog(bridge):
     assert until(lambda: "thymio-II" in (bridge("/nodes") or ""), 10)
     assert bridge("/nodes/thymio-II", aesl(source())) == ""
     assert until(lambda: bridge("/nodes/thymio-II/life") == "[0]")

@@ -40,7 +40,7 @@ def home(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_the_paper_s_listing_1_loads_as_it_is_printed():
+def test_the_paper_s_listing_1_loads_as_printed():
     angle = Parameter("angle", "float", default=0, translations={"ES": "angulo", "EN": "angle"})
 
     assert (
@@ -59,7 +59,7 @@ def test_the_paper_s_listing_1_loads_as_it_is_printed():
     ) == load_configurations(TESTS / "cases" / "listing1.json")
 
 
-def test_a_text_loads_as_a_file_does(tmp_path):
+def test_a_string_loads_like_a_file(tmp_path):
     (tmp_path / "waltz.json").write_text(WALTZ)
 
     assert load_configurations(tmp_path / "waltz.json") == load_configurations(WALTZ)
@@ -71,17 +71,17 @@ def test_a_byte_order_mark_is_ignored(tmp_path):
     assert load_configurations(WALTZ) == load_configurations(tmp_path / "waltz.json")
 
 
-def test_a_list_holds_several_blocks():
+def test_a_list_contains_several_blocks():
     blocks = load_configurations(f"[{WALTZ}, {WALTZ.replace('waltz', 'tango')}]")
 
     assert ["waltz", "tango"] == [block.name for block in blocks]
 
 
-def test_an_empty_list_holds_none():
+def test_an_empty_list_contains_no_blocks():
     assert () == load_configurations("[]")
 
 
-def test_any_language_may_be_given_in_capitals_or_not():
+def test_any_language_may_be_in_upper_or_lower_case():
     (block,) = load_configurations(WALTZ[:-1] + ', "languages": {"en": "waltz", "pt-br": "valsa"}}')
 
     assert {"EN": "waltz", "PT-BR": "valsa"} == block.languages
@@ -108,7 +108,7 @@ def test_any_language_may_be_given_in_capitals_or_not():
         ("apriltext", '"ball"', "ball"),
     ],
 )
-def test_a_default_may_be_written_as_a_text(kind, written, default):
+def test_a_default_may_be_written_as_a_string(kind, written, default):
     (block,) = load_configurations(
         WALTZ.replace('"int"', f'"{kind}"').replace('"default": 3', f'"default": {written}')
     )
@@ -125,7 +125,7 @@ def test_a_parameter_without_a_default_must_be_given():
 
 
 @pytest.mark.parametrize("path", sorted((HERE / "malformed").glob("*.json")), ids=lambda p: p.stem)
-def test_a_malformed_configuration_is_refused_with_place_and_advice(path):
+def test_a_malformed_configuration_is_refused_with_position_and_advice(path):
     with pytest.raises(BlockConfigurationError) as caught:
         load_configurations(path)
 
@@ -161,7 +161,7 @@ def test_thousands_of_digits_are_refused():
         load_configurations(WALTZ.replace("3", "3" * 5000))
 
 
-def test_a_default_that_is_a_deeply_nested_text_is_refused():
+def test_a_default_that_is_a_deeply_nested_string_is_refused():
     nested = '"' + "[" * 100_000 + '"'
     with pytest.raises(BlockConfigurationError, match="does not fit the type list"):
         load_configurations(WALTZ.replace("3", nested).replace('"int"', '"list"'))
@@ -235,14 +235,14 @@ def test_the_built_in_configurations_pass_every_check(tab):
     assert blocks == tuple(builtin()[block.name] for block in blocks)
 
 
-def test_our_own_names_are_all_different():
+def test_built_in_names_are_all_different():
     count = sum(len(load_configurations(path)) for path in CONFIGURATIONS.glob("*.json"))
 
     assert count == len(builtin())
 
 
 @pytest.mark.parametrize("block", builtin().values(), ids=lambda block: block.name)
-def test_every_text_of_ours_is_english_and_spanish(block):
+def test_every_built_in_text_is_english_and_spanish(block):
     for _what, translations in spoken(block):
         assert {"EN", "ES"} == set(translations)
     assert all(text.endswith((".", "?")) for text in block.tooltip.values())
@@ -251,7 +251,7 @@ def test_every_text_of_ours_is_english_and_spanish(block):
         assert text.count("¿") == text.count("?")
 
 
-def test_no_two_blocks_of_ours_have_the_same_label():
+def test_no_two_built_in_blocks_have_the_same_label():
     for language in ("EN", "ES"):
         labels = [block.languages[language] for block in builtin().values()]
         assert len(labels) == len(set(labels))
@@ -300,7 +300,7 @@ def test_a_configuration_completes_the_block_of_a_skill(home):
     assert ("motor", "Dance") == (block.type, block.category)
 
 
-def test_a_configuration_adds_a_translation_to_a_block_of_ours(home):
+def test_a_configuration_adds_a_translation_to_a_built_in_block(home):
     (home / "blocks" / "fr.json").write_text(
         '{"type": "motor", "category": "Base", "name": "turn", "shape": ["blockVertical"],'
         ' "languages": {"FR": "tourner"}}',
@@ -331,7 +331,7 @@ def test_a_broken_file_is_reported_and_the_others_are_loaded(home):
     ]
 
 
-def test_a_skill_named_like_a_robot_attribute_is_no_block(home):
+def test_a_skill_named_like_a_robot_attribute_is_not_a_block(home):
     (home / "skills" / "mine.py").write_text("def stop(robot): ...\n")
 
     assert builtin() == all_configurations()

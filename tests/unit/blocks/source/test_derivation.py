@@ -125,7 +125,7 @@ def test_a_hint_names_a_field(hint, kind, range_, choices):
         ('Literal[""]', "block-hint-choices"),
     ],
 )
-def test_a_wrong_hint_is_reported_and_the_default_counts(hint, reason):
+def test_an_invalid_hint_is_reported_and_the_default_is_used(hint, reason):
     (argument,) = signatures(f"def f(robot, x: {hint} = 'Up'): ...", "a.py")[0].arguments
 
     assert reason in codes(argument.wrong)
@@ -213,7 +213,7 @@ def test_a_field_can_be_chosen_if_the_function_does_not_determine_it(head, chose
     assert kind == block.parameters[0].type
 
 
-def test_a_range_of_the_function_stays():
+def test_a_range_of_the_function_is_kept():
     head = "x: Annotated[float, Range(0, 9)]"
     variables = [{"type": "float", "name": "x", "default": None, "range": [0, 99]}]
 
@@ -254,11 +254,11 @@ def test_only_public_functions_with_a_robot_are_blocks():
     assert () == derive(source, "a.py")
 
 
-def test_of_two_functions_of_one_name_the_later_counts():
+def test_if_two_functions_have_the_same_name_the_later_is_used():
     assert "Two." == derived("def f(robot): 'One.'\ndef f(robot): 'Two.'").tooltip["EN"]
 
 
-def test_a_file_of_invalid_python_is_refused_with_its_place():
+def test_a_file_of_invalid_python_is_refused_with_its_position():
     with pytest.raises(ProgramError, match=r"dance\.py:2:\d+: syntax-error"):
         derive("x = 1\ndef f(robot:\n", "dance.py")
 

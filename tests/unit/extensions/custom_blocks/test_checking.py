@@ -17,7 +17,7 @@ PLAIN = "def waltz(robot, times: int = 3) -> None:\n    'Dance.'\n"
 
 
 def assert_about(message, expected):
-    """Assert that a message has a code; messages from others must contain some words."""
+    """Assert that a message has a code; Python's messages must contain some words."""
     if isinstance(message, Phrase) and re.fullmatch(r"[a-z]+(-[a-z]+)+", expected):
         assert expected in codes(message)
     else:
@@ -34,7 +34,7 @@ def chosen(**more) -> str:
     )
 
 
-def test_nothing_is_wrong_with_a_function_that_takes_the_robot():
+def test_a_function_that_takes_the_robot_is_valid():
     checked = check(PLAIN, name="ball_room")
 
     assert () == checked.problems
@@ -42,11 +42,11 @@ def test_nothing_is_wrong_with_a_function_that_takes_the_robot():
     assert ("waltz", "Ball room") == (block.name, block.category)
 
 
-def test_without_a_name_the_tab_is_called_after_the_first_function():
+def test_without_a_name_the_tab_is_named_after_the_first_function():
     assert "Waltz" == check(PLAIN).blocks[0].category
 
 
-def test_several_functions_and_helpers_are_fine():
+def test_several_functions_and_helpers_are_valid():
     source = PLAIN + "def _half(x): return x / 2\ndef tango(robot): _half(3)\n"
 
     assert () == check(source).problems
@@ -123,11 +123,11 @@ def test_a_mistake_in_the_source_is_an_error(source, code, line, message):
         "try:\n    import no_such_package\nexcept ImportError:\n    no_such_package = None\n",
     ],
 )
-def test_an_import_that_works_is_fine(source):
+def test_an_import_that_works_is_valid(source):
     assert () == check(source + PLAIN).problems
 
 
-def test_a_function_without_a_robot_beside_others_is_only_a_warning():
+def test_a_function_without_a_robot_among_others_is_only_a_warning():
     checked = check(PLAIN + "def helper(): ...\n")
 
     assert [("no-robot", 3, "source")] == told(checked)
@@ -158,7 +158,7 @@ def test_the_configuration_is_joined_with_the_source():
     assert {"EN": "Dance."} == block.tooltip
 
 
-def test_a_saved_configuration_does_not_fix_the_docstring():
+def test_a_saved_configuration_does_not_contain_the_docstring():
     saved = check(PLAIN, check(PLAIN, chosen(languages={"ES": "bailar"})).complete).chosen
     (block,) = check(PLAIN.replace("Dance.", "Hop."), saved).blocks
 

@@ -58,12 +58,12 @@ def test_a_saved_block_exists_and_runs(dance):
         assert 41 == robot.waltz()
 
 
-def test_a_wrong_block_is_not_saved():
+def test_an_invalid_block_is_not_saved():
     assert custom_blocks.save("dance", "def turn(robot): ...\n").errors
     assert [] == names()
 
 
-def test_a_name_is_taken_once_however_it_is_written(dance):
+def test_a_name_is_taken_in_any_spelling(dance):
     with pytest.raises(CustomBlockError, match="already have a block 'Dance'"):
         custom_blocks.save("Dance", "def hop(robot): ...\n")
 
@@ -108,7 +108,7 @@ def test_a_deleted_block_can_be_restored(dance):
     assert ["dance"] == names()
 
 
-def test_a_block_without_a_configuration_comes_back_without_one(dance, own_home):
+def test_a_block_without_a_configuration_is_restored_without_one(dance, own_home):
     custom_blocks.delete("dance")
     custom_blocks.save("dance", DANCE)
     (own_home / "blocks" / "dance.json").unlink()
@@ -130,7 +130,7 @@ def test_restoring_never_replaces_another_block(dance):
     "change",
     [custom_blocks.find, custom_blocks.delete, custom_blocks.restore, custom_blocks.export],
 )
-def test_a_name_never_leads_out_of_the_folder(change, name):
+def test_a_name_never_leads_outside_the_folder(change, name):
     with pytest.raises(LearnBlockError):
         change(name)
 
@@ -144,7 +144,7 @@ def test_a_block_is_moved_to_another_home_as_one_file(dance, tmp_path, monkeypat
     assert before == custom_blocks.import_file(text)
 
 
-def test_a_configuration_by_hand_without_outer_braces_goes_along(dance, own_home, monkeypatch):
+def test_a_configuration_without_outer_braces_is_exported(dance, own_home, monkeypatch):
     by_hand = """
       "type": "motor", "category": "By hand", "name": "waltz", "shape": ["blockLeft"]
     """
@@ -155,7 +155,7 @@ def test_a_configuration_by_hand_without_outer_braces_goes_along(dance, own_home
     assert "By hand" == custom_blocks.import_file(text).category
 
 
-def test_a_block_with_a_wrong_configuration_is_not_exported(dance, own_home):
+def test_a_block_with_an_invalid_configuration_is_not_exported(dance, own_home):
     (own_home / "blocks" / "dance.json").write_text("{")
 
     with pytest.raises(BlockConfigurationError, match="not-json"):
@@ -181,7 +181,7 @@ def test_a_block_is_replaced_only_on_request(dance):
         ({"configuration": [{"type": "motors"}]}, "motor"),
     ],
 )
-def test_a_wrong_file_is_refused(dance, change, message):
+def test_an_invalid_file_is_refused(dance, change, message):
     values = json.loads(custom_blocks.export("dance")[1])
     custom_blocks.delete("dance")
 

@@ -40,16 +40,16 @@ def entry(name, mode):
     return found
 
 
-def test_a_library_comes_back_from_its_one_file(make, own):
+def test_a_library_is_restored_from_its_file(make, own):
     library = make(own=["clap"])
     assert unpack(pack(library), "dance.lblib") == library
 
 
-def test_one_library_is_always_the_same_bytes(make):
+def test_the_same_library_always_has_the_same_bytes(make):
     assert pack(make()) == pack(make())
 
 
-def test_a_library_comes_back_from_its_folder(make, tmp_path):
+def test_a_library_is_restored_from_its_folder(make, tmp_path):
     write(make(), tmp_path / "dance")
     (tmp_path / "dance" / "__pycache__").mkdir()
     assert read(tmp_path / "dance") == make()
@@ -134,7 +134,7 @@ def test_functions_are_the_same_after_export_and_import(seed):
 
 @settings(max_examples=200, deadline=None)
 @given(st.binary(max_size=200), st.integers(0, 2000), st.integers(0, 40))
-def test_a_broken_file_gives_our_own_errors_and_nothing_else(noise, place, dropped):
+def test_a_broken_file_raises_only_our_own_errors(noise, place, dropped):
     whole = zipped(("functions.bt", "def f(): pass end\n"))
     place %= len(whole)
     with contextlib.suppress(LearnBlockError):

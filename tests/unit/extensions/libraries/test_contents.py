@@ -22,7 +22,7 @@ def test_a_library_of_functions_has_their_block_text_and_their_python(make):
     assert make().files["functions.py"].count("(robot") == 3
 
 
-def test_it_is_the_same_when_its_files_are_read(make, own):
+def test_it_is_unchanged_after_reading_its_files(make, own):
     library = make(own=["clap"])
     files = {name: text.encode() for name, text in library.files.items()}
     assert from_files(files, "dance") == library
@@ -84,7 +84,7 @@ def test_an_invalid_library_is_refused(files, code):
         ("name = 3", "wrong-type"),
     ],
 )
-def test_a_wrong_manifest_is_refused_with_its_line(line, code):
+def test_an_invalid_manifest_is_refused_with_its_line(line, code):
     toml = f'learnblock = 1\nversion = "1.2"\n{line}\n'.encode()
     with pytest.raises(LibraryError) as caught:
         from_files({"library.toml": toml, "a.py": SKILL}, "dance")

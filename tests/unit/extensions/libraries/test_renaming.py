@@ -9,7 +9,7 @@ from learnblock.extensions.libraries.python_names import renamed as renamed_in_p
 from learnblock.i18n import Phrase
 
 
-def test_a_function_has_another_name_wherever_it_is_called(make):
+def test_a_function_is_renamed_wherever_it_is_called(make):
     library = renamed(make(), {"step": "small_step"})
     assert "def small_step():" in library.functions
     assert "        small_step()\n" in library.functions
@@ -48,7 +48,7 @@ def test_functions_that_call_a_skill_of_the_library_follow(make, own):
         ({"clap": "times"}, "library-name-used"),
     ],
 )
-def test_a_bad_name_is_refused(make, own, names, reason):
+def test_an_invalid_name_is_refused(make, own, names, reason):
     with pytest.raises(FileError) as error:
         renamed(make(own=["clap"]), names)
     assert [reason] == [one.message.code for one in error.value.diagnostics]
@@ -75,7 +75,7 @@ def test_a_name_with_two_meanings_is_refused(code):
     assert problem.message == Phrase("library-two-meanings", name="clap")
 
 
-def test_letters_of_many_bytes_are_counted_right():
+def test_multibyte_letters_are_counted_correctly():
     code = 'def clap(robot): pass\nx = "ñandú", clap, "ñ"; robot = 1; robot.clap()\n'
     expected = 'def applaud(robot): pass\nx = "ñandú", applaud, "ñ"; robot = 1; robot.applaud()\n'
     assert renamed_in_python(code, "clap", "applaud", "clap.py") == expected

@@ -33,13 +33,13 @@ def test_a_newer_version_replaces_an_older_one(make):
     assert versions() == {"dance": "1.0.1"}
 
 
-def test_the_same_once_more_changes_nothing(make):
+def test_installing_the_same_again_changes_nothing(make):
     install([make()])
     assert install([make()]) == ()
 
 
 @pytest.mark.parametrize("version", ["1.0.0", "1", "0.9"])
-def test_a_version_that_is_not_newer_replaces_only_when_asked(make, version):
+def test_a_version_that_is_not_newer_replaces_only_on_request(make, version):
     install([make()])
     other = make(version=version, functions=["step"])
     with pytest.raises(LibraryError, match=r"installed, and .* is not newer"):
@@ -49,7 +49,7 @@ def test_a_version_that_is_not_newer_replaces_only_when_asked(make, version):
     assert versions() == {"dance": version}
 
 
-def test_two_libraries_with_one_skill_clash(make):
+def test_two_libraries_with_the_same_skill_clash(make):
     install([make()])
     other = make("songs", text=OTHER, functions=["step"])
     [clash] = clashes([other])
@@ -61,7 +61,7 @@ def test_two_libraries_with_one_skill_clash(make):
     assert set(versions()) == {"dance", "songs"}
 
 
-def test_two_new_libraries_may_clash_and_then_none_is_installed(make):
+def test_if_two_new_libraries_clash_none_is_installed(make):
     with pytest.raises(LibraryError, match="the library dance"):
         install([make(), make("songs", text=OTHER, functions=["step"])])
     assert versions() == {}
@@ -89,7 +89,7 @@ def test_a_broken_library_is_reported_and_its_names_are_free(make, home):
     assert install([make(version="1.0.1")])
 
 
-def test_one_that_was_removed_is_kept_once(make, home):
+def test_the_last_removed_version_is_kept(make, home):
     install([make()])
     remove("dance")
     install([make()])

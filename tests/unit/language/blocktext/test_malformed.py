@@ -9,7 +9,7 @@ PROGRAMS = sorted((TESTS / "cases" / "malformed").glob("*.bt"))
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
-def test_a_slip_is_reported_with_its_place_and_advice(program, report):
+def test_a_slip_is_reported_with_its_position_and_advice(program, report):
     expected = program.with_suffix(".txt").read_text(encoding="utf-8")
     assert expected == report(program.read_text(encoding="utf-8"), program.name)
 

@@ -14,17 +14,17 @@ WORDS = NAMES.filter(lambda name: name not in KEYWORDS)
 
 
 @given(WORDS)
-def test_a_name_comes_back_from_python(name):
+def test_a_name_is_restored_from_python(name):
     assert name == names.from_python(names.to_python(name))
 
 
 @given(NAMES)
-def test_a_name_of_a_skill_comes_back_from_python(name):
+def test_a_name_of_a_skill_is_restored_from_python(name):
     assert name == names.attribute_from_python(names.attribute_to_python(name))
 
 
 @given(st.sets(WORDS), WORDS)
-def test_a_when_comes_back_from_python_and_never_hides_a_variable(variables, name):
+def test_a_when_is_restored_from_python_and_never_hides_a_variable(variables, name):
     clashing = names.clashes(variables)
     python = names.when_to_python(name, clashing)
     assert name == names.when_from_python(python, clashing)

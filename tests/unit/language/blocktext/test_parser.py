@@ -67,7 +67,7 @@ def test_comparisons_chain_as_in_python():
     assert value("(0 < x) < 3") != value("0 < x < 3")
 
 
-def test_signs_are_operators_of_their_own():
+def test_signs_are_separate_operators():
     assert Unary("-", Number("5")) == value("-5")
     assert Binary("-", Name("a"), Unary("-", Name("b"))) == value("a--b")
 
@@ -76,7 +76,7 @@ def test_positions_are_ignored_when_trees_are_compared():
     assert parse("x = 1\n") == parse("\n\n   x   =   1   # \n").__class__(parse("x = 1").items)
 
 
-def test_a_node_knows_where_it_was_written():
+def test_a_node_knows_its_position():
     loop = parse("x = 1\n\n  while x:\n    y()\n  end\n").items[2]
     assert isinstance(loop, While)
     assert Span(3, 3, 5, 6) == loop.span
@@ -108,7 +108,7 @@ def test_elapsed_time_may_be_called_as_a_skill():
     assert SkillCall("turn", (Number("3"),)) == value("function.turn(3)")
 
 
-def test_names_are_compared_in_their_normal_form():
+def test_names_are_compared_in_normalized_form():
     assert Name("fi") == value("\ufb01")
 
 
@@ -128,7 +128,7 @@ def test_every_error_of_a_file_is_reported_in_one_pass():
     assert Phrase("blocktext-missing-brackets", name="z") == last.message
 
 
-def test_a_wrong_statement_keeps_the_rest_of_the_tree():
+def test_an_invalid_statement_keeps_the_rest_of_the_tree():
     program, diagnostics = recover("a()\nb(\nwhile x\n  c()\nend\nd()\n")
     assert 2 == len(diagnostics)
     assert 3 == len(program.items)

@@ -207,7 +207,7 @@ def test_python_sets_the_name_of_a_file(skills):
     assert [] == check(program, skills)
 
 
-def test_diagnostics_come_in_the_order_of_the_text(found):
+def test_diagnostics_are_in_source_order(found):
     text = "x = y\nwhile True:\n    function.foo(z)\n    activate a\nend\nfoo()\n"
     lines = [line for line, _, _ in found(text)]
     assert sorted(lines) == lines

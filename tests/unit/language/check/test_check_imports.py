@@ -44,7 +44,7 @@ def test_an_unknown_library_is_reported_with_its_line_and_the_known_ones(found):
     assert Phrase("check-unknown-library", name="zebra", known=known) == message
 
 
-def test_without_any_library_none_is_offered(found):
+def test_without_libraries_none_is_suggested(found):
     [(_, _, message)] = found('import "zebra"\n', Importable())
     assert Phrase("check-no-libraries", name="zebra") == message
 

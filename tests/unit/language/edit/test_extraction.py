@@ -79,11 +79,11 @@ def test_a_function_comes_with_those_it_calls_and_the_variables_they_share():
     assert extracted(parse(PROGRAM), ["waltz"], "program.bt") == EXTRACTED
 
 
-def test_the_needed_functions_come_in_the_order_of_the_program():
+def test_the_needed_functions_are_in_the_order_of_the_program():
     assert with_needed(parse(PROGRAM), ["rest", "waltz"]) == ("waltz", "step", "rest")
 
 
-def test_skills_take_the_robot_first_and_pass_it_on():
+def test_skills_take_the_robot_first_and_pass_it_along():
     assert to_skills(parse(EXTRACTED), "functions.bt") == SKILLS
 
 
@@ -97,7 +97,7 @@ def test_skills_take_the_robot_first_and_pass_it_on():
         ("def f(): return `robot.time()` end", "return robot.time()"),
     ],
 )  # fmt: skip
-def test_each_call_passes_the_robot_on(text, python):
+def test_each_call_passes_the_robot_along(text, python):
     assert python in to_skills(parse(text), "functions.bt")
 
 

@@ -133,7 +133,7 @@ def test_a_missing_name_cannot_be_renamed(sort):
         renamed(PROGRAM, sort, "sped", "y")
 
 
-def test_a_when_cannot_get_a_name_whose_state_is_a_variable():
+def test_a_when_cannot_have_a_name_whose_state_is_a_variable():
     text = "state_near = 1\nwhen seen:\n    pass\nend\n"
     with pytest.raises(LearnBlockError) as error:
         renamed(text, "when", "seen", "near")

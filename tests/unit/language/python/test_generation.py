@@ -81,7 +81,7 @@ def test_a_program_of_raw_python_is_written_unchanged():
     assert "x  =  1\n" == python("python:\n    x  =  1\nend\n")
 
 
-def test_each_line_of_python_knows_the_line_it_came_from():
+def test_each_line_of_python_maps_to_its_source_line():
     text = "# note\nx = 1\nif x:\n    pass\nelse:\n    y = 2\nend\npython:\n    z = 3\nend\n"
     result = to_python(parse(text))
     lines = result.text.splitlines()
@@ -94,7 +94,7 @@ def test_each_line_of_python_knows_the_line_it_came_from():
     assert result.source_map.python_line(7) is None
 
 
-def test_a_line_of_python_knows_its_node():
+def test_a_line_of_python_maps_to_its_node():
     program = parse("x = 1\nfunction.stop_bot()\n")
     result = to_python(program)
     line = result.text.splitlines().index("robot.stop_bot()") + 1
@@ -165,13 +165,13 @@ def test_the_tree_of_an_expression_is_that_of_python():
 
 
 @pytest.mark.parametrize("opening", ["(", "[", "f(", "function.f(", "xs[", "not (", "1 + ("])
-def test_a_hundred_brackets_reach_python(opening):
+def test_a_hundred_brackets_are_generated(opening):
     closing = {"[": "]", "xs[": "]"}.get(opening, ")")
     text = "x = " + opening * 100 + "y" + closing * 100 + "\n"
     ast.parse(python(text))
 
 
-def test_ninety_nine_ifs_reach_python():
+def test_ninety_nine_ifs_are_generated():
     ast.parse(python("if a:\n" * 99 + "pass\n" + "end\n" * 99))
 
 

@@ -113,7 +113,7 @@ def test_a_function_that_needs_local_variables_stays_raw(function):
     assert block_text(function).startswith("python:\n    def f():\n")
 
 
-def test_a_brace_in_a_text_is_not_a_bracket():
+def test_a_brace_in_a_string_is_not_a_bracket():
     assert 'x = `f"{{"`\n\n# note\ny = 1\n' == block_text('x = f"{{"\n\n# note\ny = 1\n')
 
 
@@ -152,14 +152,14 @@ def test_a_file_without_our_robot_is_one_block_of_raw_python():
         SKELETON + "if a:\n    '''\nb\n'''\nelse:  # c\n    pass\n",
     ],
 )
-def test_every_file_comes_back_byte_for_byte(text):
+def test_every_file_is_restored_byte_for_byte(text):
     kept, through_block_text = exact(text)
     assert text == kept
     if SKELETON.strip().split("\n", maxsplit=1)[0] not in text:
         assert text == through_block_text
 
 
-def test_files_of_the_standard_library_come_back_byte_for_byte():
+def test_files_of_the_standard_library_are_restored_byte_for_byte():
     """Read every tenth file, for at most five seconds, with and without our skeleton."""
     finish = time.monotonic() + 5
     for path in LIBRARY[::10]:
@@ -186,7 +186,7 @@ def test_a_file_with_our_skeleton_is_read_again_from_its_block_text():
 
 @settings(max_examples=300, deadline=None, database=None)
 @given(st.text(st.sampled_from("ax=1 \t\n\r\f#'\"\\()`:end\x0b\u2028")))
-def test_any_text_comes_back_or_is_not_valid_python(text):
+def test_any_text_is_restored_or_is_not_valid_python(text):
     try:
         kept, through_block_text = exact(text)
     except ProgramError:
@@ -218,7 +218,7 @@ def test_the_rest_of_a_program_does_not_use_a_raw_when():
         "# about\nimport math\n@robot.when\ndef f():\n    pass\n",
     ],
 )
-def test_markers_moved_by_hand_give_a_stable_tree(text):
+def test_markers_moved_by_hand_result_in_a_stable_tree(text):
     program = from_python(SKELETON + text)
     again = parse(format_program(program))
     assert program == again
@@ -231,7 +231,7 @@ def test_only_the_robots_import_is_replaced():
     assert expected == to_python(from_python(text), "learnblock.robots.cozmo").text
 
 
-def test_lines_of_a_kept_file_are_their_own_source():
+def test_lines_of_an_unchanged_file_map_to_themselves():
     text = SKELETON + "x=1\nif x:\n    y=2\n"
     source_map = to_python(from_python(text)).source_map
     assert [5, 6, 7] == [source_map.source_line(line) for line in (5, 6, 7)]
@@ -260,7 +260,7 @@ def test_invalid_python_is_a_program_error(text):
     assert caught.value.diagnostics
 
 
-def test_a_syntax_error_has_its_place():
+def test_a_syntax_error_has_its_position():
     with pytest.raises(ProgramError) as caught:
         from_python("x = 1\ny = = 2\n")
     (diagnostic,) = caught.value.diagnostics
@@ -288,6 +288,6 @@ def test_a_module_that_only_python_can_import_stays_python(module):
 
 
 @pytest.mark.parametrize("module", ["dance", "songs.slow", "math", "learnblock.client"])
-def test_any_import_comes_back_from_python(module):
+def test_any_import_is_restored_from_python(module):
     program = parse(f'import "{module}"\n')
     assert program == from_python(to_python(program).text)

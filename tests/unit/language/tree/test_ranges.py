@@ -26,7 +26,7 @@ def text(node):
 
 
 @given(ENDS, st.sampled_from([1, -1]))
-def test_the_last_number_comes_back_from_pythons_end(stop, way):
+def test_the_last_number_is_restored_from_pythons_end(stop, way):
     # -0 has no separate end: it is the same number as 0.
     assert stop == last(beyond(stop, way), way)
 

@@ -11,7 +11,7 @@ CHARACTERS = st.characters(exclude_categories=()) | st.sampled_from("'\"\\\n\r\t
 
 
 @given(st.text(CHARACTERS))
-def test_a_text_survives_its_quotes(value):
+def test_a_string_survives_quoting(value):
     assert value == unquote(quote(value))
 
 
@@ -34,7 +34,7 @@ def test_escapes_are_pythons(literal, value):
 
 
 @pytest.mark.parametrize("literal", [r'"\x4"', r'"\u12"', r'"\U00110000"', r'"\N{NO SUCH}"'])
-def test_an_escape_that_names_no_character_is_refused(literal):
+def test_an_escape_without_a_character_is_refused(literal):
     with pytest.raises(EscapeError):
         unquote(literal)
 

@@ -117,14 +117,14 @@ def nodes_of(program):
     return found + [part for node in found for value in expressions(node) for part in within(value)]
 
 
-def test_loops_may_be_as_deep_as_in_a_text():
+def test_loops_may_be_as_deep_as_in_block_text():
     depth = 120
     text = "while True:\n" * depth + "x = 1\n" + "end\n" * depth
     program = parse(text)
     assert program == from_workspace(written(program), CONFIGURATIONS).program
 
 
-def test_values_may_be_as_deep_as_in_a_text():
+def test_values_may_be_as_deep_as_in_block_text():
     program = parse("x = " + "-(" * 99 + "x" + ")" * 99 + "\n")
     assert program == from_workspace(written(program), CONFIGURATIONS).program
 

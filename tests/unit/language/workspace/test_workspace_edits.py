@@ -78,7 +78,7 @@ def places(workspace):
         ("function.turn(90)\n", "function.turn(90)\n\n"),
     ],
 )
-def test_a_change_keeps_every_block_and_place(before, old, new):
+def test_a_change_keeps_every_block_and_position(before, old, new):
     after = edited(before, old, new)
     assert ids(before) == ids(after)
     assert places(before) == places(after)
@@ -145,7 +145,7 @@ def test_removing_one_of_many_equal_lines_keeps_the_others():
     assert ids(after) < ids(before)
 
 
-def test_the_look_of_a_block_is_kept(before):
+def test_the_appearance_of_a_block_is_kept(before):
     loop = only(before, "controls_whileUntil")
     loop.collapsed, loop.inline = True, False
     function = only(before, "procedures_defnoreturn")

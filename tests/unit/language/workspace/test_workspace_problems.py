@@ -91,7 +91,7 @@ def test_an_invalid_name_is_replaced_by_the_most_similar():
     assert ("mi_variable_2o += 1\n", [("b", "bad-name")]) == (text, problems)
 
 
-def test_a_second_main_is_a_problem_and_left_out():
+def test_a_second_main_is_a_problem_and_ignored():
     stop = Block("lb_skill_stop_bot", "s")
     mains = [
         [Block("lb_main", name, inputs={"DO": Input(stack=[stop])})] for name in ("one", "two")
@@ -236,7 +236,7 @@ def test_blocks_beyond_the_stack_of_python_are_a_program_error(block):
     assert [Phrase("workspace-too-deep")] == [one.message for one in error.value.diagnostics]
 
 
-def test_absurd_numbers_of_inputs_take_no_time():
+def test_absurd_numbers_of_inputs_are_handled_quickly():
     many = 10**9
     for kind, extra in (
         ("controls_if", {"elseIfCount": many}),
@@ -257,7 +257,7 @@ TYPES = [*STATEMENTS, *VALUES]
 
 
 def slots(value):
-    """Every place in JSON: its container and its name in it."""
+    """Every position in JSON: its container and its key."""
     found = []
     ahead = [value]
     while ahead:

@@ -86,7 +86,7 @@ def test_missing_weights_are_reported_with_their_path(monkeypatch):
     emotions._net.cache_clear()
 
 
-def test_missing_weights_are_no_problem_without_a_face(monkeypatch):
+def test_missing_weights_do_not_matter_without_a_face(monkeypatch):
     emotions._net.cache_clear()
     monkeypatch.setattr(emotions, "WEIGHTS", Path("nowhere") / "emotions.onnx")
     assert emotions_of(np.zeros((240, 320, 3), np.uint8), ()) == ()

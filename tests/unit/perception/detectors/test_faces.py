@@ -81,7 +81,7 @@ def test_frames_may_be_searched_from_several_threads_at_once():
     assert [detect_faces(frame)] * 8 == found
 
 
-def test_a_frame_smaller_than_any_face_shows_none():
+def test_a_frame_smaller_than_any_face_contains_none():
     assert detect_faces(np.zeros((8, 8, 3), np.uint8)) == ()
 
 

@@ -53,7 +53,7 @@ def test_black_is_counted_in_rows_15_to_225_and_in_three_parts(columns, expected
 
 
 @pytest.mark.parametrize("rows", [slice(0, 15), slice(225, 240)])
-def test_black_above_row_15_and_from_row_225_on_does_not_count(rows):
+def test_black_above_row_15_and_from_row_225_on_is_ignored(rows):
     assert not detect_lines(frame_with(BLACK, slice(None), rows)).black.is_there
 
 
@@ -81,7 +81,7 @@ def test_a_colour_is_dilated_by_three_pixels_of_a_frame_240_high(colour, width, 
 
 
 @pytest.mark.parametrize("rgb", [(200, 20, 20), (200, 20, 40), (200, 40, 20), (100, 10, 10)])
-def test_reds_of_both_ends_of_the_hues_are_red(rgb):
+def test_reds_at_both_ends_of_the_hue_scale_are_red(rgb):
     lines = detect_lines(frame_with(rgb, slice(140, 180)))
     assert [lines.red.is_center, lines.blue.is_there] == [True, False]
 
@@ -108,7 +108,7 @@ def test_turning_right_moves_the_line_to_the_left(heading, expected):
     assert expected == sides(detect_lines(seen([line], heading=heading)).black)
 
 
-def test_where_a_red_line_crosses_a_black_one_is_a_crossing():
+def test_a_red_line_across_a_black_one_is_a_crossing():
     black = FloorLine([(-900, 0), (900, 0)], 25, BLACK)
     red = FloorLine([(-100, -900), (-100, 900)], 25, RED)
     assert detect_lines(seen([black, red])).is_crossing
@@ -126,7 +126,7 @@ def test_a_search_does_not_change_the_frame():
 
 
 @pytest.mark.parametrize("shape", [(1, 1), (2, 3), (5, 320)])
-def test_a_tiny_frame_has_lines_to_count_like_any_other(shape):
+def test_a_tiny_frame_is_searched_like_any_other(shape):
     lines = detect_lines(np.full((*shape, 3), 255, np.uint8))
     assert shape == (lines.red.frame_height, lines.red.frame_width)
 

@@ -42,7 +42,7 @@ def test_a_few_pixels_are_not_an_object():
     assert detect_objects(sheet(("green", 50, 50, 7, 7))) == ()
 
 
-def test_in_a_larger_frame_an_object_has_to_be_larger():
+def test_in_a_larger_frame_an_object_must_be_larger():
     small = sheet(("green", 50, 50, 9, 9))
     large = sheet(("green", 50, 50, 9, 9), height=480, width=640)
     assert (len(detect_objects(small)), len(detect_objects(large))) == (1, 0)
@@ -54,7 +54,7 @@ def test_an_object_is_on_one_side(left, side):
     assert [side] == [one for one in ("left", "center", "right") if getattr(found, f"is_{one}")]
 
 
-def test_a_share_is_a_part_of_the_frame():
+def test_the_share_is_relative_to_the_frame():
     (found,) = detect_objects(sheet(("red", 0, 0, 160, 120)))
     assert found.share == pytest.approx(0.25)
 

@@ -35,9 +35,7 @@ def on_sheet(*placed):
     return frame
 
 
-def test_three_of_four_views_from_near_to_far_and_askew_are_read_and_none_wrongly(
-    photograph, picture_of
-):
+def test_three_of_four_views_near_far_and_askew_are_read_and_none_wrongly(photograph, picture_of):
     generator = np.random.default_rng(2026)
     read = wrong = 0
     for _ in range(300):
@@ -122,7 +120,7 @@ def test_the_distance_is_given_if_lens_and_size_are_known(
 
 
 @pytest.mark.parametrize("angle", [-35, 0, 20, 40])
-def test_the_pose_has_the_place_and_the_turn_of_a_tag(photograph, picture_of, angle):
+def test_the_pose_has_the_position_and_rotation_of_a_tag(photograph, picture_of, angle):
     generator = np.random.default_rng(3)
     frame = photograph(
         picture_of(8),
@@ -146,7 +144,7 @@ def test_without_lens_or_size_there_is_no_distance():
     ] == [None, None]
 
 
-def test_the_center_of_a_slanting_tag_is_where_its_middle_is_seen(photograph, picture_of):
+def test_the_center_of_a_slanted_tag_is_the_image_of_its_middle(photograph, picture_of):
     generator = np.random.default_rng(1)
     frame = photograph(picture_of(8), 150, distance=300, angle=50, generator=generator)
     assert detect_tags(frame)[0].center == pytest.approx((159.5, 119.5), abs=0.6)
@@ -170,7 +168,7 @@ def test_a_frame_without_tags_has_none():
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_pure_noise_shows_no_tag(seed):
+def test_pure_noise_contains_no_tag(seed):
     frame = np.random.default_rng(seed).integers(0, 256, (240, 320, 3), np.uint8)
     assert detect_tags(frame) == ()
 

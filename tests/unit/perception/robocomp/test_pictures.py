@@ -24,14 +24,14 @@ def test_a_frame_comes_back_from_its_picture(frame, order):
     assert np.array_equal(frame, unpacked(packed(frame, order), order))
 
 
-def test_width_carries_the_rows_as_in_robocomps_components():
+def test_width_is_the_number_of_rows_as_in_robocomps_components():
     picture = packed(np.zeros((240, 320, 3), np.uint8), Order.ROWS)
     assert (picture.width, picture.height, picture.depth) == (240, 320, 3)
 
 
 @pytest.mark.parametrize("shape", [(240, 320, 3), (320, 240, 3), (48, 64, 3)])
 @pytest.mark.parametrize("order", Order)
-def test_the_order_is_found_out_by_how_the_pixels_fit(shape, order):
+def test_the_order_is_detected_by_comparing_neighbouring_rows(shape, order):
     rows, columns = np.indices(shape[:2])
     shade = ((rows - 20) ** 2 + (columns - 30) ** 2 < 300) * 150 + columns // 4
     frame = np.repeat(shade.astype(np.uint8)[:, :, None], 3, axis=2)
@@ -74,7 +74,7 @@ def test_anything_but_a_picture_is_refused(width, height, depth, size, code):
 
 
 @given(*[st.integers(-(2**31), 2**31 - 1)] * 2, st.integers(-4, 4), st.binary(max_size=100))
-def test_any_picture_becomes_a_frame_of_its_bytes_or_is_refused(width, height, depth, image):
+def test_any_picture_becomes_a_frame_with_its_bytes_or_is_refused(width, height, depth, image):
     try:
         frame = unpacked(Picture(width, height, depth, image))
     except PictureError:

@@ -1,4 +1,4 @@
-"""Detection in camera pictures: once a picture, on demand, and emotions only if allowed."""
+"""Detection in camera pictures: once per picture, on demand, and emotions only if allowed."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ def searched(monkeypatch):
     return names
 
 
-def test_a_picture_is_searched_once_for_each_kind_of_thing(searched):
+def test_a_picture_is_searched_once_for_each_kind_of_object(searched):
     # The same object, or another one with the same picture.
     frames = [PLAIN, PLAIN, PLAIN.copy(), SMILING]
     vision = Vision(lambda: frames.pop(0), drawn=True)
@@ -59,7 +59,7 @@ def test_there_are_no_other_detectors_than_ours():
     assert Vision(lambda: PLAIN, drawn=True).detect("unicorns") is None
 
 
-def test_emotions_are_recognised_where_faces_are_drawn():
+def test_emotions_are_recognised_if_faces_are_drawn():
     assert Camera(lambda: SMILING, drawn=True).detect("emotions")
 
 
@@ -79,7 +79,7 @@ def test_no_picture_is_taken_if_the_settings_forbid_it():
     assert taken == []
 
 
-def test_wrong_settings_are_reported_with_their_line():
+def test_invalid_settings_are_reported_with_their_line():
     file().write_text("[perception]\nemotions_on_cameras = 1\n")
     with pytest.raises(SettingsError, match=r"'perception\.emotions_on_cameras' is 1") as caught:
         Camera(lambda: SMILING).detect("emotions")

@@ -35,7 +35,7 @@ def test_it_shows_the_picture_of_the_robots_time(recording, clock):
     assert seen_at(recording, clock, 0, 0.05, 0.11, 0.31, 0.42) == [0, 0, 1, 3, 4]
 
 
-def test_it_starts_over_at_its_end(recording, clock):
+def test_it_repeats_after_its_end(recording, clock):
     assert seen_at(recording, clock, 0.42, 0.51, 0.75, 1.01, 7.31) == [4, 0, 2, 0, 3]
 
 
@@ -61,7 +61,7 @@ def test_its_pictures_are_rgb_and_cannot_be_written_to(tmp_path, clock):
     assert not frame.flags.writeable
 
 
-def test_large_pictures_are_made_smaller(tmp_path, clock):
+def test_large_pictures_are_scaled_down(tmp_path, clock):
     path = record(tmp_path / "large.avi", shades(1, height=720, width=1280))
     with Recording(path, clock.time) as recording:
         assert recording.read().shape == (360, 640, 3)
@@ -94,7 +94,7 @@ def test_a_file_without_pictures_is_reported(tmp_path, clock, name, content, cod
             assert refused.value.phrase == Phrase(code, path=str(tmp_path / name))
 
 
-def test_a_truncated_file_is_shown_up_to_its_end(tmp_path, clock):
+def test_a_truncated_file_is_shown_up_to_the_truncation(tmp_path, clock):
     # With noise, so that each picture needs some space in the file.
     noise = np.random.default_rng(1).integers(0, 10, (240, 320, 3), np.uint8)
     frames = [frame + noise for frame in shades(5, height=240, width=320)]

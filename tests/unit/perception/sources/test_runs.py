@@ -74,7 +74,7 @@ def test_a_missing_component_ends_a_run_with_a_phrase(tmp_path):
     assert report.error["line"] == 5
 
 
-def test_another_process_may_search_the_pictures(tmp_path):
+def test_another_process_can_search_the_pictures(tmp_path):
     command = [sys.executable, "-m", "learnblock", "component", "apriltag", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         port = re.search(r"-p (\d+)", process.stdout.readline())[1]
@@ -147,7 +147,7 @@ def test_on_a_real_robot_no_picture_goes_to_a_component_for_emotions_before_that
         assert running.told()[:4] == ["processimage", 240, 320, 3]
 
 
-def test_a_trace_has_the_settings_of_perception_but_no_address(tmp_path):
+def test_a_trace_has_the_perception_settings_but_no_addresses(tmp_path):
     TABLE.change("apriltag", "127.0.0.1:1")
     program = tmp_path / "stop.py"
     program.write_text("from learnblock.robots.sim_ebo import Robot\n\nRobot().stop_bot()\n")

@@ -70,7 +70,7 @@ def test_a_webcam_is_off_until_its_first_picture_is_read(held):
         assert held.chosen == {}
 
 
-def test_the_newest_picture_is_seen_once_it_is_there(held):
+def test_the_newest_picture_is_seen_once_it_has_arrived(held):
     with Webcam(0) as webcam:
         held.show(bgr(1, 2, 3))
         first = webcam.read()

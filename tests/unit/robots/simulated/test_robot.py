@@ -23,7 +23,7 @@ TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo")
 
 
 @pytest.mark.parametrize("name", TWINS)
-def test_a_twin_has_the_devices_of_its_description(name):
+def test_a_twin_has_the_devices_in_its_description(name):
     kind = robots.find(name).load()
     with kind(world="empty") as robot:
         devices = {f"{type(device).__name__}:{key}" for key, device in robot.devices()}
@@ -144,7 +144,7 @@ def test_every_program_ends_with_its_robot_at_rest(ending, how):
     assert session.client.where() == at_rest
 
 
-def test_programs_of_one_world_leave_the_same_trace_again_and_again():
+def test_programs_of_one_world_leave_the_same_trace_every_time():
     source = (
         ENDLESS.replace("100", "60") + "while True:\n    robot.turn_right()\n    robot.sleep(0.1)"
     )

@@ -80,14 +80,14 @@ def told(one, notation, text, **more):
 # Completion.
 
 
-def test_behind_function_stand_the_skills():
+def test_after_function_the_skills_are_suggested():
     found = typed("function.mo|")
     assert found["move_straight"].detail == "(advSpeed=40)"
     assert found["stop_bot"].insert == "stop_bot()"
     assert {option.sort for option in found.values()} == {"skill"}
 
 
-def test_behind_robot_stand_the_skills_and_what_else_it_can_do():
+def test_after_robot_the_skills_and_its_other_methods_are_suggested():
     found = typed("robot.mo|", "python")
     assert "move_straight" in found
     assert {label for label, option in found.items() if option.sort == "robot"} == {
@@ -128,7 +128,7 @@ def test_an_expression_offers_values():
     assert "while" not in found
 
 
-def test_python_asks_a_when_itself():
+def test_in_python_a_when_has_its_attributes():
     found = typed("x = s|", "python")
     assert {"seen.active", "go.time", "class_", "speed", "len"} <= found.keys()
     assert not {"state_seen", "class", "sqrt"} & found.keys()
@@ -138,22 +138,20 @@ def test_python_asks_a_when_itself():
 @pytest.mark.parametrize(
     ("notation", "call"), [("blocktext", "function.is_tag(|"), ("python", "robot.is_tag(|")]
 )
-def test_where_a_tag_is_asked_for_the_names_of_tags_are_offered(
-    notation, call, tmp_path, monkeypatch
-):
+def test_for_a_tag_argument_the_tag_names_are_suggested(notation, call, tmp_path, monkeypatch):
     monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
     (tmp_path / "tags.toml").write_text('"red \\"door\\"" = 12\n')
     assert typed(call, notation)['"red \\"door\\""'].detail == "12"
     assert '"red \\"door\\""' not in typed(call.replace("is_tag", "turn"), notation)
 
 
-def test_suggestions_work_with_a_wrong_file_of_tag_names(tmp_path, monkeypatch):
+def test_suggestions_work_with_an_invalid_file_of_tag_names(tmp_path, monkeypatch):
     monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
     (tmp_path / "tags.toml").write_text("ball = 1000\n")
     assert "idTag=" in typed("function.is_tag(|")
 
 
-def test_a_call_offers_its_arguments_until_they_are_given():
+def test_arguments_of_a_call_are_suggested_until_they_are_given():
     assert "advSpeed=" in typed("function.move_straight(|")
     assert "advSpeed=" not in typed("function.move_straight(advSpeed=3, |")
     assert "adv=" not in typed("function.set_move(3, |")
@@ -161,7 +159,7 @@ def test_a_call_offers_its_arguments_until_they_are_given():
     assert "angle=" in typed("turn_by(|")
 
 
-def test_a_function_offers_its_own_variables_within_itself(program):
+def test_local_variables_are_suggested_inside_their_function(program):
     def offered(line):
         return {option.label for option in complete(program, "blocktext", line, 9).options}
 
@@ -169,27 +167,27 @@ def test_a_function_offers_its_own_variables_within_itself(program):
     assert not {"angle", "i"} & offered(12)
 
 
-def test_brackets_that_are_there_are_not_inserted_again():
+def test_existing_brackets_are_not_inserted_again():
     assert typed("function.tu|(90)")["turn"].insert == "turn"
 
 
-def test_import_offers_the_libraries_there_are():
+def test_import_suggests_the_available_libraries():
     waltz = replace(builtin()["turn"], name="waltz", library="dance")
     whole = Document.from_text("import ", EBO, {**builtin(), "waltz": waltz})
     found = complete(whole, "blocktext", 1, 8)
     assert ['"dance"'] == [one.label for one in found.options]
 
 
-def test_activate_offers_the_whens():
+def test_activate_suggests_the_whens():
     assert typed("activate |").keys() == {"seen", "go"}
 
 
 @pytest.mark.parametrize("line", ["# wh|", 'print("sp|', "print('sp|", "x = `sp|", "def |"])
-def test_texts_comments_and_new_names_are_the_authors(line):
+def test_nothing_is_suggested_in_strings_comments_and_new_names(line):
     assert typed(line) == {}
 
 
-def test_behind_a_text_everything_is_offered_again():
+def test_after_a_string_everything_is_suggested_again():
     assert "speed" in typed('print("a", s|')
 
 
@@ -198,7 +196,7 @@ def test_completion_works_while_the_text_has_mistakes():
     assert {"speed", "other"} <= found.keys()
 
 
-def test_what_is_typed_is_replaced_from_the_start_of_the_word(program):
+def test_a_completion_replaces_the_word_from_its_start(program):
     assert complete(program, "blocktext", 5, 17).from_column == 14
     assert complete(program, "blocktext", 1, 1, request=7).request == 7
 
@@ -234,7 +232,7 @@ def test_a_device_that_the_robot_lacks_is_named(program):
         ("python", "cla|ss_ = 1", "class_", (6, 1)),
     ],
 )
-def test_help_on_a_name_has_the_place_of_its_definition(program, notation, text, title, defined):
+def test_help_on_a_name_has_the_position_of_its_definition(program, notation, text, title, defined):
     found = told(program, notation, text)
     assert (found.title, (found.line, found.column)) == (title, defined)
 
@@ -258,7 +256,7 @@ def test_help_names_what_can_be_renamed(program, notation, text, sort, name):
         assert "other" in program.renamed(sort, name, "other").blocktext
 
 
-def test_a_parameter_called_like_a_variable_is_renamed_alone():
+def test_a_parameter_with_the_name_of_a_variable_is_renamed_alone():
     one = document("x = 1\n\ndef f(x):\n    print(x)\nend\n")
     assert told(one, "blocktext", "print(|x)").name == "f.x"
     assert told(one, "blocktext", "|x = 1").name == "x"
@@ -313,7 +311,7 @@ def test_a_description_works_while_the_text_has_mistakes():
     st.integers(-2, 60),
 )
 @settings(max_examples=150, deadline=None, derandomize=True)
-def test_any_place_of_any_text_has_an_answer(text, notation, line, column):
+def test_any_position_in_any_text_has_an_answer(text, notation, line, column):
     one = document("x = 1\n").with_text(notation, text)
     found = complete(one, notation, line, column)
     assert found.from_column >= 1

@@ -19,7 +19,7 @@ def admits(protection, **headers):
 @pytest.mark.parametrize(
     "host", ["127.0.0.1:8421", "localhost", "LocalHost:80", "[::1]:8421", "robots.school"]
 )
-def test_the_machines_own_names_and_those_given_are_hosts(host):
+def test_the_machines_own_names_and_the_given_ones_are_hosts(host):
     assert admits(PROTECTION, host=host)
 
 
@@ -39,7 +39,7 @@ def test_other_hosts_are_refused(host):
     assert not admits(PROTECTION, host=host)
 
 
-def test_an_address_in_numbers_is_a_host_where_all_addresses_are_listened_at():
+def test_a_numeric_address_is_a_host_if_the_server_listens_on_all_addresses():
     assert admits(PROTECTION, host="192.168.1.20:8421")
     assert not admits(Protection.of(TOKEN), host="192.168.1.20:8421")
 
@@ -74,7 +74,7 @@ def test_a_token_comes_as_the_second_subprotocol(offered):
 
 
 @given(st.text(), st.text() | st.none())
-def test_any_headers_are_admitted_or_refused(host, origin):
+def test_any_headers_are_accepted_or_refused(host, origin):
     raw = [(b"host", host.encode())] + ([(b"origin", origin.encode())] if origin else [])
     admitted = PROTECTION.admits(Headers(raw=raw))
     assert not admitted or any(name in host.lower() for name in (*LOCAL_HOSTS, ".", ":"))
@@ -83,7 +83,7 @@ def test_any_headers_are_admitted_or_refused(host, origin):
 # Over the wire.
 
 
-def test_a_wrong_token_closes_the_socket_with_a_code_of_its_own(server):
+def test_a_wrong_token_closes_the_socket_with_its_own_code(server):
     with server.visit(token="wrong") as visitor:
         with pytest.raises(ConnectionClosed):
             visitor.next()
@@ -114,7 +114,7 @@ def test_a_request_of_another_page_is_refused(server):
 
 
 @pytest.mark.parametrize("path", ["/", "/palette/en.json", "/textures/tag/1.png", "/?token=wrong"])
-def test_what_is_private_needs_the_token(server, path):
+def test_private_files_need_the_token(server, path):
     assert server.get(path).status == 403
 
 
@@ -124,12 +124,12 @@ def test_the_cookie_of_the_page_serves_as_its_token(server):
     assert server.get("/palette/en.json", Cookie=cookie.split(";")[0]).status == 200
 
 
-def test_the_cookies_of_two_servers_do_not_get_in_each_others_way(server):
+def test_the_cookies_of_two_servers_do_not_conflict(server):
     cookies = "learnblock_token_1=other; learnblock_token_2=" + TOKEN
     assert server.get("/palette/en.json", Cookie=cookies).status == 200
 
 
-def test_nothing_may_be_fetched_from_elsewhere(server):
+def test_nothing_may_be_fetched_from_other_servers(server):
     headers = server.get(f"/?token={TOKEN}").headers
     assert "default-src 'self'" in headers["Content-Security-Policy"]
     assert "http" not in headers["Content-Security-Policy"]

@@ -49,7 +49,7 @@ def test_every_page_of_a_project_shows_what_one_has_chosen(server, page):
             assert one.hear("BlocksShown", set=LESSON)["carried"] == [LESSON]
 
 
-def test_a_set_goes_with_its_project_and_is_found_again_after_others(server, page, projects):
+def test_a_set_is_saved_in_its_project_and_restored_after_others(server, page, projects):
     page.open()
     page.say("ChooseBlockSet", set=LESSON)
     page.hear("BlocksShown", set=LESSON)
@@ -65,7 +65,7 @@ def test_a_set_goes_with_its_project_and_is_found_again_after_others(server, pag
     assert (shown["set"], shown["carried"]) == (ours[0], [LESSON])
 
 
-def test_a_project_that_shows_everything_says_nothing_of_it(page):
+def test_a_project_that_shows_everything_does_not_store_that(page):
     page.open()
     page.say("Export", format="learnblock")
     assert {"shown", "block_sets"} & json.loads(page.hear("File")["text"]).keys() == set()
@@ -105,7 +105,7 @@ def test_a_broken_set_is_refused(kind, wrong, page):
 
 
 @pytest.mark.parametrize("name", ["../x", "/etc/x", "", "everything", "first-steps", "a\0b"])
-def test_a_name_that_is_a_path_or_ours_is_refused(name, page, own_home):
+def test_a_name_that_is_a_path_or_built_in_is_refused(name, page, own_home):
     page.open()
     for kind in ("ChooseBlockSet", "SaveBlockSet"):
         page.say(kind, set={**LESSON, "name": name})
@@ -115,7 +115,7 @@ def test_a_name_that_is_a_path_or_ours_is_refused(name, page, own_home):
     assert list(own_home.rglob("*.toml")) == []
 
 
-def test_a_project_takes_only_so_many_sets_along(page):
+def test_the_number_of_sets_in_a_project_is_limited(page):
     page.open()
     for number in range(10):
         page.say("ChooseBlockSet", set={**LESSON, "name": f"lesson {number}"})

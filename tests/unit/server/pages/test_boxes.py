@@ -51,12 +51,12 @@ def taken_out(*told):
     return asyncio.run(take_all())
 
 
-def test_what_a_page_says_is_done_in_order():
+def test_messages_are_handled_in_order():
     said = (edit(1), messages.Undo(), edit(2), messages.Run())
     assert taken_in(*said) == list(said)
 
 
-def test_of_edits_that_wait_the_last_one_is_done():
+def test_only_the_last_waiting_edit_is_handled():
     assert taken_in(edit(1), edit(2), messages.Undo(), edit(3), edit(4)) == [
         edit(2),
         messages.Undo(),
@@ -64,15 +64,15 @@ def test_of_edits_that_wait_the_last_one_is_done():
     ]
 
 
-def test_edits_of_two_views_are_both_done():
+def test_edits_of_two_views_are_both_handled():
     assert taken_in(edit(1), edit(2, "python")) == [edit(1), edit(2, "python")]
 
 
-def test_two_messages_of_a_kind_that_counts_are_both_done():
+def test_two_messages_of_other_kinds_are_both_handled():
     assert taken_in(messages.Undo(), messages.Undo()) == [messages.Undo()] * 2
 
 
-def test_a_page_that_says_too_much_has_to_wait():
+def test_a_page_that_sends_too_much_has_to_wait():
     async def say_much():
         inbox = Inbox()
         saying = asyncio.gather(*(inbox.put(messages.Undo()) for _ in range(1000)))
@@ -83,7 +83,7 @@ def test_a_page_that_says_too_much_has_to_wait():
     asyncio.run(say_much())
 
 
-def test_a_slow_page_gets_the_newest_telemetry_at_its_place():
+def test_a_slow_page_gets_the_newest_telemetry_in_order():
     printed = messages.Printed("x")
     assert taken_out(telemetry(1), printed, telemetry(2), telemetry(3)) == [
         (telemetry(3), None),
@@ -95,7 +95,7 @@ def test_a_frame_keeps_its_picture():
     assert taken_out((frame(1), b"one"), (frame(2), b"two")) == [(frame(2), b"two")]
 
 
-def test_a_page_that_takes_nothing_is_given_up():
+def test_a_page_that_reads_nothing_is_disconnected():
     async def fill():
         outbox = Outbox()
         for _ in range(2 * FULL):

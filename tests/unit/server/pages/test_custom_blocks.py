@@ -71,7 +71,7 @@ def test_a_block_is_in_the_palette_and_in_programs_as_soon_as_it_is_saved(server
     assert "finished" == page.run()["ended"]
 
 
-def test_every_page_of_every_project_hears_of_it(server, page):
+def test_every_page_of_every_project_is_notified(server, page):
     page.open("one")
     with server.visit() as other:
         other.open("two", text=DANCING)
@@ -105,7 +105,7 @@ def test_a_block_is_checked_and_shown_before_it_is_saved(page):
         ("import nothing_of_the_sort\ndef f(robot): ...\n", ("source", "unknown-import", 1)),
     ],
 )
-def test_a_wrong_block_is_not_saved_and_reported_with_its_line(page, own_home, source, expected):
+def test_an_invalid_block_is_not_saved_and_reported_with_its_line(page, own_home, source, expected):
     page.open()
     page.say("SaveCustomBlock", name="dance", source=source)
     assert [expected] == codes(page.hear("CustomBlockChecked", request=0))
@@ -128,7 +128,7 @@ def test_a_function_is_tried_on_the_robot_without_being_saved(page, own_home):
     assert [] == page.hear("History")["runs"]
 
 
-def test_an_error_in_a_function_that_is_tried_has_the_line_of_its_source(page):
+def test_an_error_in_a_tried_function_has_the_line_of_its_source(page):
     page.open()
     page.say("TryCustomBlock", name="dance", source="def f(robot):\n    x = 0\n    1 / x\n")
     ended = page.hear("Ended")
@@ -178,7 +178,7 @@ def test_an_endless_block_is_stopped_and_reported_with_its_line(page):
     assert "finished" == page.run()["ended"]
 
 
-def test_a_block_that_waits_for_ever_is_paused_and_stopped(page):
+def test_a_block_that_waits_forever_is_paused_and_stopped(page):
     page.open(text=DANCING)
     save(page, "def waltz(robot, times):\n    while True:\n        robot.clock.sleep(0.1)\n")
     healthy(page)
@@ -192,7 +192,7 @@ def test_a_block_that_waits_for_ever_is_paused_and_stopped(page):
     assert "stopped" == page.hear("Ended")["ended"]
 
 
-def test_a_broken_file_in_the_folder_breaks_nothing_else(page, own_home, server):
+def test_a_broken_file_in_the_folder_does_not_affect_others(page, own_home, server):
     page.open(text=DANCING)
     (own_home / "skills").mkdir()
     (own_home / "skills" / "bad.py").write_text("def rumba(robot):\n    (\n")
@@ -215,7 +215,7 @@ def test_a_broken_file_in_the_folder_breaks_nothing_else(page, own_home, server)
     assert ("raising", 2) == (ended["custom_block"], ended["custom_line"])
 
 
-def test_a_block_is_renamed_copied_deleted_and_brought_back(page, own_home):
+def test_a_block_is_renamed_copied_deleted_and_restored(page, own_home):
     page.open()
     save(page, configuration=COLOUR)
     assert "ball" == save(page, name="ball", configuration=COLOUR, replaces="dance")
@@ -230,7 +230,7 @@ def test_a_block_is_renamed_copied_deleted_and_brought_back(page, own_home):
     assert "Ball room" == listed(page)["ball"]["category"]
 
 
-def test_a_block_goes_out_as_a_file_and_comes_in_again(page):
+def test_a_block_is_exported_and_imported(page):
     page.open()
     save(page, configuration=COLOUR)
     page.say("ExportCustomBlock", name="dance")

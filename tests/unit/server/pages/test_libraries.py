@@ -54,7 +54,7 @@ def edited(page, text):
     return page.hear("Document", edit=1)
 
 
-def test_a_page_hears_what_a_library_can_be_made_of(page, own_home):
+def test_a_page_receives_the_possible_contents_of_a_library(page, own_home):
     (own_home / "skills").mkdir()
     (own_home / "skills" / "clap.py").write_text("def clap(robot): pass\n")
     page.open()
@@ -70,7 +70,7 @@ def test_a_page_hears_what_a_library_can_be_made_of(page, own_home):
     )
 
 
-def test_a_library_that_is_made_can_be_imported_and_used(page):
+def test_a_new_library_can_be_imported_and_used(page):
     page.open()
     edited(page, PROGRAM)
     page.say("MakeLibrary", name="dance", version="1.2", title={"en": "Dances"},
@@ -90,7 +90,7 @@ def made_file(made):
     return {"filename": made["filename"], "content": made["content"]}
 
 
-def test_nothing_in_a_file_runs_when_it_is_looked_at_or_imported(page, tmp_path):
+def test_nothing_in_a_file_runs_when_it_is_inspected_or_imported(page, tmp_path):
     toml = 'learnblock = 1\nname = "evil"\nversion = "1"\n'
     code = f"open({str(tmp_path / 'ran')!r}, 'w')\ndef evil(robot): pass\n"
     files = {"library.toml": toml.encode(), "__init__.py": code.encode()}
@@ -143,7 +143,7 @@ def test_a_broken_file_is_reported_and_the_others_are_read(page):
     assert whole["library"]["skills"] == ["waltz", "step"]
 
 
-def test_every_page_hears_of_a_library_and_knows_its_skills(server, page):
+def test_every_page_is_notified_of_a_library_and_knows_its_skills(server, page):
     page.open()
     with server.visit() as other:
         other.open("other")
@@ -192,7 +192,7 @@ def test_a_block_of_a_library_brings_its_import(page):
     ]
 
 
-def test_an_installed_library_goes_out_as_it_came_in(page):
+def test_an_installed_library_is_exported_as_it_was_imported(page):
     page.open()
     file = packed()
     imported(page, file)
@@ -200,7 +200,7 @@ def test_an_installed_library_goes_out_as_it_came_in(page):
     assert page.hear("LibraryMade")["content"] == file["content"]
 
 
-def test_a_project_remembers_with_which_version_it_was_made(server, page, projects):
+def test_a_project_remembers_the_version_it_was_made_with(server, page, projects):
     page.open("ball")
     imported(page, packed(version="1.2"))
     edited(page, 'import "dance"\n\nmain:\n    function.waltz(1)\nend\n')

@@ -1,4 +1,4 @@
-"""Every message of a page is executed or refused with a sentence, and the session goes on."""
+"""Every message of a page is executed or refused with a sentence, and the session continues."""
 
 import json
 from contextlib import suppress
@@ -30,7 +30,7 @@ def test_every_message_of_a_page_has_a_handler():
     assert set(messages.FromPage.__args__) == set(HANDLERS)
 
 
-def test_the_server_speaks_first(page):
+def test_the_server_sends_the_first_message(page):
     welcome = page.next()
     assert welcome["kind"] == "Welcome"
     assert "sim-ebo" in [robot["name"] for robot in welcome["robots"]]
@@ -134,7 +134,7 @@ def test_anything_is_a_message_or_refused(said):
 
 
 @given(kinds, st.dictionaries(fields, json_values, max_size=5))
-def test_anything_of_the_kind_of_a_message_is_one_or_refused(kind, values):
+def test_anything_with_the_kind_of_a_message_is_one_or_refused(kind, values):
     refused_or(json.dumps({**values, "kind": kind}))
 
 

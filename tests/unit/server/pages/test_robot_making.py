@@ -14,7 +14,7 @@ def own_home(tmp_path, monkeypatch):
     return tmp_path / "home"
 
 
-def test_every_page_hears_of_a_new_robot_whose_twin_can_be_chosen(server, page, own_home):
+def test_every_page_is_notified_of_a_new_robot_whose_twin_can_be_chosen(server, page, own_home):
     page.open()
     with server.visit() as other:
         other.open("other")
@@ -28,7 +28,7 @@ def test_every_page_hears_of_a_new_robot_whose_twin_can_be_chosen(server, page, 
     assert (own_home / "robots" / "pathfinder.py").is_file()
 
 
-def test_a_page_gets_a_description_to_begin_with(page):
+def test_a_page_receives_a_template_of_a_description(page):
     page.open()
     page.say("BeginRobot")
     assert page.hear("RobotBegun")["description"] == DESCRIPTION
@@ -52,7 +52,7 @@ def test_a_mistake_in_a_description_is_reported_with_its_line(page, own_home):
         ("cozmo", "new-robot-exists"),
     ],
 )
-def test_a_wrong_name_is_refused(name, code, page, own_home):
+def test_an_invalid_name_is_refused(name, code, page, own_home):
     page.open()
     page.say("MakeRobot", name=name, description=DESCRIPTION)
     assert page.hear("Failed")["message"]["code"] == code

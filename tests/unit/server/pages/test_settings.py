@@ -49,7 +49,7 @@ def test_several_settings_are_changed_at_once_and_restored(page, own_home):
     assert saved(own_home) == {"robots": {"cozmo": {"volume": 30}}}
 
 
-def test_one_wrong_value_keeps_all_from_being_changed(page, own_home):
+def test_one_invalid_value_prevents_all_changes(page, own_home):
     told = change(page, "cozmo", address="192.168.1.20", volume=300, port="many", height=3)
     assert told["wrong"].keys() == {"volume", "port", "height"}
     assert "must be a whole number from 0 to 100" in english(told["wrong"]["volume"])
@@ -73,14 +73,14 @@ def test_emotions_on_cameras_need_consent(page, own_home):
 
 
 @pytest.mark.parametrize("name", ["../settings.toml", "/etc/passwd", "nothing.avi", "..", "."])
-def test_a_page_names_no_video_but_those_in_their_folder(name, page, own_home):
+def test_a_page_can_choose_only_videos_in_their_folder(name, page, own_home):
     (own_home / "videos").mkdir()
     page.say("ChangeSettings", robot="", values={"video": name})
     assert "There is no video" in english(page.hear("Failed")["message"])
     assert saved(own_home) == {}
 
 
-def test_a_video_in_its_folder_can_be_named(page, own_home):
+def test_a_video_in_its_folder_can_be_chosen(page, own_home):
     (own_home / "videos").mkdir()
     video = own_home / "videos" / "walk.avi"
     video.write_bytes(b"RIFF")
@@ -91,7 +91,7 @@ def test_a_video_in_its_folder_can_be_named(page, own_home):
 
 
 @pytest.mark.parametrize("device", ["/etc/passwd", "/dev/../etc/passwd", "x", 3, "/dev/"])
-def test_a_page_names_no_file_as_a_device(device, page, own_home):
+def test_a_page_cannot_choose_a_file_as_a_device(device, page, own_home):
     page.say("ChangeSettings", robot="ev3", values={"device": device})
     assert "is not a device" in english(page.hear("Failed")["message"])
     assert saved(own_home) == {}

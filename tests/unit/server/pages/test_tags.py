@@ -12,13 +12,13 @@ def own_home(tmp_path, monkeypatch):
     return tmp_path / "home"
 
 
-def test_a_page_hears_the_names_with_its_project(page, own_home):
+def test_a_page_receives_the_names_with_its_project(page, own_home):
     (own_home / "tags.toml").write_text("ball = 3\n")
     page.say("New")
     assert page.hear("Tags")["names"] == {"ball": 3}
 
 
-def test_a_wrong_file_of_tag_names_is_reported_and_the_page_works(page, own_home):
+def test_an_invalid_file_of_tag_names_is_reported_and_the_page_works(page, own_home):
     (own_home / "tags.toml").write_text("ball = 1000\n")
     page.say("New")
     tags = page.hear("Tags")
@@ -34,7 +34,7 @@ def test_the_page_works_with_an_unreadable_file_of_tag_names(page, own_home):
     assert page.run()["ended"] == "finished"
 
 
-def test_every_page_hears_of_new_names(server, page, own_home):
+def test_every_page_receives_new_names(server, page, own_home):
     page.open()
     with server.visit() as other:
         other.open("other")
@@ -45,7 +45,7 @@ def test_every_page_hears_of_new_names(server, page, own_home):
 
 
 @pytest.mark.parametrize("format_", ["toml", "csv"])
-def test_names_go_out_as_a_file_and_come_in_again(format_, page):
+def test_names_are_exported_and_imported(format_, page):
     page.open()
     page.say("SaveTags", names={"ball": 3})
     page.hear("Tags", names={"ball": 3})
@@ -56,7 +56,7 @@ def test_names_go_out_as_a_file_and_come_in_again(format_, page):
     assert page.hear("TagsRead")["names"] == {"ball": 3}
 
 
-def test_tags_are_put_on_paper(page):
+def test_tags_can_be_printed(page):
     page.open()
     page.say("SaveTags", names={"<b>": 3})
     page.hear("Tags", names={"<b>": 3})
@@ -80,7 +80,7 @@ def test_tags_are_put_on_paper(page):
     ],
     ids=lambda names: str(names)[:30],
 )
-def test_what_cannot_be_a_dictionary_is_not_saved(names, page, own_home):
+def test_an_invalid_dictionary_is_not_saved(names, page, own_home):
     page.open()
     page.say("SaveTags", names=names)
     assert english(page.hear("Failed")["message"])

@@ -67,7 +67,7 @@ def test_python_stays_as_it_was_typed_and_the_others_follow():
     assert one.origin == "python"
 
 
-def test_blocks_stay_where_they_lie_and_the_texts_follow():
+def test_blocks_keep_their_positions_and_the_texts_follow():
     other = document("function.turn(45)\n").workspace
     other.stacks[0][0].x, other.stacks[0][0].y = 40.0, 50.0
     one = document().with_blocks(other)
@@ -93,7 +93,7 @@ def test_spaces_in_one_text_change_neither_the_other_text_nor_the_blocks():
     assert (two.python, two.workspace) == (by_hand, one.workspace)
 
 
-def test_blocks_keep_their_ids_and_places_through_an_edit_of_the_text():
+def test_blocks_keep_their_ids_and_positions_through_an_edit_of_the_text():
     one = document()
     one.workspace.stacks[0][0].x = 120.0
     two = one.with_text("blocktext", SQUARE.replace("90", "45"))
@@ -101,7 +101,7 @@ def test_blocks_keep_their_ids_and_places_through_an_edit_of_the_text():
     assert {place.block for place in one.places} == {place.block for place in two.places}
 
 
-def test_an_edit_makes_a_new_document_and_leaves_the_old_one():
+def test_an_edit_creates_a_new_document_and_keeps_the_old_one():
     one = document()
     one.with_text("blocktext", "x = 1\n")
     assert one.blocktext == SQUARE
@@ -125,26 +125,26 @@ def test_a_stale_view_keeps_the_last_good_program(notation, stale):
     assert {problem.view for problem in one.problems} == {notation}
 
 
-def test_a_mistake_says_in_which_block_it_is():
+def test_a_mistake_names_its_block():
     before = document()
     one = before.with_text("blocktext", SQUARE.replace("turn(90)", "turn(90"))
     turn = next(place.block for place in before.places if place.blocktext == 4)
     assert [problem.block for problem in one.problems if problem.line == 4][:1] == [turn]
 
 
-def test_a_mistake_taken_back_is_forgotten():
+def test_an_undone_mistake_is_no_longer_reported():
     one = document().with_text("blocktext", SQUARE + "if\n").with_text("blocktext", SQUARE)
     assert (one.stale, one.problems, shown(one)) == ((), (), shown(document()))
 
 
-def test_editing_another_view_goes_on_from_the_last_good_program():
+def test_editing_another_view_continues_from_the_last_good_program():
     broken = document().with_text("python", "x = (\n")
     one = broken.with_text("blocktext", "y = 2\n")
     assert one.python.endswith("\ny = 2\n")
     assert one.stale == ()
 
 
-def test_a_block_moved_while_a_text_has_mistakes_leaves_that_text():
+def test_a_block_moved_while_a_text_has_mistakes_does_not_change_that_text():
     broken = document().with_text("blocktext", SQUARE + "if (\n")
     moved = document().workspace
     moved.stacks[0][0].x = 300.0
@@ -186,7 +186,7 @@ def test_an_unknown_name_is_reported_in_both_texts_and_at_its_block():
     assert first.block not in {place.block for place in one.places}
 
 
-def test_columns_of_python_by_hand_count_characters():
+def test_columns_of_hand_written_python_are_in_characters():
     text = document("x = 1\n").python + 'é = "ñ" + far\n'
     one = document().with_text("python", text)
     assert [(problem.line, problem.column) for problem in of_view(one, "python")] == [(6, 11)]
@@ -210,7 +210,7 @@ def test_a_missing_device_of_the_robot_is_reported():
     }
 
 
-def test_a_mistake_in_raw_python_is_reported_in_its_line():
+def test_a_mistake_in_raw_python_is_reported_at_its_line():
     one = document("x = 1\npython:\n    import os\n    x = = 2\nend\n")
     (first,), (second,) = of_view(one, "blocktext"), of_view(one, "python")
     assert one.blocktext.split("\n")[first.line - 1].strip() == "x = = 2"
@@ -226,7 +226,7 @@ def test_python_follows_the_chosen_robot():
     assert shown(one)[0::2] == shown(document())[0::2]
 
 
-def test_python_by_hand_follows_the_robot_and_stays_otherwise():
+def test_hand_written_python_changes_only_its_robot():
     text = document().python.replace("times += 1", "times+=1")
     one = document().with_text("python", text).with_robot(THYMIO)
     assert one.python == text.replace(EBO, THYMIO)
@@ -239,12 +239,12 @@ def test_python_with_a_mistake_follows_the_robot_too():
     assert one.stale == ("blocks", "blocktext")
 
 
-def test_another_robot_is_nothing_that_was_written_by_hand():
+def test_choosing_another_robot_does_not_make_python_hand_written():
     text = document().python.replace(EBO, THYMIO)
     assert document().with_text("python", text).python_by_hand is None
 
 
-def test_python_by_hand_is_generated_again_after_a_change_in_another_view():
+def test_hand_written_python_is_generated_again_after_a_change_in_another_view():
     one = document().with_text("python", document().python.replace("times += 1", "times+=1"))
     two = one.with_text("blocktext", SQUARE.replace("90", "45"))
     assert two.python == document(SQUARE.replace("90", "45")).python
@@ -254,7 +254,7 @@ def test_python_by_hand_is_generated_again_after_a_change_in_another_view():
 # Positions.
 
 
-def test_places_tell_the_lines_of_each_statement_in_both_texts():
+def test_places_give_the_lines_of_each_statement_in_both_texts():
     one = document("x = 1\nwhile x < 3:\n    x += 1\nend\n")
     places = sorted(
         (place.blocktext, place.blocktext_end, place.python, place.python_end)
@@ -264,7 +264,7 @@ def test_places_tell_the_lines_of_each_statement_in_both_texts():
 
 
 @pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: f"{path.parent.name}-{path.stem}")
-def test_places_name_lines_that_are_there_and_blocks_once(path):
+def test_places_name_existing_lines_and_each_block_once(path):
     one = document(path.read_text("utf-8"))
     blocktext, python = one.blocktext.count("\n") + 1, one.python.count("\n") + 1
     assert len({place.block for place in one.places}) == len(one.places)
@@ -301,7 +301,7 @@ def test_places_move_with_the_lines_while_a_text_has_mistakes():
 # Rename and format.
 
 
-def test_a_name_is_changed_in_all_three_views():
+def test_a_name_is_renamed_in_all_three_views():
     one = document().renamed("variable", "times", "sides")
     assert "times" not in one.blocktext + one.python
     assert [variable.name for variable in one.workspace.variables] == ["sides"]
@@ -314,7 +314,7 @@ def test_a_program_with_errors_is_not_renamed():
     assert error.value.phrase == Phrase("edit-errors-first", task="rename")
 
 
-def test_formatting_changes_nothing_but_the_block_text():
+def test_formatting_changes_only_the_block_text():
     ugly = document(SQUARE.replace("    ", " ")).with_text("blocktext", SQUARE.replace("    ", ""))
     one = ugly.formatted()
     assert one.blocktext == SQUARE
@@ -346,17 +346,17 @@ def assert_same(one, other):
         lambda one: one.with_text("python", one.python + "y=2\n").with_text("blocktext", "x  = 1"),
     ],
 )
-def test_a_document_is_the_same_when_it_is_opened_again(edit):
+def test_a_document_is_the_same_after_reopening(edit):
     one = edit(document())
     assert_same(one, reopened(one))
 
 
-def test_python_that_says_something_else_than_the_saved_block_text_is_not_kept():
+def test_python_that_differs_from_the_saved_block_text_is_not_kept():
     one = document(python=document("x = 1\n").python + "# by hand\n")
     assert shown(one) == shown(document())
 
 
-def test_blocks_too_many_inside_each_other_are_a_mistake_of_the_blocks():
+def test_blocks_nested_too_deeply_are_a_mistake():
     deep = Block("math_number", "n")
     for number in range(240):
         deep = Block("math_single", str(number), fields={"OP": "NEG"}, inputs={"NUM": Input(deep)})
@@ -368,7 +368,7 @@ def test_blocks_too_many_inside_each_other_are_a_mistake_of_the_blocks():
     assert one.blocktext == SQUARE
 
 
-def test_a_file_that_cannot_be_read_shows_the_rest_of_it_in_the_other_views():
+def test_a_file_that_cannot_be_parsed_shows_its_valid_parts_in_the_other_views():
     one = document("x = 1\ny = (\n")
     assert one.stale == ("blocks", "python")
     assert one.python.endswith("\nx = 1\n")
@@ -395,7 +395,7 @@ def assert_same_from_each_view(one):
 
 @given(st.text(max_size=60), st.sampled_from(["blocktext", "python"]))
 @settings(max_examples=100, deadline=None, derandomize=True)
-def test_any_typed_text_makes_a_document(text, notation):
+def test_any_typed_text_becomes_a_document(text, notation):
     one = document().with_text(notation, text)
     assert getattr(one, notation) == text
     assert one.first_error or not one.stale
@@ -405,7 +405,7 @@ def test_any_typed_text_makes_a_document(text, notation):
 # Running.
 
 
-def test_what_runs_is_what_the_command_line_would_run(tmp_path):
+def test_the_same_program_runs_as_on_the_command_line(tmp_path):
     bt, py = tmp_path / "p.bt", tmp_path / "p.py"
     by_hand = document().with_text("python", document().python.replace("times += 1", "times+=1"))
     bt.write_text(SQUARE)

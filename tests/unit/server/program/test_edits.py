@@ -33,7 +33,7 @@ def type_in(edits, *texts, notation="blocktext"):
 
 
 def undone(edits):
-    """Yield every Block-Text on the way back."""
+    """Yield every Block-Text while undoing."""
     found = []
     while edits.can_undo:
         edits.undo()
@@ -41,7 +41,7 @@ def undone(edits):
     return found
 
 
-def test_an_edit_is_taken_back_and_made_again(edits):
+def test_an_edit_is_undone_and_redone(edits):
     type_in(edits, "x = 2\n")
     edits.undo()
     assert (edits.document.blocktext, edits.can_undo, edits.can_redo) == ("x = 1\n", False, True)
@@ -49,13 +49,13 @@ def test_an_edit_is_taken_back_and_made_again(edits):
     assert (edits.document.blocktext, edits.can_undo, edits.can_redo) == ("x = 2\n", True, False)
 
 
-def test_there_is_nothing_to_take_back_at_first(edits):
+def test_there_is_nothing_to_undo_at_first(edits):
     edits.undo()
     edits.redo()
     assert edits.document.blocktext == "x = 1\n"
 
 
-def test_edits_of_different_views_are_taken_back_in_turn(edits):
+def test_edits_of_different_views_are_undone_in_reverse_order(edits):
     first = edits.document
     type_in(edits, first.python + "y=2\n", notation="python")
     second = edits.document
@@ -68,7 +68,7 @@ def test_edits_of_different_views_are_taken_back_in_turn(edits):
     assert edits.document.blocktext == first.blocktext
 
 
-def test_a_text_with_mistakes_comes_back_with_them(edits):
+def test_a_text_with_mistakes_is_restored_with_them(edits):
     type_in(edits, "x = (\n", "x = 5\n")
     before = edits.document
     edits.undo()
@@ -94,20 +94,20 @@ def test_each_line_is_a_step(edits):
     assert undone(edits) == ["x = 12\n", "x = 1\n"]
 
 
-def test_letters_taken_away_one_after_the_other_are_one_step(edits):
+def test_letters_deleted_one_after_another_are_one_step(edits):
     type_in(edits, "x = long\n")
     type_in(edits, "x = lon\n", "x = lo\n", "x = l\n")
     assert undone(edits) == ["x = long\n", "x = 1\n"]
 
 
-def test_what_is_typed_after_a_while_is_another_step(edits, clock):
+def test_typing_after_a_pause_is_another_step(edits, clock):
     type_in(edits, "x = 12\n")
     clock.time += 1.5
     type_in(edits, "x = 123\n")
     assert undone(edits) == ["x = 12\n", "x = 1\n"]
 
 
-def test_what_is_typed_elsewhere_is_another_step(edits):
+def test_typing_elsewhere_is_another_step(edits):
     type_in(edits, "x = 12\n", "xy = 12\n")
     assert undone(edits) == ["x = 12\n", "x = 1\n"]
 
@@ -121,7 +121,7 @@ def test_a_number_typed_into_a_block_is_one_step_and_another_block_is_another(ed
     assert undone(edits) == ["x = 123\n", "x = 1\n"]
 
 
-def test_a_new_edit_forgets_those_taken_back(edits):
+def test_a_new_edit_discards_the_undone_ones(edits):
     type_in(edits, "x = 2\n")
     edits.undo()
     type_in(edits, "y = 2\n")
@@ -133,7 +133,7 @@ def test_an_edit_without_a_change_adds_no_step(edits):
     assert not edits.can_undo
 
 
-def test_steps_are_for_the_robot_that_is_chosen_now(edits):
+def test_steps_use_the_currently_chosen_robot(edits):
     type_in(edits, "x = 2\n")
     edits.replace(edits.document.with_robot(robots.find("sim-thymio").module, frozenset()))
     edits.undo()
@@ -141,7 +141,7 @@ def test_steps_are_for_the_robot_that_is_chosen_now(edits):
     assert edits.document.target.devices == frozenset()
 
 
-def test_only_so_many_steps_are_kept(edits, clock, monkeypatch):
+def test_the_number_of_steps_is_limited(edits, clock, monkeypatch):
     monkeypatch.setattr(module, "MOST_BYTES", 2000)
     for number in range(100):
         clock.time += 10

@@ -1,4 +1,4 @@
-"""The blocks that Blockly leaves behind when it renames."""
+"""The blocks that Blockly does not rename."""
 
 import json
 
@@ -57,12 +57,12 @@ def test_calls_by_parameters_names_and_raw_python_follow_a_function(document):
     assert not after.problems
 
 
-def test_raw_python_follows_a_variable(document):
+def test_raw_python_follows_a_renamed_variable(document):
     after = edited(document, ('"name":"four"', '"name":"total"'))
     assert after.blocktext == PROGRAM.replace("four", "total")
 
 
-def test_calls_by_name_follow_a_parameter(document):
+def test_keyword_arguments_follow_a_renamed_parameter(document):
     after = edited(document, ('"name":"number"', '"name":"n"'), ('["number"]}}}', '["n"]}}}'))
     assert after.blocktext == PROGRAM.replace("number", "n")
 

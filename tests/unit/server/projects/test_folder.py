@@ -145,7 +145,7 @@ def test_any_json_is_a_project_or_refused(values):
 
 @given(st.integers(min_value=0), st.binary(max_size=4))
 @settings(max_examples=300, deadline=None, derandomize=True)
-def test_a_file_with_a_slip_is_a_project_or_refused(place, put):
+def test_a_file_with_a_mistake_is_a_project_or_refused(place, put):
     workspace = Document.from_text("x = 1\n", "learnblock.robots.sim_ebo", builtin()).workspace
     data = encode(Project("p", SQUARE, "x=1\n", workspace))
     at = place % len(data)
@@ -189,17 +189,17 @@ def assert_read_or_refused(data):
         ({"block_sets": [{"show": {"block": []}}]}, "unknown-key", "Did you mean 'blocks'?"),
     ],
 )
-def test_a_wrong_value_is_refused_with_its_place_and_advice(values, code, words):
+def test_an_invalid_value_is_refused_with_its_position_and_advice(values, code, words):
     diagnostic = refusal(file_of(**values))
     assert (diagnostic.code, words in str(diagnostic.message)) == (code, True), diagnostic.message
 
 
-def test_a_wrong_value_is_refused_in_its_line():
+def test_an_invalid_value_is_refused_with_its_line():
     diagnostic = refusal(b'{\n  "learnblock": 1,\n  "blocktext": "x"\n}')
     assert (diagnostic.line, diagnostic.column, diagnostic.end_column) == (3, 3, 14)
 
 
-def test_broken_json_is_refused_with_its_place():
+def test_broken_json_is_refused_with_its_position():
     diagnostic = refusal(b'{\n  "learnblock": 1,\n  "blocktext": [}')
     assert (diagnostic.code, diagnostic.line, diagnostic.column) == ("not-json", 3, 17)
 
@@ -238,7 +238,7 @@ def test_half_a_character_is_not_written():
 @pytest.mark.parametrize(
     "name", ["square", "Square 2", "línea-1", "a_b.c", "名前", "2", "x" * 100, "console"]
 )
-def test_a_name_that_will_do(name):
+def test_a_valid_name_is_accepted(name):
     assert checked_name(name) == name
 
 
@@ -250,7 +250,7 @@ def test_a_name_that_will_do(name):
         "\ud800",
     ],
 )  # fmt: skip
-def test_a_name_that_could_leave_the_folder_or_be_no_file_is_refused(folder, name):
+def test_a_name_that_could_leave_the_folder_or_not_be_a_file_is_refused(folder, name):
     for use in (folder.read, folder.delete, folder.versions, folder.runs, checked_name):
         with pytest.raises(ProjectError):
             use(name)
@@ -259,14 +259,14 @@ def test_a_name_that_could_leave_the_folder_or_be_no_file_is_refused(folder, nam
     assert not folder.path.exists()
 
 
-def test_a_name_is_the_same_in_each_form_of_its_letters(folder):
+def test_a_name_is_the_same_in_each_unicode_form(folder):
     folder.write(Project("línea", "x = 1\n"))
     assert folder.read("li\u0301nea").name == "línea"
 
 
 @given(st.text(max_size=120))
 @settings(deadline=None, derandomize=True)
-def test_any_wish_leads_to_a_name_that_will_do(tmp_path_factory, wish):
+def test_any_wish_leads_to_a_valid_name(tmp_path_factory, wish):
     folder = ProjectFolder(tmp_path_factory.mktemp("projects"))
     first = folder.free_name(wish)
     folder.write(Project(first))
@@ -291,27 +291,27 @@ def test_a_project_is_read_as_it_was_saved(folder):
     assert folder.read("p") == project
 
 
-def test_projects_are_listed_the_last_changed_first(folder):
+def test_projects_are_listed_last_changed_first(folder):
     for number, name in enumerate(("b", "a", "c")):
         folder.write(Project(name))
         os.utime(folder.path / f"{name}.learnblock", (number, number))
     assert [entry.name for entry in folder.entries()] == ["c", "a", "b"]
 
 
-def test_a_folder_that_is_not_there_has_no_projects(folder):
+def test_a_missing_folder_has_no_projects(folder):
     assert folder.entries() == ()
     with pytest.raises(UnknownNameError, match="There is no project 'p'"):
         folder.read("p")
 
 
-def test_other_files_are_no_projects(folder):
+def test_other_files_are_not_projects(folder):
     folder.write(Project("p"))
     for name in (".p.learnblock.new", "-x.learnblock", "notes.txt", ".hidden.learnblock"):
         (folder.path / name).write_text("")
     assert [entry.name for entry in folder.entries()] == ["p"]
 
 
-def test_a_crash_while_saving_leaves_the_project_as_it_was(folder, monkeypatch):
+def test_a_crash_while_saving_does_not_change_the_project(folder, monkeypatch):
     folder.write(Project("p", "x = 1\n"))
 
     def crash(_):
@@ -324,7 +324,7 @@ def test_a_crash_while_saving_leaves_the_project_as_it_was(folder, monkeypatch):
     assert [entry.name for entry in folder.entries()] == ["p"]
 
 
-def test_a_folder_that_was_removed_is_made_again(folder):
+def test_a_removed_folder_is_created_again(folder):
     folder.write(Project("p"))
     (folder.path / "p.learnblock").unlink()
     folder.path.rmdir()
@@ -352,7 +352,7 @@ def test_a_deleted_project_goes_to_the_trash_with_its_history(folder):
     assert len([*folder.path.glob(".trash/*/history/*.learnblock")]) == 2
 
 
-def test_what_is_not_there_cannot_be_deleted(folder):
+def test_a_missing_project_cannot_be_deleted(folder):
     with pytest.raises(UnknownNameError, match="There is no project 'p'"):
         folder.delete("p")
 
@@ -380,12 +380,12 @@ def test_python_becomes_a_project_for_its_robot(folder):
 
 
 @pytest.mark.parametrize("text", ["x = (", "from nowhere import Robot\n\nrobot = Robot()\n"])
-def test_python_that_cannot_be_read_or_run_here_becomes_a_project_all_the_same(folder, text):
+def test_python_that_cannot_be_parsed_or_run_here_still_becomes_a_project(folder, text):
     project = folder.import_file("p.py", text)
     assert (project.python, project.robot) == (text, "sim-ebo")
 
 
-def test_a_project_comes_in_under_a_free_name(folder):
+def test_a_project_is_imported_under_a_free_name(folder):
     folder.write(Project("p"))
     text = encode(Project("other", SQUARE, world="line")).decode()
     assert folder.import_file("p.learnblock", text) == Project("p 2", SQUARE, world="line")
@@ -396,7 +396,7 @@ def test_another_file_is_refused(folder):
         folder.import_file("p.txt", "x = 1\n")
 
 
-def test_a_project_goes_out_in_each_notation(folder):
+def test_a_project_is_exported_in_each_notation(folder):
     project = Project("p", "x = 1\n", robot="sim-thymio")
     assert folder.export(project, "bt") == ("p.bt", "x = 1\n")
     filename, python = folder.export(project, "py")
@@ -406,7 +406,7 @@ def test_a_project_goes_out_in_each_notation(folder):
     assert folder.import_file(filename, text) == project
 
 
-def test_python_by_hand_goes_out_as_it_is(folder):
+def test_hand_written_python_is_exported_unchanged(folder):
     assert folder.export(Project("p", "x = 1\n", "x=1"), "py") == ("p.py", "x=1")
 
 

@@ -35,7 +35,7 @@ def run(number):
     return PastRun(number, "sim-ebo", "line", "finished", 1.5, ("reached",), "ab", "v")
 
 
-def test_a_version_is_read_as_it_was_kept(history):
+def test_a_version_is_read_as_it_was_saved(history):
     kept = history.keep(project("x = 1\ny = 2\n"), "run")
     assert history.read(kept) == project("x = 1\ny = 2\n")
     (version,) = history.versions()
@@ -43,7 +43,7 @@ def test_a_version_is_read_as_it_was_kept(history):
     assert version.time == Clock.time
 
 
-def test_versions_come_the_newest_first(history, clock):
+def test_versions_are_listed_newest_first(history, clock):
     for number in range(3):
         clock.time += 10
         history.keep(project(f"x = {number}"), "time")
@@ -64,7 +64,7 @@ def test_versions_of_one_moment_stay_in_order(history, clock):
     assert history.read(history.versions()[0].id).blocktext == "x = 2"
 
 
-def test_old_versions_are_thinned_out_and_the_first_and_the_last_ones_stay(history, clock):
+def test_old_versions_are_thinned_out_except_the_first_and_the_last(history, clock):
     for number in range(MOST_VERSIONS + 60):
         clock.time += 60
         history.keep(project(f"x = {number}"), "time")
@@ -85,7 +85,7 @@ def test_a_project_without_history_has_none(history):
     assert (history.versions(), history.runs()) == ((), ())
 
 
-def test_runs_come_the_newest_first_and_only_so_many_are_kept(history):
+def test_runs_are_listed_newest_first_up_to_a_limit(history):
     for number in range(MOST_RUNS + 3):
         history.add_run(run(number))
     runs = history.runs()
@@ -103,7 +103,7 @@ def test_a_damaged_list_of_runs_does_not_prevent_a_run(tmp_path_factory, data):
     assert history.runs() == (run(1),)
 
 
-def test_other_files_in_its_folder_are_no_versions(history):
+def test_other_files_in_its_folder_are_not_versions(history):
     history.keep(project("x"), "run")
     (history.folder / "notes.learnblock").write_text("mine")
     assert len(history.versions()) == 1

@@ -3,7 +3,7 @@
 from learnblock.server.runs.console import MOST_AT_ONCE, MOST_KEPT, Console
 
 
-def test_output_is_handed_out_together_and_once():
+def test_output_is_returned_together_and_once():
     console = Console()
     console.printed("one\n")
     console.printed("two\n")

@@ -51,7 +51,7 @@ def test_a_run_leaves_the_trace_of_the_command_line(page, tmp_path, name):
     assert page.run()["trace_sha256"] == run_on_the_command_line(text, tmp_path, *options)
 
 
-def test_watching_the_camera_makes_no_difference_to_the_run(page, tmp_path):
+def test_watching_the_camera_does_not_affect_the_run(page, tmp_path):
     text = "main:\n    repeat 5:\n        x = function.is_tag(1)\n        print(x)\n    end\nend\n"
     page.say("New", name="tags", example="tags")
     page.hear("Scene")
@@ -82,14 +82,14 @@ def test_all_three_views_leave_the_same_trace(page, tmp_path):
 
 
 @pytest.mark.parametrize("speed", [None, 100, 3])
-def test_the_speed_makes_no_difference_to_the_run(page, tmp_path, speed):
+def test_the_speed_does_not_affect_the_run(page, tmp_path, speed):
     page.open(text=COUNTING)
     page.say("SetSpeed", factor=speed)
     ended = page.run()
     assert ended["trace_sha256"] == run_on_the_command_line(COUNTING, tmp_path)
 
 
-def test_stepping_makes_no_difference_to_the_run(page, tmp_path):
+def test_stepping_does_not_affect_the_run(page, tmp_path):
     page.open(text=COUNTING)
     page.say("Run", paused=True)
     while page.hear("RunState")["state"] != "ended":
@@ -180,7 +180,7 @@ def test_running_again_restarts_the_program(page):
     page.hear("Ended")
 
 
-def test_a_paused_world_stands_still_until_it_is_resumed(page):
+def test_a_paused_world_does_not_move_until_it_is_resumed(page):
     page.open(text="main:\n    function.move_straight(50)\n    function.sleep(1)\nend\n")
     page.say("Run")
     page.hear("Telemetry")
@@ -191,7 +191,7 @@ def test_a_paused_world_stands_still_until_it_is_resumed(page):
     assert page.hear("Ended")["ended"] == "finished"
 
 
-def test_a_program_is_held_at_a_breakpoint_with_its_variables(page):
+def test_a_program_is_paused_at_a_breakpoint_with_its_variables(page):
     page.open()
     document = page.type(COUNTING)
     block = place(document, 6)
@@ -280,7 +280,7 @@ def test_a_program_runs_on_a_real_robot(own_home, page):
     assert page.hear("Scene")["robots"]
 
 
-def test_the_sensors_of_a_real_robot_are_reported_though_the_program_reads_none(own_home, page):
+def test_the_sensors_of_a_real_robot_are_reported_even_if_the_program_reads_none(own_home, page):
     (own_home / "robots").mkdir()
     (own_home / "robots" / "mine.py").write_text(MINE)
     page.open(text="main:\n    function.move_straight(50)\n    function.sleep(1)\nend\n")
@@ -301,7 +301,7 @@ def test_the_sensors_of_a_real_robot_are_reported_though_the_program_reads_none(
 # Moving the robot by hand.
 
 
-def test_a_run_begins_where_the_robot_was_placed(page):
+def test_a_run_starts_where_the_robot_was_placed(page):
     page.open(text="main:\n    function.sleep(0.2)\nend\n")
     page.say("PlaceRobot", x=200, y=-100, heading=90)
     robot = page.hear("Telemetry", time=0.0)["robots"][0]
@@ -402,7 +402,7 @@ def test_a_saved_world_is_not_replaced_by_accident(page):
 
 
 @pytest.mark.parametrize("kind", ["CheckWorld", "SaveWorld"])
-def test_the_mistakes_of_a_wrong_world_are_reported(page, kind):
+def test_the_mistakes_of_an_invalid_world_are_reported(page, kind):
     page.open()
     wrong = {**world(page), "title": 3}
     page.say(kind, world=wrong, **({"name": "mine"} if kind == "SaveWorld" else {}))

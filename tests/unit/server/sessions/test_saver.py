@@ -20,7 +20,7 @@ def saves(story, delay=0.0):
     return len(written)
 
 
-def test_changes_of_a_moment_are_written_together():
+def test_changes_in_quick_succession_are_written_together():
     async def story(saver, written):
         saver.changed()
         saver.changed()
@@ -31,7 +31,7 @@ def test_changes_of_a_moment_are_written_together():
     assert saves(story) == 1
 
 
-def test_what_is_not_written_yet_is_written_at_once_when_asked():
+def test_unsaved_changes_are_written_at_once_on_request():
     async def story(saver, _):
         saver.changed()
         await saver.flush()
@@ -39,14 +39,14 @@ def test_what_is_not_written_yet_is_written_at_once_when_asked():
     assert saves(story, delay=3600) == 1
 
 
-def test_what_has_not_changed_is_not_written():
+def test_without_changes_nothing_is_written():
     async def story(saver, _):
         await saver.flush()
 
     assert saves(story) == 0
 
 
-def test_a_change_while_it_is_written_is_written_again():
+def test_a_change_during_a_save_is_saved_afterwards():
     written = []
 
     async def play():

@@ -10,7 +10,7 @@ WRONG = "main:\n    function.move_straight(50\nend\n"
 
 
 def number(workspace, value):
-    """Return the workspace with another number in its innermost block."""
+    """Return the workspace with a different number in its innermost block."""
     text = json.dumps(workspace)
     assert text.count('"NUM": 50') == 1
     return json.loads(text.replace('"NUM": 50', f'"NUM": {value}'))
@@ -42,7 +42,7 @@ def test_an_edit_of_blocks_changes_the_texts_only(page):
     assert "robot.move_straight(70)" in document["python"]
 
 
-def test_a_text_with_an_error_leaves_the_other_views_as_they_are(page):
+def test_a_text_with_an_error_does_not_change_the_other_views(page):
     page.open(text=PROGRAM)
     document = page.type(WRONG)
     assert document["stale"] == ["blocks", "python"]
@@ -95,7 +95,7 @@ def test_the_chosen_world_is_shown(page):
     assert page.hear("Settings")["world"] == "line"
 
 
-def test_two_projects_know_nothing_of_each_other(server, page):
+def test_two_projects_do_not_affect_each_other(server, page):
     page.open("one", PROGRAM)
     with server.visit() as other:
         other.open("two", OTHER)
@@ -173,7 +173,7 @@ def test_a_read_only_folder_is_reported_and_the_session_continues(page, projects
     assert page.hear("Ended")["ended"] == "finished"
 
 
-def test_a_project_of_a_robot_that_is_gone_opens_with_ours(page, projects):
+def test_a_project_of_a_missing_robot_opens_with_the_default(page, projects):
     page.open(text=PROGRAM)
     page.hear("Saved")
     old = json.loads((projects / "program.learnblock").read_text("utf-8"))
@@ -186,7 +186,7 @@ def test_a_project_of_a_robot_that_is_gone_opens_with_ours(page, projects):
     assert "tatooine" in english(page.hear("Failed")["message"])
 
 
-def test_a_project_whose_world_is_wrong_opens_all_the_same(page, projects, own_home):
+def test_a_project_whose_world_is_invalid_still_opens(page, projects, own_home):
     page.open(text=PROGRAM)
     page.hear("Saved")
     (own_home / "worlds").mkdir()
@@ -213,7 +213,7 @@ def test_a_name_that_is_taken_gets_a_number(page):
     assert page.open("robot")["name"] == "robot 2"
 
 
-def test_a_copy_goes_on_under_its_own_name(page):
+def test_a_copy_continues_under_its_own_name(page):
     page.open(text=PROGRAM)
     page.say("SaveAs", name="copy")
     assert page.hear("Opened")["name"] == "copy"
@@ -229,7 +229,7 @@ def test_a_file_becomes_a_project_and_a_project_a_file(page):
     assert page.hear("File") == {"kind": "File", "filename": "square.py", "text": "print('hi')\n"}
 
 
-def test_a_deleted_project_is_listed_no_more_and_kept_in_the_trash(page, projects):
+def test_a_deleted_project_is_no_longer_listed_and_is_kept_in_the_trash(page, projects):
     page.open("one")
     page.open("two")
     assert {project["name"] for project in page.pulse()["projects"]} == {"one", "two"}
@@ -238,7 +238,7 @@ def test_a_deleted_project_is_listed_no_more_and_kept_in_the_trash(page, project
     assert len([*projects.glob(".trash/*/one.learnblock")]) == 1
 
 
-def test_a_version_can_be_gone_back_to_and_that_be_undone(page):
+def test_a_version_can_be_restored_and_that_can_be_undone(page):
     page.open(text=PROGRAM)
     page.run()
     page.type(OTHER)

@@ -44,7 +44,7 @@ def test_a_round_robot_is_drawn_as_a_disc_at_its_scale():
 
 
 @pytest.mark.parametrize("heading", [0, 90, 200])
-def test_a_robot_looks_along_its_heading(heading):
+def test_a_robot_faces_along_its_heading(heading):
     _, hull, arrow = icons.robot(load_robot("thymio").body, VIEW, (0, 0, heading))
     assert isinstance(hull, Polygon)
     ahead = np.subtract(VIEW.placed([(1, 0)], 0, 0, heading)[0], VIEW.at(0, 0))

@@ -8,7 +8,7 @@ PAGE = Box(0, 0, 600, 400)
 NOTHING = np.empty((0, 2))
 
 
-def test_labels_of_one_place_do_not_cover_each_other():
+def test_labels_of_one_point_do_not_cover_each_other():
     room = Room(PAGE, NOTHING)
     spots = [room.place((300, 200), 14, 100, 12) for _ in range(8)]
     boxes = [spot.box for spot in spots if spot]

@@ -19,7 +19,7 @@ def test_later_is_always_lighter_and_by_even_steps():
     assert steps.max() < 1.4 * steps.mean()
 
 
-def test_the_latest_colour_still_shows_on_a_white_floor():
+def test_the_latest_colour_is_visible_on_a_white_floor():
     assert lightness(time_colour(1.0)) == pytest.approx(75, abs=3)
 
 

@@ -58,7 +58,7 @@ def test_the_same_scene_gives_the_same_bytes():
     assert draw_png(scene()) == draw_png(scene())
 
 
-def test_a_picture_needs_nothing_but_itself():
+def test_a_picture_is_self_contained():
     root = parsed(draw_svg(scene("faces")))
     links = [value for one in root.iter() for key, value in one.items() if "href" in key]
     assert 7 == len(links)
@@ -98,7 +98,7 @@ def test_a_missed_goal_is_marked_in_red():
     assert "#c83030" not in draw_svg(scene())
 
 
-def test_a_long_title_is_set_smaller_until_it_fits():
+def test_a_long_title_is_shrunk_until_it_fits():
     [first, *_] = parsed(draw_svg(scene(title="a" * 100))).iter(f"{SVG}text")
     assert "a" * 100 == first.text
     assert float(first.get("font-size", "0")) < 30
@@ -120,7 +120,7 @@ def test_a_robot_that_never_moved_can_be_drawn():
     assert draw_png(scene("empty", path=((0.0, 5.0, 5.0, 90.0),), marks=()))
 
 
-def test_a_robot_that_fell_off_the_floor_is_still_on_the_picture():
+def test_a_robot_that_fell_off_the_floor_is_still_in_the_picture():
     path = ((0.0, 0.0, 0.0, 0.0), (9.0, 2500.0, 0.0, 0.0))
     image = pixels(draw_png(scene("empty", path=path, marks=())))
     latest = np.abs(image.astype(int) - (250, 155, 60)).sum(axis=2) < 40

@@ -57,7 +57,7 @@ a &lt; b</text>
 
 
 @given(st.text(xml_characters))
-def test_any_text_is_read_back_as_it_was(text: str):
+def test_any_text_survives_a_round_trip(text: str):
     assert text == (parsed(element(Text((0, 0), text, 12, INK))).text or "")
 
 
@@ -76,14 +76,14 @@ def test_a_picture_is_embedded_without_loss():
     np.testing.assert_array_equal(pixels, decoded(base64.b64decode(found[1])))
 
 
-def test_a_png_has_a_pixel_a_unit():
+def test_a_png_has_one_pixel_per_unit():
     page = Polygon(rectangle(0, 0, 30, 20), Paint((200, 100, 50)))
     image = decoded(png(document([page], 30, 20, "")))
     assert (20, 30, 3) == image.shape
     assert [200, 100, 50] == image[10, 15].tolist()
 
 
-def test_a_png_shows_text_without_any_font_of_the_machine():
+def test_a_png_shows_text_without_system_fonts():
     shapes = [
         Polygon(rectangle(0, 0, 60, 30), Paint((255, 255, 255))),
         Text((5, 22), "Größe Ж", 16, (0, 0, 0)),

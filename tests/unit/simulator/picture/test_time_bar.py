@@ -20,5 +20,5 @@ def test_times_are_labelled_in_seconds_from_below():
     assert labels["0 s"] - labels["12 s"] == pytest.approx(300)
 
 
-def test_a_run_of_no_time_has_a_bar_all_the_same():
+def test_a_run_of_no_time_still_has_a_bar():
     assert "0 s" in [s.text for s in time_bar.drawn(0, 0, (10, 100), 300) if isinstance(s, Text)]

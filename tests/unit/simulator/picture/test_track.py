@@ -33,7 +33,7 @@ def test_the_line_has_no_gap_between_two_colours():
         assert before.points[-1] == pytest.approx(after.points[0])
 
 
-def test_a_hundred_thousand_points_are_thinned_without_leaving_the_way():
+def test_a_hundred_thousand_points_are_thinned_without_leaving_the_path():
     track = Track.of(circle(100_000), VIEW)
     assert len(track.points) < 1000
     middle = np.array(VIEW.at(0, 0))
@@ -41,7 +41,7 @@ def test_a_hundred_thousand_points_are_thinned_without_leaving_the_way():
     np.testing.assert_allclose(radii, 400 * VIEW.scale, atol=TOLERANCE)
 
 
-def test_even_a_path_that_jumps_about_is_thinned():
+def test_even_a_path_that_jumps_around_is_thinned():
     places = np.random.default_rng(1).uniform(-900, 900, (100_000, 2)).tolist()
     track = Track.of([(k / 20, x, y, 0.0) for k, (x, y) in enumerate(places)], VIEW)
     assert len(track.points) <= STEPS * POINTS_A_STEP
@@ -49,7 +49,7 @@ def test_even_a_path_that_jumps_about_is_thinned():
 
 
 @given(st.lists(st.tuples(st.floats(-900, 900), st.floats(-900, 900)), min_size=1, max_size=20))
-def test_a_track_begins_and_ends_where_the_path_does(places):
+def test_a_track_begins_and_ends_with_the_path(places):
     track = Track.of([(k / 20, x, y, 0.0) for k, (x, y) in enumerate(places)], VIEW)
     assert VIEW.at(*places[0]) == pytest.approx(track.points[0])
     assert VIEW.at(*places[-1]) == pytest.approx(track.points[-1])

@@ -1,4 +1,4 @@
-"""Components of others in our detectors' place: made with the real Ice, in another process."""
+"""Third-party components instead of our detectors, built with the real Ice in another process."""
 
 import time
 
@@ -21,7 +21,7 @@ SQUARE[60:100, 20:60] = 0
 
 
 class Answering:
-    """A component of ours that answers whatever a test wants."""
+    """A component of ours that gives the answers chosen by a test."""
 
     def __init__(self, *found):
         self.found = found

@@ -1,4 +1,4 @@
-"""Our detectors as components, asked by the real Ice in another process."""
+"""Our detectors as components, called by the real Ice in another process."""
 
 import json
 import subprocess
@@ -19,9 +19,9 @@ TAG = {"id": 8, "cx": TAG_AT[0], "cy": TAG_AT[1], "cameraId": ""}
 
 
 def shown(folder, identity, port, *pictures, layout=Layout.TOOL, encoding="1.1"):
-    """What the component at that port finds in pictures, as the real Ice hears it.
+    """The findings of the component at that port, as received by the real Ice.
 
-    A picture is (frame, order), or (bytes, width, height, depth) as somebody might lie about it.
+    A picture is (frame, order), or (bytes, width, height, depth) for a client with wrong sizes.
     """
     require_ice()
     plan = {
