@@ -37,7 +37,7 @@ async function begin(root: HTMLElement): Promise<void> {
   expose(page);
 }
 
-/** Benchmarks read it; `?test` in the address asks for it. */
+/** For benchmarks; enabled by `?test` in the address. */
 function expose(page: Page): void {
   if (new URLSearchParams(location.search).has("test")) Object.assign(globalThis, { learnblock: page });
 }

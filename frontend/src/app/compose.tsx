@@ -1,4 +1,4 @@
-/** Creates the objects that the page consists of and connects them. */
+/** Creates the objects of the page and connects them. */
 
 import type { ComponentChildren } from "preact";
 

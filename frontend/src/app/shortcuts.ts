@@ -1,4 +1,4 @@
-/** What the page's keyboard shortcuts do. */
+/** The actions of the page's keyboard shortcuts. */
 
 import { t } from "../i18n";
 import type { Page } from "../model/page";

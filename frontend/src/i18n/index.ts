@@ -1,4 +1,4 @@
-/** What a person reads on the page: its own words, and what the server says by code. */
+/** The texts of the page: its own words, and the server's messages by code. */
 
 import { format, language, languages, type Shown, startLanguage } from "./words";
 
@@ -6,14 +6,14 @@ export { language, languages, startLanguage };
 
 type Value = string | number | Phrase | readonly (string | Phrase)[];
 
-/** Something the server says: a code and named values. */
+/** A message of the server: a code and named values. */
 export interface Phrase {
   readonly code: string;
   readonly values?: Readonly<Record<string, Value>>;
 }
 
 /**
- * A phrase in the user's language. Within a component or an effect it follows the language when that
+ * A phrase in the user's language. Within a component or an effect it is updated when the language
  * changes. Text that is not a code, such as the message of a library's exception, is shown as it is.
  */
 export function say(phrase: Phrase | string): string {
@@ -23,17 +23,17 @@ export function say(phrase: Phrase | string): string {
   return format(code, Object.fromEntries(shown)) ?? code;
 }
 
-/** One of the page's own words in the user's language; it follows the language as `say` does. */
+/** One of the page's own words in the user's language; it is updated like that of `say`. */
 export function t(code: string, values: Shown = {}): string {
   return format(code, values) ?? code;
 }
 
-/** The page's word for what the server names in English, or that name where there is no such word. */
+/** The page's word for an English name from the server, or that name if there is no word. */
 export function translated(code: string, english: string): string {
   return format(code, {}) ?? english;
 }
 
-/** The title or goal of a world in the user's language; names in worlds of others stay as they are. */
+/** The title or goal of a world in the user's language; names in third-party worlds are unchanged. */
 export function worldName(english: string): string {
   const tag = /^tag (\d+)$/.exec(english)?.[1];
   if (tag) return t("page-catalog-goal-tag", { number: tag });

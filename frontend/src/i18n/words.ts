@@ -3,7 +3,7 @@
 import { FluentBundle, FluentResource } from "@fluent/bundle";
 import { effect, type ReadonlySignal, signal } from "@preact/signals";
 
-/** What a message shows, by name; `@fluent/bundle` formats numbers for the language. */
+/** The values of a message, by name; `@fluent/bundle` formats numbers for the language. */
 export type Shown = Readonly<Record<string, string | number>>;
 
 const ENGLISH = "en";
@@ -16,20 +16,20 @@ const files = import.meta.glob<string>("../../../src/learnblock/i18n/*/**/*.ftl"
 const bundles = new Map<string, FluentBundle>();
 const used = signal(ENGLISH);
 
-/** The codes of the languages there are. */
+/** The codes of the available languages. */
 export const languages: readonly string[] = [...new Set(Object.keys(files).map(languageOf))];
 
-/** The code of the language in use: that of the words loaded last. */
+/** The code of the language in use: that of the last loaded words. */
 export const language: ReadonlySignal<string> = used;
 
-/** Load the words that the user prefers, and again whenever that changes; resolves with the first. */
+/** Load the words that the user prefers, and again whenever that changes; resolves once the first are loaded. */
 export function startLanguage(preferred: ReadonlySignal<string>): Promise<void> {
   return new Promise((resolve) => {
     effect(() => void use(preferred).then(resolve));
   });
 }
 
-/** The text of a code in the language in use, in English where it is missing there, or undefined. */
+/** The text of a code in the language in use, else in English, else undefined. */
 export function format(code: string, values: Shown): string | undefined {
   const bundle = [used.value, ENGLISH].map((name) => bundles.get(name)).find((one) => one?.hasMessage(code));
   const pattern = bundle?.getMessage(code)?.value;
@@ -40,7 +40,7 @@ async function use(preferred: ReadonlySignal<string>): Promise<void> {
   const code = preferred.value;
   const wanted = languages.includes(code) ? code : ENGLISH;
   await Promise.all([load(ENGLISH), load(wanted)]);
-  // Another language may have been preferred meanwhile.
+  // The user may have chosen another language meanwhile.
   if (preferred.peek() === code) used.value = wanted;
 }
 

@@ -16,7 +16,7 @@ export class Controls {
     this.context.connection.send({ kind: "Stop" });
   }
 
-  /** Run from the start, also while a program is running. */
+  /** Run from the start, even while a program is running. */
   restart(): void {
     this.start(false);
   }

@@ -60,7 +60,7 @@ function load(): Preferences {
     const kept = JSON.parse(localStorage.getItem(KEY) ?? "{}") as Partial<Preferences>;
     return { ...DEFAULTS, ...kept, layout: { ...LAYOUT, ...kept.layout } };
   } catch {
-    // Storage is disabled or holds another program's value: use the defaults.
+    // Storage is disabled or contains another program's value: use the defaults.
     return DEFAULTS;
   }
 }
@@ -93,6 +93,6 @@ effect(() => {
   try {
     localStorage.setItem(KEY, kept);
   } catch {
-    // Storage is disabled: the preferences last as long as the page.
+    // Storage is disabled: the preferences last until the page is closed.
   }
 });

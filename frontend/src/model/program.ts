@@ -148,7 +148,7 @@ export class Program {
     };
   }
 
-  /** Whether the last edit has been changed since, such as by an undo, and must not be sent again. */
+  /** Whether the last edit has been changed since, for example by an undo, and must not be sent again. */
   private superseded(): boolean {
     const edit = this.unsaved.value;
     return edit !== null && this.latest[field(edit.view)] !== edit.content;

@@ -7,7 +7,7 @@ import type { Ended, Place, Problem, View } from "../protocol/messages";
 import type { Program } from "./program";
 import type { Running } from "./running";
 
-/** What Python's most common errors mean. */
+/** The meanings of Python's most common errors. */
 const MEANINGS: Readonly<Record<string, string>> = {
   ZeroDivisionError: "page-problems-run-zero-division-error",
   NameError: "page-problems-run-name-error",
@@ -20,7 +20,7 @@ const MEANINGS: Readonly<Record<string, string>> = {
   RecursionError: "page-problems-run-recursion-error",
 };
 
-/** A problem for each view; none once the program has been changed, for that may have mended it. */
+/** A problem for each view; none once the program has been changed, which may have fixed it. */
 export function runError(program: Program, running: Running): ReadonlySignal<readonly Problem[]> {
   const ran = computed(() => running.ended.value && program.state.peek().python);
   return computed(() => {

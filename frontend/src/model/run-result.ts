@@ -6,7 +6,7 @@ import { explained } from "./run-error";
 
 const KNOWN = new Set(["finished", "error", "time limit", "stopped", "no call", "output limit", "killed"]);
 
-/** How it ended, in one word or two. */
+/** How it ended, in one or two words. */
 export function ending(ended: string): string {
   return KNOWN.has(ended) ? t(`page-problems-ended-${ended.replace(" ", "-")}`) : ended;
 }

@@ -11,7 +11,7 @@ export const CHANGING: Readonly<Record<string, readonly string[]>> = {
   PROCEDURE: ["procedures_defnoreturn", "procedures_defreturn", "procedures_callnoreturn", "procedures_callreturn"],
 };
 
-/** The part of a palette entry that sets use; libraries' blocks go by their type. */
+/** The part of a palette entry that sets use; library blocks are identified by their type. */
 export interface Entry {
   readonly kind?: string;
   readonly block?: string;

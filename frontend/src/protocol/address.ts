@@ -22,7 +22,7 @@ export function takeToken(): string {
   return given;
 }
 
-/** The address of the server's websocket, relative to the page: a proxy may add a path. */
+/** The address of the server's websocket, relative to the page, because a proxy may add a path. */
 export function socketAddress(): URL {
   const address = new URL("ws", base);
   address.protocol = base.protocol === "https:" ? "wss:" : "ws:";

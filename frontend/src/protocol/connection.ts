@@ -1,4 +1,4 @@
-/** The websocket to the server, with the messages of `messages.ts`; it reconnects by itself. */
+/** The websocket to the server, with the messages of `messages.ts`; it reconnects automatically. */
 
 import { signal } from "@preact/signals";
 

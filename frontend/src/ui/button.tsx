@@ -11,7 +11,7 @@ interface Props {
   /** Whether the name is shown beside the icon if there is room. */
   readonly named?: boolean;
   readonly look?: "go" | "halt";
-  /** It keeps the focus while it is disabled, so keyboard users do not lose their place. */
+  /** It keeps the focus while it is disabled, so that keyboard users do not lose their position. */
   readonly off?: boolean;
   readonly pressed?: boolean;
   readonly onClick: () => void;

@@ -18,7 +18,7 @@ export function Dialog({ title, close, size = "small", children }: Props) {
   const dialog = useRef<HTMLDialogElement>(null);
   useLayoutEffect(() => (dialog.current ? hold(dialog.current, close) : undefined), []);
   return (
-    // biome-ignore lint/a11y/useKeyWithClickEvents: a click beside the dialog closes it, as Escape does
+    // biome-ignore lint/a11y/useKeyWithClickEvents: a click beside the dialog closes it, like Escape
     <dialog
       ref={dialog}
       class={`dialog ${size}`}

@@ -1,4 +1,4 @@
-/** The element that an island lives in. */
+/** The element that contains an island. */
 
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
@@ -13,7 +13,7 @@ interface Resizable extends Island {
 interface Props<Kind extends Resizable> {
   /** Creates it, after loading its code if necessary. */
   readonly load: () => Promise<Kind>;
-  /** Called with the island when it is ready, and with null when it is gone. */
+  /** Called with the island when it is ready, and with null when it is removed. */
   readonly ready?: (island: Kind | null) => void;
 }
 

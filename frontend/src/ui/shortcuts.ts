@@ -9,7 +9,7 @@ export interface Shortcut {
   readonly word: string;
 }
 
-// Free of what Blockly (letters), CodeMirror (F2, F8, F12 and more) and browsers keep for themselves.
+// Avoids the keys of Blockly (letters), CodeMirror (F2, F8, F12 and more) and browsers.
 export const SHORTCUTS = [
   { key: "Enter", control: true, word: "page-bar-run" },
   { key: "Enter", control: true, shift: true, word: "page-bar-stop" },
@@ -63,7 +63,7 @@ export function keysOf({ key, control, shift }: Shortcut): string {
   return [control ? "Ctrl" : "", shift ? "Shift" : "", name].filter(Boolean).join("+");
 }
 
-/** The keys that do the same as a button. */
+/** The keys with the same action as a button. */
 export function keysFor(word: string): string | undefined {
   const found = SHORTCUTS.find((one) => one.word === word);
   return found && keysOf(found);

@@ -66,7 +66,7 @@ function keyed(key: string, share: number): number | undefined {
   return wishes[key];
 }
 
-/** The share of the first neighbour if the divider is at the pointer. */
+/** The share of the first neighbour with the divider at the pointer. */
 function pointed(bar: HTMLElement, event: PointerEvent): number {
   const before = bar.previousElementSibling?.getBoundingClientRect();
   const after = bar.nextElementSibling?.getBoundingClientRect();

@@ -1,4 +1,4 @@
-/** Short notes over the page that disappear by themselves. */
+/** Short notes over the page that disappear on their own. */
 
 import { signal } from "@preact/signals";
 

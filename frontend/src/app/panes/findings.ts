@@ -3,7 +3,7 @@
 import { say } from "../../i18n";
 import type { Problem } from "../../protocol/messages";
 
-/** One mistake, with all places where a view shows it. */
+/** One mistake, with its positions in all views. */
 export interface Finding {
   readonly key: string;
   readonly message: string;
@@ -22,7 +22,7 @@ export function findings(problems: readonly Problem[]): readonly Finding[] {
   return [...of(entries, "error"), ...of(entries, "warning")];
 }
 
-/** If one view shows a mistake twice and it belongs to no block, it counts as two. */
+/** If one view shows a mistake twice and it belongs to no block, it counts as two mistakes. */
 function keyOf({ code, message, block, view }: Problem, found: ReadonlyMap<string, readonly Problem[]>): string {
   const same = `${code}|${say(message)}|${block ?? ""}`;
   const known = found.get(same)?.filter((one) => one.view === view).length ?? 0;

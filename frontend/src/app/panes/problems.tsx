@@ -59,7 +59,7 @@ function Row({ finding: { message, severity, places } }: { finding: Finding }) {
   );
 }
 
-/** The place where the mistake was made, or else a place that shows it. */
+/** The position in the view with the mistake, else in another view. */
 function nearest(places: readonly Problem[], { context, views }: Page): Problem | undefined {
   const { origin } = context.program.state.value;
   return places.find((one) => one.view === origin) ?? places.find((one) => views.shows(one.view)) ?? places[0];

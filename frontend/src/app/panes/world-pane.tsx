@@ -71,7 +71,7 @@ const LINK_WORDS = {
   lost: "page-link-lost",
 } as const;
 
-/** The link to a real robot, with its battery where the robot reports it. */
+/** The link to a real robot, with its battery if the robot reports it. */
 function Link() {
   const link = usePage().context.running.link.value;
   if (!link || link.state === "simulated") return null;

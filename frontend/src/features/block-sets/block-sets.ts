@@ -42,7 +42,7 @@ export class BlockSets {
   constructor(private readonly connection: Connection) {
     connection.on("Opened", () => (this.draft.value = null));
     connection.on("BlocksShown", ({ set, carried = [] }) => {
-      // Rebuild the palette only if the set is another one.
+      // Rebuild the palette only if the set is a different one.
       if (JSON.stringify(set) !== JSON.stringify(this.shown.peek())) this.shown.value = set;
       this.carried.value = carried;
     });

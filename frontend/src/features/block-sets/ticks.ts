@@ -31,7 +31,7 @@ export interface Draft {
   readonly changed: boolean;
 }
 
-/** The set that a draft stands for. */
+/** The set described by a draft. */
 export function setOf({ base, ticks, changed }: Draft, groups: readonly Group[]): BlockSet {
   if (!changed) return base;
   const { name, title, description } = base;

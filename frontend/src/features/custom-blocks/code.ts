@@ -27,7 +27,7 @@ export class Code implements Island {
 
   /**
    * @param label returns its accessible name in the page's language.
-   * @param typed is called with the whole text after each edit.
+   * @param typed called with the whole text after each edit.
    * @param extensions of its language.
    */
   constructor(label: () => string, typed: (text: string) => void, extensions: Extension) {

@@ -21,13 +21,13 @@ export interface Configured {
   readonly variables?: readonly Variable[];
 }
 
-/** The blocks of a configuration; none if the JSON is not valid or something else. */
+/** The blocks of a configuration; none if the JSON is not a valid configuration. */
 export function blocksIn(configuration: string): readonly Configured[] {
   try {
     const found: unknown = JSON.parse(configuration);
     return (Array.isArray(found) ? found : [found]).filter(isBlock);
   } catch {
-    // The user is still typing; the server reports what is wrong.
+    // The user is still typing; the server reports the mistakes.
     return [];
   }
 }

@@ -14,7 +14,7 @@ export interface Outcome {
   readonly message?: Phrase;
   readonly word?: string;
   readonly values?: Readonly<Record<string, string>>;
-  /** What the user can do about it. */
+  /** The actions that the user can take. */
   readonly action?: { readonly word: string; run(): void };
 }
 
@@ -69,7 +69,7 @@ export class CustomBlocks {
     this.connection.send({ kind: "ExportCustomBlock", name });
   }
 
-  /** Import a block from a file; the user must confirm before it replaces one of the same name. */
+  /** Import a block from a file; the user must confirm before it replaces one with the same name. */
   async import(file: File): Promise<void> {
     if (file.size > LONGEST) {
       this.outcome.value = failed("page-custom-large", { name: file.name });

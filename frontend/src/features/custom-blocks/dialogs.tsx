@@ -108,7 +108,7 @@ function ImportButton() {
   );
 }
 
-/** The outcome of the last action, and what the user can do about it. */
+/** The outcome of the last action, and the actions that the user can take. */
 function OutcomeLine() {
   const shelf = useCustomBlocks();
   const button = useRef<HTMLButtonElement>(null);

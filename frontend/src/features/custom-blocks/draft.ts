@@ -22,10 +22,10 @@ export class Draft {
   readonly outcome = signal<{ readonly saved: string } | { readonly refused: Phrase | string } | null>(null);
 
   readonly problems = computed<readonly CustomBlockProblem[]>(() => this.checked.value?.problems ?? []);
-  /** From the last source without syntax errors. */
+  /** The preview of the last source without syntax errors. */
   readonly blocks = signal<readonly Configured[]>([]);
   readonly previews = signal<readonly CustomBlockPreview[]>([]);
-  /** As JSON: the user's own, or else derived from the source by the server. */
+  /** As JSON: the user's own, else derived from the source by the server. */
   readonly configuration = computed(
     () => this.written.value.configuration || (this.checked.value?.configuration ?? ""),
   );
@@ -36,7 +36,7 @@ export class Draft {
   private readonly original = signal<Written>(this.written.peek());
   private readonly asking = new Throttle(PERIOD);
   private request = 0;
-  /** The text of the last request: an answer only counts while the text is the same. */
+  /** The text of the last request: an answer is ignored if the text has changed since. */
   private asked: Written | null = null;
   /** The configuration without what the source defines; choices in the form go into it. */
   private chosen = "";

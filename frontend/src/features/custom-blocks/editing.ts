@@ -67,7 +67,7 @@ export class Editing {
     this.trying.destroy();
   }
 
-  /** Go to where a problem is. */
+  /** Go to a problem. */
   goTo({ part, line = 0, column = 0 }: CustomBlockProblem): void {
     if (part === "source") this.source.goTo(line, column);
     if (part === "configuration") this.tab.value = "ownJson";
@@ -75,7 +75,7 @@ export class Editing {
     if (part === "configuration") requestAnimationFrame(() => this.json.goTo(line, column));
   }
 
-  /** Start when the server's list of blocks is there. */
+  /** Start when the server's list of blocks has arrived. */
   private begin(name: string, line: number): void {
     let begun = false;
     const begin = () => {

@@ -4,10 +4,10 @@ const KEY = "learnblock.ownblocks";
 
 /** The editable parts of a custom block. */
 export interface Written {
-  /** Of its file. */
+  /** The name of its file. */
   readonly name: string;
   readonly source: string;
-  /** JSON, or empty for nothing. */
+  /** JSON; empty for the defaults. */
   readonly configuration: string;
 }
 
@@ -17,7 +17,7 @@ function all(): Kept {
   try {
     return JSON.parse(sessionStorage.getItem(KEY) ?? "{}") as Kept;
   } catch {
-    // Storage is disabled or holds another program's value: there is nothing to restore.
+    // Storage is disabled or contains another program's value: there is nothing to restore.
     return {};
   }
 }

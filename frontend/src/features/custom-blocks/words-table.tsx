@@ -146,7 +146,7 @@ function nameOf(code: string): string {
   try {
     return new Intl.DisplayNames([language.value], { type: "language" }).of(code) ?? code;
   } catch {
-    // A configuration may contain anything; the server reports what is wrong.
+    // A configuration may contain anything; the server reports the mistakes.
     return code;
   }
 }

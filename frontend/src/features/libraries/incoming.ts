@@ -15,7 +15,7 @@ export interface Renaming {
 
 export interface Incoming {
   readonly filename: string;
-  /** In base 64. */
+  /** In base64. */
   readonly content: string;
   readonly renamings: readonly Renaming[];
   /** The content that the server has read; null until it has answered. */

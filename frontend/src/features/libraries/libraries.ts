@@ -60,7 +60,7 @@ export class Libraries {
 
   // Importing.
 
-  /** Have the server read files, together with those read before. */
+  /** Let the server read files, together with those read before. */
   async take(files: readonly File[]): Promise<void> {
     this.outcome.value = null;
     const wrong = files.find((one) => !one.name.endsWith(ENDING) || one.size > LARGEST);
@@ -85,7 +85,7 @@ export class Libraries {
     this.connection.send({ kind: "ImportLibraries", files: this.incoming.value.map(fileOf), replace });
   }
 
-  // What is installed.
+  // The installed libraries.
 
   remove(name: string): void {
     this.doing = t("page-libraries-removed", { name });

@@ -13,7 +13,7 @@ export interface Row {
   readonly tag: string;
 }
 
-/** What is wrong with a row, as the code of a message. */
+/** The mistake in a row, as the code of a message. */
 export type Slip = "page-tags-no-name" | "page-tags-is-number" | "page-tags-twice" | "page-tags-no-tag";
 
 let last = 0;
@@ -38,7 +38,7 @@ export function isTag(tag: string): boolean {
   return /^\d+$/.test(tag.trim()) && Number(tag) <= LAST_TAG;
 }
 
-/** The names in the rows; null if a row is wrong. */
+/** The names in the rows; null if a row is invalid. */
 export function namesOf(rows: readonly Row[]): Names | null {
   if (rows.some((one) => slipOf(one, rows))) return null;
   return Object.fromEntries(rows.map(({ name, tag }) => [name.trim(), Number(tag)]));

@@ -26,7 +26,7 @@ export interface Action {
 
 export class Actions implements Island {
   readonly dom = document.createElement("div");
-  /** Whether places are rounded to the grid. */
+  /** Whether positions are rounded to the grid. */
   readonly snaps = signal(true);
   private readonly endings: (() => void)[] = [];
 

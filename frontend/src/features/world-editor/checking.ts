@@ -1,4 +1,4 @@
-/** The server's problems with a world, each with its thing. */
+/** The server's problems with a world, each with its object. */
 
 import { effect, signal } from "@preact/signals";
 import { type Phrase, say, t } from "../../i18n";

@@ -24,11 +24,11 @@ import {
 /** Degrees by which a button or key turns. */
 export const TURN = 15;
 
-/** mm between things that are added one after another. */
+/** mm between objects that are added one after another. */
 const APART = 120;
 const MOST_TRIES = 20;
 
-/** Commands return the thing to select next, or null if there was nothing to do. */
+/** Commands return the object to select next, or null if there was nothing to do. */
 export class Commands {
   constructor(private readonly draft: Draft) {}
 
@@ -71,7 +71,7 @@ export class Commands {
   }
 }
 
-/** A place on the floor without the centre of another thing. */
+/** A position on the floor without the centre of another object. */
 function freePlace(world: WorldValues, sort: Sort, wanted: XY): XY {
   const taken = new Set(allThings(world).map((ref) => String(placeOf(world, ref))));
   let place = onFloor(world, sort, wanted);
@@ -81,7 +81,7 @@ function freePlace(world: WorldValues, sort: Sort, wanted: XY): XY {
   return place;
 }
 
-/** The place, or the middle of the floor if the place is outside. */
+/** The position, or the middle of the floor if it is outside. */
 function onFloor(world: WorldValues, sort: Sort, place: XY): XY {
   const [x, y] = allowedPlace(world, sort, place);
   return Math.abs(x) > world.floor.size[0] / 2 || Math.abs(y) > world.floor.size[1] / 2 ? [0, 0] : [x, y];

@@ -12,7 +12,7 @@ interface State {
   readonly selected: Ref | null;
 }
 
-/** A world and its selected thing; every change can be undone. */
+/** A world and its selected object; every change can be undone. */
 export class Draft {
   private readonly state = signal<State | null>(null);
   private readonly past = signal<readonly State[]>([]);
@@ -38,9 +38,9 @@ export class Draft {
   }
 
   /**
-   * Take a changed world.
+   * Store a changed world.
    *
-   * @param merge consecutive changes of the same name are undone together.
+   * @param merge consecutive changes with the same name are undone together.
    */
   change(world: WorldValues, merge = "", selected = this.selected.peek()): void {
     if (!this.state.value) return;

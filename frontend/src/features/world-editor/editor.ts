@@ -19,7 +19,7 @@ import type { Sort } from "./sorts";
 import type { Ref } from "./things";
 import { drop, keep, unsaved } from "./unsaved";
 
-/** What a new world begins with. */
+/** The content of a new world. */
 const NEW = "empty";
 
 export class Editor implements Island {

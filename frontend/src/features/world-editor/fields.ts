@@ -1,9 +1,9 @@
-/** The properties of each sort of thing and their bounds, from the schema of world files. */
+/** The properties of each sort of object and their bounds, from the schema of world files. */
 
 import schema from "./schema.json";
 import type { Sort, Thing } from "./sorts";
 
-/** A key of a thing with its allowed values. */
+/** A key of an object with its allowed values. */
 export type Field = { readonly key: string; readonly optional: boolean } & (
   | { readonly kind: "number"; readonly least: number; readonly most: number; readonly whole: boolean }
   | { readonly kind: "text"; readonly shortest: number; readonly longest: number }
@@ -66,7 +66,7 @@ export function boundsOf(table: TableName, key: string): readonly [number, numbe
   return [minimum, maximum];
 }
 
-/** The default values of a thing. */
+/** The default values of an object. */
 export function defaultsOf(table: TableName): Thing {
   const known = Object.entries(properties(table)).filter(([, found]) => "default" in found);
   return structuredClone(Object.fromEntries(known.map(([key, found]) => [key, found.default])));

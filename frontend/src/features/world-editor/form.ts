@@ -1,4 +1,4 @@
-/** A form for all properties of a thing; it refuses values that a world file does not allow. */
+/** A form for all properties of an object; it refuses values that a world file does not allow. */
 
 import { t, translated } from "../../i18n";
 import { rgb } from "../../views/world/scenery/colours";

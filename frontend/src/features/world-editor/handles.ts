@@ -1,4 +1,4 @@
-/** The handles of the selected thing: they turn, resize and bend it. */
+/** The handles of the selected object: they turn, resize and bend it. */
 
 import type { LineValues, XY } from "../../views/world/scenery/description";
 import { between, forward, from, headingOf, type Pose, wrapped } from "../../views/world/scenery/geometry";
@@ -13,9 +13,9 @@ const GAP = 60;
 export interface Handle {
   readonly kind: "turn" | "size" | "corner" | "insert";
   readonly at: XY;
-  /** The thing after the handle is dragged to a point. */
+  /** The object after the handle is dragged to a point. */
   pull(to: XY): Thing;
-  /** The thing without this corner, if it can be removed. */
+  /** The object without this corner, if it can be removed. */
   remove?(): Thing;
 }
 

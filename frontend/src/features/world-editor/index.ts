@@ -1,4 +1,4 @@
-/** The world editor: a plan of the world, a palette of things, and the properties of each. */
+/** The world editor: a plan of the world, a palette of objects, and the properties of each. */
 
 import "./editor.css";
 

@@ -1,4 +1,4 @@
-/** The palette of things for a world. */
+/** The palette of objects for a world. */
 
 import { effect } from "@preact/signals";
 import { t } from "../../i18n";
@@ -8,7 +8,7 @@ import type { Sort } from "./sorts";
 import { svg } from "./svg";
 import { missing } from "./things";
 
-/** In the order in which a world is built. */
+/** In the order in which worlds are usually built. */
 const OFFERED: readonly Sort[] = [
   "wall",
   "box",
@@ -41,7 +41,7 @@ export class Palette implements Island {
   readonly dom = document.createElement("div");
   private readonly endings: (() => void)[] = [];
 
-  /** @param add is called with the sort of thing to add. */
+  /** @param add called with the sort of object to add. */
   constructor(
     private readonly draft: Draft,
     private readonly add: (sort: Sort) => void,

@@ -1,4 +1,4 @@
-/** The plan: the world from above, where things are dragged, turned and bent. */
+/** The plan: the world from above, where objects are dragged, turned and bent. */
 
 import { effect, untracked } from "@preact/signals";
 import { t } from "../../i18n";
@@ -15,7 +15,7 @@ import { thingInWords } from "./words";
 /** Radii of a handle in pixels: the visible one and the touch target. */
 const KNOB = 7;
 const TOUCH = 20;
-/** Goals that are drawn at the thing they refer to. */
+/** Goals that are drawn at the object they refer to. */
 const BOUND = new Set(["follow", "visit"]);
 
 type Drag =
@@ -47,7 +47,7 @@ export class Plan {
   private readonly endings: (() => void)[];
   private readonly sizes = new ResizeObserver(() => this.viewport.apply());
 
-  /** @param snaps whether places are rounded to the grid. */
+  /** @param snaps whether positions are rounded to the grid. */
   constructor(
     private readonly draft: Draft,
     private readonly snaps: () => boolean,
@@ -72,12 +72,12 @@ export class Plan {
     if (world) this.viewport.fit(world.floor.size);
   }
 
-  /** Focus a thing. */
+  /** Focus an object. */
   focus(ref: Ref): void {
     this.groups.get(key(ref))?.focus();
   }
 
-  /** Whether a thing has the focus. */
+  /** Whether an object has the focus. */
   get focusedThing(): boolean {
     return this.things.contains(document.activeElement);
   }
@@ -113,7 +113,7 @@ export class Plan {
     }
   }
 
-  /** Each thing keeps its element, so it keeps the focus. */
+  /** Each object keeps its element, so it keeps the focus. */
   private drawThing(world: WorldValues, ref: Ref, selected: boolean): void {
     const group =
       this.groups.get(key(ref)) ?? svg("g", { tabindex: 0, role: "button", class: "thing", "data-thing": key(ref) });

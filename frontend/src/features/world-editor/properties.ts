@@ -1,4 +1,4 @@
-/** The panel beside the plan: the selected thing and its properties. */
+/** The panel beside the plan: the selected object and its properties. */
 
 import { effect, untracked } from "@preact/signals";
 import { t } from "../../i18n";

@@ -21,8 +21,8 @@ export class Saving implements Island {
   private readonly endings: (() => void)[];
 
   /**
-   * @param problems that the server found: a world with problems is not saved.
-   * @param done is called with the name of the saved world.
+   * @param problems found by the server: a world with problems is not saved.
+   * @param done called with the name of the saved world.
    */
   constructor(
     private readonly draft: Draft,
@@ -40,7 +40,7 @@ export class Saving implements Island {
     ];
   }
 
-  /** Propose a name: that of the edited world, if it belongs to the user. */
+  /** Propose a name: the name of the edited world, if it belongs to the user. */
   propose(name: string, own: boolean): void {
     this.name.value = name;
     this.own = own ? name : "";

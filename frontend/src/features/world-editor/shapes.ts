@@ -1,4 +1,4 @@
-/** The shapes of each sort of thing in the plan. */
+/** The shapes of each sort of object in the plan. */
 
 import { css, MARKS } from "../../views/world/scenery/colours";
 import type {
@@ -20,9 +20,9 @@ import { listOf, type Ref } from "./things";
 
 type Shapes = SVGElement[];
 
-/** The shapes of a thing. */
+/** The shapes of an object. */
 export function shapesOf(world: WorldValues, { sort, index }: Ref): Shapes {
-  // Each sort's list holds values of its own type; the casts tell the compiler so.
+  // Each sort's list has values of its own type, which the compiler learns from the casts.
   const thing = listOf(world, sort)[index] as never;
   switch (sort) {
     case "line":
@@ -50,7 +50,7 @@ export function shapesOf(world: WorldValues, { sort, index }: Ref): Shapes {
   }
 }
 
-/** Things with a pose, drawn facing east. */
+/** Objects with a pose, drawn facing east. */
 function posed({ x, y, heading }: Pose, ...shapes: Shapes): SVGElement {
   return svg("g", { transform: `translate(${x} ${-y}) rotate(${heading})` }, ...shapes);
 }

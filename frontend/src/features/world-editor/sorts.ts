@@ -1,4 +1,4 @@
-/** The sorts of things in a world. */
+/** The sorts of objects in a world. */
 
 /** In the order in which they are painted and reached by Tab. */
 export const SORTS = [
@@ -16,5 +16,5 @@ export const SORTS = [
 ] as const;
 export type Sort = (typeof SORTS)[number];
 
-/** The values of one thing of any sort. */
+/** The values of one object of any sort. */
 export type Thing = Readonly<Record<string, unknown>>;

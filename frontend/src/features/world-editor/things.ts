@@ -1,11 +1,11 @@
-/** The things of a world, handled alike for all sorts. */
+/** The objects of a world, handled in the same way for all sorts. */
 
 import type { LineValues, WorldValues, XY } from "../../views/world/scenery/description";
 import { between, cornersOf, radians, wrapped } from "../../views/world/scenery/geometry";
 import { defaultsOf } from "./fields";
 import { SORTS, type Sort, type Thing } from "./sorts";
 
-/** The `index`th thing of a sort. */
+/** The `index`th object of a sort. */
 export interface Ref {
   readonly sort: Sort;
   readonly index: number;
@@ -13,7 +13,7 @@ export interface Ref {
 
 type GoalSort = "reach" | "follow" | "visit";
 const GOALS: readonly string[] = ["reach", "follow", "visit"];
-/** A grid of 5 mm or less would be too fine to feel. */
+/** A grid of 5 mm or less would be too fine to notice. */
 export const GRID = 10;
 const FARTHEST = 5000;
 
@@ -46,7 +46,7 @@ function withList(world: WorldValues, sort: Sort, list: readonly Thing[]): World
   return { ...world, [sort]: list };
 }
 
-/** The world with another thing in a thing's place. */
+/** The world with another object instead of an object. */
 export function replaced(world: WorldValues, ref: Ref, thing: Thing): WorldValues {
   const list = listOf(world, ref.sort).map((old, i) => (i === ref.index ? thing : old));
   return withList(world, ref.sort, list);
@@ -60,13 +60,13 @@ export function removed(world: WorldValues, ref: Ref): WorldValues {
   );
 }
 
-/** The world with one more thing, and a reference to that thing. */
+/** The world with one more object, and a reference to that object. */
 export function added(world: WorldValues, sort: Sort, thing: Thing): [WorldValues, Ref] {
   const list = listOf(world, sort);
   return [withList(world, sort, [...list, withName(world, sort, thing)]), { sort, index: list.length }];
 }
 
-/** A new thing of a sort at a place, with default values. */
+/** A new object of a sort at a position, with default values. */
 export function created(world: WorldValues, sort: Sort, [x, y]: XY): Thing {
   const placed = { ...defaultsOf(sort), x, y };
   switch (sort) {
@@ -99,7 +99,7 @@ export function created(world: WorldValues, sort: Sort, [x, y]: XY): Thing {
   }
 }
 
-/** The sort that a new thing needs and the world lacks; null if it can be created. */
+/** The sort that a new object needs and the world lacks; null if it can be created. */
 export function missing(world: WorldValues, sort: Sort): Sort | null {
   if (sort === "follow" && !world.line.length) return "line";
   if (sort === "visit" && !world.tag.length) return "tag";
@@ -125,7 +125,7 @@ function withName(world: WorldValues, sort: Sort, thing: Thing): Thing {
   return { ...thing, name };
 }
 
-/** The world with a copy beside a thing, and a reference to the copy. */
+/** The world with a copy beside an object, and a reference to the copy. */
 export function duplicated(world: WorldValues, ref: Ref): [WorldValues, Ref] {
   const copy = moved(world, ref, 5 * GRID, -5 * GRID) ?? {};
   return added(world, ref.sort, ref.sort === "tag" ? { ...copy, id: freeTag(world) } : copy);
@@ -136,14 +136,14 @@ export function snapped(value: number, grid = GRID): number {
   return Math.round(value / grid) * grid;
 }
 
-/** The nearest valid place, on the floor if the sort requires it. */
+/** The nearest valid position, on the floor if the sort requires it. */
 export function allowedPlace(world: WorldValues, sort: Sort, [x, y]: XY): XY {
   const free = sort === "wall" || sort === "line" || sort === "reach";
   const [east, north] = free ? [FARTHEST, FARTHEST] : [world.floor.size[0] / 2, world.floor.size[1] / 2];
   return [between(x, -east, east), between(y, -north, north)];
 }
 
-/** A thing moved by mm; null if there is no such thing. */
+/** An object moved by mm; null if there is no such object. */
 export function moved(world: WorldValues, ref: Ref, dx: number, dy: number): Thing | null {
   const thing = thingAt(world, ref);
   if (!thing) return null;
@@ -158,7 +158,7 @@ export function moved(world: WorldValues, ref: Ref, dx: number, dy: number): Thi
   return { ...thing, x, y };
 }
 
-/** A thing turned clockwise by degrees; unchanged if its sort has no heading. */
+/** An object turned clockwise by degrees; unchanged if its sort has no heading. */
 export function turned(thing: Thing, degrees: number): Thing {
   if ("heading" in thing) return { ...thing, heading: wrapped(Number(thing.heading) + degrees) };
   if (hasPath(thing)) {
@@ -191,7 +191,7 @@ export function hasPath(thing: Thing): boolean {
   return Array.isArray(thing.path) && thing.path.length > 0;
 }
 
-/** The place of a thing, for its description and for the plan. */
+/** The position of an object, for its description and for the plan. */
 export function placeOf(world: WorldValues, { sort, index }: Ref): XY {
   const thing = listOf(world, sort)[index];
   if (!thing) return [0, 0];

@@ -15,7 +15,7 @@ export function unsaved(name: string): WorldValues | null {
     const kept = JSON.parse(sessionStorage.getItem(KEY) ?? "null") as Unsaved | null;
     return kept?.name === name ? kept.world : null;
   } catch {
-    // Storage is disabled or holds another program's value: there is nothing to restore.
+    // Storage is disabled or contains another program's value: there is nothing to restore.
     return null;
   }
 }

@@ -1,10 +1,10 @@
-/** The part of the world that the plan shows: places in mm, y down as in SVG. */
+/** The part of the world that the plan shows: positions in mm, y down as in SVG. */
 
 import type { XY } from "../../views/world/scenery/description";
 import { between } from "../../views/world/scenery/geometry";
 import { set } from "./svg";
 
-/** The margin around the floor, as a part of its size. */
+/** The margin around the floor, as a fraction of its size. */
 const MARGIN = 0.06;
 const NEAREST = 100;
 const FARTHEST = 40000;
@@ -28,7 +28,7 @@ export class Viewport {
     this.apply();
   }
 
-  /** Zoom in with a factor below 1, keeping a place of the world where it is on the screen. */
+  /** Zoom in with a factor below 1, keeping a point of the world at its position on the screen. */
   zoom(factor: number, [x, y]: XY = this.middle): void {
     const width = this.plan.clientWidth;
     const scale = between(this.scale * factor, NEAREST / width, FARTHEST / width);
@@ -49,7 +49,7 @@ export class Viewport {
     return this.middle;
   }
 
-  /** The place in the world at a place of the page. */
+  /** The position in the world at a position on the page. */
   at({ clientX, clientY }: { readonly clientX: number; readonly clientY: number }): XY {
     const box = this.plan.getBoundingClientRect();
     const right = (clientX - box.left - box.width / 2) * this.scale;

@@ -1,4 +1,4 @@
-/** Descriptions of things, for the list and for screen readers. */
+/** Descriptions of objects, for the list and for screen readers. */
 
 import { t } from "../../i18n";
 import type { WorldValues } from "../../views/world/scenery/description";
@@ -6,7 +6,7 @@ import { defaultsOf } from "./fields";
 import type { Sort, Thing } from "./sorts";
 import { hasPath, listOf, placeOf, type Ref } from "./things";
 
-/** What a thing is called: "Box 2", "Box 3: bench", "Face 1: joy". */
+/** The name of an object: "Box 2", "Box 3: bench", "Face 1: joy". */
 export function nameOf(world: WorldValues, { sort, index }: Ref): string {
   const thing = listOf(world, sort)[index] ?? {};
   const numbered = t("page-editor-numbered", { sort: t(`page-editor-sort-${sort}`), number: index + 1 });
@@ -21,7 +21,7 @@ function ownNameOf(sort: Sort, thing: Thing): string {
   return thing.name === undefined || thing.name === defaultsOf(sort).name ? "" : String(thing.name);
 }
 
-/** Its name, place and heading. */
+/** Its name, position and heading. */
 export function thingInWords(world: WorldValues, ref: Ref): string {
   const [x, y] = placeOf(world, ref);
   const thing = listOf(world, ref.sort)[ref.index] ?? {};

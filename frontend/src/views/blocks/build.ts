@@ -76,7 +76,7 @@ function loadFields(block: Blockly.BlockSvg, fields: Block["fields"]): void {
   }
 }
 
-// A name's validator would rename its uses, or the name itself if it is taken at this moment; the
+// A name's validator would rename its uses, or the name itself if it is currently taken; the
 // server's program is already consistent.
 function quietly(field: Blockly.Field, load: () => void): void {
   const validator = field.name === "NAME" ? field.getValidator() : null;

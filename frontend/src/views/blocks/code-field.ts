@@ -1,4 +1,4 @@
-/** A field for some lines of Python. */
+/** A field for a few lines of Python. */
 
 import * as Blockly from "blockly/core";
 

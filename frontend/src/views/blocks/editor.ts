@@ -43,7 +43,7 @@ export class Editor {
     private readonly edited: () => void,
   ) {
     this.workspace = Blockly.inject(host, options(palette, theme, actions.shownBlocks()));
-    // The server does undo, for all views.
+    // The server handles undo for all views.
     this.workspace.MAX_UNDO = 0;
     this.sync = new Sync(this.workspace, this.workspace.connectionChecker as Checker);
     this.sight = new Sight(this.workspace);

@@ -1,11 +1,11 @@
-/** Keeps the focus on the block that has it. */
+/** Keeps the focus on the focused block. */
 
 import * as Blockly from "blockly/core";
 
 /**
  * Returns the focus when Blockly has removed it by accident.
  *
- * In the frame after it highlights a connection, Blockly moves the highlight behind the blocks beside it. A
+ * In the frame after it highlights a connection, Blockly moves the highlight behind the blocks next to it. A
  * block that was inserted meanwhile is moved in the DOM and loses the focus, and the keyboard
  * stops working: this happened when Enter was pressed twice within a frame.
  */

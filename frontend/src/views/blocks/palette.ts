@@ -1,4 +1,4 @@
-/** The palette of a language: the blocks there are and how they are arranged. */
+/** The palette of a language: the available blocks and their arrangement. */
 
 import * as Blockly from "blockly/core";
 import "blockly/blocks";
@@ -68,7 +68,7 @@ export function defineBlocks(definitions: readonly Definition[]): void {
   learnAllowed(definitions);
 }
 
-/** Set up once what is the same in every language. */
+/** Set up everything that is the same in every language, once. */
 export function prepareBlockly(): void {
   compareNamesExactly();
   registerMutators();
@@ -84,7 +84,7 @@ export function prepareBlockly(): void {
   Blockly.utils.dom.startTextWidthCache();
 }
 
-// The server says what is wrong with a program, the same in all three views. Blockly would disable a
+// The server reports the mistakes in a program, the same in all three views. Blockly would disable a
 // `break` outside a loop and allow nothing after one, not even a comment; and it would delete
 // calls of undefined functions.
 function leaveChecksToServer(): void {

@@ -1,4 +1,4 @@
-/** Places stacks: new ones below the others, and none under one that has grown. */
+/** Positions stacks: new ones below the others, and none covered by one that has grown. */
 
 import type * as Blockly from "blockly/core";
 
@@ -13,7 +13,7 @@ export function covered(workspace: Blockly.WorkspaceSvg): Covered {
   return new Map(workspace.getTopBlocks(false).map((block) => [block.id, block.getBoundingRectangle()]));
 }
 
-/** Put stacks without a place one below the other, under all that have one. */
+/** Put stacks without a position below all others, one below the other. */
 export function placeBelow(workspace: Blockly.WorkspaceSvg, unplaced: readonly Blockly.BlockSvg[]): void {
   const moving = new Set(unplaced);
   const others = workspace.getTopBlocks(false).filter((block) => !moving.has(block));

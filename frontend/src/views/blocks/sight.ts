@@ -1,4 +1,4 @@
-/** Texts and values of blocks far outside the screen are not painted; their shapes are. */
+/** Hides texts and values of blocks far outside the screen, but not their shapes. */
 
 import type * as Blockly from "blockly/core";
 

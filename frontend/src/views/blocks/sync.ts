@@ -188,7 +188,7 @@ class Change {
   }
 }
 
-/** The id of the shadow in an input, also where a block covers it. */
+/** The id of the shadow in an input, even if a block covers it. */
 function shadowId(connection: Blockly.Connection): string | null {
   const target = connection.targetBlock();
   return target?.isShadow() ? target.id : (connection.getShadowState()?.id ?? null);

@@ -38,7 +38,7 @@ function define(type: string): void {
   };
 }
 
-/** Gives a block of an unknown type a shape that fits its contents and its place. */
+/** Gives a block of an unknown type a shape that fits its contents and its position. */
 export function shapeUnknown(block: Blockly.Block, { block: flat, statement }: Node): void {
   if (!unknownTypes.has(flat.type)) return;
   if (statement) makeStatement(block);

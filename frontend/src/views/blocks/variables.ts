@@ -33,7 +33,7 @@ function showName(workspace: Blockly.WorkspaceSvg, variable: Model): void {
 }
 
 /**
- * Removes unwanted variables, except those that a block uses: Blockly would remove the block too.
+ * Removes all other variables, except those that a block uses: Blockly would remove the block too.
  * A call of a deleted function creates variables for its parameters.
  */
 export function removeVariables(workspace: Blockly.WorkspaceSvg, wanted: readonly Variable[]): void {

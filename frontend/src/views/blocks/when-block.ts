@@ -64,7 +64,7 @@ export function whenNames(workspace: Blockly.Workspace): string[] {
   return [...new Set(names)];
 }
 
-/** A free name for a `when`: the wanted one, or that with a number. */
+/** A free name for a `when`: the requested one, or that with a number. */
 export function freeWhenName(workspace: Blockly.Workspace, wish: string): string {
   const taken = new Set(whenNames(workspace));
   let name = wish;

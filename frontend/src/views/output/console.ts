@@ -15,7 +15,7 @@ import { Lines } from "./lines";
 import { createQuestion, type Question } from "./question";
 
 export interface ConsoleIsland extends Island {
-  /** Focus the input line while the program asks, or else the output. */
+  /** Focus the input line while the program asks, else the output. */
   focus(): void;
   resize(): void;
 }

@@ -10,7 +10,7 @@ import type { Island } from "../../ui/island";
 import { element } from "./elements";
 import { type Push, Stick } from "./stick";
 
-/** Milliseconds between two commands; the robot stops by itself after 0.5 s without one. */
+/** Milliseconds between two commands; the robot stops after 0.5 s without one. */
 const PERIOD = 100;
 
 class Drive implements Island {

@@ -70,14 +70,14 @@ export class Lines {
     this.leaveOpen();
   }
 
-  /** The first piece belongs to the line that is open. */
+  /** The first piece belongs to the unfinished line. */
   private continueLine(pieces: string[]): void {
     if (!this.open) return;
     this.open.append(pieces.shift() ?? "");
     if (pieces.length > 0) this.open = null;
   }
 
-  /** The last line waits for its end; an empty one is not shown. */
+  /** The last line is unfinished; an empty one is not shown. */
   private leaveOpen(): void {
     const last = this.dom.lastElementChild;
     if (last?.className !== "printed") return;

@@ -2,7 +2,7 @@
 
 import type { Tone } from "./synthesizer";
 
-/** Half tones above C, by the names of notes. */
+/** Semitones above C, by the names of notes. */
 const NOTES: Record<string, number> = {
   do: 0,
   re: 2,
@@ -28,7 +28,7 @@ function pitch(halfTones: number): number {
   return MIDDLE_C * 2 ** (halfTones / 12);
 }
 
-/** A hash of a text. */
+/** A hash of a string. */
 function numberOf(text: string): number {
   return [...text].reduce((sum, letter) => (sum * 31 + (letter.codePointAt(0) ?? 0)) % 65_521, 7);
 }
@@ -42,7 +42,7 @@ function tune(seed: number, notes: number, seconds: number, volume: number): Ton
   });
 }
 
-/** A note by its name, such as Do; any other name gives its own short tune. */
+/** A note by its name, such as Do; any other name has its own short tune. */
 export function soundNamed(name: string, volume: number): Tone[] {
   const note = NOTES[name.trim().toLowerCase()];
   if (note !== undefined) return [{ hertz: pitch(note), seconds: 2 * NOTE_SECONDS, volume }];

@@ -1,4 +1,4 @@
-/** A sensor's identity, its name and how its readings are written. */
+/** A sensor's identity, its name and the format of its readings. */
 
 import { t } from "../../i18n";
 import type { Sensor } from "../../protocol/messages";
@@ -12,7 +12,7 @@ const DIGITS: Readonly<Record<string, number>> = {
   Infrared: 0,
 };
 
-/** What identifies a sensor among those of a robot. */
+/** The identity of a sensor among those of a robot. */
 export function sensorId({ device, key, place = "", number = 0 }: Sensor): string {
   return [device, key, place, number].join(":");
 }
@@ -29,7 +29,7 @@ export function readingText({ device, unit = "" }: Sensor, value: Sensor["value"
   return `${value.toFixed(DIGITS[device] ?? 1)} ${unit}`.trim();
 }
 
-/** How far a sensor's reading fills its bar, 0 to 1. */
+/** The fraction of its bar that a reading fills, 0 to 1. */
 export function filling({ value, lowest = 0, highest = 1 }: Sensor): number {
   const part = (Number(value ?? lowest) - lowest) / (highest - lowest);
   return Math.min(1, Math.max(0, part));

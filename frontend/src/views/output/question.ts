@@ -23,7 +23,7 @@ export function createQuestion(answer: (text: string) => void): Question {
   const send = element("button", { type: "submit", class: "tool" });
   const dom = element("form", { class: "question" }, label, send);
   let before: Element | null = null;
-  // The panel may be hidden when the program asks: focus the line once it is visible.
+  // The panel may be hidden when the program asks, so focus the line once it is visible.
   const seen = new IntersectionObserver((entries) => {
     if (entries.at(-1)?.isIntersecting) focus();
   });

@@ -1,4 +1,4 @@
-/** The sensors' present readings: a row for each, with a box that chooses it for the plot. */
+/** The sensors' current readings: a row for each, with a box that chooses it for the plot. */
 
 import { t } from "../../i18n";
 import type { Sensor } from "../../protocol/messages";

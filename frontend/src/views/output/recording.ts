@@ -10,10 +10,10 @@ interface Column {
   readings: Reading[];
 }
 
-/** Half an hour at 20 per second; then the older half is dropped. */
+/** Half an hour at 20 per second; after that, the older half is dropped. */
 const MOST_SAMPLES = 36_000;
 
-/** The title of a column: type and key of the device, place and number, unit. */
+/** The title of a column: type and key of the device, position and number, unit. */
 function title({ device, key, place, number, unit }: Sensor): string {
   return [device, key, place, number, unit && `(${unit})`].filter(Boolean).join(" ");
 }

@@ -27,7 +27,7 @@ function lamp([name, [red, green, blue]]: Led): HTMLElement {
 export function createShown(context: Context): Island {
   const dom = element("div", { class: "shown" });
   const robot = computed(() => context.running.telemetry.value?.robots[0]);
-  // As one text, so equal values are not redrawn 20 times a second.
+  // As one text, so equal values are not redrawn 20 times per second.
   const content = computed(() =>
     JSON.stringify([robot.value?.emotion ?? "none", Object.entries(robot.value?.leds ?? {})]),
   );

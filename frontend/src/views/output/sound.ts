@@ -10,7 +10,7 @@ import { Proximity } from "./proximity";
 import { Synthesizer } from "./synthesizer";
 
 const VOLUME = 0.2;
-/** The most sentences that wait; more would not be heard to the end anyway. */
+/** The maximum number of queued sentences; more would not be finished in time anyway. */
 const MOST_SENTENCES = 8;
 const LONGEST_SENTENCE = 500;
 

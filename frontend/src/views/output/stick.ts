@@ -18,10 +18,10 @@ const KEYS: Record<string, Push> = {
   KeyA: { forward: 0, right: -1 },
   KeyD: { forward: 0, right: 1 },
 };
-/** The position for a pressed key, which has no half-way. */
+/** The position for a pressed key, which is all or nothing. */
 const KEY_FORWARD = 0.7;
 const KEY_RIGHT = 0.5;
-/** The dead zone, as a share of the whole. */
+/** The dead zone, as a fraction of its radius. */
 const REST = 0.12;
 
 function limit(value: number): number {

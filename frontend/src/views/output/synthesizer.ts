@@ -9,7 +9,7 @@ export interface Tone {
   readonly delay?: number;
 }
 
-/** The most tones at once: a program at full speed could play thousands. */
+/** The maximum number of tones at once: a program at full speed could play thousands. */
 const MOST_AT_ONCE = 48;
 const LONGEST_SECONDS = 10;
 /** The fade time of a tone in seconds, which avoids clicks. */

@@ -1,4 +1,4 @@
-/** A table that is updated often: changed cells flash, the others are left alone. */
+/** A table that is updated often: changed cells flash, the others are not touched. */
 
 import { element } from "./elements";
 

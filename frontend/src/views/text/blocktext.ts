@@ -9,7 +9,7 @@ interface State {
   brackets: number;
   /** Within `python:` ... `end`. */
   raw: boolean;
-  /** The previous word on the line, if it tells what the next name is. */
+  /** The previous word on the line, if it determines the kind of the next name. */
   before: string;
 }
 

@@ -39,7 +39,7 @@ function changedLines(before: readonly string[], after: readonly string[]): Chan
   });
 }
 
-/** The smallest changes that turn `before` into `after`, so that cursors and marks keep their places. */
+/** The smallest changes that turn `before` into `after`, so that cursors and marks keep their positions. */
 export function changesBetween(before: string, after: string): Change[] {
   const [oldLines, newLines] = [before.split("\n"), after.split("\n")];
   if (oldLines.length === newLines.length) return changedLines(oldLines, newLines);

@@ -48,7 +48,7 @@ const blocks = StateField.define<Blocks>({
   update: (value, transaction) => (transaction.docChanged ? readBlocks(transaction.newDoc) : value),
 });
 
-/** Whether the `end` is missing for the block that a line opens, or for one around it. */
+/** Whether the `end` is missing for the block that a line opens, or for an enclosing one. */
 export function lacksEnd(state: EditorState): boolean {
   return state.field(blocks).open.size > 0;
 }

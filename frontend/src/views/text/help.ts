@@ -76,7 +76,7 @@ function close(view: EditorView): boolean {
   return true;
 }
 
-/** Help under the pointer, and a place for help at the cursor; Escape closes it. */
+/** Help under the pointer, and an element for help at the cursor; Escape closes it. */
 export function help(requests: Requests): Extension {
   return [
     field,

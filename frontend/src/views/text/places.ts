@@ -1,4 +1,4 @@
-/** Places in a text by line and column, from 1 as in messages. */
+/** Positions in a text by line and column, from 1 as in messages. */
 
 import { EditorSelection, type EditorState } from "@codemirror/state";
 import type { EditorView } from "@codemirror/view";

@@ -8,7 +8,7 @@ import { type Phrase, say } from "../../i18n";
 import type { Problem } from "../../protocol/messages";
 import { positionOf } from "./places";
 
-/** A problem at a place in a text. */
+/** A problem at a position in a text. */
 type Finding = Pick<Problem, "severity" | "line" | "column" | "end_column"> & { readonly message: Phrase | string };
 
 function endOf(state: EditorState, problem: Finding, from: number): number {
@@ -34,7 +34,7 @@ export function showProblems(view: EditorView, problems: readonly Finding[]): vo
   view.dispatch(setDiagnostics(state, diagnostics));
 }
 
-/** F8 goes to the next problem, Shift+F8 to the one before. */
+/** F8 goes to the next problem, Shift+F8 to the previous one. */
 export function problemMarks(): Extension {
   const keys = [...lintKeymap, { key: "Shift-F8", run: previousDiagnostic }];
   return [lintGutter(), Prec.high(keymap.of(keys))];

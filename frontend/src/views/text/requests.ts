@@ -1,4 +1,4 @@
-/** Requests to the server about a place in a text. */
+/** Requests to the server about a position in a text. */
 
 import type { EditorState } from "@codemirror/state";
 import { effect } from "@preact/signals";

@@ -19,7 +19,7 @@ const FLATTEST = 1.5;
 const FOLLOW_DISTANCE = 900;
 /** The largest share of a small picture's height that buttons cover. */
 const MOST_COVERED = 0.35;
-/** How far in front of the floor's centre the camera may look, as a share of its depth: near things are larger. */
+/** How far in front of the floor's centre the camera may look, as a share of its depth: near objects appear larger. */
 const SHIFTS = [0, -0.03, -0.06, -0.09, -0.12, -0.15];
 /** The share of the picture that the world fills. */
 const FILLED = 0.94;
@@ -100,7 +100,7 @@ export class Cameras {
     this.arrive();
   }
 
-  /** Look at a place on the floor. */
+  /** Look at a point on the floor. */
   centre([x, y]: XY): void {
     const { place, target } = this.now();
     const shift = new Vector3(x, y, 0).sub(target);
@@ -167,7 +167,7 @@ export class Cameras {
     this.controls.touches = { ONE: top ? TOUCH.PAN : TOUCH.ROTATE, TWO: TOUCH.DOLLY_PAN };
   }
 
-  /** Its place, or the goal of its movement. */
+  /** Its position, or the goal of its movement. */
   private now(): Look {
     const { place, target } = this.move?.to ?? { place: this.camera.position, target: this.controls.target };
     return { place: place.clone(), target: target.clone() };
@@ -197,7 +197,7 @@ export class Cameras {
     this.go({ place: place.add(shift), target: target.add(shift) });
   }
 
-  /** A place close to the robot's face, on the camera's current side. */
+  /** A position close to the robot's face, on the camera's current side. */
   private behind(): Look {
     const target = new Vector3(...this.followed, 40);
     const offset = this.camera.position.clone().sub(this.controls.target);

@@ -37,7 +37,7 @@ export class Handle {
     this.object.visible = false;
   }
 
-  /** The knob's place in the world. */
+  /** The knob's position in the world. */
   at(pose: Pose): Vector3 {
     return new Vector3(...from(pose, this.radius), HEIGHT);
   }

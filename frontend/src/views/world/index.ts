@@ -1,4 +1,4 @@
-/** The world in 3D: its things, the moving robots, and placing the robot. */
+/** The world in 3D: its objects, the moving robots, and placing the robot. */
 
 import "./world.css";
 

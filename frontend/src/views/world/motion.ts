@@ -1,4 +1,4 @@
-/** Smooth movement between messages: telemetry comes 20 times a second, frames 60 times. */
+/** Smooth movement between messages: telemetry arrives 20 times per second, frames are drawn 60 times. */
 
 import type { Robot, Telemetry } from "../../protocol/messages";
 import { between, type Pose, wrapped } from "./scenery/geometry";
@@ -7,7 +7,7 @@ const SHORTEST_PERIOD = 20;
 const LONGEST_PERIOD = 250;
 const USUAL_PERIOD = 50;
 
-/** Everything that moves at one moment. */
+/** The state of everything that moves, at one moment. */
 export interface Moment {
   readonly robots: readonly Robot[];
   readonly pushed: readonly Pose[];
@@ -37,7 +37,7 @@ export class Motion {
     if (this.from.robots.length !== this.to.robots.length) this.from = this.to;
   }
 
-  /** Forget everything: another scene. */
+  /** Forget everything, for a new scene. */
   clear(): void {
     this.from = this.to = NOTHING;
   }
@@ -57,7 +57,7 @@ export class Motion {
     };
   }
 
-  /** Whether a later frame would differ. */
+  /** Whether a later frame would look different. */
   moving(now: number): boolean {
     return now - this.arrived < this.period;
   }

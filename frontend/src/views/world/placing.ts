@@ -33,7 +33,7 @@ type Drag = { readonly what: "robot"; readonly offset: XY } | { readonly what: "
 
 export class Placing {
   readonly handle = new Handle();
-  /** The wanted pose until the server has answered. */
+  /** The requested pose, until the server has answered. */
   pose: Pose | null = null;
   private drag: Drag | null = null;
   private selected = false;

@@ -1,10 +1,10 @@
-/** Finds the place in the world under a pointer. */
+/** Finds the position in the world under a pointer. */
 
 import { type PerspectiveCamera, Plane, Raycaster, Vector2, Vector3 } from "three";
 
 import type { XY } from "./scenery/description";
 
-/** A place on the canvas, in pixels of the page. */
+/** A position on the canvas, in pixels of the page. */
 interface Pointed {
   readonly clientX: number;
   readonly clientY: number;
@@ -18,7 +18,7 @@ export class Pointing {
     private readonly camera: PerspectiveCamera,
   ) {}
 
-  /** The place at a height over the floor, mm; null if the pointer is above the horizon. */
+  /** The position at a height above the floor, mm; null if the pointer is above the horizon. */
   floor(event: Pointed, height = 0): XY | null {
     const hit = this.ray(event).intersectPlane(new Plane(new Vector3(0, 0, 1), -height), new Vector3());
     return hit && [hit.x, hit.y];

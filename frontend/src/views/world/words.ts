@@ -9,7 +9,7 @@ const DIRECTIONS = ["e", "se", "s", "sw", "w", "nw", "n", "ne"] as const;
 /** A coordinate smaller than this counts as the middle, mm. */
 const MIDDLE = 0.5;
 
-/** A place and heading in words: "120 mm east, 300 mm north, looking north-west". */
+/** A position and heading in words: "120 mm east, 300 mm north, looking north-west". */
 export function placeInWords({ x, y, heading }: Pick<Robot, "x" | "y" | "heading">): string {
   return t("page-world-place", {
     x: along(x, "east", "west"),

@@ -62,7 +62,7 @@ export class World implements WorldIsland {
   constructor(private readonly context: Context) {
     const { running } = context;
     const rests = () => !running.active.value || ["paused", "held"].includes(running.state.value.state);
-    // A real robot is where it is.
+    // A real robot cannot be moved from the page.
     this.still = computed(() => !running.scene.value?.real && rests());
     this.placing = new Placing(this.canvas, this.pointing, {
       robot: () => this.ownRobot(),
@@ -295,7 +295,7 @@ export class World implements WorldIsland {
     return { pose: this.placing.pose ?? this.motion.newest.robots[0] ?? model.pose, reach: model.reach };
   }
 
-  /** Move everything to its current place; return whether it is still moving. */
+  /** Move everything to its current position; return whether it is still moving. */
   private draw(now: number): boolean {
     const moment = this.motion.at(now);
     const own = moment.robots[0] ?? this.stage?.robots[0]?.pose;

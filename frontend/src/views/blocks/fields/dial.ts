@@ -10,7 +10,7 @@ export class Dial {
   readonly dom = document.createElement("div");
   private readonly hand: SVGElement;
 
-  /** @param take is called with each chosen angle, in degrees from -180 to 180. */
+  /** @param take called with each chosen angle, in degrees from -180 to 180. */
   constructor(
     private readonly step: number,
     private readonly take: (angle: number) => void,

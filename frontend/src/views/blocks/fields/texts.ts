@@ -7,7 +7,7 @@ import { allowedAt } from "./allowed";
 import { FreeChoice } from "./free-choice";
 import { openPanel } from "./panel";
 
-/** A choice among the parameter's options, known once the block is in its place. */
+/** A choice among the parameter's options, known once the block is in the workspace. */
 export class FieldChoice extends FreeChoice {
   constructor() {
     super(choices);

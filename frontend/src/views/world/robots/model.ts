@@ -13,7 +13,7 @@ const LED_OFF = "#59606b";
 
 /** The appearance of one kind of robot. Positions are in mm: forward, left, up. */
 export interface Look {
-  /** The parts that neither move nor shine. */
+  /** The parts that neither move nor light up. */
   readonly body: Object3D;
   readonly wheels: readonly Wheel[];
   /** The parts that turn at joints, by the joint's key; up is positive. */

@@ -63,7 +63,7 @@ function paintedLines(world: WorldValues, lines: readonly XY[][]): Mesh {
   return mesh;
 }
 
-/** The border's inner sides and top: the outer sides would hide the things behind them. */
+/** The border's inner sides and top: the outer sides would hide the objects behind them. */
 function border({ size, border: height }: FloorValues): Mesh {
   const [x, y] = [size[0] / 2, size[1] / 2];
   const inner: XY[] = [

@@ -1,4 +1,4 @@
-/** Headings: degrees clockwise seen from above, 0 looks east. Lengths: mm. */
+/** Headings: degrees clockwise seen from above, 0 faces east. Lengths: mm. */
 
 import type { LineValues, PartValues, XY } from "./description";
 
@@ -30,7 +30,7 @@ export function wrapped(heading: number): number {
   return ((((heading + 180) % 360) + 360) % 360) - 180;
 }
 
-/** The point `ahead` and `left` of a pose. */
+/** The point that is `ahead` mm ahead and `left` mm to the left of a pose. */
 export function from(pose: Pose, ahead: number, left = 0): XY {
   const [x, y] = forward(pose.heading);
   return [pose.x + ahead * x - left * y, pose.y + ahead * y + left * x];

@@ -18,7 +18,7 @@ export const SHADE = new MeshBasicMaterial({
   polygonOffsetFactor: -2,
 });
 
-/** The outline of a thing at a pose, anticlockwise seen from above. */
+/** The outline of an object at a pose, anticlockwise seen from above. */
 export function rectangle(pose: Pose, length: number, width: number): XY[] {
   const [x, y] = forward(pose.heading);
   const corners: XY[] = [

@@ -1,4 +1,4 @@
-/** The things in a world: walls, boxes, cylinders, boards, lamps. */
+/** The objects in a world: walls, boxes, cylinders, boards, lamps. */
 
 import { DoubleSide, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial, type Object3D, PlaneGeometry } from "three";
 
@@ -12,7 +12,7 @@ import { cylinder, Parts, roundedBox, turned } from "./solids";
 const BOARD_BACK = "#aa9678";
 const BOARD_THICKNESS = 6;
 
-/** The fixed things, and the movable ones in the order of telemetry. */
+/** The fixed objects, and the movable ones in the order of telemetry. */
 export interface Things {
   readonly fixed: Object3D;
   readonly pushed: readonly Object3D[];
@@ -36,7 +36,7 @@ function isFixed(thing: { mass: number | null }): boolean {
   return thing.mass === null;
 }
 
-/** All fixed things, in one mesh. */
+/** All fixed objects, in one mesh. */
 function standing(world: WorldValues): Mesh {
   const parts = new Parts();
   for (const wall of world.wall) addWall(parts, wall);
@@ -136,7 +136,7 @@ function addBoard(parts: Parts, board: BoardValues): void {
 function poster(board: BoardValues, address: string, pictures: Pictures): Mesh {
   const material = new MeshLambertMaterial({ color: "#f4f4f4" });
   pictures.on(material, address);
-  // A plane lies on the floor with its picture's top to the north: raise it and turn it to face ahead.
+  // A plane is created flat on the floor with its picture's top to the north: raise it and turn it to face ahead.
   const shape = new PlaneGeometry(board.size, board.size).rotateX(Math.PI / 2).rotateZ(Math.PI / 2);
   const mesh = new Mesh(shape, material);
   place(mesh, board);
@@ -144,7 +144,7 @@ function poster(board: BoardValues, address: string, pictures: Pictures): Mesh {
   return mesh;
 }
 
-/** A street lamp over its place, thin enough to hide nothing. */
+/** A street lamp above its position, thin enough to hide nothing. */
 function addLamp(parts: Parts, { x, y, z }: LampValues): void {
   parts.add(
     turned(
