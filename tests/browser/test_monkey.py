@@ -35,7 +35,7 @@ def test_sensors_follow_a_change_of_robot_while_they_are_hidden(pupil):
     pupil.picture("sensors")
 
 
-def test_the_move_key_does_nothing_to_a_block_held_by_the_mouse(pupil):
+def test_the_move_key_does_nothing_to_a_block_dragged_by_the_mouse(pupil):
     pupil.begin()
     pupil.write("blocktext", "main:\n    function.turn_right()\n    function.sleep(1)\nend\n")
     held = pupil.blocks("lb_skill_turn_right")

@@ -136,7 +136,7 @@ def test_a_second_one_is_refused_with_a_sentence(rover):
         robots.connect("pi-rover")
 
 
-def test_a_wrong_setting_is_refused_by_name(folder, pins):
+def test_an_invalid_setting_is_refused_by_name(folder, pins):
     with pytest.raises(SettingsError, match=r"'lamp' is 40.* from 2 to 27"):
         robots.connect("pi-rover", lamp=40)
 

@@ -84,7 +84,7 @@ def test_a_failed_command_is_not_stored():
         (10**400, 0, "adv", "1000"),
     ],
 )
-def test_a_wrong_value_is_refused_by_name(log, adv, rot, name, value):
+def test_an_invalid_value_is_refused_by_name(log, adv, rot, name, value):
     with pytest.raises(DeviceValueError, match=f"'{name}' must be a .*number, not ") as caught:
         Base(log["move"]).move(adv, rot)
     assert value in str(caught.value)

@@ -117,7 +117,7 @@ ENDINGS = {
         0,
     ),
     "closes its files": ("import os\nos.closerange(0, 100)\nrobot.time()", How.KILLED, "", 0),
-    "closes its files and goes on": (
+    "closes its files and continues": (
         "import os\nos.closerange(0, 100)\nwhile True: pass",
         How.KILLED,
         Phrase("run-link-closed"),

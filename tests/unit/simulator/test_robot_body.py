@@ -253,7 +253,7 @@ def test_a_frame_is_read_only() -> None:
         robot.frame()[0, 0] = 0
 
 
-def test_a_camera_on_a_joint_sees_the_line_when_it_looks_down() -> None:
+def test_a_camera_on_a_joint_sees_the_line_when_it_is_tilted_down() -> None:
     world = World(load_world("line"))
     robot = world.add_robot(load_robot("ebo"))
     ahead = (robot.frame()[15:225, 120:200].max(axis=2) < 50).sum()

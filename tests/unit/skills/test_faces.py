@@ -53,7 +53,7 @@ def test_a_face_with_the_emotion_is_enough(robot, emotion):
     assert [WORDS[emotion]] == felt
 
 
-def test_each_face_counts(robot):
+def test_any_of_the_faces_is_enough(robot):
     found = [FaceEmotion(FACE, emotion, 0.9) for emotion in ("fear", "joy")]
     robot.set_detections("emotions", tuple(found))
 

@@ -70,7 +70,7 @@ def test_a_value_instead_of_a_table_is_reported(table, text):
 
 
 @pytest.mark.parametrize("text", ["64", "-1", "1.5", "nan", "[]", "yes", "", "=", '"', "0\nx = 1"])
-def test_a_wrong_value_is_refused_and_nothing_is_written(text):
+def test_an_invalid_value_is_refused_and_nothing_is_written(text):
     with pytest.raises(SettingsError) as refused:
         OUTER.change("number", text)
     (diagnostic,) = refused.value.diagnostics

@@ -188,7 +188,7 @@ def test_a_missing_object_is_reported(robot):
         (("fast", 0.0), "'fast' is not a valid float"),
     ],
 )
-def test_wrong_arguments_of_an_operation_are_rejected_by_the_client(robot, values, sentence):
+def test_invalid_arguments_of_an_operation_are_rejected_by_the_client(robot, values, sentence):
     _, _, proxies = robot
     with pytest.raises(IceEncodingError, match=sentence):
         proxies["differentialrobot"].call("setSpeedBase", *values)

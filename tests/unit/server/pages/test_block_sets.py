@@ -39,7 +39,7 @@ def test_a_new_project_shows_everything(page):
     assert page.last["BlocksShown"]["set"]["name"] == "everything"
 
 
-def test_every_page_of_a_project_shows_what_one_has_chosen(server, page):
+def test_every_page_of_a_project_shows_the_set_chosen_by_one(server, page):
     page.open()
     with server.visit() as other:
         other.say("Open", name="program")

@@ -127,7 +127,7 @@ def test_an_edit_is_on_disk_soon(page, projects):
     )
 
 
-def test_what_was_edited_last_survives_the_end_of_the_server(projects):
+def test_the_last_edit_survives_the_end_of_the_server(projects):
     with serving(projects) as server, server.visit() as page:
         page.open(text=PROGRAM)
         page.type(OTHER)
