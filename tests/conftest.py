@@ -7,11 +7,16 @@ from pathlib import Path
 from uuid import uuid4
 
 import pytest
+from hypothesis import settings
 
 TESTS = Path(__file__).parent
 
 # Modules of helpers that several tests import, such as `runs`.
 sys.path.insert(0, str(TESTS / "helpers"))
+
+# A busy machine takes longer for an example, which is no failure.
+settings.register_profile("untimed")
+settings.load_profile("untimed")
 
 # A shell ignores Ctrl-C for background processes, and their children inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:

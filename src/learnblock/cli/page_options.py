@@ -28,6 +28,11 @@ _OPTIONS = (
         help="Listen on this socket instead, for a proxy.",
     ),
     click.option(
+        "--new-token",
+        is_flag=True,
+        help="Change the page's address, so that nobody who knows the old one can open it.",
+    ),
+    click.option(
         "--projects",
         type=click.Path(path_type=Path, file_okay=False),
         help="The folder of the projects.",

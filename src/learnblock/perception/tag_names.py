@@ -109,8 +109,10 @@ def _read(path: Path, changed: int) -> Mapping[str, int]:  # noqa: ARG001 - the 
 def _from_toml(source: str, filename: str) -> Mapping[str, object]:
     import tomllib  # noqa: PLC0415 - most programs never need it
 
+    from learnblock.storage.toml_values import loads  # noqa: PLC0415 - as above
+
     try:
-        return tomllib.loads(source)
+        return loads(source)
     except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
         advice = Diagnostic("not-toml", Phrase("perception-tags-not-toml", reason=str(error)))
         raise TagNamesError(filename, [advice], source) from None

@@ -2,9 +2,6 @@
 
 import contextlib
 import gc
-import os
-import re
-import secrets
 import signal
 import socket
 import threading
@@ -22,6 +19,7 @@ import uvicorn
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server.app import create_app
+from learnblock.server.http.token import token as the_token
 
 DEFAULT_HOST = "127.0.0.1"
 DEFAULT_PORT = 8421
@@ -31,8 +29,6 @@ _EVERYWHERE = {"0.0.0.0", "::"}  # noqa: S104 - only if the user chooses it
 _FAREWELL = 1
 #: Bytes; twice the limit of a message, so that the page receives an error and stays connected.
 _LONGEST_FRAME = 8 * 1024 * 1024
-_TOKEN_VARIABLE = "LEARNBLOCK_TOKEN"  # noqa: S105 - its name, not a token
-_TOKEN = re.compile(r"[\w.~-]+", re.ASCII)
 
 
 @dataclass(frozen=True)
@@ -47,6 +43,7 @@ class Service:
         base_url: the path of the page.
         allowed_hosts: names that a proxy uses for the server.
         project: the project to open.
+        new_token: whether the address gets a new token, with which only new pages open.
         announce: shows the user the page's address.
     """
 
@@ -57,6 +54,7 @@ class Service:
     base_url: str = "/"
     allowed_hosts: tuple[str, ...] = ()
     project: str | None = None
+    new_token: bool = False
     announce: Callable[[Phrase], object] = click.echo
 
     @property
@@ -132,7 +130,7 @@ class _Server(uvicorn.Server):
 def _server(
     service: Service, show: Callable[[str], object] | None
 ) -> Iterator[tuple[uvicorn.Server, socket.socket]]:
-    token = _token()
+    token = the_token(new=service.new_token)
     app = create_app(
         service.folder,
         token=token,
@@ -174,13 +172,6 @@ def _config(app: object) -> uvicorn.Config:
         server_header=False,
         timeout_graceful_shutdown=_FAREWELL,
     )
-
-
-def _token() -> str:
-    token = os.environ.get(_TOKEN_VARIABLE) or secrets.token_urlsafe(24)
-    if not _TOKEN.fullmatch(token):
-        raise LearnBlockError("server-token-wrong", variable=_TOKEN_VARIABLE)
-    return token
 
 
 def _address(service: Service, listening: socket.socket, token: str) -> str:

@@ -3,6 +3,7 @@
 import os
 import re
 from pathlib import Path
+from uuid import uuid4
 
 _DEVICE = re.compile(r"(?:con|prn|aux|nul|com\d|lpt\d)(?:\..*)?", re.IGNORECASE)
 
@@ -12,21 +13,37 @@ def is_device_name(name: str) -> bool:
     return bool(_DEVICE.fullmatch(name))
 
 
-def save(path: Path, data: bytes) -> None:
+def save(path: Path, data: bytes, *, private: bool = False) -> None:
     """Write a file so that a crash, even of the machine, leaves either the old file or the new one.
+
+    Of several writers at once, in any processes, the last one wins.
+
+    Args:
+        path: of the file; missing folders are made.
+        data: its whole contents.
+        private: whether only its owner may read it.
 
     Raises:
         OSError: it cannot be written; the old file is unchanged.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     # Hidden, and with a suffix that is never listed, until it is complete.
-    unfinished = path.with_name(f".{path.name}.new")
-    with unfinished.open("wb") as file:
-        file.write(data)
-        file.flush()
-        os.fsync(file.fileno())
-    unfinished.replace(path)
+    unfinished = path.with_name(f".{uuid4().hex}.new")
+    try:
+        with open(unfinished, "xb", opener=_private if private else None) as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        unfinished.replace(path)
+    except BaseException:
+        # A full disk must not fill up further with each attempt.
+        unfinished.unlink(missing_ok=True)
+        raise
     _sync(path.parent)
+
+
+def _private(path: str, flags: int) -> int:
+    return os.open(path, flags, 0o600)
 
 
 def _sync(folder: Path) -> None:

@@ -27,6 +27,7 @@ from learnblock.storage import toml_source
 from learnblock.storage.files import save
 from learnblock.storage.home import home
 from learnblock.storage.struct_types import describe
+from learnblock.storage.toml_values import loads
 
 Patience = Annotated[float, Meta(ge=0.1, le=60, description="robot-setting-patience")]
 
@@ -144,7 +145,7 @@ class Table(Generic[SettingsT]):
         return {field.name: field.type for field in found.fields}
 
     def _save(self, settings: SettingsT) -> None:
-        whole = tomllib.loads(file().read_text("utf-8")) if file().exists() else {}
+        whole = loads(file().read_text("utf-8")) if file().exists() else {}
         *outer, name = self.path
         reduce(lambda table, key: table.setdefault(key, {}), outer, whole)[name] = {
             field.name: getattr(settings, field.name)
@@ -173,8 +174,8 @@ def _value(text: str, kind: inspect.Type) -> Any:
     if _is_text(kind):
         return text
     try:
-        written = tomllib.loads(f"value = {text}")
-    except tomllib.TOMLDecodeError:
+        written = loads(f"value = {text}")
+    except (tomllib.TOMLDecodeError, RecursionError):
         # One of the allowed words, or an invalid value, which is reported later.
         return text
     return written["value"] if len(written) == 1 else text

@@ -27,6 +27,7 @@ from learnblock.i18n import Phrase, Value
 from learnblock.storage.file_phrases import place, unknown_key
 from learnblock.storage.struct_types import KeyPath, choices, describe, fields, type_at
 from learnblock.storage.toml_lines import find_key
+from learnblock.storage.toml_values import loads
 
 #: The limit in bytes; the largest built-in world has 3 % of it.
 MAXIMUM_FILE_SIZE = 256 * 1024
@@ -72,7 +73,7 @@ def parse(source: str, name: str, error: type[FileError]) -> dict[str, Any]:
         error: what to raise, with the diagnostic and the text.
     """
     try:
-        return tomllib.loads(source)
+        return loads(source)
     except tomllib.TOMLDecodeError as broken:
         reason, _, at = str(broken).partition(" (at line ")
         line, column = map(int, re.findall(r"\d+", at)) if at else (0, 0)

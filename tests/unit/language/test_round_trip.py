@@ -74,7 +74,7 @@ def test_ruff_format_changes_nothing_in_generated_python(path):
 
 
 seeds = st.integers(min_value=0, max_value=2**32).map(Trees)
-many = settings(deadline=None, suppress_health_check=list(HealthCheck), database=None)
+many = settings(suppress_health_check=list(HealthCheck), database=None)
 
 
 def is_all_raw(program):

@@ -71,7 +71,7 @@ edited = of(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(edited)
 def test_a_saved_world_is_read_back_unchanged(values):
     worlds.save_world("mine", values)
@@ -150,7 +150,7 @@ json = st.recursive(
 )
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(
     st.dictionaries(
         st.sampled_from(["title", "floor", "line", "box", "tag", "goal", "start", "wall", "?"]),

@@ -121,7 +121,7 @@ EVERY_KIND = [
 def test_every_message_arrives_unchanged(ends, kind):
     here, there = ends
 
-    @settings(max_examples=25, deadline=None)
+    @settings(max_examples=25)
     @given(of(kind))
     def check(message):
         here.send(message)

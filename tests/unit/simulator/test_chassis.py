@@ -64,7 +64,7 @@ def test_ten_circles_end_where_they_began() -> None:
     assert robot.pose[:2] == pytest.approx((0, 0), abs=2)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.floats(-150, 150), st.floats(-90, 90))
 def test_driving_back_undoes_driving(adv: float, rot: float) -> None:
     world, robot = alone(exact())

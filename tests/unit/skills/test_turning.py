@@ -11,7 +11,7 @@ from learnblock.testing import FakeRobot
 angles = st.floats(-400, 400)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(heading=angles, speed=st.tuples(st.floats(-100, 100), st.floats(-60, 60)), angle=angles)
 def test_from_any_state_a_turn_ends_within_a_degree(heading, speed, angle):
     with FakeRobot(skills=["turn", "set_move"]) as robot:
@@ -22,7 +22,7 @@ def test_from_any_state_a_turn_ends_within_a_degree(heading, speed, angle):
         assert robot.wheels.pose[2] == pytest.approx(heading + angle, abs=1)
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 @given(angle=angles.filter(lambda angle: abs(angle) > 1))
 def test_a_stuck_robot_gives_up_in_time(angle):
     with FakeRobot(skills=["turn"]) as robot:
@@ -33,7 +33,7 @@ def test_a_stuck_robot_gives_up_in_time(angle):
         assert robot.clock.time() < 6 + abs(angle) / 10
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(heading=angles, angle=angles)
 def test_any_orientation_is_reached_within_two_degrees_by_at_most_half_a_turn(heading, angle):
     with FakeRobot(skills=["set_orientation"]) as robot:

@@ -117,9 +117,7 @@ LINES = [
 ]
 
 
-@settings(
-    max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(data=st.data())
 def test_any_file_loads_or_is_refused_with_a_world_error(
     data: st.DataObject, tmp_path: Path

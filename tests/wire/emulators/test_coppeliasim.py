@@ -6,7 +6,7 @@ from contextlib import closing
 import cbor2
 import pytest
 from coppeliasim_zmqremoteapi_client import RemoteAPIClient
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from learnblock.emulators.coppeliasim import Emulator
@@ -87,7 +87,6 @@ REQUESTS = st.fixed_dictionaries(
 )
 
 
-@settings(deadline=None)
 @given(st.binary(max_size=60) | REQUESTS.map(cbor2.dumps))
 def test_every_request_is_answered_by_a_table(emulator, request_bytes):
     assert isinstance(cbor2.loads(emulator.answer(request_bytes)), dict)

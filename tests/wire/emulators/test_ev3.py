@@ -217,7 +217,7 @@ def test_a_command_without_a_reply_gets_none(vehicle):
     assert vehicle.noted == [("tone", 1000.0, 1000.0)]
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=500)
 @given(st.binary(max_size=60) | st.binary(max_size=60).map(lambda code: b"\1\0\0\x10\0" + code))
 def test_no_message_upsets_the_firmware(code):
     assert isinstance(Machine(FakeVehicle()).execute(code), bytes)

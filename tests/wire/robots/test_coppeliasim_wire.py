@@ -4,7 +4,7 @@ from contextlib import suppress
 
 import cbor2
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from coppeliasim_answers import HEALTHY, SCENES, listed, use
@@ -26,7 +26,6 @@ REPLIES = (
 
 # No deadline: a client that is repeatedly asked to wait does so for a tenth of a second.
 @pytest.mark.parametrize("scene", SCENES)
-@settings(deadline=None)
 @given(answers=st.lists(REPLIES, min_size=1, max_size=8))
 @example(answers=[cbor2.dumps({"ret": [float("nan")] * 12})])
 @example(answers=[cbor2.dumps({"ret": [{"devices": ["Base"]}]}), b"\x9b" + b"\xff" * 8])

@@ -10,7 +10,7 @@ from time import monotonic
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from pycozmo import audio
 from pycozmo import protocol_encoder as packets
@@ -448,7 +448,6 @@ def test_no_datagram_brings_the_driver_down(tail):
 
 
 @given(st.binary(min_size=1, max_size=400), st.sampled_from([6, 7, 8]))
-@settings(deadline=None)
 def test_a_damaged_picture_is_decoded_as_none(data, encoding):
     resolution = packets.ImageResolution.QVGA
     frame = Picture(data, packets.ImageEncoding(encoding), resolution).frame()

@@ -75,7 +75,7 @@ def test_motors_stop_without_messages_and_a_client_that_returns_late_gets_an_err
     assert json.loads(guard.answer("{}"))["error"] == "ev3-timed-out"
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(
     st.one_of(
         st.text(),
@@ -102,7 +102,7 @@ def test_the_agent_answers_every_line_with_a_state_or_an_error(line):
         agent.wished(agent.parsed(line))
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(
     st.one_of(
         st.binary(),

@@ -62,7 +62,7 @@ def test_the_reply_to_an_earlier_command_is_skipped_and_a_rejection_is_reported(
         direct.answered(struct.pack("<HB", 7, 4), 7, direct.Question([]))
 
 
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=250)
 @given(st.binary(max_size=40) | st.binary(max_size=40).map(lambda rest: b"\x07\0\x02" + rest))
 def test_a_reply_is_read_or_refused(body):
     question = direct.Question([direct.kind_of(2), direct.turned(1), direct.reading(3, 0)])
@@ -73,7 +73,7 @@ def test_a_reply_is_read_or_refused(body):
     assert results is None or len(results) == 4
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(st.binary(max_size=60))
 def test_bytes_of_a_wire_are_messages_or_refused(data):
     wire = Bytes(data)
@@ -116,7 +116,7 @@ def test_a_closed_link_sends_nothing_more_and_is_not_broken():
 # Beacons.
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(st.binary() | st.from_regex(scan._BEACON))
 def test_a_beacon_is_read_or_skipped(data):
     port = scan.read_beacon(data)

@@ -2,7 +2,7 @@
 
 # $reason is a technical text in English.
 toml-broken = This is not valid TOML: { $reason }.
-toml-too-deep = Too many brackets are nested inside each other.
+toml-too-deep = It is nested too deeply.
 
 # $place is a key such as 'wall[2].height'; $value is the value in the file; $allowed is one of the descriptions below.
 toml-wrong-value = { $place } is { $value }, but must be { $allowed }.

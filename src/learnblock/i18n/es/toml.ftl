@@ -1,7 +1,7 @@
 # Files in TOML: worlds, simulated robots, block sets, libraries and settings.
 
 toml-broken = Esto no es TOML válido: { $reason }.
-toml-too-deep = Hay demasiados paréntesis unos dentro de otros.
+toml-too-deep = Está anidado a demasiada profundidad.
 
 toml-wrong-value = { $place } es { $value }, pero debe ser { $allowed }.
 toml-wrong-value-like = { toml-wrong-value } ¿Querías decir '{ $suggestion }'?

@@ -82,3 +82,7 @@ class Workspace(Struct):
 
     stacks: list[list[Block]] = field(default_factory=list)
     variables: list[Variable] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        # Only a file that was written by hand has empty stacks; they mean nothing.
+        self.stacks = [stack for stack in self.stacks if stack]

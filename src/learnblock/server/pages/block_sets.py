@@ -22,7 +22,8 @@ async def _choose(page: Page, message: messages.ChooseBlockSet) -> None:
 
 async def _read(page: Page, message: messages.ReadBlockSet) -> None:
     name = PurePath(message.filename).stem
-    page.send(messages.BlockSetRead(block_sets.parse(message.text, name)))
+    read = await to_thread.run_sync(block_sets.parse, message.text, name)
+    page.send(messages.BlockSetRead(read))
 
 
 async def _save(page: Page, message: messages.SaveBlockSet) -> None:

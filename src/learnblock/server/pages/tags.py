@@ -15,7 +15,8 @@ async def _save(page: Page, message: messages.SaveTags) -> None:
 
 
 async def _read(page: Page, message: messages.ReadTags) -> None:
-    page.send(messages.TagsRead(dict(tag_names.parse(message.text, message.filename))))
+    read = await to_thread.run_sync(tag_names.parse, message.text, message.filename)
+    page.send(messages.TagsRead(dict(read)))
 
 
 async def _export(page: Page, message: messages.ExportTags) -> None:

@@ -25,6 +25,8 @@ Value = TypeVar("Value")
 class Archive:
     """Saves an open project; a failure is reported, and the project stays usable.
 
+    A save that fails is reported once, and repeated until it succeeds.
+
     Args:
         folder: the folder of the projects.
         project: returns the project in its current state.
@@ -44,6 +46,7 @@ class Archive:
         self._saved = saved
         self._failed = failed
         self._saver = Saver(self._write)
+        self._is_failing = False
         self._version_kept = monotonic()
         self._tasks: set[asyncio.Task[Any]] = set()
 
@@ -67,15 +70,19 @@ class Archive:
         await self._saver.flush()
         await asyncio.gather(*self._tasks)
 
-    async def _write(self) -> None:
+    async def _write(self) -> bool:
         saved = self._saved()
-        if await self._tried(self._written, self._project()):
-            saved()
+        try:
+            await to_thread.run_sync(self._folder.write, self._project())
+        except (LearnBlockError, OSError) as error:
+            if not self._is_failing:
+                self._failed(phrase_of(error))
+            self._is_failing = True
+            return False
+        self._is_failing = False
+        saved()
         if monotonic() - self._version_kept > VERSION_PERIOD:
             await self.keep_version("time")
-
-    def _written(self, project: Project) -> bool:
-        self._folder.write(project)
         return True
 
     async def _tried(self, action: Callable[..., Value], *args: object) -> Value | None:

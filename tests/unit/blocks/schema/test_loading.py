@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import get_args
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from learnblock.blocks import builtin, load_configurations
@@ -205,7 +205,6 @@ blocks = st.fixed_dictionaries(
 )
 
 
-@settings(deadline=None)
 @given(blocks | st.lists(blocks, max_size=3) | anything)
 def test_any_configuration_is_a_block_or_raises_our_own_error(value):
     blocks, diagnostics = outcome(json.dumps(value))
@@ -400,7 +399,6 @@ def configurations(draw) -> BlockConfiguration:
     )  # fmt: skip
 
 
-@settings(deadline=None)
 @given(configurations())
 def test_a_written_configuration_is_read_unchanged(block):
     assert (block,) == load_configurations(written([block]))

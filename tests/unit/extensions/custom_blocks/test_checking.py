@@ -209,7 +209,7 @@ def test_nothing_is_run():
     assert () == check("raise SystemExit\n" + PLAIN).problems
 
 
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 @given(st.text(max_size=60), st.text(max_size=30))
 def test_any_text_is_accepted_or_reported(source, configuration):
     checked = check(source, configuration)
@@ -220,7 +220,7 @@ def test_any_text_is_accepted_or_reported(source, configuration):
 # A second check has the same result.
 
 
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 @given(
     st.sampled_from(["motor", "express"]),
     st.dictionaries(st.sampled_from(["EN", "ES"]), st.just("hop")),

@@ -116,7 +116,7 @@ class Functions(Trees):
         return language.parse(language.format(Program(items)))
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(st.integers(0, 2**32))
 def test_functions_are_the_same_after_export_and_import(seed):
     trees = Functions(seed)
@@ -132,7 +132,7 @@ def test_functions_are_the_same_after_export_and_import(seed):
     assert again.files == library.files
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(st.binary(max_size=200), st.integers(0, 2000), st.integers(0, 40))
 def test_a_broken_file_raises_only_our_own_errors(noise, place, dropped):
     whole = zipped(("functions.bt", "def f(): pass end\n"))

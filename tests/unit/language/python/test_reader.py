@@ -184,7 +184,7 @@ def test_a_file_with_our_skeleton_is_read_again_from_its_block_text():
         assert again == from_python(to_python(again).text)
 
 
-@settings(max_examples=300, deadline=None, database=None)
+@settings(max_examples=300, database=None)
 @given(st.text(st.sampled_from("ax=1 \t\n\r\f#'\"\\()`:end\x0b\u2028")))
 def test_any_text_is_restored_or_is_not_valid_python(text):
     try:

@@ -125,3 +125,9 @@ def test_the_number_of_sets_in_a_project_is_limited(page):
     assert [one["name"] for one in shown["carried"]] == [
         f"lesson {number}" for number in range(9, 1, -1)
     ]
+
+
+def test_a_text_that_would_take_long_to_read_is_refused(page):
+    page.open()
+    page.say("ReadBlockSet", filename="deep.toml", text="a." * 40_000 + "b = 1")
+    assert "nested" in english(page.hear("Failed")["message"])

@@ -94,7 +94,7 @@ def test_runs_are_listed_newest_first_up_to_a_limit(history):
 
 
 @given(st.binary(max_size=200))
-@settings(deadline=None, derandomize=True)
+@settings(derandomize=True)
 def test_a_damaged_list_of_runs_does_not_prevent_a_run(tmp_path_factory, data):
     history = History("p", tmp_path_factory.mktemp("history"))
     (history.folder / "runs.json").write_bytes(data)

@@ -11,6 +11,7 @@ def saves(story, delay=0.0):
 
     async def write():
         written.append(True)
+        return True
 
     async def play():
         saver = Saver(write, delay)
@@ -54,6 +55,7 @@ def test_a_change_during_a_save_is_saved_afterwards():
             if not written:
                 saver.changed()
             written.append(True)
+            return True
 
         saver = Saver(write, 0)
         saver.changed()
@@ -62,3 +64,40 @@ def test_a_change_during_a_save_is_saved_afterwards():
 
     asyncio.run(play())
     assert len(written) == 2
+
+
+def test_a_save_that_fails_is_repeated_until_it_succeeds():
+    attempts = []
+
+    async def play():
+        async def write():
+            attempts.append(True)
+            return len(attempts) == 4
+
+        saver = Saver(write, 0, retry=0)
+        saver.changed()
+        while len(attempts) < 4:
+            await asyncio.sleep(0)
+        await saver.flush()
+
+    asyncio.run(play())
+    assert len(attempts) == 4
+
+
+def test_what_could_not_be_saved_is_tried_once_more_at_the_end():
+    attempts = []
+
+    async def play():
+        async def write():
+            attempts.append(True)
+            return len(attempts) > 1
+
+        saver = Saver(write, 0, retry=3600)
+        saver.changed()
+        while not attempts:
+            await asyncio.sleep(0)
+        await saver.flush()
+        await saver.flush()
+
+    asyncio.run(play())
+    assert len(attempts) == 2

@@ -173,6 +173,33 @@ def test_a_read_only_folder_is_reported_and_the_session_continues(page, projects
     assert page.hear("Ended")["ended"] == "finished"
 
 
+def test_what_a_full_disk_refused_is_saved_once_there_is_room(projects):
+    with serving(projects) as server, server.visit() as page:
+        page.open(text=PROGRAM)
+        page.hear("Saved")
+        away = projects.rename(projects.with_name("away"))
+        projects.write_text("a file in its place", "utf-8")
+        page.type(OTHER)
+        page.hear("Failed")
+        projects.unlink()
+        away.rename(projects)
+    saved = json.loads((projects / "program.learnblock").read_text("utf-8"))
+    assert "\n".join(saved["blocktext"]) == OTHER
+
+
+def test_a_project_with_an_empty_stack_of_blocks_opens_without_it(page, projects):
+    page.open(text=PROGRAM)
+    page.hear("Saved")
+    saved = json.loads((projects / "program.learnblock").read_text("utf-8"))
+    saved["workspace"]["stacks"].insert(0, [])
+    (projects / "other.learnblock").write_text(json.dumps(saved), "utf-8")
+    page.say("Open", name="other")
+    workspace = page.hear("Document")["workspace"]
+    assert all(workspace["stacks"])
+    page.say("EditBlocks", edit=1, workspace={**workspace, "stacks": [[], *workspace["stacks"]]})
+    page.hear("Document", edit=1)
+
+
 def test_a_project_of_a_missing_robot_opens_with_the_default(page, projects):
     page.open(text=PROGRAM)
     page.hear("Saved")

@@ -1,0 +1,60 @@
+"""The secret in the page's address, which gives access to the server."""
+
+import os
+import re
+import secrets
+import stat
+from contextlib import suppress
+from pathlib import Path
+
+from learnblock.errors import LearnBlockError
+from learnblock.storage.files import save
+from learnblock.storage.home import home
+
+VARIABLE = "LEARNBLOCK_TOKEN"
+_TOKEN = re.compile(r"[\w.~-]+", re.ASCII)
+#: Characters; longer than any token that we make.
+_LONGEST = 200
+
+
+def token(*, new: bool = False) -> str:
+    """The token of the environment, or else the user's own, which stays the same.
+
+    So a page that is open finds its server again after a restart.
+
+    Args:
+        new: whether to replace the user's own, which closes every open page for good.
+
+    Raises:
+        LearnBlockError: the one in the environment can't be part of an address.
+    """
+    chosen = os.environ.get(VARIABLE)
+    if chosen is None:
+        return _own(new=new)
+    if not _TOKEN.fullmatch(chosen):
+        raise LearnBlockError("server-token-wrong", variable=VARIABLE)
+    return chosen
+
+
+def _own(*, new: bool) -> str:
+    file = home() / "token"
+    kept = None if new else _read(file)
+    if kept is not None:
+        return kept
+    made = secrets.token_urlsafe(24)
+    # Where nothing can be saved, the page needs a new address after each restart, and works.
+    with suppress(OSError):
+        save(file, made.encode(), private=True)
+    return made
+
+
+def _read(file: Path) -> str | None:
+    """Read the token; None if there is none that only its owner knows."""
+    try:
+        with file.open(encoding="ascii") as opened:
+            if os.name == "posix" and stat.S_IMODE(os.fstat(opened.fileno()).st_mode) & 0o077:
+                return None
+            kept = opened.read(_LONGEST + 1)
+    except (OSError, UnicodeDecodeError):
+        return None
+    return kept if len(kept) <= _LONGEST and _TOKEN.fullmatch(kept) else None

@@ -1,0 +1,21 @@
+"""TOML that may come from anyone, as values by key."""
+
+import re
+import tomllib
+from typing import Any
+
+#: A key of more parts than any of ours has: tomllib takes a time that grows with their square.
+_DEEP_KEY = re.compile(r"""(?:[\w"'-]+[ \t]*\.[ \t]*){32}""", re.ASCII)
+
+
+def loads(source: str) -> dict[str, Any]:
+    """Read TOML, in a time that grows with its size only.
+
+    Raises:
+        tomllib.TOMLDecodeError: it is not TOML.
+        RecursionError: it is nested too deeply.
+        ValueError: a number has too many digits, or a day does not exist.
+    """
+    if _DEEP_KEY.search(source):
+        raise RecursionError("a key has more than 32 parts")
+    return tomllib.loads(source)

@@ -1,0 +1,23 @@
+"""TOML of anyone is read in a time that grows with its size only."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from learnblock.storage.toml_values import loads
+
+DEEP = ["a." * 40_000 + "b = 1", "[" + "a . " * 40_000 + "b]", "x = {" + "'a'." * 99 + "b=1}"]
+
+
+@pytest.mark.parametrize("source", DEEP)
+def test_a_key_of_very_many_parts_is_refused(source):
+    with pytest.raises(RecursionError):
+        loads(source)
+
+
+@given(st.integers(1, 31))
+def test_a_key_of_fewer_parts_is_read(parts):
+    value = loads(".".join("a" * parts) + " = 1")
+    for _ in range(parts):
+        value = value["a"]
+    assert value == 1
