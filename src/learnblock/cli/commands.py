@@ -33,6 +33,7 @@ COMMANDS = {
     "dev": Place("page", "dev", "Serve the page with hot reload, for its developers"),
     "emulate": Place("robots", "emulate_command", "Emulate a robot to try its driver"),
     "format": Place("programs", "format_command", "Format Block-Text programs"),
+    "import": Place("importing", "import_command", "Import programs of the original LearnBlock"),
     "library": Place("libraries", "library_group", "Make, install or remove libraries of skills"),
     "new": Place("new", "new_group", "Create the files of a new robot, skill or world"),
     "open": Place("page", "open_command", "Open a program (.learnblock, .bt or .py) in the page"),

@@ -88,6 +88,19 @@ help-format-with-check = No cambia nada; sale con 1 si cambiaría algo.
 help-format-with-stdout = Muestra el resultado sin cambiar nada.
 help-format-with-json = { help-blocks-with-json }
 
+help-import =
+    Importa programas del LearnBlock original.
+
+    Un proyecto (.blockProject, de las versiones 1 a 3) pasa a ser un proyecto .learnblock con sus
+    bloques en su sitio, y una biblioteca (NOMBRE.lb) pasa a ser una biblioteca (.lblib). De una
+    carpeta se importan todos los proyectos y bibliotecas. No se ejecuta nada de los archivos. Al
+    final se muestra lo que cambia y lo que no se ha podido traer; el código de salida es 1 si
+    algún archivo no se ha podido importar.
+help-import-with-output = Carpeta de los archivos nuevos  [por defecto: la carpeta actual]
+help-import-with-to = Si se escriben proyectos para la página o programas en Block-Text.
+help-import-with-replace = Reemplaza los archivos que ya existan.
+help-import-with-json = { help-blocks-with-json }
+
 help-library = Crea, instala o quita bibliotecas de habilidades.
 help-library-list = Muestra las bibliotecas instaladas.
 help-library-list-with-json = { help-blocks-with-json }

@@ -1,0 +1,207 @@
+"""The command that imports programs of the original LearnBlock."""
+
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+import click
+
+from learnblock.cli.console import (
+    ExitCode,
+    json_option,
+    print_diagnostics,
+    print_json,
+    say,
+    text,
+)
+from learnblock.errors import Diagnostic, FileError, ProjectError
+from learnblock.i18n import Phrase
+
+if TYPE_CHECKING:
+    from learnblock.importing import Imported, Report
+
+#: The endings of projects and libraries of the original LearnBlock.
+ENDING, LIBRARY_ENDING = ".blockProject", ".lb"
+
+#: The ending of the new file, its content, and what changed.
+_Converted: TypeAlias = "tuple[str, bytes, Report]"
+_Converter = Callable[[Path], _Converted]
+
+
+@click.command("import")
+@click.argument(
+    "paths",
+    metavar="FILE|FOLDER...",
+    nargs=-1,
+    required=True,
+    type=click.Path(exists=True, path_type=Path),
+)
+@click.option(
+    "--output",
+    metavar="FOLDER",
+    type=click.Path(file_okay=False, path_type=Path),
+    default=Path(),
+    help="Where to write the new files  [default: the current folder]",
+)
+@click.option(
+    "--to",
+    "notation",
+    type=click.Choice(["project", "block-text"]),
+    default="project",
+    show_default=True,
+    help="Whether to write projects for the page, or programs in Block-Text.",
+)
+@click.option("--replace", is_flag=True, help="Replace existing files.")
+@json_option
+def import_command(
+    paths: tuple[Path, ...], output: Path, notation: str, *, replace: bool, as_json: bool
+) -> None:
+    """Import programs of the original LearnBlock.
+
+    A project (.blockProject, of versions 1 to 3) becomes a .learnblock project with its blocks in
+    their places, and a library (NAME.lb) becomes a library (.lblib). In a folder, every project and
+    library is imported. Nothing in the files is run. What changed and what could not be carried
+    over is listed; the exit code is 1 if a file could not be imported.
+
+    \b
+    learnblock import square.blockProject
+    learnblock import old-projects --output projects
+    learnblock import square.blockProject --to block-text
+    """  # noqa: D301 - click wants the character itself
+    convert = {ENDING: _program if notation == "block-text" else _project, LIBRARY_ENDING: _library}
+    done = [
+        _imported(source, output / place, convert, replace=replace)
+        for source, place in _found(paths)
+    ]
+    if as_json:
+        print_json([one.as_object() for one in done])
+    else:
+        for one in done:
+            one.print()
+    sys.exit(ExitCode.MISTAKES if any(one.error for one in done) else ExitCode.WELL)
+
+
+@dataclass(frozen=True)
+class _Done:
+    """A file that was imported, or not.
+
+    Args:
+        source: the file.
+        target: the new file.
+        report: what changed and what is missing.
+        error: why it was not imported.
+    """
+
+    source: Path
+    target: Path | None = None
+    report: "Report | None" = None
+    error: FileError | None = None
+
+    def print(self) -> None:
+        if self.error is not None:
+            print_diagnostics(self.error.filename, self.error.diagnostics, "", err=True)
+            return
+        say("import-imported", file=str(self.source), target=str(self.target))
+        if self.report is not None:
+            _print_list("import-changed", self.report.changed)
+            _print_list("import-missing", self.report.missing)
+
+    def as_object(self) -> dict[str, object]:
+        return {
+            "file": str(self.source),
+            "written": self.target and str(self.target),
+            "changed": self.report.changed if self.report else (),
+            "missing": self.report.missing if self.report else (),
+            "error": str(self.error.phrase) if self.error else None,
+        }
+
+
+def _print_list(heading: str, phrases: tuple[Phrase, ...]) -> None:
+    if phrases:
+        click.echo(f"  {text(Phrase(heading))}")
+    for phrase in phrases:
+        click.echo(f"    {text(phrase)}")
+
+
+def _found(paths: tuple[Path, ...]) -> Iterator[tuple[Path, Path]]:
+    """The files to import, each with the folder for its result."""
+    endings = (ENDING, LIBRARY_ENDING)
+    for path in paths:
+        if path.is_file():
+            yield path, Path()
+            continue
+        files = [one for one in sorted(path.rglob("*")) if one.suffix in endings and one.is_file()]
+        if not files:
+            message = Phrase("import-nothing", folder=str(path))
+            raise ProjectError(str(path), [Diagnostic("nothing", message)])
+        for one in files:
+            yield one, one.relative_to(path).parent
+
+
+def _imported(
+    source: Path, folder: Path, convert: Mapping[str, _Converter], *, replace: bool
+) -> _Done:
+    try:
+        if source.suffix not in convert:
+            message = Phrase("import-type")
+            raise ProjectError(str(source), [Diagnostic("unknown-file", message)])
+        ending, content, report = convert[source.suffix](source)
+        target = _written(folder / f"{source.stem}{ending}", content, replace=replace)
+    except FileError as error:
+        return _Done(source, error=error)
+    return _Done(source, target, report)
+
+
+def _project(source: Path) -> "_Converted":
+    """A project for the page."""
+    from learnblock.server.projects import project_file  # noqa: PLC0415
+
+    made = _read(source)
+    project = project_file.Project(source.stem, made.blocktext, workspace=made.workspace)
+    return project_file.ENDING, project_file.encode(project), made.report
+
+
+def _program(source: Path) -> "_Converted":
+    """A program in Block-Text."""
+    made = _read(source)
+    return ".bt", made.blocktext.encode(), made.report
+
+
+def _read(source: Path) -> "Imported":
+    from learnblock import importing  # noqa: PLC0415
+    from learnblock.blocks.known import all_configurations  # noqa: PLC0415
+
+    skills = all_configurations()
+    with source.open("rb") as file:
+        data = file.read(importing.LARGEST + 1)
+    return importing.import_project(
+        data,
+        str(source),
+        skills,
+        lambda name: importing.find_library(source.parent, name, skills),
+    )
+
+
+def _library(source: Path) -> "_Converted":
+    """A library, or a program of functions that can't be one."""
+    from learnblock import importing  # noqa: PLC0415
+    from learnblock.blocks.known import all_configurations  # noqa: PLC0415
+    from learnblock.extensions import libraries  # noqa: PLC0415
+
+    made = importing.import_library(source, all_configurations())
+    if made.library is None:
+        return ".bt", made.blocktext.encode(), made.report
+    return libraries.ENDING, libraries.pack(made.library), made.report
+
+
+def _written(target: Path, content: bytes, *, replace: bool) -> Path:
+    from learnblock.storage.files import save  # noqa: PLC0415
+
+    if target.exists() and not replace:
+        message = Phrase("import-exists", file=str(target))
+        raise ProjectError(str(target), [Diagnostic("exists", message)])
+    target.parent.mkdir(parents=True, exist_ok=True)
+    save(target, content)
+    return target

@@ -1,0 +1,210 @@
+"""Convert a project of the original LearnBlock: its program, and the places of its blocks."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import msgspec
+
+from learnblock import language
+from learnblock.blocks import BlockConfiguration
+from learnblock.errors import Diagnostic, ProgramError, ProjectError
+from learnblock.i18n import Phrase
+from learnblock.importing.line_writer import is_statement, is_value, shown
+from learnblock.importing.program_writer import Part, ProgramWriter, undefined
+from learnblock.importing.project import Block, Kind, read_project
+from learnblock.importing.report import Report, Reporting
+from learnblock.language.tree.nodes import Def, Main, Program, When
+from learnblock.language.workspace.blocks import Block as NewBlock
+from learnblock.language.workspace.blocks import Workspace
+
+#: Of a function that holds loose blocks while they are converted.
+_LOOSE = "loose_blocks_"
+#: The block of a part that had none.
+_NOWHERE = Block("", "", Kind.CONTROL)
+
+
+@dataclass(frozen=True)
+class Imported:
+    """A program that was imported.
+
+    Args:
+        blocktext: the program.
+        workspace: its blocks, where they were, and the loose ones.
+        report: what changed and what is missing.
+    """
+
+    blocktext: str
+    workspace: Workspace
+    report: Report
+
+
+#: Finds the functions of a library by its name; None if there is no such library.
+Lookup = Callable[[str], Mapping[str, Def] | None]
+
+
+def import_project(
+    data: bytes,
+    filename: str,
+    skills: Mapping[str, BlockConfiguration],
+    library: Lookup = lambda _: None,
+) -> Imported:
+    """Import a ``.blockProject`` of versions 1 to 3 of the original LearnBlock.
+
+    Args:
+        data: the file.
+        filename: for errors.
+        skills: the known skills, by name.
+        library: finds the functions of a library that the project imports.
+
+    Raises:
+        ProjectError: the file is damaged, or is not such a project.
+    """
+    reporting = Reporting()
+    project = read_project(data, filename)
+    writer = ProgramWriter(project, skills, reporting, filename)
+    parts = writer.parts()
+    loose = [part for part in parts if not part.name]
+    main = [part for part in parts if part.name]
+    main += _from_libraries(project.libraries, library, reporting, {one.name for one in main})
+    main += _missing(writer, main)
+    return _Conversion(filename, skills, reporting, tuple(main), tuple(loose)).imported()
+
+
+def _last(path: str) -> str:
+    """The last part of a path of any system."""
+    return path.replace("\\", "/").rstrip("/").rpartition("/")[2] or path
+
+
+def _from_libraries(
+    names: Iterable[str], library: Lookup, reporting: Reporting, taken: set[str]
+) -> Iterator[Part]:
+    """The functions of the imported libraries, which become part of the program."""
+    for name in map(_last, names):
+        functions = library(name)
+        if functions is None:
+            reporting.miss(Phrase("import-no-library", name=shown(name)))
+            continue
+        reporting.change(Phrase("import-library", name=shown(name)))
+        for one in functions.values():
+            if f"def {one.name}" not in taken:
+                taken.add(f"def {one.name}")
+                text = language.format(Program((one,)))
+                yield Part(tuple(text.splitlines()), _NOWHERE, f"def {one.name}")
+
+
+def _missing(writer: ProgramWriter, parts: Sequence[Part]) -> Iterator[Part]:
+    """Functions and events that the project uses but does not define, without content."""
+    lines, reporting = writer.lines, writer.reporting
+    for name in undefined(parts, tuple(lines.called), "def"):
+        reporting.miss(Phrase("import-no-function", name=name))
+        yield Part((f"def {name}():", "pass", "end"), _NOWHERE, f"def {name}")
+    for name in undefined(parts, tuple(lines.events), "when"):
+        reporting.miss(Phrase("import-no-event", name=name))
+        yield Part((f"when {name}:", "pass", "end"), _NOWHERE, f"when {name}")
+
+
+@dataclass
+class _Conversion:
+    filename: str
+    skills: Mapping[str, BlockConfiguration]
+    reporting: Reporting
+    parts: tuple[Part, ...]
+    loose: tuple[Part, ...]
+    start: list[str] = field(default_factory=list)
+
+    def imported(self) -> Imported:
+        self.start += self.unset(self.parsed(self.text()))
+        blocktext = self.text()
+        program = self.parsed(blocktext)
+        for one in language.check(program, self.skills):
+            if one.severity == "error":
+                line = str(one.line)
+                self.reporting.miss(Phrase("file-at-line", line=line, problem=one.message))
+        return Imported(language.format(program), self.workspace(), self.reporting.report())
+
+    def text(self, *, with_loose: bool = False) -> str:
+        lines = list(self.start)
+        for part in self.ordered():
+            lines += ["", *part.lines]
+        if with_loose:
+            for number, part in enumerate(self.loose):
+                lines += [f"def {_LOOSE}{number}():", *_as_statements(part), "end"]
+        return "\n".join(lines).lstrip("\n") + "\n"
+
+    def ordered(self) -> list[Part]:
+        """The parts: definitions before what uses them."""
+        order = ("def", "when", "main")
+        return sorted(self.parts, key=lambda part: order.index(part.name.split()[0]))
+
+    def parsed(self, text: str) -> Program:
+        try:
+            return language.parse(text, self.filename)
+        except ProgramError as error:
+            first = error.diagnostics[0]
+            raise ProjectError(self.filename, [Diagnostic("unreadable", first.message)]) from error
+
+    def unset(self, program: Program) -> list[str]:
+        """Set the variables that are read before they are set."""
+        names: dict[str, None] = {}
+        for one in language.check(program, self.skills):
+            name = one.message.values.get("name")
+            is_unset = one.code in {"unknown-name", "unset-variable"} and isinstance(name, str)
+            if is_unset and name not in program.functions and name not in program.whens:
+                names.setdefault(str(name))
+        for name in names:
+            self.reporting.change(Phrase("import-unset", name=name))
+        return [f"{name} = 0" for name in names]
+
+    # Blocks.
+
+    def workspace(self) -> Workspace:
+        program = self.parsed(self.text(with_loose=True))
+        found = language.to_workspace(program, self.skills)
+        places: dict[str, Part] = {}
+        named = {part.name: part for part in self.parts}
+        named |= {f"def {_LOOSE}{number}": part for number, part in enumerate(self.loose)}
+        for node in (*program.items, *([program.main] if program.main else ())):
+            if (part := named.get(_name(node))) is not None:
+                places[found.block_ids[id(node)]] = part
+        stacks = [_placed(stack, places.get(stack[0].id)) for stack in found.workspace.stacks]
+        return Workspace([stack for stack in stacks if stack], found.workspace.variables)
+
+
+def _as_statements(part: Part) -> Iterable[str]:
+    text = part.lines[0]
+    if not part.block.is_value:
+        return part.lines
+    if is_value(text):
+        return [f"print({text})"]
+    return [text] if is_statement(text) else [f"# {' '.join(text.split())}"]
+
+
+def _name(node: object) -> str:
+    match node:
+        case Def(name=name):
+            return f"def {name}"
+        case When(name=name):
+            return f"when {name}"
+        case Main():
+            return "main"
+    return ""
+
+
+def _placed(stack: list[NewBlock], part: Part | None) -> list[NewBlock]:
+    """A stack where its blocks were; of loose blocks without the function that held them."""
+    if part is None or not part.block.id:
+        return stack
+    if not part.name:
+        stack = _inner(stack[0], is_value=part.block.is_value)
+    if not stack:
+        return stack
+    first = msgspec.structs.replace(stack[0], x=part.block.x, y=part.block.y)
+    return [first, *stack[1:]]
+
+
+def _inner(hat: NewBlock, *, is_value: bool) -> list[NewBlock]:
+    stack = hat.inputs["STACK"].stack if "STACK" in hat.inputs else []
+    if not is_value or not stack:
+        return stack
+    values = [one.block or one.shadow for one in stack[0].inputs.values()]
+    return [value for value in values[:1] if value is not None]

@@ -1,0 +1,34 @@
+"""Names of variables, functions and events, in the form that Block-Text allows."""
+
+import re
+import unicodedata
+
+from learnblock.i18n import Phrase
+from learnblock.importing.report import Reporting
+from learnblock.language.blocktext.lexer import KEYWORDS
+
+_NOT_IN_NAMES = re.compile(r"\W+")
+_LONGEST = 100
+
+
+class Names:
+    """Gives each name its legal form, and reports the names that change."""
+
+    def __init__(self, reporting: Reporting) -> None:
+        self.reporting = reporting
+
+    def legal(self, name: str) -> str:
+        """The name as Block-Text allows it: ``my lines`` becomes ``my_lines``."""
+        found = legal(name)
+        if found != name:
+            self.reporting.change(Phrase("import-renamed", name=name[:_LONGEST], new=found))
+        return found
+
+
+def legal(name: str) -> str:
+    """The name as Block-Text allows it."""
+    found = _NOT_IN_NAMES.sub("_", unicodedata.normalize("NFKC", name))[:_LONGEST]
+    found = found if found.isidentifier() else f"_{found}"
+    if found.isidentifier() and found not in KEYWORDS:
+        return found
+    return f"{found}_" if found in KEYWORDS else "_"

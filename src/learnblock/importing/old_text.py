@@ -1,0 +1,37 @@
+"""Programs in the Block-Text of the original LearnBlock, such as those of its libraries."""
+
+import re
+from collections.abc import Mapping
+
+from learnblock.blocks import BlockConfiguration
+from learnblock.blocks.old_names import todays_name
+from learnblock.i18n import Phrase
+from learnblock.importing.report import Reporting
+from learnblock.language import parse
+from learnblock.language.tree.nodes import Program
+
+_PRINT = re.compile(r"^(\s*)print(?!\s*\()[ \t]+(\S.*?)[ \t]*$", re.MULTILINE)
+_SKILL = re.compile(r"\bfunction\.(\w+)")
+
+
+def parse_old(
+    text: str, filename: str, skills: Mapping[str, BlockConfiguration], reporting: Reporting
+) -> Program:
+    """Read old Block-Text, with today's names of skills and the brackets of ``print``.
+
+    Raises:
+        ProgramError: it is no Block-Text either.
+    """
+
+    def today(match: re.Match[str]) -> str:
+        name = match[1]
+        found = None if name in skills else todays_name(name, skills)
+        if found is None:
+            return match[0]
+        reporting.change(Phrase("import-old-name", name=name, today=found))
+        return f"function.{found}"
+
+    mended, printed = _PRINT.subn(r"\1print(\2)", text.removeprefix("\ufeff"))
+    if printed:
+        reporting.change(Phrase("import-print-brackets"))
+    return parse(_SKILL.sub(today, mended.replace("\r\n", "\n")), filename)

@@ -1,0 +1,178 @@
+"""Write the blocks of an old project as a program in Block-Text, and remember their places."""
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from learnblock.blocks import BlockConfiguration
+from learnblock.errors import Diagnostic, ProjectError
+from learnblock.i18n import Phrase
+from learnblock.importing.line_writer import LineWriter, is_statement, shown
+from learnblock.importing.project import Block, Kind, OriginalProject
+from learnblock.importing.report import Reporting
+
+#: Blocks inside each other; Python itself allows 99.
+DEEPEST = 90
+_FOREVER = "while True"
+_CONDITIONAL = frozenset(("if", "elif", "while"))
+_BRANCHES = frozenset(("elif", "else"))
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a program: its lines, and where its blocks were.
+
+    Args:
+        lines: Block-Text, from the header to `end`; of loose blocks only the blocks.
+        block: the first block.
+        name: what the part is called: ``def f``, ``when x``, ``main``; empty for loose blocks.
+    """
+
+    lines: tuple[str, ...]
+    block: Block
+    name: str = ""
+
+
+@dataclass
+class ProgramWriter:
+    """Writes each block once.
+
+    Args:
+        project: the blocks.
+        skills: the known skills, by name.
+        reporting: collects what changes and what is missing.
+        filename: for errors.
+    """
+
+    project: OriginalProject
+    skills: Mapping[str, BlockConfiguration]
+    reporting: Reporting
+    filename: str
+    written: set[str] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        self.lines = LineWriter(self.project, self.skills, self.reporting)
+
+    def parts(self) -> list[Part]:
+        """The parts of the program: functions, then events, then `main`, then loose blocks."""
+        parts: dict[str, Part] = {}
+        loose: list[Block] = []
+        for root in self.roots():
+            name = self.part_name(root)
+            if not name or name in parts:
+                loose.append(root)
+                continue
+            parts[name] = Part(tuple(self.part(name, root)), root, name)
+            loose += self.chain(root.below)[:1]
+        order = ("def", "when", "main")
+        found = sorted(parts.values(), key=lambda one: order.index(one.name.split()[0]))
+        return [*found, *(part for root in loose if (part := self.loose(root)).lines)]
+
+    def roots(self) -> Iterator[Block]:
+        """The blocks that hang on no other, from the top of the canvas."""
+        blocks = self.project.blocks.values()
+        hanging = {other for one in blocks for other in (one.right, one.inside, one.below)}
+        roots = [one for one in blocks if one.id not in hanging]
+        return iter(sorted(roots, key=lambda one: (one.y, one.x)))
+
+    def part_name(self, root: Block) -> str:
+        if root.name == "main" and root.kind == Kind.CONTROL:
+            return "main"
+        if root.name == "when" or root.kind == Kind.WHEN:
+            return f"when {self.lines.names.legal(root.event or 'event')}"
+        if root.kind == Kind.FUNCTION and root.holds_blocks:
+            return f"def {self.lines.names.legal(root.name)}"
+        return ""
+
+    def part(self, name: str, root: Block) -> Iterator[str]:
+        self.written.add(root.id)
+        header = f"{name}()" if name.startswith("def") else name
+        if name.startswith("when") and root.right:
+            condition = self.lines.condition(self.block(root.right), name)
+            header = f"{name} = {condition}"
+        yield f"{header}:"
+        yield from self.body(root.inside, 1)
+        yield "end"
+
+    def loose(self, root: Block) -> Part:
+        if root.is_value and not root.holds_blocks:
+            return Part((self.lines.line(root).text,), root)
+        if self.part_name(root):
+            self.reporting.change(Phrase("import-twice", name=self.part_name(root)))
+            return Part(tuple(self.statements(root.inside, 1)), root)
+        return Part(tuple(self.statements(root.id, 1)), root)
+
+    # Statements.
+
+    def body(self, first: str | None, depth: int) -> Iterator[str]:
+        lines = list(self.statements(first, depth))
+        yield from lines
+        if all(line.startswith("#") for line in lines):
+            yield "pass"
+
+    def statements(self, first: str | None, depth: int) -> Iterator[str]:
+        """The statements of a block and of those below it."""
+        if depth > DEEPEST:
+            message = Phrase("import-nested", limit=DEEPEST)
+            raise ProjectError(self.filename, [Diagnostic("too-deep", message)])
+        chain = self.chain(first)
+        for place, block in enumerate(chain):
+            above = chain[place - 1].name if place else ""
+            below = chain[place + 1].name if place + 1 < len(chain) else ""
+            if block.holds_blocks:
+                yield from self.compound(block, above, below, depth)
+            else:
+                yield self.lines.statement(block)
+
+    def compound(self, block: Block, above: str, below: str, depth: int) -> Iterator[str]:
+        yield from self.header(block, above)
+        yield from self.body(block.inside, depth + 1)
+        goes_on = block.name in {"if", "elif"} and below in _BRANCHES
+        if not goes_on:
+            yield "end"
+
+    def header(self, block: Block, above: str) -> Iterator[str]:
+        """The line that begins a block with others inside it."""
+        name, right = block.name, self.block(block.right)
+        if name in _BRANCHES and above not in {"if", "elif"}:
+            self.reporting.miss(Phrase("import-no-if", name=name))
+            name = "if"
+            right = right if block.name == "elif" else None
+        if name in {"else", _FOREVER}:
+            yield f"{name}:"
+        elif block.name == "else":
+            yield "if True:"
+        elif name in _CONDITIONAL:
+            yield f"{name} {self.lines.condition(right, name)}:"
+        else:
+            yield from self.other_header(block)
+
+    def other_header(self, block: Block) -> Iterator[str]:
+        """A loop that only later versions have, or a block that nobody knows."""
+        text = self.lines.line(block).text
+        if is_statement(f"{text}: pass end"):
+            yield f"{text}:"
+            return
+        self.reporting.miss(Phrase("import-unread-line", text=shown(text)))
+        yield f"# {' '.join(text.split())}"
+        yield "if False:"
+
+    # Blocks.
+
+    def block(self, key: str | None) -> Block | None:
+        return None if key is None else self.project.blocks.get(key)
+
+    def chain(self, first: str | None) -> list[Block]:
+        """A block and those below it, unless they are written already."""
+        found: list[Block] = []
+        block = self.block(first)
+        while block is not None and block.id not in self.written:
+            self.written.add(block.id)
+            found.append(block)
+            block = self.block(block.below)
+        return found
+
+
+def undefined(parts: Collection[Part], names: Collection[str], word: str) -> list[str]:
+    """The names of functions or events that parts use and none of them defines."""
+    defined = {part.name for part in parts}
+    return [name for name in names if f"{word} {name}" not in defined]
