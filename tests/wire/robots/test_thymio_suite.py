@@ -161,7 +161,7 @@ def test_auto_uses_the_suite_if_it_is_running(thymio):
     ("fault", "sentence"),
     [
         (Fault.GARBAGE, "does not come from a Thymio"),
-        (Fault.CUT, "The connection to the Thymio at .* broke"),
+        (Fault.CUT, "The connection to the Thymio at .* was lost"),
     ],
 )
 def test_a_failing_link_is_reported_and_it_can_be_connected_again(thymio, fault, sentence):
