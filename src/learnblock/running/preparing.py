@@ -30,7 +30,9 @@ def check(source: Source, robot: RobotEntry | None = None) -> list[Diagnostic]:
     beside = {one.name: one for one in installed_libraries.blocks_beside(folder, source.libraries)}
     skills = all_configurations().extended({**beside, **builtin()})
     found = installed_libraries.importable(folder, source.imports)
-    return language.check(source.tree, skills, devices, _with_packages(found, source))
+    python = source.text if source.is_python else None
+    packages = _with_packages(found, source)
+    return language.check(source.tree, skills, devices, packages, python=python)
 
 
 def program(source: Source, robot: RobotEntry) -> Program:

@@ -43,6 +43,10 @@ class Parameter:
     choices: tuple[str, ...] = ()
     choice_names: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
+    @property
+    def is_number(self) -> bool:
+        return self.type in NUMBERS
+
     def objection(self, value: object) -> Phrase | None:
         """A suggestion if the field does not offer a number or string; None if it does.
 

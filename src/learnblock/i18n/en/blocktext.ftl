@@ -61,6 +61,8 @@ blocktext-is = Write '==' to compare. Block-Text has no 'is'.
 
 blocktext-assignment-in-condition = Write '==' to compare. '=' sets a variable.
 blocktext-not-needs-brackets = Put 'not' and what follows it in brackets, as in '(not x)'.
+blocktext-closes-nothing = This '{ $found }' closes nothing. Remove it.
+blocktext-missing-comma = Write ',' between '{ $first }' and '{ $second }'.
 blocktext-without-space = Write '{ $operator }' without a space.
 blocktext-slice = Write 'sublist(values, from, to)' for part of a list.
 blocktext-unclosed-bracket = This '{ $opening }' is never closed. Write '{ $closing }' where it ends.
@@ -120,3 +122,25 @@ blocktext-after-else = This '{ $word }' comes after 'else'. Move 'else' to the e
 blocktext-nested = '{ $word }' can't be inside '{ $opener }'. Move it to the top level.
 blocktext-too-many-blocks = More than { $limit } blocks are nested here. Move some of them into a function.
 blocktext-for-equals = Write 'for { $name } from 1 to 10:', without '='.
+
+## Lines of other languages. $found: a part of the line, $instead: what to write instead
+
+blocktext-comment = A comment begins with '#'. Write '#' instead of '{ $found }'.
+blocktext-endless = Block-Text has no '{ $found }'. Write 'while True:' to repeat forever, or 'repeat 10:' to repeat a number of times.
+blocktext-no-event = Block-Text has no event '{ $found }'. Write a condition of the robot, as in 'when seen = function.is_any_tag():'.
+blocktext-when-needs-name = A 'when' needs a name before its condition. Write '{ $instead }'.
+blocktext-declared = A variable needs no type and no 'var'. Write '{ $instead }' instead of '{ $found }'.
+blocktext-name-with-space = A name is one word. Write '{ $instead }' instead of '{ $found }'.
+blocktext-name-with-hyphen = A name has no '-', which subtracts. Write '{ $instead }' instead of '{ $found }'.
+blocktext-name-with-digit = A name can't begin with a digit. Write '{ $instead }' instead of '{ $found }'.
+blocktext-decimal-comma = Numbers have a decimal point. Write '{ $instead }' instead of '{ $found }'.
+blocktext-sum-as-target = Only one variable can be on the left of '='. Write the sum on the right.
+blocktext-unit = Write numbers without a unit: '{ $instead }' instead of '{ $found }'.
+blocktext-text-in-quotes = Text needs quotes. Write '{ $instead }' instead of '{ $found }'.
+blocktext-straight-quotes = Text needs straight double quotes. Write '{ $instead }' instead of '{ $found }'.
+blocktext-multiply = Write '*' to multiply: '{ $instead }' instead of '{ $found }'.
+blocktext-name-again = Each side of 'and' and 'or' needs its own variable. Write '{ $instead }' instead of '{ $found }'.
+blocktext-python-file = This line is Python. Remove it, or give the file a name that ends in '.py'.
+blocktext-import-not-needed = Remove this line. Block-Text has functions such as 'sqrt(9)', 'random(1, 6)' and 'function.sleep(1)' without an import.
+blocktext-backticks = Block-Text can't read this, but Python can. Write it between backticks: '{ $instead }'.
+blocktext-comma-in-list = Items of a list are separated by commas. Write ',' instead of ';'.

@@ -2,17 +2,21 @@
 
 ## Names
 
-check-unknown-name = '{ $name }' has no value. Set it first: '{ $name } = ...'.
+check-unknown-name = '{ $name }' has no value. Set it first: '{ $name } = ...'. If it is text, write it in quotes.
 check-unknown-name-near = '{ $name }' has no value. Did you mean '{ $near }'?
 check-read-before-set = '{ $name }' is used here before it is set. Write '{ $name } = ...' above.
 check-when-as-variable = '{ $name }' is a 'when'. Write 'state_{ $name }' to check whether it is active.
 check-function-as-variable = '{ $name }' is a function. Write '{ $name }(...)' to call it.
-check-skill-as-name = '{ $name }' is a skill of the robot. Write 'function.{ $name }(...)' to use it.
+check-skill-as-name = '{ $name }' is a skill of the robot. Write '{ $skill }(...)' to use it.
 check-unknown-function = There is no function '{ $name }'. Define it with 'def { $name }(...)', or check the name.
 check-unknown-function-near = There is no function '{ $name }'. Did you mean '{ $near }'?
 check-robot-not-first = 'robot(...)' must come before everything else. Move it to the top.
 check-unknown-skill = There is no skill '{ $name }'. The palette shows all skills.
 check-unknown-skill-near = There is no skill '{ $name }'. Did you mean '{ $near }'?
+# $instead: a call of a skill that exists
+check-unknown-skill-meant = There is no skill '{ $name }'. Write '{ $instead }'.
+check-unknown-function-meant = There is no function '{ $name }'. Write '{ $instead }'.
+check-range = Block-Text has no 'range'. Write 'repeat 4:', or 'for i from 1 to 4:' to count.
 check-function-as-skill = '{ $name }' is your own function. Call it without 'function.'.
 # $reason: file, line and message
 check-skill-with-error = The skill '{ $name }' can't be used because of an error in its file. { $reason }
@@ -66,12 +70,43 @@ check-whole-number = 'for ... from ... to' counts in whole numbers, not { $numbe
 check-text-for-number = This is text, but it must be a number.
 check-step-zero = With 'step 0' the loop would never end. Write another step.
 
+check-speed-as-angle = '{ $call }' takes a speed: the robot would keep turning at { $speed }°/s. Write '{ $turn }' to turn by { $speed } degrees.
+
+## Types. $value, $values and $item: a part of the program
+
+check-convert-to-number = '{ $value }' is text here, but a number is needed. Write 'int({ $value })'.
+check-number-without-quotes = A number is needed here, not text. Write { $number } without quotes.
+check-list-for-number = '{ $values }' is a list here, but a number is needed. Write '{ $values }[0]' for its first item, or 'len({ $values })' for their number.
+check-join-text = Only text can be added to text. Write 'str({ $value })'.
+check-append = Only a list can be added to a list. Write 'append({ $values }, { $item })' to add one item.
+check-append-python = Only a list can be added to a list. Write '{ $values }.append({ $item })' to add one item.
+# $advice: one of the messages above
+check-never-equal = Text never equals a number. { $advice }
+check-repeat-whole-number = 'repeat' needs a whole number, not { $number }.
+check-for-number = '{ $value }' is a number, not a list. Write 'for { $name } from 1 to { $value }:' to count.
+check-for-number-python = '{ $value }' is a number, not a list. Write 'for { $name } in range({ $value }):' to count.
+check-text-as-condition = Text in quotes is always true. Remove the quotes if it is a condition.
+check-action-as-condition = '{ $call }' does something and answers nothing, so this is never true. Use a question, such as one that begins with 'is_'.
+check-no-result = '{ $call }' does something and returns nothing. Write it on its own line, without '='.
+check-bare-value = Each side of '{ $operator }' needs its own comparison. Write '{ $operator } { $variable } { $comparison } { $value }'.
+check-divide-by-zero = Nothing can be divided by 0. Write another number after '{ $operator }'.
+check-swapped-operator = '{ $found }' sets '{ $name }' to the number after it. Write '{ $instead }' to change '{ $name }' by that number.
+check-no-items = '{ $value }' is a number, so it has no items. Use a list or text before '['.
+check-variable-called = '{ $name }' is a number, not a function. Write '{ $name } * ({ $value })' to multiply.
+check-list-called = '{ $name }' is not a function. Write '{ $name }[{ $value }]' for one of its items.
+check-not-whole = "{ $text }" is not a whole number, so 'int' can't read it. Write digits only, such as "4".
+check-argument-type = { $wanted ->
+    [list] '{ $call }' needs a list first, but '{ $value }' is not a list.
+    [text] '{ $call }' needs text first, but '{ $value }' is not text.
+   *[other] '{ $call }' needs text or a list, but '{ $value }' is neither.
+}
+
 ## Devices
 
 # $devices: noun phrases from check-device
-check-skill-without-answer = This robot has no { $devices }: it can't answer 'function.{ $skill }'.
-check-skill-without-base = This robot has no { $devices }: it can't do 'function.{ $skill }'.
-check-skill-without-effect = This robot has no { $devices }: 'function.{ $skill }' does nothing.
+check-skill-without-answer = This robot has no { $devices }: it can't answer '{ $skill }'.
+check-skill-without-base = This robot has no { $devices }: it can't do '{ $skill }'.
+check-skill-without-effect = This robot has no { $devices }: '{ $skill }' does nothing.
 # $kind: the type of the device. $key: the name of one of several such devices, or empty
 check-device = { $kind ->
     [Accelerometer] accelerometer
@@ -109,7 +144,7 @@ check-outside-function = 'return' only works inside a 'def'.
 check-unreachable-after-jump = This is never reached because of '{ $word }' on line { $line }.
 check-unreachable-after-loop = This is never reached because the 'while True' loop on line { $line } never ends.
 check-unreachable-after-branches = This is never reached because no branch of the 'if' on line { $line } continues here.
-check-sensor-outside-loop = 'function.{ $skill }' is checked only once, when the program gets here. Put the 'if' inside 'while True:' to keep checking, or use a 'when'.
+check-sensor-outside-loop = '{ $skill }' is checked only once, when the program gets here. Put the 'if' inside 'while True:' to keep checking, or use a 'when'.
 
 ## A program that can't run. $problem: a message from above, or from another file
 

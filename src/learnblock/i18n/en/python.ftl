@@ -21,3 +21,21 @@ python-bad-character = The character { $character } is not allowed here. Remove 
 python-bad-target = Write the name of a variable before '='.
 python-after-backslash = Nothing can follow '\' on its line. Remove it.
 python-call-without-brackets = Write the arguments of '{ $function }' in brackets: '{ $function }(...)'.
+
+## Lines of other languages
+
+python-block-text = '{ $found }' is Block-Text, not Python. Give the file a name that ends in '.bt', or write only what is inside the block.
+python-count = Write '{ $found } += 1' to count.
+python-brace = Remove '{ $found }'. In Python a block ends where its indentation ends.
+
+## Names that do not exist
+
+# $module: such as sim_ebo
+python-no-robot = The program has no robot. Write 'from learnblock.robots.{ $module } import Robot' and 'robot = Robot()' at the top.
+python-robot-import = 'Robot' can't be imported from there. Write 'from learnblock.robots.{ $module } import Robot'.
+python-robot-not-created = The robot is not created yet. Write 'robot = Robot()'.
+python-robot-class = Write 'robot.{ $skill }(...)', with a small 'r'.
+python-function = In Python a skill belongs to the robot. Write 'robot.{ $skill }(...)' instead of 'function.{ $skill }(...)'.
+python-end = Python has no 'end'. Remove it: a block ends where its indentation ends.
+python-not-imported = The module '{ $module }' is not imported. Write 'import { $module }' at the top.
+python-skill-without-brackets = A skill needs its brackets. Write 'robot.{ $skill }()'.

@@ -61,6 +61,8 @@ blocktext-is = Escribe '==' para comparar. En Block-Text no hay 'is'.
 
 blocktext-assignment-in-condition = Escribe '==' para comparar. '=' da valor a una variable.
 blocktext-not-needs-brackets = Pon 'not' y lo que le sigue entre paréntesis, como en '(not x)'.
+blocktext-closes-nothing = Este '{ $found }' no cierra nada. Quítalo.
+blocktext-missing-comma = Escribe ',' entre '{ $first }' y '{ $second }'.
 blocktext-without-space = Escribe '{ $operator }' sin espacio.
 blocktext-slice = Escribe 'sublist(values, from, to)' para una parte de una lista.
 blocktext-unclosed-bracket = Este '{ $opening }' no se cierra. Escribe '{ $closing }' donde termina.
@@ -120,3 +122,25 @@ blocktext-after-else = Este '{ $word }' va después de 'else'. Mueve 'else' al f
 blocktext-nested = '{ $word }' no puede ir dentro de '{ $opener }'. Muévelo fuera de todos los bloques.
 blocktext-too-many-blocks = Aquí hay más de { $limit } bloques unos dentro de otros. Mueve algunos a una función.
 blocktext-for-equals = Escribe 'for { $name } from 1 to 10:', sin '='.
+
+## Lines of other languages. $found: a part of the line, $instead: what to write instead
+
+blocktext-comment = Un comentario empieza por '#'. Escribe '#' en lugar de '{ $found }'.
+blocktext-endless = En Block-Text no hay '{ $found }'. Escribe 'while True:' para repetir siempre, o 'repeat 10:' para repetir un número de veces.
+blocktext-no-event = En Block-Text no hay el evento '{ $found }'. Escribe una condición del robot, como en 'when seen = function.is_any_tag():'.
+blocktext-when-needs-name = Un 'when' necesita un nombre antes de su condición. Escribe '{ $instead }'.
+blocktext-declared = Una variable no necesita tipo ni 'var'. Escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-name-with-space = Un nombre es una sola palabra. Escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-name-with-hyphen = Un nombre no lleva '-', que resta. Escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-name-with-digit = Un nombre no puede empezar por una cifra. Escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-decimal-comma = Los decimales van con punto. Escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-sum-as-target = A la izquierda de '=' solo puede haber una variable. Escribe la cuenta a la derecha.
+blocktext-unit = Los números van sin unidad: escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-text-in-quotes = Los textos van entre comillas. Escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-straight-quotes = Los textos van entre comillas dobles rectas. Escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-multiply = Para multiplicar se escribe '*': '{ $instead }' en lugar de '{ $found }'.
+blocktext-name-again = Cada lado de 'and' y 'or' necesita su propia variable. Escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-python-file = Esta línea es Python. Quítala, o dale al archivo un nombre que termine en '.py'.
+blocktext-import-not-needed = Quita esta línea. Block-Text tiene funciones como 'sqrt(9)', 'random(1, 6)' y 'function.sleep(1)' sin importar nada.
+blocktext-backticks = Block-Text no entiende esto, pero Python sí. Escríbelo entre acentos graves: '{ $instead }'.
+blocktext-comma-in-list = Los elementos de una lista se separan con comas. Escribe ',' en lugar de ';'.

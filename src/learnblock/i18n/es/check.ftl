@@ -2,17 +2,21 @@
 
 ## Names
 
-check-unknown-name = '{ $name }' no tiene valor. Dale uno antes: '{ $name } = ...'.
+check-unknown-name = '{ $name }' no tiene valor. Dale uno antes: '{ $name } = ...'. Si es un texto, escríbelo entre comillas.
 check-unknown-name-near = '{ $name }' no tiene valor. ¿Querías decir '{ $near }'?
 check-read-before-set = '{ $name }' se usa aquí antes de tener valor. Escribe '{ $name } = ...' más arriba.
 check-when-as-variable = '{ $name }' es un 'when'. Escribe 'state_{ $name }' para saber si está activo.
 check-function-as-variable = '{ $name }' es una función. Escribe '{ $name }(...)' para llamarla.
-check-skill-as-name = '{ $name }' es una habilidad del robot. Escribe 'function.{ $name }(...)' para usarla.
+check-skill-as-name = '{ $name }' es una habilidad del robot. Escribe '{ $skill }(...)' para usarla.
 check-unknown-function = No hay ninguna función '{ $name }'. Defínela con 'def { $name }(...)', o revisa el nombre.
 check-unknown-function-near = No hay ninguna función '{ $name }'. ¿Querías decir '{ $near }'?
 check-robot-not-first = 'robot(...)' va antes que todo lo demás. Muévelo al principio.
 check-unknown-skill = No hay ninguna habilidad '{ $name }'. En la paleta están todas.
 check-unknown-skill-near = No hay ninguna habilidad '{ $name }'. ¿Querías decir '{ $near }'?
+# $instead: a call of a skill that exists
+check-unknown-skill-meant = No hay ninguna habilidad '{ $name }'. Escribe '{ $instead }'.
+check-unknown-function-meant = No hay ninguna función '{ $name }'. Escribe '{ $instead }'.
+check-range = En Block-Text no hay 'range'. Escribe 'repeat 4:', o 'for i from 1 to 4:' para contar.
 check-function-as-skill = '{ $name }' es una función tuya. Llámala sin 'function.'.
 # $reason: file, line and message
 check-skill-with-error = La habilidad '{ $name }' no se puede usar porque hay un error en su archivo. { $reason }
@@ -66,12 +70,43 @@ check-whole-number = 'for ... from ... to' cuenta con números enteros, no con {
 check-text-for-number = Esto es un texto, pero tiene que ser un número.
 check-step-zero = Con 'step 0' el bucle no terminaría nunca. Escribe otro paso.
 
+check-speed-as-angle = '{ $call }' espera una velocidad: el robot seguiría girando a { $speed }°/s. Escribe '{ $turn }' para girar { $speed } grados.
+
+## Types. $value, $values and $item: a part of the program
+
+check-convert-to-number = '{ $value }' es un texto aquí, pero hace falta un número. Escribe 'int({ $value })'.
+check-number-without-quotes = Aquí hace falta un número, no un texto. Escribe { $number } sin comillas.
+check-list-for-number = '{ $values }' es una lista aquí, pero hace falta un número. Escribe '{ $values }[0]' para su primer elemento, o 'len({ $values })' para saber cuántos tiene.
+check-join-text = A un texto solo se le puede sumar otro texto. Escribe 'str({ $value })'.
+check-append = A una lista solo se le puede sumar otra lista. Escribe 'append({ $values }, { $item })' para añadir un elemento.
+check-append-python = A una lista solo se le puede sumar otra lista. Escribe '{ $values }.append({ $item })' para añadir un elemento.
+# $advice: one of the messages above
+check-never-equal = Un texto nunca es igual a un número. { $advice }
+check-repeat-whole-number = 'repeat' necesita un número entero, no { $number }.
+check-for-number = '{ $value }' es un número, no una lista. Escribe 'for { $name } from 1 to { $value }:' para contar.
+check-for-number-python = '{ $value }' es un número, no una lista. Escribe 'for { $name } in range({ $value }):' para contar.
+check-text-as-condition = Un texto entre comillas siempre es verdadero. Quita las comillas si es una condición.
+check-action-as-condition = '{ $call }' hace algo y no responde nada, así que esto nunca se cumple. Usa una pregunta, como las que empiezan por 'is_'.
+check-no-result = '{ $call }' hace algo y no devuelve nada. Escríbelo en su propia línea, sin '='.
+check-bare-value = Cada lado de '{ $operator }' necesita su propia comparación. Escribe '{ $operator } { $variable } { $comparison } { $value }'.
+check-divide-by-zero = No se puede dividir entre 0. Escribe otro número después de '{ $operator }'.
+check-swapped-operator = '{ $found }' le da a '{ $name }' el número que sigue. Escribe '{ $instead }' para cambiar '{ $name }' en ese número.
+check-no-items = '{ $value }' es un número, así que no tiene elementos. Usa una lista o un texto antes de '['.
+check-variable-called = '{ $name }' es un número, no una función. Escribe '{ $name } * ({ $value })' para multiplicar.
+check-list-called = '{ $name }' no es una función. Escribe '{ $name }[{ $value }]' para uno de sus elementos.
+check-not-whole = "{ $text }" no es un número entero, y 'int' no puede leerlo. Escribe solo cifras, como "4".
+check-argument-type = { $wanted ->
+    [list] '{ $call }' necesita primero una lista, y '{ $value }' no es una lista.
+    [text] '{ $call }' necesita primero un texto, y '{ $value }' no es un texto.
+   *[other] '{ $call }' necesita un texto o una lista, y '{ $value }' no es ninguno de los dos.
+}
+
 ## Devices
 
 # $devices: noun phrases from check-device
-check-skill-without-answer = Este robot no tiene { $devices }: no puede responder a 'function.{ $skill }'.
-check-skill-without-base = Este robot no tiene { $devices }: no puede hacer 'function.{ $skill }'.
-check-skill-without-effect = Este robot no tiene { $devices }: 'function.{ $skill }' no hace nada.
+check-skill-without-answer = Este robot no tiene { $devices }: no puede responder a '{ $skill }'.
+check-skill-without-base = Este robot no tiene { $devices }: no puede hacer '{ $skill }'.
+check-skill-without-effect = Este robot no tiene { $devices }: '{ $skill }' no hace nada.
 # $kind: the type of the device. $key: the name of one of several such devices, or empty
 check-device = { $kind ->
     [Accelerometer] acelerómetro
@@ -109,7 +144,7 @@ check-outside-function = 'return' solo funciona dentro de un 'def'.
 check-unreachable-after-jump = Aquí no se llega nunca, por el '{ $word }' de la línea { $line }.
 check-unreachable-after-loop = Aquí no se llega nunca, porque el bucle 'while True' de la línea { $line } no termina.
 check-unreachable-after-branches = Aquí no se llega nunca, porque ninguna rama del 'if' de la línea { $line } sigue hasta aquí.
-check-sensor-outside-loop = 'function.{ $skill }' se mira una sola vez, cuando el programa llega aquí. Pon el 'if' dentro de 'while True:' para seguir mirando, o usa un 'when'.
+check-sensor-outside-loop = '{ $skill }' se mira una sola vez, cuando el programa llega aquí. Pon el 'if' dentro de 'while True:' para seguir mirando, o usa un 'when'.
 
 ## A program that can't run. $problem: a message from above, or from another file
 

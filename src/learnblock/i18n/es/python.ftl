@@ -21,3 +21,21 @@ python-bad-character = El carácter { $character } no puede estar aquí. Quítal
 python-bad-target = Escribe el nombre de una variable antes de '='.
 python-after-backslash = Después de '\' no puede haber nada en su línea. Quítalo.
 python-call-without-brackets = Escribe los argumentos de '{ $function }' entre paréntesis: '{ $function }(...)'.
+
+## Lines of other languages
+
+python-block-text = '{ $found }' es Block-Text, no Python. Dale al archivo un nombre que termine en '.bt', o escribe solo lo que hay dentro del bloque.
+python-count = Escribe '{ $found } += 1' para contar.
+python-brace = Quita '{ $found }'. En Python un bloque termina donde termina su sangrado.
+
+## Names that do not exist
+
+# $module: such as sim_ebo
+python-no-robot = El programa no tiene robot. Escribe 'from learnblock.robots.{ $module } import Robot' y 'robot = Robot()' al principio.
+python-robot-import = 'Robot' no se puede importar de ahí. Escribe 'from learnblock.robots.{ $module } import Robot'.
+python-robot-not-created = El robot todavía no está creado. Escribe 'robot = Robot()'.
+python-robot-class = Escribe 'robot.{ $skill }(...)', con 'r' minúscula.
+python-function = En Python las habilidades son del robot. Escribe 'robot.{ $skill }(...)' en lugar de 'function.{ $skill }(...)'.
+python-end = En Python no hay 'end'. Quítalo: un bloque termina donde termina su sangrado.
+python-not-imported = El módulo '{ $module }' no está importado. Escribe 'import { $module }' al principio.
+python-skill-without-brackets = Una habilidad lleva paréntesis. Escribe 'robot.{ $skill }()'.

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from learnblock.i18n import Phrase
-from learnblock.language.blocktext.expression_parser import ExpressionParser
 from learnblock.language.blocktext.lexer import Token, Tokens
-from learnblock.language.blocktext.slips import Slip, write_instead
+from learnblock.language.blocktext.line_rewriter import LineRewriter
+from learnblock.language.blocktext.slips import VALUES, Rewritten, Slip, write_instead
 from learnblock.language.blocktext.token_reader import LINE_ENDS, from_to
 from learnblock.language.tree import raw
 from learnblock.language.tree.nodes import Blank, Body, Comment, Raw, Span, Statement
@@ -42,7 +42,7 @@ _LINE_END = Phrase("blocktext-end-of-line")
 Read = TypeVar("Read")
 
 
-class BlockParser(ExpressionParser):
+class BlockParser(LineRewriter):
     """Reads blocks; a subclass reads their statements."""
 
     def __init__(self, tokens: Tokens) -> None:
@@ -52,8 +52,15 @@ class BlockParser(ExpressionParser):
         self.suspects: list[Token] = []  # blocks whose `end` is indented like an outer block
 
     def leave(self, slip: Slip) -> None:
-        """Report why a statement cannot be read, and continue with the next line."""
-        self.diagnostics.append(slip.diagnostic)
+        """Report why a statement cannot be read, and continue with the next line.
+
+        If the line could be rewritten, read it again instead.
+        """
+        if isinstance(slip, Rewritten) or self.rewrite_line(self.openers):
+            self.index = self.line_start()
+            return
+        if self.token.line not in self.rewritten:
+            self.diagnostics.append(slip.diagnostic)
         self.skip_line()
 
     def note(self, items: list[Any]) -> bool:
@@ -82,9 +89,16 @@ class BlockParser(ExpressionParser):
             self.index += 2
             return comment_text(self.tokens[self.index - 2]), span
         elif kind not in BLOCK_ENDS:
-            second = kind in STATEMENT_STARTS
-            raise self.second_statement() if second else self.unexpected(_LINE_END)
+            raise self.more_on_line(kind)
         return None, span
+
+    def more_on_line(self, kind: str) -> Slip:
+        if kind in STATEMENT_STARTS:
+            return self.second_statement()
+        if kind in {")", "]"}:
+            message = Phrase("blocktext-closes-nothing", found=kind)
+            return self.slip("unexpected", message)
+        return self.unexpected(_LINE_END)
 
     def line_span(self, start: Token) -> Span:
         """The span from `start` to the last token of the previous line."""
@@ -109,9 +123,21 @@ class BlockParser(ExpressionParser):
             value = read()
             return value, self.colon(opener)
         except Slip as slip:
-            self.leave(slip)
+            return self.header_again(opener, read, instead, slip)
+
+    def header_again(
+        self, opener: Token, read: Callable[[], Read], instead: Read, slip: Slip
+    ) -> tuple[Read, str | None]:
+        """Report a slip in the first line of a block, and read the line as it should be."""
+        if self.rewrite_line(self.openers):
+            self.index = self.line_start()
+            if self.token.text != opener.text:
+                raise Rewritten(slip.diagnostic)
             self.index += 1
-            return instead, None
+            return self.header(opener, read, instead)
+        self.leave(slip)
+        self.index += 1
+        return instead, None
 
     def colon(self, opener: Token) -> str | None:
         kind = self.kinds[self.index]
@@ -124,6 +150,8 @@ class BlockParser(ExpressionParser):
             self.report("missing-colon", message, place)
         elif self.token.text in {"then", "do"}:
             raise self.slip("missing-colon", write_instead(self.token.text, ":"))
+        elif opener.kind == "else" and kind in VALUES:
+            raise self.slip("else-with-condition", write_instead("else", "elif"), opener)
         else:
             raise self.unexpected(Phrase("blocktext-wanted-colon", word=opener.text))
         kind = self.kinds[self.index]
@@ -199,6 +227,10 @@ class BlockParser(ExpressionParser):
             comment, _ = self.line_end(token)
             if comment is not None:
                 body.append(Comment(comment, Span(token.line, token.column + 4)))
+            return
+        if self.rewrite_line(self.openers):
+            self.index = self.line_start()
+            self.close(opener, body)
             return
         self.diagnostics.append(self.unexpected(_LINE_END).diagnostic)
         self.skip_line()

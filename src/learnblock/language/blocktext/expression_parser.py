@@ -250,16 +250,17 @@ class ExpressionParser(TokenReader):
                 return True
             kind = closing
         if kind != closing:
-            either = Phrase("blocktext-wanted-either", first=",", second=closing)
-            raise self.unclosed_bracket(opening, closing, either)
+            raise self.unclosed_bracket(
+                opening, closing, slips.next_value(self.token, self.before, closing)
+            )
         self.index += 1
         return False
 
-    def unclosed_bracket(self, opening: Token, closing: str, wanted: Phrase) -> Slip:
+    def unclosed_bracket(self, opening: Token, closing: str, otherwise: Slip) -> Slip:
         if self.kinds[self.index] in {"newline", "comment", "eof", ":"}:
             message = Phrase("blocktext-unclosed-bracket", opening=opening.text, closing=closing)
             return self.slip("unclosed-bracket", message, opening)
-        return self.unexpected(wanted)
+        return otherwise
 
     def parenthesized(self, token: Token) -> Expression:
         self.index += 1
@@ -267,7 +268,7 @@ class ExpressionParser(TokenReader):
         value = self.expression()
         self.nesting -= 1
         if self.kinds[self.index] != ")":
-            raise self.unclosed_bracket(token, ")", symbol(")"))
+            raise self.unclosed_bracket(token, ")", self.unexpected(symbol(")")))
         self.index += 1
         return value
 

@@ -76,7 +76,7 @@ _KINDS = {
 _RAW_START = re.compile(r"^([ \t]*)python[ \t]*:[ \t]*(#[^\n]*?)?\r?$", re.MULTILINE)
 _RAW_END = re.compile(r"^[ \t]*end\b[ \t]*(?:#[^\n]*)?\r?$", re.MULTILINE)
 _ARGUMENT = re.compile(r"[ \t]*=(?!=)")
-_LINE_END = re.compile(r"\r?\n|\r")
+LINE_END = re.compile(r"\r?\n|\r")
 _FORBIDDEN = re.compile("[\x00\ud800-\udfff]")
 
 MAX_CHARACTERS = 2_000_000
@@ -108,12 +108,14 @@ class Tokens:
         kinds: the kind of each token.
         hoisted: comments inside brackets, by the index of the first token of their statement.
         diagnostics: invalid characters.
+        text: that was read, with plain line ends.
     """
 
     tokens: list[Token] = field(default_factory=list)
     kinds: list[str] = field(default_factory=list)
     hoisted: dict[int, list[Token]] = field(default_factory=dict)
     diagnostics: list[Diagnostic] = field(default_factory=list)
+    text: str = ""
 
 
 def tokenize(text: str) -> Tokens:
@@ -170,7 +172,7 @@ def _foreign_name(text: str) -> tuple[str, str]:
 class _Lexer:
     def __init__(self, text: str) -> None:
         self.text = text
-        self.result = Tokens()
+        self.result = Tokens(text=text)
         self.line, self.line_start = 1, 0
         self.depth = 0  # the number of open brackets
         self.soft: list[tuple[int, Token]] = []  # line ends inside brackets, with their index
@@ -233,7 +235,7 @@ class _Lexer:
         """Add a line end, or record one inside brackets; return the number of lines."""
         tokens = self.result.tokens
         token = Token("newline", "\n", line, column)
-        lines = 1 if text == "\n" else len(_LINE_END.findall(text))
+        lines = 1 if text == "\n" else len(LINE_END.findall(text))
         if soft:
             self.soft.append((len(tokens), token))
             return lines

@@ -39,6 +39,7 @@ _CHARACTERS: Mapping[str, Phrase] = MappingProxyType(
         "}": _BRACES,
     }
 )
+_PYTHON_ONLY = ("class", "try", "except", "finally", "with", "del", "raise", "assert", "async")
 _OTHER_LANGUAGES: Mapping[str, Phrase] = MappingProxyType(
     {
         **_replaced({"elseif": "elif", "elsif": "elif", "function": "def", "func": "def"}),
@@ -49,9 +50,7 @@ _OTHER_LANGUAGES: Mapping[str, Phrase] = MappingProxyType(
         "loop": Phrase("blocktext-loop"),
         "foreach": Phrase("blocktext-foreach"),
         "from": Phrase("blocktext-from"),
-        "class": Phrase("blocktext-python-only", word="class"),
-        "try": Phrase("blocktext-python-only", word="try"),
-        "with": Phrase("blocktext-python-only", word="with"),
+        **{word: Phrase("blocktext-python-only", word=word) for word in _PYTHON_ONLY},
         "global": Phrase("blocktext-global"),
     }
 )
@@ -96,7 +95,7 @@ _ALL_BLOCK_OPENERS = frozenset(
 )
 _ROBOTS = frozenset(("robot", "functions", "fuction", "funtion", "Function"))
 _STRING_PREFIXES = frozenset(("f", "r", "b", "u", "rb", "br", "fr"))
-_VALUES = frozenset(("name", "number", "string"))
+VALUES = frozenset(("name", "number", "string"))
 _LINE_ENDS = frozenset(("newline", "comment"))
 
 
@@ -105,6 +104,10 @@ class Slip(Exception):  # noqa: N818 - not an error: it unwinds the parser to th
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         self.diagnostic = diagnostic
+
+
+class Rewritten(Slip):
+    """The line of the statement has been rewritten, and is to be read again."""
 
 
 def at(token: Token, code: str, message: Phrase) -> Diagnostic:
@@ -178,7 +181,7 @@ def odd_statement(token: Token, following: Token, third: Token) -> Slip:  # noqa
     if following.kind == "==":
         message = Phrase("blocktext-comparison-as-statement", name=name)
         return slip(following, "comparison-as-statement", message)
-    if following.kind in {*_VALUES, ":"} or following.kind in KEYWORDS:
+    if following.kind in {*VALUES, ":"} or following.kind in KEYWORDS:
         return _misspelled(token, following)
     if following.kind in {"+", "-"} and third.kind == following.kind:
         message = Phrase("blocktext-count", name=name, operator=following.kind)
@@ -220,6 +223,15 @@ def no_value(token: Token, before: Token, operators: frozenset[str]) -> Slip:
     return unexpected(token, before, Phrase("blocktext-wanted-value"))
 
 
+def next_value(token: Token, before: Token, closing: str) -> Slip:
+    """A token in place of a comma or a closing bracket."""
+    if token.kind in VALUES and before.kind in VALUES:
+        message = Phrase("blocktext-missing-comma", first=before.text, second=token.text)
+        return slip(token, "unexpected", message)
+    either = Phrase("blocktext-wanted-either", first=",", second=closing)
+    return unexpected(token, before, either)
+
+
 def two_strings(token: Token, following: Token) -> Slip:
     """A string directly after a string."""
     if token.text in {'""', "''"} and following.column == token.column + 2:
@@ -236,7 +248,7 @@ def _misspelled(token: Token, following: Token) -> Slip:
         return slip(
             token, "unknown-word", Phrase("blocktext-unknown-word-near", word=name, near=near)
         )
-    if following.kind in _VALUES:
+    if following.kind in VALUES:
         return slip(following, "missing-brackets", Phrase("blocktext-missing-brackets", name=name))
     return slip(token, "unknown-word", Phrase("blocktext-unknown-word", word=name))
 

@@ -115,6 +115,8 @@ class StatementParser(BlockParser):
         if following in {"(", "["}:
             return self.perform(token)
         slip = slips.odd_statement(token, *self.tokens[self.index + 1 : self.index + 3])
+        if self.rewrite_line(self.openers):
+            raise slips.Rewritten(slip.diagnostic)
         if not (slips.opens_block(token.text) and self.line_ends_in_colon()):
             raise slip
         self.leave(slip)

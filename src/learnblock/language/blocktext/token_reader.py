@@ -19,6 +19,7 @@ class TokenReader:
         self.tokens, self.kinds = tokens.tokens, tokens.kinds
         self.hoisted = tokens.hoisted
         self.diagnostics = tokens.diagnostics
+        self.text = tokens.text
         self.index = 0
 
     @property

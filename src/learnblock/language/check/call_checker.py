@@ -1,6 +1,7 @@
 """Check calls: whether the function exists, fits the arguments, and works on the robot."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from itertools import pairwise
 
 from learnblock.blocks import NUMBERS, BlockConfiguration, Parameter
 from learnblock.blocks.old_names import todays_name
@@ -8,6 +9,8 @@ from learnblock.errors import Severity, nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.check.findings import Findings, python_error, unknown_when
+from learnblock.language.check.other_names import FUNCTIONS as OTHER_FUNCTIONS
+from learnblock.language.check.other_names import FUNCTIONS_AS_SKILLS, SKILLS
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.builtins import BUILTINS, FUNCTIONS, TEMPLATES
 from learnblock.language.tree.nodes import (
@@ -20,12 +23,15 @@ from learnblock.language.tree.nodes import (
     Number,
     RawExpression,
     SkillCall,
+    Span,
     String,
     Unary,
 )
 from learnblock.language.tree.traversal import expressions, within
 from learnblock.language.workspace.literals import value_of
 
+# Quarter turns, and more of them.
+_ANGLES = frozenset((90, 180, 270, 360))
 _OPEN_ENDED = frozenset(name for name, (_, most) in BUILTINS.items() if most is None)
 
 
@@ -105,28 +111,38 @@ class CallChecker:
         if reason := self.findings.broken.get(name):
             return Phrase("check-skill-with-error", name=name, reason=reason)
         skills = self.findings.skills
-        near = todays_name(name, skills) or nearest(name, skills)
+        near = todays_name(name, skills)
+        if near is None and (meant := self.meant(SKILLS, name)) is not None:
+            return Phrase("check-unknown-skill-meant", name=name, instead=meant)
+        near = near or nearest(name, skills)
         if near is None:
             return Phrase("check-unknown-skill", name=name)
         return Phrase("check-unknown-skill-near", name=name, near=near)
+
+    def meant(self, names: Mapping[str, str], name: str) -> str | None:
+        """The call of a skill of ours for a name of another language."""
+        call = names.get(name)
+        known = call is not None and call.partition("(")[0] in self.findings.skills
+        return self.findings.called(call) if call is not None and known else None
 
     def missing_devices(
         self, node: SkillCall, skill: BlockConfiguration, missing: tuple[str, ...]
     ) -> None:
         devices = tuple(map(_device, missing))
+        called = self.findings.called(node.name)
         severity: Severity = "error"
         if skill.returns_value:
-            message = Phrase("check-skill-without-answer", skill=node.name, devices=devices)
+            message = Phrase("check-skill-without-answer", skill=called, devices=devices)
         elif "Base" in missing:
-            message = Phrase("check-skill-without-base", skill=node.name, devices=devices)
+            message = Phrase("check-skill-without-base", skill=called, devices=devices)
         else:
-            message = Phrase("check-skill-without-effect", skill=node.name, devices=devices)
+            message = Phrase("check-skill-without-effect", skill=called, devices=devices)
             severity = "warning"
         self.report("missing-device", message, node.span, severity)
 
     def arguments(self, node: SkillCall, skill: BlockConfiguration) -> None:
         parameters = skill.parameters
-        call = f"function.{node.name}"
+        call = self.findings.called(node.name)
         self.too_many(node, call, tuple(parameter.name for parameter in parameters))
         given = {parameter.name for parameter in parameters[: len(node.arguments)]}
         known = {parameter.name: parameter for parameter in parameters}
@@ -141,7 +157,12 @@ class CallChecker:
                 self.type_of(call, known[keyword.name], keyword.value)
 
     def too_many(self, node: Call | SkillCall, call: str, parameters: tuple[str, ...]) -> None:
-        if len(node.arguments) > len(parameters):
+        if len(node.arguments) <= len(parameters):
+            return
+        if (decimal := _decimal_comma(node.arguments)) is not None:
+            message, span = decimal
+            self.report("argument-count", message, span)
+        else:
             message = Phrase(
                 "check-too-many-arguments",
                 call=call,
@@ -180,9 +201,18 @@ class CallChecker:
             self.report("wrong-type", message, value.span)
             return
         constant = _constant(value)
-        if constant is not None and parameter.objection(constant):
+        if parameter.name == "rotSpeed" and constant in _ANGLES:
+            self.speed_as_angle(call, constant, value)
+        elif constant is not None and parameter.objection(constant):
             message = _unusual_value(call, parameter, repr(constant).removesuffix(".0"))
             self.report("unusual-value", message, value.span, "warning")
+
+    def speed_as_angle(self, call: str, angle: object, value: Expression) -> None:
+        """Report ``turn_left(90)``, which does not turn by 90 degrees."""
+        sign = "-" if call.endswith("_left") else ""
+        turn = f"{self.findings.called('turn')}({sign}{angle:g})"
+        message = Phrase("check-speed-as-angle", call=call, speed=f"{angle:g}", turn=turn)
+        self.report("unusual-value", message, value.span, "warning")
 
     def call(self, node: Call) -> None:
         function = self.findings.functions.get(node.name)
@@ -216,19 +246,32 @@ class CallChecker:
 
     def unknown_function_message(self, name: str) -> Phrase:
         if name in self.findings.skills:
-            return Phrase("check-skill-as-name", name=name)
+            return Phrase("check-skill-as-name", name=name, skill=self.findings.called(name))
         if name == "robot":
             return Phrase("check-robot-not-first")
-        skills = self.findings.skills
-        if (today := todays_name(name, skills)) is not None:
-            near: str | None = f"function.{today}"
-        else:
-            near = nearest(name, [*self.findings.functions, *FUNCTIONS])
-        if near is None and (skill := nearest(name, skills)) is not None:
-            near = f"function.{skill}"
+        if name == "range":
+            return Phrase("check-range")
+        if (instead := self.function_meant(name)) is not None:
+            return Phrase("check-unknown-function-meant", name=name, instead=instead)
+        near = self.similar_function(name)
         if near is None:
             return Phrase("check-unknown-function", name=name)
         return Phrase("check-unknown-function-near", name=name, near=near)
+
+    def function_meant(self, name: str) -> str | None:
+        """The call that a name of another language stands for."""
+        if name in OTHER_FUNCTIONS:
+            return f"{OTHER_FUNCTIONS[name]}(...)"
+        return self.meant(FUNCTIONS_AS_SKILLS, name)
+
+    def similar_function(self, name: str) -> str | None:
+        skills = self.findings.skills
+        if (today := todays_name(name, skills)) is not None:
+            return self.findings.called(today)
+        near = nearest(name, [*self.findings.functions, *FUNCTIONS])
+        if near is None and (skill := nearest(name, skills)) is not None:
+            return self.findings.called(skill)
+        return near
 
 
 def _constant(node: Expression) -> float | str | None:
@@ -241,6 +284,19 @@ def _constant(node: Expression) -> float | str | None:
         case Unary(operator="-", operand=Number(text=spelled)):
             value = value_of(spelled)
             return None if value is None else -value
+    return None
+
+
+def _decimal_comma(arguments: tuple[Expression, ...]) -> tuple[Phrase, Span] | None:
+    """The message about ``0,5`` among arguments, and where it is."""
+    for one, other in pairwise(arguments):
+        if not (isinstance(one, Number) and isinstance(other, Number)):
+            continue
+        first, last = one.span, other.span
+        if last.column == first.end_column + 1 and (one.text + other.text).isdecimal():
+            found, instead = f"{one.text},{other.text}", f"{one.text}.{other.text}"
+            message = Phrase("blocktext-decimal-comma", found=found, instead=instead)
+            return message, first._replace(end_column=last.end_column)
     return None
 
 

@@ -9,6 +9,8 @@ from learnblock.errors import Diagnostic
 from learnblock.i18n import Phrase
 from learnblock.language.check.call_checker import CallChecker
 from learnblock.language.check.findings import Findings, python_error, unknown_when
+from learnblock.language.check.python_checker import check_python
+from learnblock.language.check.type_checker import check_types
 from learnblock.language.check.variable_checker import check_variables
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.nodes import (
@@ -52,6 +54,8 @@ def check(
     skills: Mapping[str, BlockConfiguration],
     devices: frozenset[str] | None = None,
     importable: Importable | None = None,
+    *,
+    python: str | None = None,
 ) -> list[Diagnostic]:
     """Find the errors and likely mistakes of a program without running it, in source order.
 
@@ -60,11 +64,15 @@ def check(
         skills: the skills of the robot, by name.
         devices: the devices of the chosen robot, as ``Type:KEY``; None if no robot is chosen.
         importable: the modules that an ``import`` can name; None if unknown.
+        python: the text of the program, if its author wrote Python.
     """
+    findings = Findings(program, skills, devices, importable, in_python=python is not None)
     if _is_only_raw(program):
-        return _raw_problems(program)
-    findings = Findings(program, skills, devices, importable)
-    _Checker(findings).run()
+        findings.diagnostics.extend(_raw_problems(program))
+    else:
+        _Checker(findings).run()
+    if python is not None:
+        check_python(python, findings)
     found = sorted(findings.diagnostics, key=attrgetter("line", "column"))
     return list(dict.fromkeys(found))
 
@@ -112,6 +120,7 @@ class _Checker:
         self.block(self.findings.top, 0, 0, within_def=False)
         self.block(self.findings.main, 0, 0, within_def=False)
         check_variables(self.findings)
+        check_types(self.findings)
         self.sensors_outside_loops()
 
     def duplicates(self) -> None:
@@ -205,7 +214,8 @@ class _Checker:
             for node in within(branch.condition):
                 skill = self.findings.skills.get(node.name) if isinstance(node, SkillCall) else None
                 if skill is not None and skill.type == "perceptual":
-                    message = Phrase("check-sensor-outside-loop", skill=skill.name)
+                    called = self.findings.called(skill.name)
+                    message = Phrase("check-sensor-outside-loop", skill=called)
                     self.report("sensor-outside-loop", message, branch.span, "warning")
                     return
 

@@ -21,6 +21,7 @@ class Findings:
         skills: the skills of the robot, by name.
         devices: the devices of the chosen robot; None if no robot is chosen.
         importable: the modules that an ``import`` can name; None if unknown.
+        in_python: whether the program's author wrote Python.
     """
 
     def __init__(
@@ -29,8 +30,11 @@ class Findings:
         skills: Mapping[str, BlockConfiguration],
         devices: frozenset[str] | None,
         importable: Importable | None = None,
+        *,
+        in_python: bool = False,
     ) -> None:
         self.program, self.skills, self.devices = program, skills, devices
+        self.in_python = in_python
         self.importable = importable
         self.broken = skills.broken if isinstance(skills, Configurations) else {}
         self.diagnostics: list[Diagnostic] = []
@@ -48,6 +52,14 @@ class Findings:
         """Whether an import may define any name; a library defines only its skills."""
         known = self.importable.libraries if self.importable else frozenset()
         return bool(self.imported - known) or "*" in self.raw_names
+
+    def called(self, skill: str) -> str:
+        """The name of a skill as its author writes it."""
+        return f"robot.{skill}" if self.in_python else f"function.{skill}"
+
+    def is_of_language(self, name: str) -> bool:
+        """Whether a function is one of the language, which no other one replaces."""
+        return name not in self.functions and name not in self.raw_names and not self.imports
 
     def names_in_raw(self) -> set[str]:
         found: set[str] = set()

@@ -6,19 +6,10 @@ from learnblock.errors import nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.slips import write_instead
 from learnblock.language.check.findings import Findings
+from learnblock.language.check.other_names import VALUES
 from learnblock.language.tree.nodes import Assign, Body, Def, ForEach, ForRange, Item, Name, When
 from learnblock.language.tree.traversal import bodies, expressions, set_by, statements, within
 
-_SPELLINGS = {
-    "true": "True",
-    "false": "False",
-    "none": "None",
-    "null": "None",
-    "nil": "None",
-    "TRUE": "True",
-    "FALSE": "False",
-    "NONE": "None",
-}
 # Python sets these in every file.
 _PYTHONS_OWN = frozenset(("__name__", "__file__"))
 
@@ -58,10 +49,10 @@ class _Values:
             return Phrase("check-when-as-variable", name=name)
         if name in self.findings.functions:
             return Phrase("check-function-as-variable", name=name)
-        if name in _SPELLINGS:
-            return write_instead(name, _SPELLINGS[name])
+        if name in VALUES:
+            return write_instead(name, VALUES[name])
         if name in self.findings.skills:
-            return Phrase("check-skill-as-name", name=name)
+            return Phrase("check-skill-as-name", name=name, skill=self.findings.called(name))
         near = nearest(name, self.known | own)
         if near is None:
             return Phrase("check-unknown-name", name=name)

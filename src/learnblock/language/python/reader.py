@@ -13,6 +13,7 @@ from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import names
 from learnblock.language.blocktext.lexer import MAX_CHARACTERS, too_long
+from learnblock.language.blocktext.rewording import reworded
 from learnblock.language.python import imports
 from learnblock.language.python.expression_reader import (
     Unlike,
@@ -20,6 +21,7 @@ from learnblock.language.python.expression_reader import (
     span_of,
     start_of,
 )
+from learnblock.language.python.foreign_lines import RULES
 from learnblock.language.python.generation import DEFAULT_ROBOT, ROBOT_IMPORT, canonical
 from learnblock.language.python.scopes import Scopes, stored_names
 from learnblock.language.python.skeleton import Skeleton, is_when, skeleton_of, unusual
@@ -76,7 +78,7 @@ def _parsed(text: str, filename: str) -> ast.Module:
             warnings.simplefilter("ignore")
             return ast.parse(text.removeprefix("\ufeff"))
     except SyntaxError as error:
-        raise ProgramError(filename, [_syntax_error(error)], text) from None
+        raise ProgramError(filename, [_syntax_error(error, text)], text) from None
     except (RecursionError, MemoryError):
         too_deep = Diagnostic("too-deep", Phrase("python-too-deep"))
         raise ProgramError(filename, [too_deep], text) from None
@@ -85,9 +87,15 @@ def _parsed(text: str, filename: str) -> ast.Module:
         raise ProgramError(filename, [Diagnostic("python-syntax", message)]) from None
 
 
-def _syntax_error(error: SyntaxError) -> Diagnostic:
-    end = (error.end_offset or 0) if error.end_lineno == error.lineno else 0
+def _syntax_error(error: SyntaxError, text: str) -> Diagnostic:
+    lines = text.split("\n")
     line, column = error.lineno or 0, error.offset or 0
+    code = lines[line - 1].partition("#")[0] if 0 < line <= len(lines) else ""
+    rewording = reworded(code, RULES)
+    if rewording is not None:
+        start, end = rewording.start + 1, rewording.end + 1
+        return Diagnostic("not-python", rewording.message, line, start, end)
+    end = (error.end_offset or 0) if error.end_lineno == error.lineno else 0
     return Diagnostic("python-syntax", syntax_message(error), line, column, max(end, 0))
 
 

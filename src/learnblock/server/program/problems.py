@@ -16,7 +16,8 @@ from learnblock.server.program.notations import Notations, Target, Written
 def problems(notations: Notations, target: Target) -> tuple[Problem, ...]:
     """The diagnostics of `check`, cached for each text."""
     blocktext, python = notations.blocktext.tree, notations.python.tree
-    said = _checked(blocktext or python or notations.tree, target)
+    text = notations.python.text if python is not None else None
+    said = _checked(blocktext or python or notations.tree, target, None if blocktext else text)
     if not said:
         return ()
     if blocktext is None:
@@ -24,7 +25,7 @@ def problems(notations: Notations, target: Target) -> tuple[Problem, ...]:
         blocktext = parse(notations.blocktext.text)
         said = _checked(blocktext, target)
     elif python is not None:
-        in_python = _checked(python, target)
+        in_python = _checked(python, target, text)
     found = _Located(notations, blocktext)
     first = [problem(one, "blocktext", found.block(one)) for one in said]
     if python is None:
@@ -57,8 +58,8 @@ def owners(extents: Iterable[Extent]) -> list[int | None]:
     return found
 
 
-def _checked(tree: Program, target: Target) -> list[Diagnostic]:
-    return check(tree, target.configurations, target.devices, target.importable)
+def _checked(tree: Program, target: Target, python: str | None = None) -> list[Diagnostic]:
+    return check(tree, target.configurations, target.devices, target.importable, python=python)
 
 
 def _in_authors_python(

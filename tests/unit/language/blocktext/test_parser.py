@@ -121,7 +121,7 @@ def test_every_error_of_a_file_is_reported_in_one_pass():
     with pytest.raises(ProgramError) as caught:
         parse("x = = 1\nif x\n  y = (\nend\nz 3\n", "mine.bt")
     assert [1, 2, 3, 5] == [diagnostic.line for diagnostic in caught.value.diagnostics]
-    assert str(caught.value).startswith("mine.bt:1:5: ")
+    assert str(caught.value).startswith("mine.bt:1:3: ")
     last = caught.value.diagnostics[-1]
     assert "z 3\n  ^" == last.pointed(caught.value.source)
     assert "missing-brackets" == last.code

@@ -131,7 +131,11 @@ def test_without_a_robot_no_device_is_missing(found):
             "unknown-function",
             Phrase("check-unknown-function-near", name="goo", near="go"),
         ),
-        ("stop_bot()\n", "unknown-function", Phrase("check-skill-as-name", name="stop_bot")),
+        (
+            "stop_bot()\n",
+            "unknown-function",
+            Phrase("check-skill-as-name", name="stop_bot", skill="function.stop_bot"),
+        ),
         (
             "function.turn()\n",
             "missing-argument",
@@ -192,7 +196,7 @@ def test_without_a_robot_no_device_is_missing(found):
         (
             "if function.is_tag(1): x = 1 end\n",
             "sensor-outside-loop",
-            Phrase("check-sensor-outside-loop", skill="is_tag"),
+            Phrase("check-sensor-outside-loop", skill="function.is_tag"),
         ),
     ],
 )

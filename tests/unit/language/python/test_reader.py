@@ -262,7 +262,7 @@ def test_invalid_python_is_a_program_error(text):
 
 def test_a_syntax_error_has_its_position():
     with pytest.raises(ProgramError) as caught:
-        from_python("x = 1\ny = = 2\n")
+        from_python("x = 1\ny = % 2\n")
     (diagnostic,) = caught.value.diagnostics
     assert (2, 5) == (diagnostic.line, diagnostic.column)
 

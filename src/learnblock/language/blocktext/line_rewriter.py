@@ -1,0 +1,89 @@
+"""The part of a parser that rewrites a line of another language in place, and says so."""
+
+from collections.abc import Iterable
+from functools import cached_property
+
+from learnblock.errors import Diagnostic
+from learnblock.language.blocktext.expression_parser import ExpressionParser
+from learnblock.language.blocktext.lexer import LINE_END, Token, Tokens, tokenize
+from learnblock.language.blocktext.rewording import Rewording, reworded
+from learnblock.language.blocktext.token_reader import LINE_ENDS
+
+#: More lines than these are not rewritten: a program has no use for more messages.
+MAX_REWRITTEN = 100
+#: A line may need several words in English.
+MAX_PER_LINE = 4
+
+
+class LineRewriter(ExpressionParser):
+    """Replaces the tokens of a line that resembles a known slip, and reports the slip."""
+
+    def __init__(self, tokens: Tokens) -> None:
+        super().__init__(tokens)
+        self.rewritten: dict[int, str] = {}  # what the lines should be, by their number
+        self.rewritings = 0
+
+    @cached_property
+    def lines(self) -> list[str]:
+        return LINE_END.split(self.text)
+
+    def line_start(self) -> int:
+        """The index of the first token of this line."""
+        index = self.index
+        while index and self.kinds[index - 1] not in LINE_ENDS | {"blank", "python"}:
+            index -= 1
+        return index
+
+    def rewrite_line(self, openers: Iterable[Token]) -> bool:
+        """Rewrite this line, if it resembles a known slip and has no other statement.
+
+        Args:
+            openers: the first tokens of the open blocks.
+        """
+        number = self.token.line
+        if self.rewritings >= MAX_REWRITTEN or any(one.line == number for one in openers):
+            return False
+        start, end = self.line_start(), self.line_end_index()
+        if any(token.line != number for token in self.tokens[start:end]):
+            return False
+        rewording = reworded(self.code_of(number, end))
+        if rewording is None:
+            return False
+        if number not in self.rewritten:
+            self.diagnostics.append(_diagnostic(rewording, number))
+        self.rewritten[number] = rewording.line
+        self.rewritings += 1
+        self.replace(start, end, _tokens_of(rewording.line, number))
+        return True
+
+    def line_end_index(self) -> int:
+        index = self.index
+        while self.kinds[index] not in LINE_ENDS:
+            index += 1
+        return index
+
+    def code_of(self, number: int, end: int) -> str:
+        """A line without its comment, as it was rewritten last."""
+        if number in self.rewritten:
+            return self.rewritten[number]
+        line = self.lines[number - 1]
+        return line[: self.tokens[end].column - 1] if self.kinds[end] == "comment" else line
+
+    def replace(self, start: int, end: int, tokens: list[Token]) -> None:
+        self.tokens[start:end] = tokens
+        self.kinds[start:end] = [token.kind for token in tokens]
+        shift = len(tokens) - (end - start)
+        moved = {(at + shift if at >= end else at): kept for at, kept in self.hoisted.items()}
+        self.hoisted.clear()
+        self.hoisted.update(moved)
+
+
+def _tokens_of(line: str, number: int) -> list[Token]:
+    """The tokens of a line, without its end."""
+    read = tokenize(line).tokens
+    return [token._replace(line=number) for token in read if token.kind not in {"newline", "eof"}]
+
+
+def _diagnostic(rewording: Rewording, number: int) -> Diagnostic:
+    start, end = rewording.start + 1, rewording.end + 1
+    return Diagnostic("not-block-text", rewording.message, number, start, end)

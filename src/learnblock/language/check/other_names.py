@@ -1,0 +1,71 @@
+"""Names that pupils expect from Scratch, MakeCode, Python and Spanish, and ours for them."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+#: Skills that do not exist, and a call that does what was meant.
+SKILLS: Mapping[str, str] = MappingProxyType(
+    {
+        **dict.fromkeys(
+            ("forward", "forwards", "go", "move", "drive", "straight", "run", "advance"),
+            "move_straight()",
+        ),
+        **dict.fromkeys(("back", "backward", "backwards", "reverse"), "set_move(-40, 0)"),
+        **dict.fromkeys(("left", "rotate_left", "spin_left"), "turn(-90)"),
+        **dict.fromkeys(("right", "rotate_right", "spin_right"), "turn(90)"),
+        **dict.fromkeys(("rotate", "spin"), "turn(90)"),
+        **dict.fromkeys(("stop", "halt", "brake"), "stop_bot()"),
+        **dict.fromkeys(("wait", "pause", "delay", "wait_seconds"), "sleep(2)"),
+        **dict.fromkeys(("say", "speak", "talk", "tell"), 'say_Text("hello")'),
+        **dict.fromkeys(("happy", "smile", "joy"), "expressJoy()"),
+        **dict.fromkeys(("sad", "cry"), "expressSadness()"),
+        **dict.fromkeys(("beep", "tone", "play_tone", "playTone"), "play_frequency(440, 0.5)"),
+        **dict.fromkeys(("distance", "get_distance", "ultrasonic"), "get_min_distance()"),
+        **dict.fromkeys(("obstacle", "is_obstacle"), "is_front_obstacle()"),
+        **dict.fromkeys(("tag", "is_any_tags", "sees_tag"), "is_any_tag()"),
+    }
+)
+
+#: Functions that do not exist, and ours.
+FUNCTIONS: Mapping[str, str] = MappingProxyType(
+    {
+        **dict.fromkeys(
+            ("imprimir", "escribir", "mostrar", "echo", "println", "printf", "write", "puts"),
+            "print",
+        ),
+        **dict.fromkeys(("leer", "entrada", "preguntar", "ask", "readline", "prompt"), "input"),
+        **dict.fromkeys(("longitud", "length", "size", "largo"), "len"),
+        **dict.fromkeys(("entero", "toInt", "parseInt", "integer"), "int"),
+        **dict.fromkeys(("decimal", "parseFloat", "toFloat", "number", "Number"), "float"),
+        **dict.fromkeys(("texto", "cadena", "string", "String", "toString"), "str"),
+        **dict.fromkeys(
+            ("aleatorio", "azar", "randint", "rand", "pick_random", "randrange"), "random"
+        ),
+        **dict.fromkeys(("raiz", "raiz_cuadrada", "squareroot"), "sqrt"),
+        **dict.fromkeys(("redondear", "rounded"), "round"),
+        **dict.fromkeys(("absoluto", "fabs"), "abs"),
+        **dict.fromkeys(("suma", "total_of"), "sum"),
+        **dict.fromkeys(("maximo", "máximo", "maximum"), "max"),
+        **dict.fromkeys(("minimo", "mínimo", "minimum"), "min"),
+        **dict.fromkeys(("agregar", "añadir", "push"), "append"),
+    }
+)
+
+#: Functions of other languages that are skills of ours.
+FUNCTIONS_AS_SKILLS: Mapping[str, str] = MappingProxyType(
+    {
+        **SKILLS,
+        **dict.fromkeys(("esperar", "espera", "pausa", "dormir"), "sleep(2)"),
+        **dict.fromkeys(("decir", "hablar"), 'say_Text("hello")'),
+    }
+)
+#: Values of other languages.
+VALUES: Mapping[str, str] = MappingProxyType(
+    {
+        **dict.fromkeys(("true", "TRUE", "verdadero", "Verdadero", "cierto", "yes"), "True"),
+        **dict.fromkeys(("false", "FALSE", "falso", "Falso"), "False"),
+        **dict.fromkeys(
+            ("none", "NONE", "null", "NULL", "nil", "undefined", "nulo", "ninguno"), "None"
+        ),
+    }
+)

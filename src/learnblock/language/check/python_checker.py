@@ -1,0 +1,186 @@
+"""Check a program that its author wrote in Python, including the parts that stay Python."""
+
+import ast
+import builtins
+import re
+import sys
+from collections.abc import Iterator
+
+from learnblock.errors import Severity, nearest
+from learnblock.i18n import Phrase
+from learnblock.language.blocktext.slips import write_instead
+from learnblock.language.check.findings import Findings
+from learnblock.language.check.other_names import FUNCTIONS, VALUES
+from learnblock.language.python.generation import DEFAULT_ROBOT
+from learnblock.language.tree.nodes import Span
+
+_BUILTINS = frozenset((*dir(builtins), "__file__", "__doc__", "__spec__", "__annotations__"))
+#: With these a program can make names that cannot be found by reading it.
+_DYNAMIC = frozenset(("exec", "eval", "globals", "locals", "vars", "__import__", "setattr"))
+#: What a robot has besides its skills, where a skill has a similar name.
+_OF_CLIENT = frozenset(("has_extra_camera", "learn", "read", "stop", "time"))
+_DECIMAL = re.compile(r"(\d+),(\d+)")
+
+
+def check_python(text: str, findings: Findings) -> None:
+    """Report the names that a program in Python uses and never sets, and slips with the robot."""
+    try:
+        tree = ast.parse(text.removeprefix("\ufeff"))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return
+    _PythonChecker(text, tree, findings).run()
+
+
+class _PythonChecker:
+    def __init__(self, text: str, tree: ast.Module, findings: Findings) -> None:
+        self.text, self.findings = text, findings
+        self.nodes = list(ast.walk(tree))
+        self.bound = set(_bound_names(self.nodes))
+        self.told = {(one.line, one.column) for one in findings.diagnostics}
+        self.callees = {id(one.func) for one in self.nodes if isinstance(one, ast.Call)}
+        self.seen: set[str] = set()
+
+    def run(self) -> None:
+        for node in self.nodes:
+            match node:
+                case ast.Assign():
+                    self.assignment(node)
+                case ast.Expr(value=value) | ast.If(test=value) | ast.While(test=value):
+                    self.skill_without_brackets(value)
+                case ast.ImportFrom(module="learnblock", names=[ast.alias(name="Robot")]):
+                    self.report(Phrase("python-robot-import", module=_MODULE), node)
+                case ast.Import(names=[ast.alias(name="Robot")]):
+                    self.report(Phrase("python-robot-import", module=_MODULE), node)
+                case ast.Attribute(value=ast.Name(id="Robot"), attr=skill):
+                    self.robot_class(node, skill)
+        if not self.makes_names():
+            self.names()
+            self.skills()
+
+    def makes_names(self) -> bool:
+        """Whether the program may set names that cannot be seen."""
+        return "*" in self.bound or any(
+            isinstance(node, ast.Name) and node.id in _DYNAMIC for node in self.nodes
+        )
+
+    def assignment(self, node: ast.Assign) -> None:
+        match node:
+            case ast.Assign(
+                targets=[ast.Name(id="robot")],
+                value=ast.Name(id="Robot") | ast.Call(func=ast.Name(id="robot")),
+            ):
+                self.report(Phrase("python-robot-not-created"), node.value)
+            case ast.Assign(value=ast.Tuple(elts=[ast.Constant(), ast.Constant()])):
+                self.decimal_comma(node.value)
+
+    def decimal_comma(self, node: ast.expr) -> None:
+        found = _DECIMAL.fullmatch(ast.get_source_segment(self.text, node) or "")
+        if found is not None:
+            instead = f"{found[1]}.{found[2]}"
+            message = Phrase("blocktext-decimal-comma", found=found[0], instead=instead)
+            self.report(message, node, "warning")
+
+    def skill_without_brackets(self, node: ast.expr) -> None:
+        """Report ``robot.stop_bot`` as a statement or a condition."""
+        while isinstance(node, ast.UnaryOp):
+            node = node.operand
+        match node:
+            case ast.Attribute(value=ast.Name(id="robot"), attr=skill):
+                if skill in self.findings.skills:
+                    message = Phrase("python-skill-without-brackets", skill=skill)
+                    self.report(message, node)
+
+    def robot_class(self, node: ast.Attribute, skill: str) -> None:
+        if skill in self.findings.skills and "robot" in self.bound:
+            self.report(Phrase("python-robot-class", skill=skill), node)
+
+    def skills(self) -> None:
+        """Report misspelled skills in parts that stay Python."""
+        for node in self.nodes:
+            match node:
+                case ast.Call(func=ast.Attribute(value=ast.Name(id="robot"), attr=skill) as named):
+                    self.misspelled(named, skill)
+
+    def misspelled(self, node: ast.expr, skill: str) -> None:
+        known = self.findings.skills
+        if skill in known or skill in _OF_CLIENT or "Robot" not in self.bound:
+            return
+        near = nearest(skill, known)
+        if near is not None:
+            self.report(Phrase("check-unknown-skill-near", name=skill, near=near), node)
+
+    def names(self) -> None:
+        owners = {
+            id(node.value): node.attr for node in self.nodes if isinstance(node, ast.Attribute)
+        }
+        for node in self.nodes:
+            if not isinstance(node, ast.Name) or not isinstance(node.ctx, ast.Load):
+                continue
+            if node.id in self.bound or node.id in _BUILTINS or node.id in self.seen:
+                continue
+            self.seen.add(node.id)
+            self.report(self.unknown(node, owners.get(id(node))), node)
+
+    def unknown(self, node: ast.Name, attribute: str | None) -> Phrase:  # noqa: PLR0911 - one a slip
+        """The message about a name that the program never sets."""
+        name = node.id
+        if name == "robot":
+            if "Robot" in self.bound:
+                return Phrase("python-robot-not-created")
+            return Phrase("python-no-robot", module=_MODULE)
+        if name == "function" and attribute is not None:
+            return Phrase("python-function", skill=attribute)
+        if name == "end":
+            return Phrase("python-end")
+        if attribute is not None and name in sys.stdlib_module_names:
+            return Phrase("python-not-imported", module=name)
+        if name in VALUES:
+            return write_instead(name, VALUES[name])
+        if name in self.findings.skills:
+            return Phrase("check-skill-as-name", name=name, skill=self.findings.called(name))
+        return self.similar(name, is_called=id(node) in self.callees)
+
+    def similar(self, name: str, *, is_called: bool) -> Phrase:
+        sort = "function" if is_called else "name"
+        if is_called and name in FUNCTIONS:
+            instead = f"{FUNCTIONS[name]}(...)"
+            return Phrase("check-unknown-function-meant", name=name, instead=instead)
+        public = (one for one in _BUILTINS if is_called and one.islower())
+        near = nearest(name, [*self.bound, *public])
+        if near is None:
+            return Phrase(f"check-unknown-{sort}", name=name)
+        return Phrase(f"check-unknown-{sort}-near", name=name, near=near)
+
+    def report(
+        self, message: Phrase, node: ast.stmt | ast.expr, severity: Severity = "error"
+    ) -> None:
+        start = (node.lineno, node.col_offset + 1)
+        if start in self.told:
+            return
+        end = node.end_lineno or node.lineno, (node.end_col_offset or 0) + 1
+        self.findings.report("python-slip", message, Span(*start, *end), severity)
+
+
+_MODULE = DEFAULT_ROBOT.rpartition(".")[2]
+
+
+def _bound_names(nodes: list[ast.AST]) -> Iterator[str]:
+    """Every name that a program sets anywhere."""
+    for node in nodes:
+        match node:
+            case ast.Name(id=name, ctx=ast.Store() | ast.Del()):
+                yield name
+            case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
+                yield node.name
+            case ast.arg(arg=name):
+                yield name
+            case ast.alias(name=name, asname=other):
+                yield (other or name).partition(".")[0]
+            case ast.ExceptHandler(name=str(name)):
+                yield name
+            case ast.Global(names=names) | ast.Nonlocal(names=names):
+                yield from names
+            case ast.MatchAs(name=str(name)) | ast.MatchStar(name=str(name)):
+                yield name
+            case ast.MatchMapping(rest=str(name)):
+                yield name

@@ -1,0 +1,357 @@
+"""Find what cannot work because of the types of values: ``"score: " + score``."""
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any
+
+from learnblock.errors import Severity
+from learnblock.i18n import Phrase
+from learnblock.language.check.findings import Findings
+from learnblock.language.check.types import KNOWN, NUMBERS, TEXTS, Type, Types
+from learnblock.language.tree.builtins import FUNCTIONS
+from learnblock.language.tree.nodes import (
+    Assign,
+    Binary,
+    Call,
+    Compare,
+    Def,
+    Expression,
+    ForEach,
+    ForRange,
+    If,
+    Index,
+    Item,
+    List,
+    Name,
+    Number,
+    Repeat,
+    SkillCall,
+    String,
+    Unary,
+    When,
+    While,
+)
+from learnblock.language.tree.traversal import expressions, statements, within
+
+#: What each function takes, by argument.
+_TAKES: Mapping[str, tuple[frozenset[Type], ...]] = MappingProxyType(
+    {
+        **dict.fromkeys(
+            (
+                *("abs", "round", "sqrt", "exp", "log", "log10", "floor", "ceil", "sin", "cos"),
+                *("tan", "asin", "acos", "atan"),
+            ),
+            (NUMBERS,),
+        ),
+        **dict.fromkeys(("random", "atan2"), (NUMBERS, NUMBERS)),
+        "constrain": (NUMBERS, NUMBERS, NUMBERS),
+        "len": (TEXTS | {Type.LIST},),
+        **dict.fromkeys(
+            (
+                *(
+                    "append",
+                    "extend",
+                    "insert",
+                    "remove",
+                    "pop",
+                    "clear",
+                    "copy",
+                    "sort",
+                    "reverse",
+                ),
+                *("shuffle", "mean", "median", "stdev", "sum"),
+            ),
+            (frozenset((Type.LIST,)),),
+        ),
+        **dict.fromkeys(("upper", "lower", "title", "strip", "find", "replace", "split"), (TEXTS,)),
+    }
+)
+_EQUALITIES = frozenset(("==", "!="))
+_ORDERS = frozenset(("<", ">", "<=", ">="))
+
+
+def check_types(findings: Findings) -> None:
+    """Report the expressions of a program that cannot work."""
+    _TypeChecker(findings).run()
+
+
+class _TypeChecker:
+    def __init__(self, findings: Findings) -> None:
+        self.findings = findings
+        self.types = Types(findings)
+
+    def run(self) -> None:
+        items = (*self.findings.program.items, *self.findings.main)
+        for item in items:
+            if isinstance(item, Def):
+                self.types.parameters = frozenset(item.parameters)
+            for statement in statements((item,)):
+                self.statement(statement)
+            self.types.parameters = frozenset()
+
+    def statement(self, item: Item) -> None:
+        for expression in expressions(item):
+            for node in within(expression):
+                check = _EXPRESSIONS.get(type(node))
+                if check is not None:
+                    check(self, node)
+        check = _STATEMENTS.get(type(item))
+        if check is not None:
+            check(self, item)
+
+    def report(self, message: Phrase, node: Expression, severity: Severity = "error") -> None:
+        self.findings.report("wrong-type", message, node.span, severity)
+
+    # Statements.
+
+    def assignment(self, item: Assign) -> None:
+        if item.operator != "=":
+            self.operands(item.operator[:-1], item.target, item.value)
+        elif isinstance(item.value, Unary):
+            self.swapped_operator(item.target, item.value)
+        self.result(item.value)
+
+    def swapped_operator(self, target: Expression, value: Unary) -> None:
+        """Report ``x =+ 1``, with a space where a sign has none."""
+        if value.operator != "not" and value.operand.span.column > value.span.column + 1:
+            message = Phrase(
+                "check-swapped-operator",
+                found=f"={value.operator}",
+                instead=f"{value.operator}=",
+                name=self.spelled(target),
+            )
+            self.report(message, value, "warning")
+
+    def result(self, value: Expression) -> None:
+        if self.types.of(value) is Type.NOTHING and isinstance(value, Call | SkillCall):
+            message = Phrase("check-no-result", call=self.spelled(value))
+            self.report(message, value, "warning")
+
+    def repeat(self, item: Repeat) -> None:
+        self.number(item.count)
+        if isinstance(item.count, Number) and not _is_whole(item.count.text):
+            message = Phrase("check-repeat-whole-number", number=item.count.text)
+            self.report(message, item.count)
+
+    def range(self, item: ForRange) -> None:
+        for bound in (item.start, item.stop, item.step):
+            if bound is not None and not isinstance(bound, String):
+                self.number(bound)
+
+    def each(self, item: ForEach) -> None:
+        if self.types.of(item.values) in NUMBERS:
+            code = "check-for-number-python" if self.findings.in_python else "check-for-number"
+            self.report(
+                Phrase(code, name=item.target.name, value=self.spelled(item.values)), item.values
+            )
+
+    def conditions(self, item: If | While | When) -> None:
+        for condition in expressions(item):
+            self.condition(condition)
+
+    def condition(self, node: Expression) -> None:
+        if isinstance(node, Binary) and node.operator in {"and", "or"}:
+            self.condition(node.left)
+            self.condition(node.right)
+            self.bare_value(node)
+        elif isinstance(node, String):
+            self.report(Phrase("check-text-as-condition"), node, "warning")
+        elif self.types.of(node) is Type.NOTHING:
+            message = Phrase("check-action-as-condition", call=self.spelled(node))
+            self.report(message, node, "warning")
+
+    def bare_value(self, node: Binary) -> None:
+        """Report ``x == 1 or 2``."""
+        left = node.left
+        while isinstance(left, Binary):
+            left = left.right
+        if isinstance(left, Compare) and isinstance(node.right, Number | String):
+            message = Phrase(
+                "check-bare-value",
+                operator=node.operator,
+                variable=self.spelled(left.operands[0]),
+                comparison=left.operators[0],
+                value=self.spelled(node.right),
+            )
+            self.report(message, node.right, "warning")
+
+    # Expressions.
+
+    def binary(self, node: Binary) -> None:
+        if node.operator not in {"and", "or"}:
+            self.operands(node.operator, node.left, node.right)
+
+    def operands(self, operator: str, left: Expression, right: Expression) -> None:
+        zero = isinstance(right, Number) and right.text.strip("0._") == ""
+        if operator in {"/", "//", "%"} and zero and self.types.of(left) in NUMBERS:
+            self.report(Phrase("check-divide-by-zero", operator=operator), right)
+        elif operator == "+":
+            self.sum(left, right)
+        elif operator == "*":
+            self.product(left, right)
+        elif operator != "%" or self.types.of(left) not in TEXTS:
+            self.number(left)
+            self.number(right)
+
+    def sum(self, left: Expression, right: Expression) -> None:
+        kinds = {self.types.of(left), self.types.of(right)}
+        if not kinds <= KNOWN or kinds <= NUMBERS or kinds <= TEXTS or kinds == {Type.LIST}:
+            return
+        for one, other in ((left, right), (right, left)):
+            if self.types.of(one) is Type.LIST:
+                self.report(self.append(one, other), other)
+                return
+        text, other = (left, right) if self.types.of(left) in TEXTS else (right, left)
+        if self.types.of(text) is Type.ANSWER or _is_number(text):
+            self.number(text)
+        else:
+            self.report(Phrase("check-join-text", value=self.spelled(other)), other)
+
+    def append(self, values: Expression, item: Expression) -> Phrase:
+        code = "check-append-python" if self.findings.in_python else "check-append"
+        return Phrase(code, values=self.spelled(values), item=self.spelled(item))
+
+    def product(self, left: Expression, right: Expression) -> None:
+        kinds = (self.types.of(left), self.types.of(right))
+        repeatable = TEXTS | {Type.LIST}
+        if all(kind in repeatable for kind in kinds):
+            # Text times a number is repeated text.
+            self.number(right if self.types.of(right) in TEXTS else left)
+
+    def sign(self, node: Unary) -> None:
+        if node.operator != "not":
+            self.number(node.operand)
+
+    def comparison(self, node: Compare) -> None:
+        for operator, left, right in zip(
+            node.operators, node.operands, node.operands[1:], strict=False
+        ):
+            kinds = {self.types.of(left), self.types.of(right)}
+            mixed = bool(kinds & NUMBERS) and bool(kinds & TEXTS) and kinds <= NUMBERS | TEXTS
+            text = left if self.types.of(left) in TEXTS else right
+            if mixed and operator in _ORDERS:
+                self.number(text)
+            elif mixed and operator in _EQUALITIES and Type.BOOLEAN not in kinds:
+                message = Phrase("check-never-equal", advice=self.advice(text))
+                self.report(message, text, "warning")
+
+    def index(self, node: Index) -> None:
+        if self.types.of(node.value) in NUMBERS:
+            self.report(Phrase("check-no-items", value=self.spelled(node.value)), node.value)
+        elif self.types.of(node.value) in TEXTS | {Type.LIST}:
+            self.number(node.index)
+
+    def call(self, node: Call) -> None:
+        if node.name in self.findings.functions:
+            return
+        kind = self.types.of_name(node.name)
+        if kind in KNOWN and node.name not in FUNCTIONS:
+            self.report(self.called_variable(node, kind), node)
+        elif node.name == "int" and len(node.arguments) == 1:
+            self.words_as_number(node.arguments[0])
+        elif self.findings.is_of_language(node.name):
+            for takes, value in zip(_TAKES.get(node.name, ()), node.arguments, strict=False):
+                self.argument(node, takes, value)
+
+    def called_variable(self, node: Call, kind: Type) -> Phrase:
+        value = self.spelled(node.arguments[0]) if node.arguments else "0"
+        code = "check-variable-called" if kind in NUMBERS else "check-list-called"
+        return Phrase(code, name=node.name, value=value)
+
+    def words_as_number(self, value: Expression) -> None:
+        if isinstance(value, String) and not _is_whole(value.value.strip()):
+            self.report(Phrase("check-not-whole", text=value.value), value)
+
+    def argument(self, node: Call, takes: frozenset[Type], value: Expression) -> None:
+        kind = self.types.of(value)
+        if kind not in KNOWN or kind in takes:
+            return
+        if takes is NUMBERS:
+            self.number(value)
+        else:
+            wanted = "list" if takes == {Type.LIST} else "text" if takes == TEXTS else "either"
+            message = Phrase(
+                "check-argument-type", call=node.name, wanted=wanted, value=self.spelled(value)
+            )
+            self.report(message, value)
+
+    def skill(self, node: SkillCall) -> None:
+        """Report text and lists in variables; the arguments as such are checked elsewhere."""
+        skill = self.findings.skills.get(node.name)
+        if skill is None:
+            return
+        named = {keyword.name: keyword.value for keyword in node.keywords}
+        given = dict(zip([one.name for one in skill.parameters], node.arguments, strict=False))
+        for parameter in skill.parameters:
+            value = {**named, **given}.get(parameter.name)
+            if parameter.is_number and value is not None and not isinstance(value, String):
+                self.number(value)
+
+    def number(self, node: Expression) -> None:
+        """Report a value that should be a number and is text or a list."""
+        kind = self.types.of(node)
+        if kind in TEXTS | {Type.LIST}:
+            self.report(self.advice(node), node)
+
+    def advice(self, node: Expression) -> Phrase:
+        """How to make a number of text or a list."""
+        if self.types.of(node) is Type.LIST:
+            return Phrase("check-list-for-number", values=self.spelled(node))
+        if isinstance(node, String):
+            number = node.value.strip()
+            if _is_number(node):
+                return Phrase("check-number-without-quotes", number=number)
+            return Phrase("check-text-for-number")
+        return Phrase("check-convert-to-number", value=self.spelled(node))
+
+    def spelled(self, node: Expression) -> str:  # noqa: PLR0911 - one for each expression
+        """A short form of an expression, to be quoted."""
+        match node:
+            case Name(name=name):
+                return name
+            case Number(text=text):
+                return text
+            case String(value=value):
+                return f'"{value}"'
+            case Call(name=name):
+                return f"{name}(...)"
+            case SkillCall(name=name):
+                return f"{self.findings.called(name)}(...)"
+            case List():
+                return "[...]"
+        return "..."
+
+
+_EXPRESSIONS: dict[type, Callable[[_TypeChecker, Any], None]] = {
+    Binary: _TypeChecker.binary,
+    Unary: _TypeChecker.sign,
+    Compare: _TypeChecker.comparison,
+    Index: _TypeChecker.index,
+    Call: _TypeChecker.call,
+    SkillCall: _TypeChecker.skill,
+}
+_STATEMENTS: dict[type, Callable[[_TypeChecker, Any], None]] = {
+    Assign: _TypeChecker.assignment,
+    Repeat: _TypeChecker.repeat,
+    ForRange: _TypeChecker.range,
+    ForEach: _TypeChecker.each,
+    If: _TypeChecker.conditions,
+    While: _TypeChecker.conditions,
+    When: _TypeChecker.conditions,
+}
+
+
+def _is_number(node: Expression) -> bool:
+    """Whether a text is the spelling of a number."""
+    if not isinstance(node, String):
+        return False
+    plain = node.value.strip().removeprefix("-").replace(".", "", 1)
+    return plain.isascii() and plain.isdecimal()
+
+
+def _is_whole(text: str) -> bool:
+    try:
+        int(text, 0)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,200 @@
+"""The types of expressions, as far as they are certain before the run."""
+
+from collections.abc import Mapping
+from enum import Enum
+from types import MappingProxyType
+
+from learnblock.language.check.findings import Findings
+from learnblock.language.tree.nodes import (
+    Assign,
+    Binary,
+    Call,
+    Compare,
+    Constant,
+    Def,
+    Expression,
+    ForEach,
+    ForRange,
+    Item,
+    List,
+    Name,
+    Number,
+    SkillCall,
+    String,
+    Unary,
+)
+from learnblock.language.tree.traversal import set_by, statements
+
+
+class Type(Enum):
+    """A type. Nothing is reported about an unknown one."""
+
+    UNKNOWN = "unknown"
+    UNSET = "unset"  # of a variable, as long as the types that it depends on are being worked out
+    NUMBER = "number"
+    TEXT = "text"
+    ANSWER = "answer"  # a text that `input` returned
+    BOOLEAN = "boolean"
+    LIST = "list"
+    NOTHING = "nothing"  # the value of an action
+
+
+TEXTS = frozenset((Type.TEXT, Type.ANSWER))
+#: What Python calculates with.
+NUMBERS = frozenset((Type.NUMBER, Type.BOOLEAN))
+
+KNOWN = NUMBERS | TEXTS | {Type.LIST}
+
+_RESULTS: Mapping[str, Type] = MappingProxyType(
+    {
+        "input": Type.ANSWER,
+        **dict.fromkeys(("str", "upper", "lower", "title", "strip", "replace", "join"), Type.TEXT),
+        **dict.fromkeys(
+            (
+                *("int", "float", "len", "sqrt", "exp", "log", "log10", "floor", "ceil", "round"),
+                *("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "pi"),
+                *("random", "random_fraction", "find", "count"),
+            ),
+            Type.NUMBER,
+        ),
+        **dict.fromkeys(("list", "sorted", "split"), Type.LIST),
+        **dict.fromkeys(
+            (
+                "print",
+                "append",
+                "extend",
+                "insert",
+                "remove",
+                "clear",
+                "sort",
+                "reverse",
+                "shuffle",
+            ),
+            Type.NOTHING,
+        ),
+        "elapsedTime": Type.BOOLEAN,
+    }
+)
+#: Passes over the assignments; in a longer chain of variables nothing is certain.
+_PASSES = 8
+
+
+class Types:
+    """The types of the variables and expressions of a program.
+
+    A variable has a type if all its assignments have that type, wherever they are.
+    """
+
+    def __init__(self, findings: Findings) -> None:
+        self.findings = findings
+        self.parameters: frozenset[str] = frozenset()  # of the function being checked
+        self.hidden = findings.raw_names | _all_parameters(findings)
+        self.variables: dict[str, Type] = {}
+        if not findings.imports:
+            self.work_out()
+
+    def work_out(self) -> None:
+        """Repeat until the types of the variables no longer follow from each other."""
+        setting = [
+            (name, item)
+            for item in self.findings.everything
+            if (name := set_by(item)) is not None and name not in self.hidden
+        ]
+        self.variables = dict.fromkeys((name for name, _ in setting), Type.UNSET)
+        for _ in range(_PASSES):
+            before = dict(self.variables)
+            for name, item in setting:
+                self.variables[name] = _joined(self.variables[name], self.of_assignment(item, name))
+            if before == self.variables:
+                return
+        self.variables = {}
+
+    def of_assignment(self, item: Item, name: str) -> Type:
+        if isinstance(item, ForRange):
+            return Type.NUMBER
+        if isinstance(item, ForEach):
+            return Type.TEXT if self.of(item.values) in TEXTS else Type.UNKNOWN
+        if not isinstance(item, Assign):
+            return Type.UNKNOWN
+        if item.operator == "=":
+            return self.of(item.value)
+        return self.of_sum(item.operator[:-1], self.variables[name], self.of(item.value))
+
+    def of(self, node: Expression) -> Type:  # noqa: C901, PLR0911 - one for each expression
+        """The type of an expression."""
+        match node:
+            case Number() | Unary(operator="-" | "+"):
+                return Type.NUMBER
+            case String():
+                return Type.TEXT
+            case List():
+                return Type.LIST
+            case Compare() | Unary():
+                return Type.BOOLEAN
+            case Constant(value=value):
+                return Type.BOOLEAN if value is not None else Type.UNKNOWN
+            case Name(name=name):
+                return self.of_name(name)
+            case Call(name=name):
+                return self.of_call(name)
+            case SkillCall(name=name):
+                return self.of_skill(name)
+            case Binary(operator="and" | "or"):
+                return _joined(self.of(node.left), self.of(node.right))
+            case Binary(operator=operator, left=left_side, right=right_side):
+                return self.of_sum(operator, self.of(left_side), self.of(right_side))
+        return Type.UNKNOWN
+
+    def of_name(self, name: str) -> Type:
+        if name in self.parameters or name in self.findings.functions:
+            return Type.UNKNOWN
+        return self.variables.get(name, Type.UNKNOWN)
+
+    def of_call(self, name: str) -> Type:
+        if name in self.findings.functions or name in self.hidden or self.findings.imports:
+            return Type.UNKNOWN
+        return _RESULTS.get(name, Type.UNKNOWN)
+
+    def of_skill(self, name: str) -> Type:
+        skill = self.findings.skills.get(name)
+        return Type.UNKNOWN if skill is None or skill.returns_value else Type.NOTHING
+
+    def of_sum(self, operator: str, left: Type, right: Type) -> Type:
+        """The type of two operands with an arithmetic operator between them."""
+        if Type.UNSET in {left, right}:
+            return Type.UNSET
+        if left in NUMBERS and right in NUMBERS:
+            return Type.NUMBER
+        if operator == "+" and left in TEXTS and right in TEXTS:
+            return Type.TEXT
+        if operator == "+" and left is right is Type.LIST:
+            return Type.LIST
+        # A sum that cannot be worked out ends the program, so it has no type.
+        return Type.UNSET if operator in {"+", "-"} and {left, right} <= KNOWN else Type.UNKNOWN
+
+
+def _joined(one: Type, other: Type) -> Type:
+    if one is Type.UNSET or one is other:
+        return other
+    if other is Type.UNSET:
+        return one
+    return Type.TEXT if one in TEXTS and other in TEXTS else Type.UNKNOWN
+
+
+def _all_parameters(findings: Findings) -> set[str]:
+    """The parameters of all functions: a variable of that name may be either."""
+    return {
+        name
+        for item in findings.program.items
+        if isinstance(item, Def)
+        for name in (*item.parameters, *_loop_variables(item))
+    }
+
+
+def _loop_variables(function: Def) -> set[str]:
+    """The variables of loops in a function, which are its own."""
+    return {
+        item.target.name
+        for item in statements(function.body)
+        if isinstance(item, ForEach | ForRange)
+    }

@@ -1,0 +1,57 @@
+"""The slips that pupils make, and what is said about them, in tests/cases/slips.
+
+Each case has the program and its golden messages: severity, line and words.
+"""
+
+import tomllib
+
+import pytest
+
+from learnblock.blocks import builtin
+from learnblock.errors import FileError
+from learnblock.i18n import languages, translate
+from learnblock.language import check, from_python, parse
+from places import TESTS
+
+SLIPS = {
+    f"{file.stem}-{name}": slip
+    for file in sorted((TESTS / "cases" / "slips").glob("*.toml"))
+    for name, slip in tomllib.loads(file.read_text(encoding="utf-8")).items()
+}
+
+
+def diagnosed(slip):
+    """The diagnostics of `learnblock check` without a robot."""
+    text, is_python = slip["program"], slip.get("notation") == "python"
+    try:
+        tree = from_python(text) if is_python else parse(text)
+    except FileError as error:
+        return error.diagnostics
+    return check(tree, builtin(), python=text if is_python else None)
+
+
+@pytest.mark.parametrize("slip", SLIPS.values(), ids=SLIPS)
+def test_a_slip_is_named_with_its_place_and_the_way_out(slip):
+    said = [f"{one.severity} {one.line}: {one.message}" for one in diagnosed(slip)]
+    assert slip["says"] == said
+
+
+@pytest.mark.parametrize("slip", SLIPS.values(), ids=SLIPS)
+def test_a_slip_is_named_in_every_language(slip):
+    for diagnostic in diagnosed(slip):
+        words = {translate(diagnostic.message, language) for language in languages()}
+        assert len(words) == len(languages())
+
+
+@pytest.mark.parametrize("slip", SLIPS.values(), ids=SLIPS)
+def test_a_slip_is_marked_in_its_line(slip):
+    lines = slip["program"].split("\n")
+    for diagnostic in diagnosed(slip):
+        # What is missing is marked after the end of the line.
+        line = lines[diagnostic.line - 1]
+        end = diagnostic.end_column or diagnostic.column
+        assert 1 <= diagnostic.column <= end <= len(line) + 2
+
+
+def test_there_are_more_than_a_hundred_and_seventy_slips():
+    assert len(SLIPS) > 170
