@@ -19,6 +19,7 @@ MESSAGES = {
     "Open": {"name": "program"},
     "New": {"name": "another"},
     "Import": {"filename": "a.bt", "text": PROGRAM},
+    "ImportOriginal": {"filename": "a.blockProject", "content": "gAJOLg=="},
     "SaveAs": {"name": "a copy"},
     "Delete": {"name": "another"},
     "Export": {"format": "py"},

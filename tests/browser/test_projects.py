@@ -6,6 +6,8 @@ import re
 import pytest
 from playwright.sync_api import expect
 
+from old_projects import forever, main, project, skill
+
 FOREVER = """\
 main:
     while True:
@@ -248,3 +250,19 @@ def drag_file(pupil, what, name, text):
         [name, text],
     )
     pupil.page.locator("[data-region=blocks]").dispatch_event(what, {"dataTransfer": files})
+
+
+# Projects of the original LearnBlock.
+
+
+def test_a_project_of_the_original_learnblock_opens_and_says_what_changed(pupil, tmp_path):
+    file = tmp_path / "square.blockProject"
+    file.write_bytes(project(main(forever(skill("mover_recto"), skill("subscribe")))))
+    pupil.upload(file)
+    pupil.expect_project("square")
+    expect(pupil.dialog()).to_contain_text("'mover_recto' is now called 'move_straight'")
+    expect(pupil.dialog()).to_contain_text("Messages between robots ('subscribe')")
+    pupil.picture("imported")
+    pupil.dialog().get_by_role("button", name="OK").click()
+    expect(pupil.dialog()).to_have_count(0)
+    assert "function.move_straight()" in pupil.text("blocktext")

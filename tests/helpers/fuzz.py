@@ -22,6 +22,7 @@ import custom_block_files as block_files
 import ev3_wires
 import ice_wires
 import library_files
+import old_projects
 import set_files
 import thymio_wires
 from learnblock import language
@@ -93,6 +94,7 @@ def targets(folder: Path) -> tuple[Target, ...]:
             lambda text: set_files.read_set(written(folder / "set.toml", text)),
             texts(set_files.SETS, "*.toml"),
         ),
+        Target("original project", old_projects.read_text, old_projects.texts()),
         Target("names of tags", set_files.read_tags, set_files.DICTIONARIES),
         Target("library's manifest", library_files.read_manifest, (library_files.MANIFEST,)),
         Target("library's functions", library_files.read_functions, (library_files.FUNCTIONS,)),

@@ -6,6 +6,7 @@ import { ExamplesDialog } from "../features/examples/dialog";
 import { LibrariesDialog } from "../features/libraries/dialog";
 import { NewRobotDialog } from "../features/new-robot/dialog";
 import { HistoryDialog } from "../features/projects/history";
+import { ImportedDialog } from "../features/projects/imported";
 import { OpenDialog } from "../features/projects/open";
 import { DeleteDialog, SaveAsDialog } from "../features/projects/save-and-delete";
 import { PerceptionDialog, RobotSettingsDialog } from "../features/robot-settings/dialogs";
@@ -34,8 +35,10 @@ const DIALOGS = {
 } as const;
 
 export function OpenedDialog() {
-  const name = usePage().dialogs.open.value;
-  if (name === null) return null;
+  const { dialogs, project } = usePage();
+  const name = dialogs.open.value;
+  const report = project.imported.value;
+  if (name === null) return report && <ImportedDialog report={report} />;
   if (typeof name === "object" && "customBlock" in name)
     return <CustomBlockDialog key={name.customBlock} name={name} />;
   if (typeof name === "object") return <DeleteDialog name={name.delete} />;

@@ -4,8 +4,8 @@ import { computed, effect, signal } from "@preact/signals";
 import { type Phrase, say, t, translated } from "../i18n";
 import { addressedProject, nameProject, renameProject } from "../protocol/address";
 import type { Connection } from "../protocol/connection";
-import type { Export, History, ProjectEntry, Welcome, WorldChoice } from "../protocol/messages";
-import { saveFile } from "../ui/files";
+import type { Export, History, OriginalImported, ProjectEntry, Welcome, WorldChoice } from "../protocol/messages";
+import { inBase64, saveFile } from "../ui/files";
 import type { Toasts } from "../ui/toasts";
 import type { Program } from "./program";
 
@@ -13,7 +13,11 @@ import type { Program } from "./program";
 const FIRST_EXAMPLE = "square";
 /** The server's limit. */
 const LONGEST_TEXT = 1_000_000;
-const IMPORTED = [".learnblock", ".bt", ".py"];
+const LONGEST_NAME = 100;
+/** The files that the page opens. */
+export const IMPORTED = [".learnblock", ".bt", ".py", ".blockProject", ".lb"];
+/** Those of the original LearnBlock, which may be binary. */
+const ORIGINAL = [".blockProject", ".lb"];
 
 export class Project {
   readonly name = signal("");
@@ -22,6 +26,8 @@ export class Project {
   /** Null until the server has sent it. */
   readonly entries = signal<readonly ProjectEntry[] | null>(null);
   readonly history = signal<History | null>(null);
+  /** What the last import changed, until the user has read it. */
+  readonly imported = signal<OriginalImported | null>(null);
   readonly saved = computed(() => this.program.unsaved.value === null);
   /** Whether to choose a project when the list arrives. */
   private choosing = false;
@@ -39,6 +45,9 @@ export class Project {
     connection.on("Robots", ({ robots }) => (this.welcome.value &&= { ...this.welcome.value, robots }));
     connection.on("Worlds", ({ worlds }) => (this.worlds.value = worlds));
     connection.on("History", (history) => (this.history.value = history));
+    connection.on("OriginalImported", (report) => {
+      if (report.changed.length + report.missing.length) this.imported.value = report;
+    });
     connection.on("File", ({ filename, text }) => saveFile(filename, text, "text/plain"));
     connection.on("Failed", ({ message, request }) => this.failed(message, request ?? ""));
     effect(() => {
@@ -100,7 +109,12 @@ export class Project {
       return this.toasts.error(t("page-project-large-file", { name: file.name }));
     }
     this.program.flush();
-    this.connection.send({ kind: "Import", filename: file.name, text: await file.text() });
+    if (!ORIGINAL.some((ending) => file.name.endsWith(ending))) {
+      this.connection.send({ kind: "Import", filename: file.name, text: await file.text() });
+      return;
+    }
+    const filename = file.name.slice(-LONGEST_NAME);
+    this.connection.send({ kind: "ImportOriginal", filename, content: await inBase64(file) });
   }
 
   /** A robot's display name. */

@@ -373,6 +373,12 @@ export interface ImportLibraries {
   replace?: boolean;
 }
 
+export interface ImportOriginal {
+  kind: "ImportOriginal";
+  filename: string;
+  content: string;
+}
+
 export interface Input {
   block?: Block | null;
   shadow?: Block | null;
@@ -480,6 +486,13 @@ export interface Opened {
   robot: string;
   world: string;
   breakpoints?: string[];
+}
+
+export interface OriginalImported {
+  kind: "OriginalImported";
+  filename: string;
+  changed: Phrase[];
+  missing: Phrase[];
 }
 
 export interface PaletteChanged {
@@ -895,6 +908,7 @@ export type FromPage =
   | Open
   | New
   | Import
+  | ImportOriginal
   | SaveAs
   | Delete
   | Export
@@ -962,6 +976,7 @@ export type ToPage =
   | Worlds
   | Projects
   | Opened
+  | OriginalImported
   | Settings
   | File
   | History

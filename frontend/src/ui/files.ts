@@ -20,6 +20,12 @@ export function saveFile(filename: string, content: BlobPart, type: string): voi
   URL.revokeObjectURL(address);
 }
 
+/** The content of a file in base64. */
+export async function inBase64(file: File): Promise<string> {
+  const letters = Array.from(new Uint8Array(await file.arrayBuffer()), (byte) => String.fromCharCode(byte));
+  return btoa(letters.join(""));
+}
+
 function ask(endings: string, multiple: boolean, take: (files: readonly File[]) => void): void {
   const input = document.createElement("input");
   input.type = "file";

@@ -105,8 +105,7 @@ class _Done:
             return
         say("import-imported", file=str(self.source), target=str(self.target))
         if self.report is not None:
-            _print_list("import-changed", self.report.changed)
-            _print_list("import-missing", self.report.missing)
+            print_report(self.report)
 
     def as_object(self) -> dict[str, object]:
         return {
@@ -116,6 +115,12 @@ class _Done:
             "missing": self.report.missing if self.report else (),
             "error": str(self.error.phrase) if self.error else None,
         }
+
+
+def print_report(report: "Report") -> None:
+    """List what an import changed, and what it could not carry over."""
+    _print_list("import-changed", report.changed)
+    _print_list("import-missing", report.missing)
 
 
 def _print_list(heading: str, phrases: tuple[Phrase, ...]) -> None:

@@ -6,10 +6,12 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from learnblock.cli.console import text
+from learnblock.cli.importing import ENDING, LIBRARY_ENDING, print_report
 from learnblock.cli.page_options import page_options
 
 if TYPE_CHECKING:
     from learnblock.i18n import Phrase
+    from learnblock.server.projects.folder import Project, ProjectFolder
 
 
 @click.command("open")
@@ -19,6 +21,7 @@ def open_command(file: Path, **choices: Any) -> None:
     """Open a program (.learnblock, .bt or .py) in the page.
 
     A file from elsewhere becomes a project in the projects folder; the file itself stays unchanged.
+    Projects of the original LearnBlock (.blockProject) are imported: see learnblock import.
     """
     open_page(file, **choices)
 
@@ -77,6 +80,19 @@ def _project(folder: Path, file: Path) -> str:
     projects = ProjectFolder(folder)
     if file.suffix == ".learnblock" and file.resolve().parent == folder.resolve():
         return projects.read(file.stem).name
-    project = projects.import_file(file.name, running.read_text(file))
+    if file.suffix in {ENDING, LIBRARY_ENDING}:
+        project = _original(projects, file)
+    else:
+        project = projects.import_file(file.name, running.read_text(file))
     projects.write(project)
     return project.name
+
+
+def _original(projects: "ProjectFolder", file: Path) -> "Project":
+    """A project of the original LearnBlock; what changed is listed."""
+    from learnblock import importing  # noqa: PLC0415
+
+    with file.open("rb") as opened:
+        project, report = projects.import_original(file.name, opened.read(importing.LARGEST + 1))
+    print_report(report)
+    return project

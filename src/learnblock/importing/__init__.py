@@ -1,7 +1,12 @@
 """Import programs of the original LearnBlock, the tool of the paper, of versions 1 to 3."""
 
 from learnblock.importing.conversion import Imported, import_project
-from learnblock.importing.library_folder import ImportedLibrary, find_library, import_library
+from learnblock.importing.library_folder import (
+    ImportedLibrary,
+    find_library,
+    import_library,
+    import_text,
+)
 from learnblock.importing.pickle_reader import LARGEST
 from learnblock.importing.report import Report
 
@@ -13,4 +18,5 @@ __all__ = [
     "find_library",
     "import_library",
     "import_project",
+    "import_text",
 ]

@@ -29,12 +29,12 @@ class Imported:
 
     Args:
         blocktext: the program.
-        workspace: its blocks, where they were, and the loose ones.
+        workspace: its blocks, where they were, and the loose ones; None if it was a text.
         report: what changed and what is missing.
     """
 
     blocktext: str
-    workspace: Workspace
+    workspace: Workspace | None
     report: Report
 
 

@@ -13,6 +13,7 @@ from learnblock.errors import Diagnostic, FileError, LearnBlockError, ProjectErr
 from learnblock.extensions import libraries
 from learnblock.extensions.libraries import Library
 from learnblock.i18n import Phrase
+from learnblock.importing.conversion import Imported
 from learnblock.importing.old_text import parse_old
 from learnblock.importing.report import Report, Reporting
 from learnblock.language import format as format_program
@@ -66,6 +67,17 @@ def import_library(path: Path, skills: Mapping[str, BlockConfiguration]) -> Impo
     return ImportedLibrary(format_program(program), made, reporting.report())
 
 
+def import_text(data: bytes, filename: str, skills: Mapping[str, BlockConfiguration]) -> Imported:
+    """Import a program in the Block-Text of the original LearnBlock.
+
+    Raises:
+        FileError: it is too large, or is no Block-Text.
+    """
+    reporting = Reporting()
+    program = parse_old(_decoded(data, filename), filename, skills, reporting)
+    return Imported(format_program(program), None, reporting.report())
+
+
 def find_library(
     folder: Path, name: str, skills: Mapping[str, BlockConfiguration]
 ) -> dict[str, Def] | None:
@@ -90,10 +102,13 @@ def _only_functions(program: Program) -> Program:
 
 def _text(path: Path) -> str:
     with path.open("rb") as file:
-        data = file.read(LARGEST + 1)
+        return _decoded(file.read(LARGEST + 1), str(path))
+
+
+def _decoded(data: bytes, filename: str) -> str:
     if len(data) > LARGEST:
         message = Phrase("import-too-large", size=len(data), limit=LARGEST)
-        raise ProjectError(str(path), [Diagnostic("too-large", message)])
+        raise ProjectError(filename, [Diagnostic("too-large", message)])
     return data.decode("utf-8", "replace")
 
 

@@ -2,11 +2,10 @@
 
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
+import { IMPORTED } from "../../model/project";
 import { chooseFile } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { Menu } from "../../ui/menu";
-
-export const IMPORTED = ".learnblock,.bt,.py";
 
 export function ProjectMenu() {
   const page = usePage();
@@ -39,7 +38,7 @@ function items(page: Page) {
     {
       text: t("page-project-upload"),
       separated: true,
-      run: () => chooseFile(IMPORTED, (file) => void project.import(file)),
+      run: () => chooseFile(IMPORTED.join(","), (file) => void project.import(file)),
     },
     { text: t("page-project-download-learnblock"), run: () => project.export("learnblock") },
     { text: t("page-project-download-bt"), run: () => project.export("bt") },

@@ -4,7 +4,7 @@ import { signal } from "@preact/signals";
 import { type Phrase, t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import type { Exportable, FromPage, InstalledLibrary, LibraryRead, MakeLibrary } from "../../protocol/messages";
-import { saveFile } from "../../ui/files";
+import { inBase64, saveFile } from "../../ui/files";
 import { provided } from "../../ui/provided";
 import { fileOf, type Incoming, looked, renamed } from "./incoming";
 
@@ -147,8 +147,7 @@ export class Libraries {
 export const [LibrariesProvider, useLibraries] = provided<Libraries>("Libraries");
 
 async function incoming(file: File): Promise<Incoming> {
-  const letters = Array.from(new Uint8Array(await file.arrayBuffer()), (byte) => String.fromCharCode(byte));
-  return { filename: file.name.slice(-100), content: btoa(letters.join("")), renamings: [], read: null };
+  return { filename: file.name.slice(-100), content: await inBase64(file), renamings: [], read: null };
 }
 
 function bytes(content: string): Uint8Array<ArrayBuffer> {

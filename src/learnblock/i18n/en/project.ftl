@@ -7,7 +7,7 @@ project-name-device = Windows reserves the name '{ $name }' for a device. Choose
 # $code is the character's number, such as D800.
 project-character = The character U+{ $code } can't be saved. Remove it from the program.
 project-too-large = The project has { $size } bytes, but a project can have at most { $limit }.
-project-type = LearnBlock can't open this type of file. Choose a .bt, .py or .learnblock file.
+project-type = LearnBlock can't open this type of file. Choose a .bt, .py, .learnblock or .blockProject file.
 # $start is how the file of a project starts.
 project-none = This file is damaged or not a LearnBlock project. A project file starts with { $start }.
 project-not-utf-8 = This file is damaged or not a LearnBlock project: byte { $byte } is not UTF-8.

@@ -150,6 +150,7 @@ help-open =
     Abre un programa (.learnblock, .bt o .py) en la página.
 
     Un archivo de otro sitio se convierte en un proyecto de la carpeta de proyectos; el archivo no cambia.
+    Los proyectos del LearnBlock original (.blockProject) se importan: consulta learnblock import.
 help-open-with-port = { help-learnblock-with-port }
 help-open-with-host = { help-learnblock-with-host }
 help-open-with-no-browser = { help-learnblock-with-no-browser }

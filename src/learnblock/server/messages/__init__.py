@@ -96,11 +96,13 @@ from learnblock.server.messages.projects import (
     File,
     History,
     Import,
+    ImportOriginal,
     ListHistory,
     ListProjects,
     New,
     Open,
     Opened,
+    OriginalImported,
     PastRun,
     ProjectEntry,
     Projects,
@@ -174,6 +176,7 @@ FromPage = (
     Open
     | New
     | Import
+    | ImportOriginal
     | SaveAs
     | Delete
     | Export
@@ -242,6 +245,7 @@ ToPage = (
     | Worlds
     | Projects
     | Opened
+    | OriginalImported
     | Settings
     | File
     | History
@@ -342,6 +346,7 @@ __all__ = [
     "Import",
     "ImportCustomBlock",
     "ImportLibraries",
+    "ImportOriginal",
     "InputWanted",
     "InstalledLibrary",
     "Libraries",
@@ -363,6 +368,7 @@ __all__ = [
     "Notation",
     "Open",
     "Opened",
+    "OriginalImported",
     "PaletteChanged",
     "PastRun",
     "Pause",

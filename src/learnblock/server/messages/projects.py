@@ -1,11 +1,11 @@
 """Messages about projects: choices, files, versions and runs."""
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from msgspec import Struct
+from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import Message, Name, Text
+from learnblock.server.messages.base import LONGEST_TEXT, Message, Name, Text
 from learnblock.server.messages.worlds import WorldChoice
 
 # From the page.
@@ -39,6 +39,18 @@ class Import(Message, frozen=True):
 
     filename: Name
     text: Text
+
+
+class ImportOriginal(Message, frozen=True):
+    """Import a file of the original LearnBlock and open it; `OriginalImported` follows.
+
+    Args:
+        filename: ends in .blockProject or .lb.
+        content: its bytes in base64.
+    """
+
+    filename: Name
+    content: Annotated[bytes, Meta(max_length=LONGEST_TEXT)]
 
 
 class SaveAs(Message, frozen=True):
@@ -124,6 +136,14 @@ class Opened(Message, frozen=True):
     robot: str
     world: str
     breakpoints: tuple[str, ...] = ()
+
+
+class OriginalImported(Message, frozen=True):
+    """What an import changed, and what it could not carry over."""
+
+    filename: str
+    changed: tuple[Phrase, ...]
+    missing: tuple[Phrase, ...]
 
 
 class Settings(Message, frozen=True):

@@ -29,6 +29,15 @@ async def _import(page: Page, message: messages.Import) -> None:
     page.join(await page.sessions.start(project))
 
 
+async def _import_original(page: Page, message: messages.ImportOriginal) -> None:
+    folder = page.sessions.folder
+    project, report = await to_thread.run_sync(
+        folder.import_original, message.filename, message.content
+    )
+    page.join(await page.sessions.start(project))
+    page.send(messages.OriginalImported(message.filename, report.changed, report.missing))
+
+
 async def _save_as(page: Page, message: messages.SaveAs) -> None:
     page.join(await page.sessions.start(replace(page.session.project, name=message.name)))
 
@@ -66,6 +75,7 @@ HANDLERS: Mapping[type, Handler] = {
     messages.Open: _open,
     messages.New: _new,
     messages.Import: _import,
+    messages.ImportOriginal: _import_original,
     messages.SaveAs: _save_as,
     messages.Delete: _delete,
     messages.Export: _export,

@@ -9,7 +9,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Literal
 
-from learnblock import language, robots
+from learnblock import importing, language, robots
+from learnblock.blocks.known import all_configurations
 from learnblock.errors import (
     Diagnostic,
     LearnBlockError,
@@ -126,6 +127,26 @@ class ProjectFolder:
         if f".{ending}" != ENDING:
             raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("project-type"))])
         return replace(decode(text.encode("utf-8", "replace"), stem), name=name)
+
+    def import_original(self, filename: str, data: bytes) -> tuple[Project, importing.Report]:
+        """Make a project of a file of the original LearnBlock, under a free name.
+
+        Args:
+            filename: ends in .blockProject or .lb.
+            data: the file.
+
+        Raises:
+            FileError: the file is damaged, or has another type.
+        """
+        stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
+        skills = all_configurations()
+        if ending == "blockProject":
+            made = importing.import_project(data, filename, skills)
+        elif ending == "lb":
+            made = importing.import_text(data, filename, skills)
+        else:
+            raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("import-type"))])
+        return Project(self.free_name(stem), made.blocktext, workspace=made.workspace), made.report
 
     def export(self, project: Project, format_: Format) -> tuple[str, str]:
         """Export a project: return the name and the text of a file.

@@ -111,6 +111,8 @@ def test_messages_about_a_project_are_refused_before_one_is_open(page, kind, val
         ("SaveAs", {"name": "a\0b"}, ""),
         ("New", {"name": "x", "example": "../README"}, "no example"),
         ("Import", {"filename": "a.exe", "text": ""}, "this type of file"),
+        ("ImportOriginal", {"filename": "a.exe", "content": ""}, "this type of file"),
+        ("ImportOriginal", {"filename": "a.blockProject", "content": "Y29z"}, "damaged"),
         ("Import", {"filename": "a.learnblock", "text": "{}"}, "not a LearnBlock project"),
         ("Restore", {"version": "../../x"}, "no version"),
         ("Delete", {"name": "program"}, "is open"),

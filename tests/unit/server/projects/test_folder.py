@@ -392,7 +392,7 @@ def test_a_project_is_imported_under_a_free_name(folder):
 
 
 def test_another_file_is_refused(folder):
-    with pytest.raises(ProjectError, match=r"Choose a \.bt, \.py or \.learnblock file"):
+    with pytest.raises(ProjectError, match=r"Choose a \.bt, \.py, \.learnblock or"):
         folder.import_file("p.txt", "x = 1\n")
 
 
