@@ -7,6 +7,7 @@ from typing import overload
 
 from learnblock.errors import LearnBlockError, nearest
 from learnblock.i18n import Phrase, Value
+from learnblock.runtime.explanations import explanation
 from learnblock.runtime.values import encodable, shortened
 
 #: The maximum length of a string in a phrase; longer ones are cut.
@@ -27,10 +28,15 @@ def phrase_of(error: BaseException) -> Phrase:
         failure = type(failed).__name__
         return _sendable(Phrase("run-error-without-text", type=kind, failed=failure))
     whole = f"{kind}: {text}" if text else kind
-    suggestion = _suggestion(error)
-    if suggestion:
-        return _sendable(Phrase("run-did-you-mean", error=whole, suggestion=suggestion))
-    return _sendable(Phrase(whole))
+    return _sendable(_explained(error, text, whole))
+
+
+def _explained(error: BaseException, text: str, whole: str) -> Phrase:
+    """Our words for an error with Python's text below them; only Python's if we have none."""
+    if suggestion := _suggestion(error):
+        return Phrase("run-did-you-mean", error=whole, suggestion=suggestion)
+    meaning = explanation(error, text) if isinstance(error, Exception) else None
+    return Phrase(whole) if meaning is None else Phrase("run-means", meaning=meaning, error=whole)
 
 
 def _suggestion(error: BaseException) -> str | None:

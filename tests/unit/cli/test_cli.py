@@ -132,7 +132,7 @@ def test_an_error_is_reported_at_the_line_of_block_text(write):
     error = json.loads(result.stdout)["error"]
     assert result.exit_code == 3
     assert (error["file"], error["line"]) == ("broken.bt", 4)
-    assert error["message"] == "ZeroDivisionError: division by zero"
+    assert error["message"].endswith("\nPython: ZeroDivisionError: division by zero")
     assert error["text"] == "x = 1 / x"
 
 

@@ -159,8 +159,10 @@ def test_a_program_ends_with_a_phrase_with_its_robot_stopped_and_no_process_left
     if isinstance(said, Phrase):
         assert result.ending.phrase == said
     else:
-        assert str(result.ending.phrase).casefold().startswith(said.casefold())
-    assert "\n" not in str(result.ending.phrase)
+        # Python's own words are in the last line, below what they mean.
+        last = str(result.ending.phrase).rpartition("Python: ")[2]
+        assert last.casefold().startswith(said.casefold())
+    assert str(result.ending.phrase).count("\n") <= 1
     assert (how, line) == (result.how, result.ending.line)
     assert result.log == STOPPED
     assert result.left_over() == []
@@ -285,7 +287,7 @@ def test_a_stop_that_fails_is_reported_if_nothing_else_went_wrong(run):
 
 def test_a_stop_that_fails_does_not_hide_an_earlier_error(run):
     ending = run("1 / 0", broken={"disconnect"}).ending
-    assert ending.phrase == Phrase("ZeroDivisionError: division by zero")
+    assert ending.phrase.values["error"] == "ZeroDivisionError: division by zero"
 
 
 def test_a_stop_that_fails_in_the_program_is_reported_too(run):

@@ -34,6 +34,66 @@ run-killed = El sistema operativo ha terminado el programa con la señal { $sign
 
 # $error es el mensaje de Python, por ejemplo: NameError: name 'robt' is not defined
 run-did-you-mean = { $error }. ¿Querías decir '{ $suggestion }'?
+# What Python's errors mean. $meaning is one of the messages below; $error is Python's own message.
+
+run-means =
+    { $meaning }
+    Python: { $error }
+# $type is Python's name of a type.
+run-type = { $type ->
+    [str] un texto
+    [int] un número
+    [float] un número
+    [bool] True o False
+    [list] una lista
+    [tuple] varios valores
+    [dict] un diccionario
+    [function] una función
+    [method] una función
+    [builtin_function_or_method] una función
+    [NoneType] nada (None)
+   *[other] { $type }
+}
+run-means-zero-division = Se ha dividido un número entre 0. Comprueba antes el divisor: 'if x != 0:'.
+run-means-recursion = Una función se llama a sí misma sin fin. Pon una condición con la que pare.
+run-means-memory = El programa ha gastado toda su memoria. ¿Crece una lista o un texto en un bucle sin fin?
+run-means-overflow = Un número se ha hecho demasiado grande. Revisa la cuenta de esta línea.
+run-means-empty = La lista está vacía, así que no se puede sacar nada de ella. Comprueba antes 'len(...) > 0'.
+run-means-index = No hay ningún elemento en esa posición. La primera es 0, y la última es la longitud menos uno.
+run-means-key = No hay ninguna entrada { $key }. Revisa cómo se escribe, o añádela antes.
+run-means-module = No hay ningún módulo '{ $module }'. Revisa su nombre, o pon su archivo junto al programa.
+run-means-import = Ahí no hay ningún '{ $name }' que importar. Revisa cómo se escribe.
+run-means-file = Ese archivo no existe. Revisa su nombre y su carpeta.
+run-means-local = '{ $name }' recibe un valor dentro de esta función, pero se lee antes. Escribe 'global { $name }' al principio de la función, o dale antes un valor.
+run-means-name = '{ $name }' no tiene valor todavía. Dale uno más arriba, o revisa cómo se escribe.
+run-means-attribute-of-nothing = Delante de '.{ $name }' no hay ningún valor, solo None. Mira de dónde debería venir.
+run-means-skill = El robot no tiene la habilidad '{ $name }'. Revisa cómo se escribe.
+run-means-attribute = '{ $name }' no existe para { $type }. Revisa cómo se escribe y el valor que hay delante del punto.
+run-means-attribute-of-module = El módulo '{ $module }' no tiene '{ $name }'. Revisa cómo se escribe.
+run-means-join = A un texto solo se le puede sumar otro texto, no { $type }. Pon 'str(...)' alrededor del otro valor.
+run-means-join-list = A una lista solo se le puede sumar otra lista, no { $type }. Usa 'append' para añadir un elemento.
+run-means-nothing = Un lado de '{ $operator }' no tiene valor (None). Mira de dónde viene: ¿falta un sensor, o una función no tiene 'return'?
+run-means-operands = '{ $operator }' no funciona con { $type } y { $other_type }. Convierte uno con 'int(...)', 'float(...)' o 'str(...)'.
+run-means-multiply = Un texto o una lista solo se puede multiplicar por un número entero. Pon 'int(...)' alrededor del otro valor.
+run-means-whole-number = Aquí hace falta un número entero, no { $type }. Pon 'int(...)' alrededor.
+run-means-number = Aquí hace falta un número, no { $type }. Pon 'float(...)' alrededor.
+run-means-call = Esto es { $type }, no una función a la que llamar. Quita los paréntesis que siguen, o cambia el nombre de la variable.
+run-means-items = Esto es { $type }, así que no tiene elementos. Usa una lista o un texto antes de '['.
+run-means-iteration = Un bucle necesita una lista o un texto, no { $type }. Pon 'range(...)' alrededor de un número.
+run-means-length = 'len' necesita una lista o un texto, no { $type }.
+run-means-position = Una posición es un número entero que se cuenta desde 0. Pon 'int(...)' alrededor.
+run-means-item-assignment = No se puede cambiar una parte de { $type }. Crea un valor nuevo.
+run-means-missing-argument = A '{ $function }' le faltan valores: { $names }. Escríbelos entre los paréntesis.
+run-means-too-many-arguments = '{ $function }' ha recibido { $given } valores, y son demasiados. Quita alguno de los paréntesis.
+run-means-unknown-argument = '{ $function }' no tiene ningún argumento '{ $name }'. Revisa cómo se escribe.
+run-means-int = { $text } no es un número entero, y 'int' no puede leerlo. Revisa el texto, o lo que se ha escrito al preguntar.
+run-means-float = { $text } no es un número, y 'float' no puede leerlo. Revisa el texto, y usa un punto en lugar de una coma.
+run-means-domain = Esto no se puede calcular, como la raíz cuadrada de un número negativo. Comprueba antes el valor.
+run-means-range = El primer número es mayor que el último. Cámbialos de orden.
+run-means-not-in-list = La lista no contiene ese valor. Compruébalo antes con 'in'.
+run-means-separator = El texto que separa las partes está vacío. Escribe al menos un carácter, como " ".
+run-means-unpack = Antes de '=' no hay tantos nombres como valores hay después.
+
 # $type y $failed son nombres de errores de Python.
 run-error-without-text = El error { $type } no tiene un mensaje legible: su __str__ ha fallado con { $failed }.
 run-second-robot = Un programa solo puede tener un robot a la vez. Quita el segundo Robot().

@@ -184,7 +184,7 @@ class _TypeChecker:
     def operands(self, operator: str, left: Expression, right: Expression) -> None:
         zero = isinstance(right, Number) and right.text.strip("0._") == ""
         if operator in {"/", "//", "%"} and zero and self.types.of(left) in NUMBERS:
-            self.report(Phrase("check-divide-by-zero", operator=operator), right)
+            self.report(Phrase("check-divide-by-zero", operator=operator), right, "warning")
         elif operator == "+":
             self.sum(left, right)
         elif operator == "*":

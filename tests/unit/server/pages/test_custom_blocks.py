@@ -133,7 +133,7 @@ def test_an_error_in_a_tried_function_has_the_line_of_its_source(page):
     page.say("TryCustomBlock", name="dance", source="def f(robot):\n    x = 0\n    1 / x\n")
     ended = page.hear("Ended")
     assert ("error", "dance", 3) == (ended["ended"], ended["custom_block"], ended["custom_line"])
-    assert ended["message"]["code"] == "ZeroDivisionError: division by zero"
+    assert ended["message"]["values"]["error"] == "ZeroDivisionError: division by zero"
 
 
 @pytest.mark.parametrize(

@@ -134,7 +134,7 @@ def test_an_error_of_the_program_names_its_block(page):
     document = page.type("main:\n    print(1)\n    print(1 / 0)\nend\n")
     ended = page.run()
     assert ended["ended"] == "error"
-    assert "ZeroDivisionError" in ended["message"]["code"]
+    assert "ZeroDivisionError" in ended["message"]["values"]["error"]
     assert ended["block"] == place(document, 3)
 
 
