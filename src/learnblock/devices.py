@@ -228,9 +228,19 @@ class JointMotor(Device):
         self, move: Callable[[float], None], read: Callable[[], float] | None = None
     ) -> None:
         super().__init__(move=move, read=read)
+        #: The last command, in degrees; None before the first one.
+        self.angle: float | None = None
 
     def move(self, degrees: float) -> None:
-        self.functions["move"](number("degrees", degrees))
+        self.angle = number("degrees", degrees)
+        self.functions["move"](self.angle)
+
+    def move_by(self, degrees: float) -> None:
+        """Move from the angle of the last command, or before any from where the joint is."""
+        start = self.angle
+        if start is None:
+            start = float(self.functions["read"]()) if "read" in self.functions else 0.0
+        self.move(start + number("degrees", degrees))
 
 
 class Display(Device):

@@ -256,13 +256,13 @@ def drag_file(pupil, what, name, text):
 
 
 def test_a_project_of_the_original_learnblock_opens_and_says_what_changed(pupil, tmp_path):
-    file = tmp_path / "square.blockProject"
-    file.write_bytes(project(main(forever(skill("mover_recto"), skill("subscribe")))))
+    file = tmp_path / "old.blockProject"
+    file.write_bytes(project(main(forever(skill("mover_derecha"), skill("subscribe")))))
     pupil.upload(file)
-    pupil.expect_project("square")
-    expect(pupil.dialog()).to_contain_text("'mover_recto' is now called 'move_straight'")
+    pupil.expect_project("old")
+    expect(pupil.dialog()).to_contain_text("'mover_derecha' is now called 'move_right'")
     expect(pupil.dialog()).to_contain_text("Messages between robots ('subscribe')")
     pupil.picture("imported")
     pupil.dialog().get_by_role("button", name="OK").click()
     expect(pupil.dialog()).to_have_count(0)
-    assert "function.move_straight()" in pupil.text("blocktext")
+    assert "function.move_right()" in pupil.text("blocktext")

@@ -10,6 +10,15 @@ if TYPE_CHECKING:
 _CAMERA = "CAMERA"
 
 
+def down_camera(robot: "Client", angle: float = 10) -> None:
+    """Tilt the camera down from where it points.
+
+    Args:
+        angle: degrees.
+    """
+    _tilt_by(robot, -angle)
+
+
 def look_floor(robot: "Client") -> None:
     """Look at the floor: tilt the camera 30 degrees down."""
     setAngleMotor(robot, _CAMERA, -30)
@@ -44,3 +53,18 @@ def setAngleMotor(robot: "Client", key: str, angle: float) -> None:
     joint = robot.device(JointMotor, key)
     if joint is not None:
         joint.move(angle)
+
+
+def up_camera(robot: "Client", angle: float = 10) -> None:
+    """Tilt the camera up from where it points.
+
+    Args:
+        angle: degrees.
+    """
+    _tilt_by(robot, angle)
+
+
+def _tilt_by(robot: "Client", angle: float) -> None:
+    joint = robot.device(JointMotor, _CAMERA)
+    if joint is not None:
+        joint.move_by(angle)

@@ -233,6 +233,13 @@ def test_what_is_missing_is_listed_by_name_and_leaves_a_program_that_checks_clea
     assert [one for one in check(made) if one.severity == "error"] == []
 
 
+def test_a_relative_tilt_of_the_camera_is_carried_over(imported):
+    tilt = skill("up_camera", ("float", "5")), skill("down_camera", ("float", "3"))
+    made = imported(project(main(*tilt)))
+    assert lines(made)[1:3] == ["    function.up_camera(5)", "    function.down_camera(3)"]
+    assert made.report.missing == ()
+
+
 def test_an_else_without_an_if_keeps_its_blocks(imported):
     made = imported(project(main(control("else", [], skill("stop_bot")))))
     assert lines(made)[1:3] == ["    if True:", "        function.stop_bot()"]
