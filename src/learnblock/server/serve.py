@@ -19,6 +19,7 @@ import uvicorn
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server.app import create_app
+from learnblock.server.http.requests import TimedRequests
 from learnblock.server.http.token import token as the_token
 
 DEFAULT_HOST = "127.0.0.1"
@@ -161,7 +162,7 @@ def _config(app: object) -> uvicorn.Config:
     return uvicorn.Config(
         app,  # type: ignore[arg-type]
         loop="asyncio",
-        http="h11",
+        http=TimedRequests,
         ws="websockets-sansio",
         ws_max_size=_LONGEST_FRAME,
         # The page is mostly on the same computer, where compression costs more than it saves.
