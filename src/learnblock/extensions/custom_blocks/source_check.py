@@ -135,7 +135,7 @@ def bad_default(parameter: str, function: str, default: object, expected: Phrase
 
 
 def _objection(one: Argument) -> Phrase | None:
-    """The values that the default of a parameter should have, or None if it fits the hint."""
+    """What the default of a parameter should be; None if it fits the hint."""
     kind, default = one.field.type, one.default
     is_number = isinstance(default, int | float) and not isinstance(default, bool)
     fits = {

@@ -25,4 +25,4 @@ testing-no-tones = can't play tones
 testing-not-driven = not driven
 testing-not-seen = not seen
 testing-no-picture = No picture arrived within 2 seconds.
-testing-moved-otherwise = It moved differently. Check the ports and signs of its motors in the robot settings.
+testing-moved-otherwise = It did not move as described. In the robot settings, check the ports of its motors, and whether a motor needs the minus sign because it turns the other way.

@@ -21,4 +21,4 @@ testing-no-tones = no puede tocar tonos
 testing-not-driven = no se ha movido
 testing-not-seen = no se ha visto
 testing-no-picture = No ha llegado ninguna imagen en 2 segundos.
-testing-moved-otherwise = Se ha movido de otra forma. Revisa los puertos y los signos de sus motores en los ajustes del robot.
+testing-moved-otherwise = No se ha movido como se describe. En los ajustes del robot, revisa los puertos de sus motores y si algún motor necesita el signo menos porque gira al revés.

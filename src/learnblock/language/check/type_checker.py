@@ -276,7 +276,7 @@ class _TypeChecker:
             self.report(message, value)
 
     def skill(self, node: SkillCall) -> None:
-        """Report text and lists in variables; the arguments as such are checked elsewhere."""
+        """Report variables that hold text or a list where the skill expects a number."""
         skill = self.findings.skills.get(node.name)
         if skill is None:
             return

@@ -10,7 +10,7 @@ from typing import Any
 
 from msgspec import Struct, field
 
-#: The value of a field: a string, a number, a checkbox, or ``{"id": ...}`` of a variable.
+#: The value of a field: a string, a number, a Boolean, or the ``{"id": ...}`` of a variable.
 FieldValue = str | float | bool | dict[str, str] | None
 
 

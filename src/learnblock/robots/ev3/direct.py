@@ -21,7 +21,7 @@ OUTPUT_STOP, OUTPUT_TIME_SPEED, OUTPUT_GET_COUNT = b"\xa3", b"\xaf", b"\xb3"
 INPUT_TYPE_MODE, INPUT_READY_SI = b"\x99\x05", b"\x99\x1d"
 SOUND_TONE = b"\x94\x01"
 
-#: The head of a command (length, counter, type, bytes of the reply), and that of a reply.
+#: The header of a command (length, counter, type, size of the reply), and that of a reply.
 _HEAD, _REPLY = struct.Struct("<HHBH"), struct.Struct("<HB")
 
 
