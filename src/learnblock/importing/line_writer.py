@@ -16,6 +16,7 @@ from learnblock.language.tree.strings import quote
 #: Characters of a line that is shown in a report.
 _SHOWN = 80
 _EVENT_WORDS = ("activate", "deactivate")
+_CONSTANTS = {"true": "True", "false": "False", "none": "None", "null": "None"}
 _EVENT_PREFIXES = ("state_", "time_")
 
 
@@ -119,7 +120,7 @@ class LineWriter:
         # Raw Python does not come from a project's file.
         name = " ".join(name.replace("`", "'").split())
         if not block.values:
-            return name
+            return _CONSTANTS.get(name, name)
         values = (argument(one, None, self.project.variables) for one in block.values)
         return f"{name}({', '.join(one or quote('') for one in values)})"
 
@@ -144,7 +145,12 @@ class LineWriter:
         if not block.values:
             return name
         value = argument(block.values[0], None, self.project.variables)
-        return f"{name} = {value or 'None'}"
+        if value is None:
+            value = "0"
+            self.reporting.miss(
+                Phrase("import-argument-missing", skill=block.name, name=block.name, value=value)
+            )
+        return f"{name} = {value}"
 
     def call(self, block: Block) -> str:
         name = self.names.legal(block.name)

@@ -35,11 +35,11 @@ def argument(
     if value.text in variables:
         name = legal(value.text)
         return f"{name} * 180 / pi()" if rotates else name
+    if value.type == "boolean":
+        return _TRUTHS.get(value.text.casefold(), "True")
     number = number_of(value.text)
     if number is not None and (value.type not in _TEXTS or _is_number(parameter)):
         return in_degrees(number) if rotates else number
-    if value.type == "boolean":
-        return _TRUTHS.get(value.text.casefold(), "True")
     if value.type in _TEXTS or value.type == "apriltext":
         return quote(unquoted(value.text))
     return _other(value.text)

@@ -160,6 +160,7 @@ def test_print_gets_its_brackets(imported, right, line):
         ("string", "3", "3"),
         ("int", "", "1"),
         ("float", "wrong value", "1"),
+        ("boolean", "0", "False"),
     ],
 )
 def test_the_values_of_fields_become_arguments(imported, kind, text, argument):
@@ -238,6 +239,19 @@ def test_a_relative_tilt_of_the_camera_is_carried_over(imported):
     made = imported(project(main(*tilt)))
     assert lines(made)[1:3] == ["    function.up_camera(5)", "    function.down_camera(3)"]
     assert made.report.missing == ()
+
+
+def test_a_variable_without_a_value_becomes_0_and_is_listed(imported):
+    made = imported(project(main(Old("n", VARIABLE, [("float", "")])), variables=["n"]))
+    assert lines(made)[1].strip() == "n = 0"
+    assert made.report.missing == (
+        Phrase("import-argument-missing", skill="n", name="n", value="0"),
+    )
+
+
+def test_true_in_small_letters_is_a_constant(imported):
+    made = imported(project(main(control("while", [word("true")], skill("stop_bot")))))
+    assert lines(made)[1].strip() == "while True:"
 
 
 def test_an_else_without_an_if_keeps_its_blocks(imported):
