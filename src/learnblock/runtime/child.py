@@ -15,9 +15,9 @@ from typing import Any, NoReturn
 from learnblock.client import Client
 from learnblock.errors import InputEndedError, LearnBlockError, ProgramStopped
 from learnblock.runtime import remote
+from learnblock.runtime.containment.fence import contain
 from learnblock.runtime.error_phrases import phrase_of
 from learnblock.runtime.gate import Gate, unless_shown
-from learnblock.runtime.limits import Limits, contain
 from learnblock.runtime.lines import (
     LineBudget,
     program_frame,
@@ -52,12 +52,12 @@ def main() -> None:
     run(link, contain)
 
 
-def run(link: Link[FromHost], fence: Callable[[Limits], None] | None = None) -> None:
+def run(link: Link[FromHost], fence: Callable[[Setup], None] | None = None) -> None:
     """Receive the setup, run the program, and report how it ended.
 
     Args:
         link: our end of the link.
-        fence: puts this process under the limits; None in a thread of the host.
+        fence: contains this process; None in a thread of the host.
     """
     try:
         link.send(_ended(link, fence))
@@ -66,7 +66,7 @@ def run(link: Link[FromHost], fence: Callable[[Limits], None] | None = None) -> 
         return
 
 
-def _ended(link: Link[FromHost], fence: Callable[[Limits], None] | None) -> Ended:
+def _ended(link: Link[FromHost], fence: Callable[[Setup], None] | None) -> Ended:
     """Run the program; return how it ended.
 
     Raises:
@@ -77,11 +77,14 @@ def _ended(link: Link[FromHost], fence: Callable[[Limits], None] | None) -> Ende
         if not isinstance(setup, Setup):
             raise TypeError(f"expected Setup, got {type(setup).__name__}")
         if fence:
-            fence(setup.limits)
+            fence(setup)
         return _Program(link, setup, owns_process=fence is not None).run()
     except ProgramStopped:
         # A signal arrived before the program began, or just as it ended.
         return Ended(stopped=True)
+    except LearnBlockError as error:
+        # Without its fence a program does not run.
+        return Ended(Fault(error.phrase, ()))
 
 
 class _Program:

@@ -26,8 +26,10 @@ class Conversation:
         self._debugger = debugger
         self._control = debugger.control if debugger else None
 
-    def begin(self, program: Program, limits: Limits, robots: tuple[str, ...]) -> None:
-        """Send the program, with its robot modules and its limits."""
+    def begin(
+        self, program: Program, limits: Limits, robots: tuple[str, ...], *, network: bool
+    ) -> None:
+        """Send the program, with the modules that are robots and what it may use."""
         self._link.send(
             messages.Setup(
                 source=program.python,
@@ -37,6 +39,7 @@ class Conversation:
                 robots=robots,
                 debug=self._control,
                 limits=limits,
+                network=network,
             )
         )
 

@@ -20,6 +20,8 @@ def phrase_of(error: BaseException) -> Phrase:
     """The phrase for an error: ours can be translated, Python's keep Python's text."""
     if isinstance(error, LearnBlockError):
         return _sendable(error.phrase)
+    if isinstance(error, PermissionError) and isinstance(error.filename, str):
+        return _sendable(Phrase("run-no-access", file=error.filename))
     kind = type(error).__name__
     try:
         # A syntax error's whole text would repeat the file and the line.

@@ -71,6 +71,7 @@ class Setup(Message, frozen=True):
     robots: tuple[str, ...]
     debug: Control | None
     limits: Limits
+    network: bool = False
 
 
 class DeviceOffer(msgspec.Struct, frozen=True, array_like=True):

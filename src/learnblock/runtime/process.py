@@ -8,12 +8,15 @@ import socket
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Protocol
 
 from learnblock.errors import ProgramStopped
 from learnblock.runtime import child
+from learnblock.runtime.containment.environment import environment
+from learnblock.runtime.containment.scratch import Scratch, Usage
+from learnblock.runtime.limits import Limits
 from learnblock.runtime.link import Link
 from learnblock.runtime.messages import FromChild, FromHost
 
@@ -51,6 +54,9 @@ class Worker(Protocol):
     def wait(self, timeout: float) -> int | None:
         """Its exit status (negative: the signal that killed it), or None if it is still running."""
 
+    def usage(self, limits: Limits) -> Usage:
+        """Return what it occupies."""
+
 
 class ProcessWorker:
     """A process in a separate session, so that its children can be ended with it."""
@@ -58,8 +64,9 @@ class ProcessWorker:
     def __init__(self) -> None:
         ours, theirs = socket.socketpair()
         theirs.set_inheritable(True)
+        self._scratch = Scratch()
         with theirs:
-            self._process = self._start(theirs.fileno())
+            self._process = self._start(theirs.fileno(), environment(self._scratch.path))
         self.link: Link[FromChild] = Link(ours, FromChild)
 
     def interrupt(self) -> None:
@@ -72,6 +79,7 @@ class ProcessWorker:
                 os.killpg(self._process.pid, signal.SIGKILL)
         self._process.kill()
         self._process.wait()
+        self._scratch.remove()
         self.link.close()
 
     def wait(self, timeout: float) -> int | None:
@@ -80,23 +88,24 @@ class ProcessWorker:
         except subprocess.TimeoutExpired:
             return None
 
+    def usage(self, limits: Limits) -> Usage:
+        return self._scratch.usage(self._process.pid, limits)
+
     @staticmethod
-    def _start(handle: int) -> "subprocess.Popen[bytes]":
-        # -P: a program's folder must not shadow our modules. The hash seed: the order of a set of
-        # strings must not differ between two runs.
+    def _start(handle: int, variables: Mapping[str, str]) -> "subprocess.Popen[bytes]":
+        # -P: a program's folder must not shadow our modules.
         command = [sys.executable, "-P", "-m", child.__name__, str(handle)]
-        environment = {**os.environ, "PYTHONHASHSEED": "0"}
         if sys.platform == "win32":
             return subprocess.Popen(  # noqa: S603 - our own interpreter and module
                 command,
-                env=environment,
+                env=variables,
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 close_fds=False,
             )
         return subprocess.Popen(  # noqa: S603 - our own interpreter and module
             command,
-            env=environment,
+            env=variables,
             stdin=subprocess.DEVNULL,
             # A program's prints go over the link; this output is only ours.
             stdout=subprocess.DEVNULL,
@@ -129,6 +138,9 @@ class ThreadWorker:
     def wait(self, timeout: float) -> int | None:
         self._thread.join(timeout)
         return None if self._thread.is_alive() else 0
+
+    def usage(self, limits: Limits) -> Usage:  # noqa: ARG002 - it is the host's own
+        return Usage()
 
     @staticmethod
     def _run(connection: socket.socket) -> None:

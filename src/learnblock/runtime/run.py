@@ -56,6 +56,7 @@ class Run:
         limits: Limits | None = None,
         worker: Callable[[], Worker] = ProcessWorker,
         robots: tuple[str, ...] = (),
+        network: bool = False,
     ) -> None:
         limits = limits or Limits()
         #: None until the run has ended.
@@ -70,7 +71,7 @@ class Run:
         self.supervision = Supervision(limits, self.robot)
         self.variables = VariableReports(self.watcher)
         self._pauses = Pauses(self.watcher, debugger)
-        self._begin = partial(_begin, program, limits, robots, worker, debugger)
+        self._begin = partial(_begin, program, limits, robots, worker, debugger, network=network)
         self._conversation: Conversation | None = None
         #: Whether the program has sent anything yet.
         self._has_sent = False
@@ -124,6 +125,8 @@ class Run:
         self.watcher.tick()
         with self._talking() as conversation:
             conversation.update_control()
+            # A thread of the program may go on while the program itself waits.
+            self._end_soon(self.supervision.check_usage(conversation.worker.usage))
             if self.variables.are_due:
                 self.variables.request(conversation)
                 while (message := self.variables.wait(conversation)) is not None:
@@ -168,6 +171,7 @@ class Run:
             self._pauses.status.enter(State.RUNNING)
         if self.supervision.is_due:
             self._end_soon(self.supervision.check())
+            self._end_soon(self.supervision.check_usage(conversation.worker.usage))
             if self.variables.are_due:
                 self.variables.request(conversation)
         return message
@@ -293,10 +297,12 @@ def _begin(
     robots: tuple[str, ...],
     worker: Callable[[], Worker],
     debugger: Debugger | None,
+    *,
+    network: bool,
 ) -> Conversation:
     # The worker first: while it starts, we look for the skills.
     conversation = Conversation(worker(), debugger)
-    conversation.begin(program, limits, robots)
+    conversation.begin(program, limits, robots, network=network)
     return conversation
 
 

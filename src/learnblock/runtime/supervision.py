@@ -1,14 +1,18 @@
 """Supervision of a running program: its silence, its output and its time."""
 
+from collections.abc import Callable
 from time import monotonic
 
 from learnblock.i18n import Phrase
+from learnblock.runtime.containment.scratch import Usage
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.hosted_robot import HostedRobot
 from learnblock.runtime.limits import MEGABYTE, Limits
 
 #: Seconds of the wall clock between two checks.
 PERIOD = 0.05
+#: And between two of what it occupies, which take longer.
+USAGE_PERIOD = 0.1
 
 
 class Supervision:
@@ -25,7 +29,7 @@ class Supervision:
         self.limits = limits
         self._robot = robot
         self._printed = 0
-        self._last_call = self._last_check = 0.0
+        self._last_call = self._last_check = self._last_usage = 0.0
 
     def note_call(self) -> None:
         """Record that the program made a call."""
@@ -65,6 +69,25 @@ class Supervision:
             How.OUTPUT_LIMIT,
             Phrase("run-too-much-output", megabytes=self.limits.output / MEGABYTE),
         )
+
+    def check_usage(self, measure: Callable[[Limits], Usage]) -> Ending | None:
+        """Check what the program occupies; return how the run has to end if it is too much.
+
+        Args:
+            measure: says what it occupies; not called at every check.
+        """
+        if monotonic() - self._last_usage < USAGE_PERIOD:
+            return None
+        self._last_usage = monotonic()
+        used, limits = measure(self.limits), self.limits
+        if used.disk > limits.disk:
+            megabytes = limits.disk / MEGABYTE
+            return Ending(How.KILLED, Phrase("run-too-much-disk", megabytes=megabytes))
+        if used.files > limits.files:
+            return Ending(How.KILLED, Phrase("run-too-many-files", limit=limits.files))
+        if used.threads > limits.threads:
+            return Ending(How.KILLED, Phrase("run-too-many-threads", limit=limits.threads))
+        return None
 
     def _check_preparation(self, silent: float) -> Ending | None:
         if silent <= self.limits.preparation:

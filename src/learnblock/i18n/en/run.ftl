@@ -101,6 +101,18 @@ run-second-robot = A program can have only one robot at a time. Remove the secon
 run-input-ended = The program asked for input, but there is none left.
 # $event is Python's name of what was attempted, such as os.fork.
 run-no-processes = A robot program is not allowed to start or stop other programs ({ $event }).
+# $event is Python's name of what was attempted, such as socket.connect.
+run-no-network = A robot program is not allowed to use the network ({ $event }). Run it with learnblock run --allow-network if it needs to.
+# $file is the file's name.
+run-no-access = No access to { $file }. A robot program can read the files of its own project, and write only to its temporary folder.
+# $reason is the operating system's own message.
+run-not-contained = The program was not started, because it could not be contained: { $reason }. Run learnblock doctor.
+# $megabytes is a number.
+run-too-much-disk = The program wrote more than { $megabytes } MB to its temporary folder.
+# $limit is a number.
+run-too-many-files = The program made more than { $limit } files.
+# $limit is a number.
+run-too-many-threads = The program started more than { $limit } threads.
 run-variable-uses-robot = The __str__ of a variable cannot use the robot or print.
 # $reason is Python's own message.
 run-value-not-sendable = A value cannot be sent to the robot: { $reason }.

@@ -100,6 +100,18 @@ run-second-robot = Un programa solo puede tener un robot a la vez. Quita el segu
 run-input-ended = El programa ha pedido un texto, pero ya no queda ninguno.
 # $event es el nombre que Python da a lo que se intentó, como os.fork.
 run-no-processes = Un programa de robot no puede iniciar ni detener otros programas ({ $event }).
+# $event es el nombre que Python da a lo que se intentó, como socket.connect.
+run-no-network = Un programa de robot no puede usar la red ({ $event }). Si la necesita, ejecútalo con learnblock run --allow-network.
+# $file es el nombre del archivo.
+run-no-access = Sin acceso a { $file }. Un programa de robot puede leer los archivos de su proyecto y escribir solo en su carpeta temporal.
+# $reason es el mensaje del sistema operativo.
+run-not-contained = El programa no se ha iniciado porque no se ha podido aislar: { $reason }. Ejecuta learnblock doctor.
+# $megabytes es un número.
+run-too-much-disk = El programa ha escrito más de { $megabytes } MB en su carpeta temporal.
+# $limit es un número.
+run-too-many-files = El programa ha creado más de { $limit } archivos.
+# $limit es un número.
+run-too-many-threads = El programa ha iniciado más de { $limit } hilos.
 run-variable-uses-robot = El __str__ de una variable no puede usar el robot ni escribir.
 # $reason es el mensaje de Python.
 run-value-not-sendable = No se puede enviar un valor al robot: { $reason }.

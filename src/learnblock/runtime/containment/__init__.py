@@ -1,0 +1,10 @@
+"""What contains a pupil's program: the child puts itself behind a fence before it runs.
+
+- `fence`: everything together, in the child.
+- `resources`: limits of memory, processor time and files, on every POSIX system.
+- `landlock`, `paths`: the files it may read and write, on Linux.
+- `seccomp`, `syscalls`: the system calls it may make, on Linux.
+- `hook`: the same in Python, with messages that a person understands; on every system.
+- `environment`, `scratch`: its variables and its temporary folder, prepared by the host.
+- `survey`: what of this holds on this computer, found by trying.
+"""

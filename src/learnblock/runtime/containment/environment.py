@@ -1,0 +1,38 @@
+"""The environment of a program: the variables it needs, and none of the user's secrets."""
+
+import os
+import site
+from collections.abc import Mapping
+
+from learnblock.storage.home import home
+
+_KEPT = frozenset(
+    {
+        "LANG", "LANGUAGE", "TZ", "LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH", "VIRTUAL_ENV",
+        # Windows starts no program without them.
+        "SYSTEMROOT", "WINDIR", "PATH", "APPDATA", "LOCALAPPDATA",
+    }
+)  # fmt: skip
+_KEPT_PREFIXES = ("LC_", "PYTHON", "OMP_", "OPENBLAS_")
+
+
+def environment(scratch: str) -> Mapping[str, str]:
+    """The variables of a program.
+
+    Args:
+        scratch: its temporary folder.
+    """
+    kept = {
+        name: value
+        for name, value in os.environ.items()
+        if name in _KEPT or name.startswith(_KEPT_PREFIXES)
+    }
+    folders = dict.fromkeys(("HOME", "USERPROFILE", "TMPDIR", "TEMP", "TMP"), scratch)
+    ours = {
+        # Python looks for packages there, which is below the user's HOME.
+        "PYTHONUSERBASE": site.getuserbase(),
+        # The order of a set of strings must not differ between two runs.
+        "PYTHONHASHSEED": "0",
+        "LEARNBLOCK_HOME": str(home().absolute()),
+    }
+    return {**kept, **folders, **ours}

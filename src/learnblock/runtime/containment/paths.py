@@ -1,0 +1,76 @@
+"""The files that a program may read and write."""
+
+import os
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from learnblock.runtime.containment import landlock
+from learnblock.storage.home import home
+
+#: Programs' libraries and data, which every user of the computer can read.
+_SYSTEM = ("/usr", "/lib", "/lib32", "/lib64", "/nix/store", "/gnu/store")
+#: Settings of libraries; nothing about users and their passwords.
+_SETTINGS = (
+    "/etc/ld.so.cache", "/etc/localtime", "/etc/mime.types", "/etc/os-release", "/etc/fonts",
+    "/etc/ssl/openssl.cnf", "/etc/pki/tls/openssl.cnf", "/sys/devices/system/cpu",
+    "/dev/null", "/dev/zero", "/dev/random", "/dev/urandom",
+)  # fmt: skip
+#: Where names and certificates on the network are looked up.
+_NETWORK = (
+    "/etc/resolv.conf", "/run/systemd/resolve", "/etc/hosts", "/etc/host.conf", "/etc/gai.conf",
+    "/etc/nsswitch.conf", "/etc/services", "/etc/ssl/certs", "/etc/pki", "/etc/ca-certificates",
+)  # fmt: skip
+
+
+def allowed(project: str, *, network: bool) -> Iterator[tuple[str, int]]:
+    """Files and folders that a program may use, each with the rights to it.
+
+    Args:
+        project: the folder of the program; "" for none.
+        network: whether it may use the network.
+    """
+    # The first is the temporary folder that the host has made for it.
+    for path in (tempfile.gettempdir(), os.devnull):
+        yield path, landlock.WRITE
+    for path in (*_SYSTEM, *_SETTINGS, *_installation(project), *_user_code(), *_NETWORK * network):
+        yield path, landlock.READ
+    if project:
+        yield from _own_files(Path(project).resolve())
+
+
+def _installation(project: str) -> Iterator[str]:
+    """Python, its libraries and LearnBlock."""
+    yield from {sys.prefix, sys.exec_prefix, sys.base_prefix, sys.base_exec_prefix}
+    yield from (entry for entry in sys.path if entry and entry != project)
+
+
+def _user_code() -> Iterator[str]:
+    """What programs import from the user's folder; its settings hold passwords."""
+    return (str(home() / name) for name in ("skills", "libraries"))
+
+
+def _own_files(project: Path) -> Iterator[tuple[str, int]]:
+    """A project's folder; only the files directly in it if it contains other things as well."""
+    if not _is_shared(project):
+        yield str(project), landlock.READ
+        return
+    # Python looks for modules in a list of their names.
+    yield str(project), landlock.LIST
+    for path in project.iterdir():
+        if path.is_file() and not path.name.startswith("."):
+            yield str(path), landlock.READ
+
+
+def _is_shared(folder: Path) -> bool:
+    """Whether a program in this folder lies among things that are not its own."""
+    others = (Path(_users_home()), home(), Path(tempfile.gettempdir()))
+    return any(other.resolve().is_relative_to(folder) for other in others)
+
+
+def _users_home() -> str:
+    import pwd  # noqa: PLC0415 - POSIX only
+
+    # Not the variable: the host has set it to the temporary folder.
+    return pwd.getpwuid(os.getuid()).pw_dir

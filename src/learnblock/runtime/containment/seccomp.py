@@ -1,0 +1,155 @@
+"""seccomp: the kernel refuses this process all system calls but those a program needs.
+
+The filter is a program of the kernel's packet filter (classic BPF, <linux/seccomp.h>) that reads a
+call's number and arguments. It cannot follow pointers: Landlock decides which files may be opened.
+"""
+
+import ctypes
+import errno
+import os
+import struct
+from collections.abc import Iterator, Mapping
+from functools import cache
+from typing import NamedTuple
+
+from learnblock.runtime.containment import kernel
+from learnblock.runtime.containment.syscalls import LAST_KNOWN, PROCESSORS, numbers
+
+_PR_SET_SECCOMP, _MODE_FILTER = 22, 2
+
+# Instructions of the filter: load a word of the call, mask it, compare it, return.
+_LOAD, _AND, _EQUAL, _GREATER, _RETURN = 0x20, 0x54, 0x15, 0x25, 0x06
+_ALLOW, _KILL, _ERROR = 0x7FFF0000, 0x80000000, 0x00050000
+# Positions in what it reads: the number, the processor, and six arguments of two words each.
+_NUMBER, _PROCESSOR, _ARGUMENTS = 0, 4, 16
+_ALL = 0xFFFFFFFF
+
+_THREAD = 0x00010000
+#: Flags of `clone` that make new namespaces, for which root needs no permission.
+_NEW_NAMESPACES = 0x7E020000
+
+
+class Condition(NamedTuple):
+    """A condition on one word of a call's arguments.
+
+    Args:
+        word: its index: the lower half of argument n is word 2 n.
+        values: the word may have one of them,
+        mask: once all other bits are ignored.
+    """
+
+    word: int
+    values: tuple[int, ...]
+    mask: int = _ALL
+
+
+class _Instruction(NamedTuple):
+    code: int
+    if_true: int
+    if_false: int
+    value: int
+
+
+class _Program(ctypes.Structure):
+    _fields_ = (("length", ctypes.c_ushort), ("instructions", ctypes.c_char_p))
+
+
+@cache
+def is_supported() -> bool:
+    """Whether this kernel has filters, and we have one for this kind of processor."""
+    try:
+        kernel.prctl(_PR_SET_SECCOMP, _MODE_FILTER, None)
+    except OSError as error:
+        # It complains about the missing filter only if it takes filters.
+        return error.errno == errno.EFAULT and kernel.machine() in PROCESSORS
+    return False
+
+
+def restrict(*, network: bool) -> None:
+    """Refuse this process all other system calls, for good; does nothing where unsupported."""
+    if not is_supported():
+        return
+    instructions = b"".join(
+        struct.pack("=HBBI", *one) for one in _filter(kernel.machine(), network=network)
+    )
+    program = _Program(len(instructions) // 8, instructions)
+    kernel.give_up_privileges()
+    kernel.prctl(_PR_SET_SECCOMP, _MODE_FILTER, ctypes.byref(program))
+
+
+def _filter(processor: str, *, network: bool) -> Iterator[_Instruction]:
+    conditions = _conditions(os.getpid(), network=network)
+    yield _load(_PROCESSOR)
+    # A call in the manner of another processor has other numbers.
+    yield _Instruction(_EQUAL, 1, 0, PROCESSORS[processor])
+    yield _answer(_KILL)
+    yield _load(_NUMBER)
+    yield _Instruction(_GREATER, 0, 1, LAST_KNOWN)
+    yield _answer(_ERROR | errno.ENOSYS)
+    for name, number in numbers(processor, network=network).items():
+        body = list(_verdict(name, conditions))
+        yield _Instruction(_EQUAL, 0, len(body), number)
+        yield from body
+    yield _answer(_ERROR | errno.EPERM)
+
+
+def _verdict(name: str, conditions: Mapping[str, tuple[Condition, ...]]) -> Iterator[_Instruction]:
+    """Decide about a call: it has to meet all of its conditions."""
+    if name == "clone3":
+        # Its flags are behind a pointer; the C library falls back to `clone`.
+        yield _answer(_ERROR | errno.ENOSYS)
+        return
+    for condition in conditions.get(name, ()):
+        yield _load(_ARGUMENTS + 4 * condition.word)
+        yield _Instruction(_AND, 0, 0, condition.mask)
+        left = len(condition.values)
+        for value in condition.values:
+            yield _Instruction(_EQUAL, left, 0, value)
+            left -= 1
+        yield _answer(_ERROR | errno.EPERM)
+    yield _answer(_ALLOW)
+
+
+def _conditions(process: int, *, network: bool) -> dict[str, tuple[Condition, ...]]:
+    itself = (Condition(0, (process,)),)
+    stream = Condition(2, (1,), mask=0xF)
+    found = {
+        # Threads, but no processes.
+        "clone": (Condition(0, (_THREAD,), mask=_THREAD | _NEW_NAMESPACES),),
+        "kill": itself,
+        "tgkill": itself,
+        "rt_tgsigqueueinfo": itself,
+        "ioctl": (Condition(2, _IOCTLS),),
+        "fcntl": (Condition(2, _FCNTLS),),
+        "prctl": (Condition(0, _PRCTLS),),
+        # Its own limits, to read.
+        "prlimit64": (Condition(0, (0,)), Condition(4, (0,)), Condition(5, (0,))),
+        # Pairs of datagram sockets could be sent to others.
+        "socketpair": (Condition(0, (1,)), stream),
+        # Opened to be read, a file could be emptied nevertheless, before Linux 6.2.
+        "open": (Condition(2, _OPENINGS, mask=_OPENING),),
+        "openat": (Condition(4, _OPENINGS, mask=_OPENING),),
+    }
+    if network:
+        internet = (Condition(0, (2, 10)), Condition(2, (1, 2), mask=0xF))
+        return found | {"socket": internet}
+    # Without an address.
+    return found | {"sendto": (Condition(8, (0,)), Condition(9, (0,)))}
+
+
+#: Inheriting a file or not, blocking or not, bytes to read, and whether it is a terminal.
+_IOCTLS = (0x5451, 0x5450, 0x5421, 0x541B, 0x5401, 0x5413, 0x802C542A)
+#: Copies, flags, locks and the size of a pipe; not the owner, who would get signals.
+_FCNTLS = (0, 1, 2, 3, 4, 5, 6, 7, 36, 37, 38, 1030, 1031, 1032)
+#: The names of threads and of memory.
+_PRCTLS = (15, 16, 0x53564D41)
+_OPENING = os.O_ACCMODE | os.O_TRUNC if hasattr(os, "O_ACCMODE") else 0
+_OPENINGS = (os.O_RDONLY, os.O_WRONLY, os.O_RDWR, os.O_WRONLY | os.O_TRUNC, os.O_RDWR | os.O_TRUNC)
+
+
+def _load(position: int) -> _Instruction:
+    return _Instruction(_LOAD, 0, 0, position)
+
+
+def _answer(value: int) -> _Instruction:
+    return _Instruction(_RETURN, 0, 0, value)
