@@ -31,6 +31,7 @@ COMMANDS = {
     "convert": Place("programs", "convert", "Convert a program between Block-Text and Python"),
     "demo": Place("programs", "demo", "Run a demonstration in the simulator, and draw it"),
     "dev": Place("page", "dev", "Serve the page with hot reload, for its developers"),
+    "doctor": Place("doctor", "doctor_command", "Show what contains programs on this computer"),
     "emulate": Place("robots", "emulate_command", "Emulate a robot to try its driver"),
     "format": Place("programs", "format_command", "Format Block-Text programs"),
     "import": Place("importing", "import_command", "Import programs of the original LearnBlock"),

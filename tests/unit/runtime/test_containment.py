@@ -10,6 +10,7 @@ import pytest
 from attacks import ANSWERS, COMPLETE, GROUPS, NOT_CONTAINED, Targets, prepare, try_contained
 from learnblock.i18n import Phrase
 from learnblock.runtime.containment import syscalls
+from learnblock.runtime.containment.survey import survey
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
 
@@ -155,3 +156,18 @@ def test_the_numbers_of_calls_are_those_of_the_kernels_headers(processor):
         name: number for name, number in ours.items() if known.get(name, number) != number
     } == {}
     assert len(ours.keys() & known.keys()) > 100
+
+
+def test_the_survey_finds_by_trying_what_contains_programs_here(tmp_path, monkeypatch):
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path))
+    if not COMPLETE:
+        pytest.skip("needs Landlock and seccomp")
+    assert [str(one.name) for one in survey() if not one.contained] == []
+
+
+def test_a_kernel_without_landlock_is_reported_with_the_reason(monkeypatch):
+    monkeypatch.setattr("learnblock.runtime.containment.survey._refused", frozenset)
+    found = {one.name.code: one for one in survey()}
+    assert not any(one.contained for one in found.values())
+    assert found["doctor-read"].reason.code == "doctor-no-landlock"
+    assert found["doctor-network"].reason.code == "doctor-no-seccomp"

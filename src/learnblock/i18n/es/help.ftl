@@ -73,6 +73,12 @@ help-dev =
     Necesita el código fuente y Node.js.
 help-dev-with-port = Puerto del servidor Vite.
 
+help-doctor =
+    Muestra qué aísla a los programas en este ordenador.
+
+    Ejecuta un programa que intenta escapar, y muestra qué lo ha impedido y qué no.
+help-doctor-with-json = { help-blocks-with-json }
+
 help-emulate =
     Emula un robot para probar su controlador.
 

@@ -3,7 +3,6 @@
 import os
 import signal
 import sys
-import tempfile
 
 from learnblock.errors import LearnBlockError
 from learnblock.runtime.containment import hook, resources
@@ -26,7 +25,7 @@ def _contain(setup: Setup) -> None:
     _let_go_of_terminal()
     if not setup.folder:
         # A program of the page: it has no files but those it makes.
-        os.chdir(tempfile.gettempdir())
+        os.chdir(os.environ["TMPDIR"])
     if sys.platform == "linux":
         _contain_files(setup)
     # Before the calls that change limits are refused.

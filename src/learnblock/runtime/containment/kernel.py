@@ -2,7 +2,6 @@
 
 import ctypes
 import os
-import platform
 from functools import cache
 from typing import Any
 
@@ -12,7 +11,7 @@ _PR_SET_NO_NEW_PRIVS = 38
 
 def machine() -> str:
     """The processor's kind, such as ``x86_64``."""
-    return platform.machine()
+    return os.uname().machine
 
 
 def prctl(option: int, *args: Any) -> None:

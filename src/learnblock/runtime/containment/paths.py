@@ -2,7 +2,6 @@
 
 import os
 import sys
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -31,8 +30,8 @@ def allowed(project: str, *, network: bool) -> Iterator[tuple[str, int]]:
         project: the folder of the program; "" for none.
         network: whether it may use the network.
     """
-    # The first is the temporary folder that the host has made for it.
-    for path in (tempfile.gettempdir(), os.devnull):
+    # The first is the temporary folder that the host has made for it: see `environment`.
+    for path in (os.environ["TMPDIR"], os.devnull):
         yield path, landlock.WRITE
     for path in (*_SYSTEM, *_SETTINGS, *_installation(project), *_user_code(), *_NETWORK * network):
         yield path, landlock.READ
@@ -65,7 +64,7 @@ def _own_files(project: Path) -> Iterator[tuple[str, int]]:
 
 def _is_shared(folder: Path) -> bool:
     """Whether a program in this folder lies among things that are not its own."""
-    others = (Path(_users_home()), home(), Path(tempfile.gettempdir()))
+    others = (Path(_users_home()), home(), Path(os.environ["TMPDIR"]))
     return any(other.resolve().is_relative_to(folder) for other in others)
 
 

@@ -4,7 +4,7 @@ Every other call is refused. The numbers are those of <asm/unistd_64.h> and
 <asm-generic/unistd.h>, which never change; "-" is a call that a processor does not have.
 """
 
-#: The name of a processor, as `platform.machine` gives it, and the kernel's number for it.
+#: The name of a processor, as `os.uname` gives it, and the kernel's number for it.
 PROCESSORS = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
 #: The last call that was known when the lists were made. Of later ones a program is told that they
 #: do not exist, so that its C library does without them.

@@ -1,0 +1,95 @@
+"""Measure what containing a program costs at its start, and try all attacks on this computer.
+
+Run it with ``python benchmarks/containment.py``. It starts programs with and without the fence in
+turn, prints the medians and their ratio, then the table: attack, result, by what.
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
+
+from attacks import GROUPS, NOT_CONTAINED, Targets, prepare, try_contained
+from learnblock.runtime.limits import Limits
+from learnblock.runtime.messages import Printed, Setup
+from learnblock.runtime.process import ProcessWorker
+
+ROUNDS = 25
+#: Milliseconds that the fence may add to the start.
+AIM = 20.0
+#: Runs the child as it is, or without its fence.
+WITHOUT = """
+import learnblock.runtime.child as child
+child.contain = lambda setup: None
+child.main()
+"""
+
+
+class Uncontained(ProcessWorker):
+    """The same child without its fence, in the host's environment."""
+
+    @staticmethod
+    def _start(handle: int, variables: object) -> "subprocess.Popen[bytes]":  # noqa: ARG004
+        return subprocess.Popen(
+            [sys.executable, "-P", "-c", WITHOUT, str(handle)],
+            env={**os.environ, "PYTHONHASHSEED": "0"},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            pass_fds=(handle,),
+            start_new_session=True,
+        )
+
+
+def start(kind: type[ProcessWorker]) -> float:
+    """Return the milliseconds from the start of a process to the program's first line."""
+    began = perf_counter()
+    worker = kind()
+    try:
+        worker.link.send(Setup("print(1)", "start.py", "", (), (), None, Limits()))
+        message = worker.link.receive(30)
+        if not isinstance(message, Printed):
+            raise SystemExit(f"expected a print, got {message}")
+        return (perf_counter() - began) * 1000
+    finally:
+        worker.kill()
+
+
+def cost() -> None:
+    """Print the cost of a start with and without the fence."""
+    pairs = [(start(Uncontained), start(ProcessWorker)) for _ in range(ROUNDS)]
+    without, contained = (median(column) for column in zip(*pairs, strict=True))
+    added = median(after - before for before, after in pairs)
+    verdict = "met" if added <= AIM else "MISSED"
+    print(f"{'start without the fence':28} {without:8.2f} ms")
+    print(f"{'start with the fence':28} {contained:8.2f} ms  {contained / without:5.2f} times")
+    print(f"{'added':28} {added:8.2f} ms  (aim {AIM:g}: {verdict})")
+
+
+def attacks() -> None:
+    """Print what comes of each attack."""
+    with tempfile.TemporaryDirectory() as folder:
+        os.environ["LEARNBLOCK_HOME"] = str(Path(folder) / "home")
+        others, project = prepare(Path(folder))
+        with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as victim:
+            targets = Targets(others, project, victim.pid)
+            for group, members in {**GROUPS, "known": NOT_CONTAINED}.items():
+                print(f"\n{group}")
+                results = try_contained(members, targets)
+                for attack in members:
+                    result = "GOT IN" if results[attack.name] == "IN" else "refused"
+                    print(f"  {attack.name:44} {result:8} {attack.by}")
+            victim.communicate(b"\n")
+
+
+def main() -> None:
+    cost()
+    attacks()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,112 @@
+"""What contains programs on this computer, found by trying: a program makes each attempt itself."""
+
+import platform
+import sys
+from dataclasses import dataclass
+
+from learnblock.i18n import Phrase
+from learnblock.runtime.limits import Limits
+from learnblock.runtime.messages import Printed, Setup
+from learnblock.runtime.process import ProcessWorker
+
+#: Seconds that the attempts may take together.
+TIMEOUT = 20.0
+
+#: By the code of its name: an attempt that goes around Python's own refusals.
+_ATTEMPTS = {
+    "doctor-read": "os.listdir('/')",
+    "doctor-write": "os.rmdir(tempfile.mkdtemp(dir=os.path.dirname(tempfile.gettempdir())))",
+    "doctor-network": "socket.socket().close()",
+    "doctor-processes": "fork()",
+    "doctor-signals": "ctypes.CDLL(None).kill(os.getppid(), 0) and refused()",
+    "doctor-memory": "check_memory()",
+    "doctor-variables": "os.environ.get('HOME') == tempfile.gettempdir() and refused()",
+}
+_PROGRAM = """
+import ctypes, os, socket, tempfile
+
+def refused():
+    raise PermissionError
+
+def fork():
+    process = ctypes.CDLL(None).fork()
+    if process == 0:
+        os._exit(0)
+    if process < 0:
+        refused()
+    os.waitpid(process, 0)
+
+def check_memory():
+    import resource
+    if resource.getrlimit(resource.RLIMIT_AS)[0] != resource.RLIM_INFINITY:
+        refused()
+
+for code, attempt in {attempts}.items():
+    try:
+        eval(attempt)
+    except PermissionError:
+        print(code)
+    except Exception:
+        pass
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What came of one attempt.
+
+    Args:
+        name: what was tried.
+        contained: whether it was refused.
+        reason: what refuses it, or why nothing does.
+    """
+
+    name: Phrase
+    contained: bool
+    reason: Phrase
+
+
+def survey() -> tuple[Finding, ...]:
+    """Try out what contains programs here."""
+    refused = _refused()
+    return tuple(
+        Finding(Phrase(code), code in refused, _reason(code, contained=code in refused))
+        for code in _ATTEMPTS
+    )
+
+
+def _refused() -> frozenset[str]:
+    worker = ProcessWorker()
+    source = _PROGRAM.replace("{attempts}", repr(_ATTEMPTS))
+    try:
+        worker.link.send(Setup(source, "doctor.py", "", (), (), None, Limits()))
+        found = set()
+        while isinstance(message := worker.link.receive(TIMEOUT), Printed):
+            found.update(message.text.split())
+        return frozenset(found)
+    finally:
+        worker.kill()
+
+
+def _reason(code: str, *, contained: bool) -> Phrase:
+    if code == "doctor-variables":
+        return Phrase("doctor-by-start")
+    if code == "doctor-memory":
+        return Phrase("doctor-by-limit" if contained else "doctor-no-limit")
+    if sys.platform != "linux":
+        return Phrase("doctor-other-system", system=platform.system())
+    by = _landlock() if code in {"doctor-read", "doctor-write"} else _seccomp()
+    return by[0] if contained else by[1]
+
+
+def _landlock() -> tuple[Phrase, Phrase]:
+    from learnblock.runtime.containment import landlock  # noqa: PLC0415 - Linux only
+
+    return (
+        Phrase("doctor-by-landlock", version=landlock.version()),
+        Phrase("doctor-no-landlock", kernel=platform.release()),
+    )
+
+
+def _seccomp() -> tuple[Phrase, Phrase]:
+    return Phrase("doctor-by-seccomp"), Phrase("doctor-no-seccomp", machine=platform.machine())
