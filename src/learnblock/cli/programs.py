@@ -18,6 +18,8 @@ from learnblock.errors import Diagnostic, FileError, LearnBlockError
 _FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 _NEW_FILE = click.Path(path_type=Path, dir_okay=False)
 _PROGRAM = click.argument("file", type=_FILE)
+#: The endings of files, as short names of notations.
+_NOTATIONS = {"py": "python", "bt": "block-text"}
 _ROBOT = click.option("--robot", metavar="NAME", help="The robot: see learnblock robots.")
 
 
@@ -115,7 +117,7 @@ def format_command(
     "--to",
     "notation",
     required=True,
-    type=click.Choice(["python", "block-text"]),
+    type=click.Choice(["python", "block-text", "py", "bt"]),
     help="The notation to convert to.",
 )
 @_ROBOT
@@ -131,6 +133,7 @@ def convert(file: Path, notation: str, robot: str | None, as_json: bool) -> None
     from learnblock import language, robots, running  # noqa: PLC0415
 
     source = running.read(file)
+    notation = _NOTATIONS.get(notation, notation)
     if notation == "block-text":
         text = language.format(source.tree)
     else:

@@ -2,8 +2,9 @@
 
 import signal
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext
+from dataclasses import replace
 from pathlib import Path
 from time import monotonic
 from types import FrameType
@@ -15,7 +16,7 @@ from learnblock import running
 from learnblock.cli.console import ExitCode, located, print_json, say, text
 from learnblock.client import Goal
 from learnblock.devices import DEFAULT_KEY
-from learnblock.errors import Diagnostic, LearnBlockError
+from learnblock.errors import Diagnostic, FileError, LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, ProgramRun, Report, Source
@@ -57,7 +58,12 @@ def run_and_report(
     as_json: bool,
 ) -> int:
     """Run a program, print the report, and return the exit code."""
-    source = running.read(file)
+    try:
+        source = running.read(file)
+    except FileError as error:
+        if as_json:
+            print_json(_refused_report(str(file), error.diagnostics))
+        raise
     entry = running.choose_robot(source, robot)
     if _refused(source, entry, anyway=anyway, as_json=as_json):
         return ExitCode.MISTAKES
@@ -66,16 +72,14 @@ def run_and_report(
     options = Options(world, seed, pace, _time_limit(pace, seconds))
     entry.load().check_wishes(options.wishes)
     with _opened(trace) as trace_file:
-        terminal = None if as_json else _Terminal()
+        watcher = _Collector() if as_json else _Terminal()
         session = ProgramRun(
-            running.program(source, entry), entry, options, trace=trace_file, watcher=terminal
+            running.program(source, entry), entry, options, trace=trace_file, watcher=watcher
         )
-        if terminal:
-            terminal.session = session
+        watcher.session = session
         report = _run(session)
-        if terminal:
-            terminal.clear()
-    _print(report, session, as_json=as_json)
+        watcher.clear()
+    _print(replace(report, output=watcher.output), session, as_json=as_json)
     if picture:
         _draw(session, picture)
         _print_row("report-label-picture", str(picture))
@@ -100,13 +104,27 @@ def demonstrate(picture: Path) -> int:
     )
 
 
-class _Terminal(Watcher):
-    """A listener that shows output at once and, on a terminal, a line with the state of the run."""
+class _Collector(Watcher):
+    """A listener that keeps the prints for the report."""
 
-    #: The run whose state is shown.
+    #: The run whose prints are kept.
     session: ProgramRun | None = None
 
     def __init__(self) -> None:
+        self.output = ""
+
+    def printed(self, text: str) -> None:
+        self.output += text
+
+    def clear(self) -> None:
+        """Leave the terminal as it is."""
+
+
+class _Terminal(_Collector):
+    """A listener that shows output at once and, on a terminal, a line with the state of the run."""
+
+    def __init__(self) -> None:
+        super().__init__()
         self._drawn = monotonic()
         self._started = self._drawn
         self._live = sys.stderr.isatty()
@@ -154,23 +172,23 @@ def _refused(source: Source, entry: RobotEntry, *, anyway: bool, as_json: bool) 
         if one.severity == "error" and not (anyway and one.code == "missing-device")
     ]
     if as_json and errors:
-        refused = Report(ended="refused", error=_refusal(str(source.path), errors))
-        print_json(refused)
+        print_json(_refused_report(str(source.path), errors))
     elif not as_json:
         for one in diagnostics:
             click.echo(located(str(source.path), one), err=True)
     return bool(errors)
 
 
-def _refusal(filename: str, errors: list[Diagnostic]) -> dict[str, object]:
+def _refused_report(filename: str, errors: Sequence[Diagnostic]) -> Report:
     first = errors[0]
-    return {
+    error = {
         "message": str(first.message),
         "code": first.code,
         "file": filename,
         "line": first.line,
         "all": [one.located(filename) for one in errors],
     }
+    return Report(ended="refused", error=error)
 
 
 def _time_limit(pace: str | None, seconds: float | None) -> float | None:

@@ -29,6 +29,7 @@ class Report:
         emotions: the emotions shown, in order.
         no_effect: skills that had no effect: skill, missing device, number of calls.
         trace_sha256: the hash of the trace.
+        output: the printed text, if it was not shown while the program ran.
         error: what went wrong, or None: `message` (a `Phrase`), `file`, `line` and the `text` of
             that line; `within` has the same for the file in the user's folder where it happened.
     """
@@ -41,6 +42,7 @@ class Report:
     emotions: tuple[str, ...] = ()
     no_effect: tuple[Mapping[str, object], ...] = ()
     trace_sha256: str = ""
+    output: str = ""
     error: Mapping[str, object] | None = None
 
 

@@ -83,6 +83,7 @@ def test_run_prints_a_json_report():
         "emotions",
         "no_effect",
         "trace_sha256",
+        "output",
         "ended",
         "error",
     }
@@ -124,6 +125,25 @@ def test_a_picture_in_another_format_is_refused_before_the_run(tmp_path):
     result = call("run", SQUARE, "--picture", tmp_path / "square.gif")
     assert result.exit_code == 2
     assert "must be a .png or .svg file." in result.stderr
+
+
+def test_the_json_report_has_what_the_program_prints(write):
+    result = call("run", write("says.bt", 'print("hello")\nprint(3)\n'), "--json")
+    assert json.loads(result.stdout)["output"] == "hello\n3\n"
+
+
+def test_the_json_report_of_a_program_that_cannot_be_read_is_refused(write):
+    result = call("run", write("broken.bt", "x = (1\n"), "--json")
+    report = json.loads(result.stdout)
+    assert (result.exit_code, report["ended"], report["error"]["line"]) == (1, "refused", 1)
+
+
+@pytest.mark.parametrize(("short", "long"), [("bt", "block-text"), ("py", "python")])
+def test_a_notation_can_be_named_by_the_ending_of_its_files(write, short, long):
+    program = write("x.bt", "x = 1\n")
+    assert call("convert", program, "--to", short).stdout == (
+        call("convert", program, "--to", long).stdout
+    )
 
 
 def test_an_error_is_reported_at_the_line_of_block_text(write):

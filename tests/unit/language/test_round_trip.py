@@ -147,3 +147,13 @@ def test_junk_never_crashes_the_language(text):
     check(program, {})
     format_program(program)
     to_python(program)
+
+
+@pytest.mark.parametrize(
+    "statement", ["for i, a in enumerate([90]):\n    robot.turn(a)\n", "assert robot\n"]
+)
+def test_the_robot_of_a_program_that_is_otherwise_raw_python_survives(statement):
+    python = f"from learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n\n{statement}"
+    tree = parse(format_program(from_python(python)))
+    assert "robot = Robot()" in to_python(tree).text
+    assert from_python(to_python(tree).text) == tree

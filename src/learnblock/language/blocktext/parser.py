@@ -24,6 +24,7 @@ from learnblock.language.tree.nodes import (
     Item,
     Main,
     Program,
+    Raw,
     Setup,
     Span,
     When,
@@ -165,7 +166,7 @@ def _arranged(items: list[Item | Main], span: Span) -> Program:
     """The program with `main` last, and the comments directly above `main` still above it."""
     kinds = [type(item) for item in items]
     if Setup in kinds:
-        items = [item for index, item in enumerate(items) if not _says_nothing(items, index)]
+        items = _without_plain_setup(items)
     if Main in kinds:
         items = _main_last(items)
     if Blank in map(type, items):
@@ -197,6 +198,13 @@ def _notes_at_end(items: list[Item | Main]) -> list[Item | Main]:
     while start and isinstance(items[start - 1], Comment | Blank):
         start -= 1
     return items[start:]
+
+
+def _without_plain_setup(items: list[Item | Main]) -> list[Item | Main]:
+    plain = [item for index, item in enumerate(items) if not _says_nothing(items, index)]
+    # A single block of raw Python is a whole file; only `robot()` makes it part of a program.
+    said = [item for item in plain if not isinstance(item, Blank)]
+    return items if len(said) == 1 and isinstance(said[0], Raw) else plain
 
 
 def _says_nothing(items: list[Item | Main], index: int) -> bool:

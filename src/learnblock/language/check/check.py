@@ -38,6 +38,7 @@ from learnblock.language.tree.nodes import (
     Unary,
     When,
     While,
+    is_only_raw,
 )
 from learnblock.language.tree.traversal import bodies, within
 
@@ -78,7 +79,7 @@ def check(
 
 
 def _is_only_raw(program: Program) -> bool:
-    return len(program.items) == 1 and program.main is None and isinstance(program.items[0], Raw)
+    return program.main is None and is_only_raw(program.items)
 
 
 def _raw_problems(program: Program) -> list[Diagnostic]:

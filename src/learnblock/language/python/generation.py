@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from learnblock.language.python.source_map import SourceMap
 from learnblock.language.python.writer import PythonWriter
 from learnblock.language.tree.extents import Extent, every
-from learnblock.language.tree.nodes import If, Node, Program, Raw
+from learnblock.language.tree.nodes import If, Node, Program, Raw, is_only_raw
 from learnblock.language.tree.traversal import statements
 
 DEFAULT_ROBOT = "learnblock.robots.sim_ebo"
@@ -56,7 +56,7 @@ def canonical(program: Program, robot_module: str) -> PythonText:
 
 
 def _is_raw(program: Program) -> bool:
-    return len(program.items) == 1 and program.main is None and isinstance(program.items[0], Raw)
+    return program.main is None and is_only_raw(program.items)
 
 
 def _kept(program: Program, text: str, robot_module: str | None) -> PythonText:

@@ -46,6 +46,7 @@ from learnblock.language.tree.nodes import (
     Setup,
     Span,
     When,
+    is_only_raw,
 )
 from learnblock.language.tree.traversal import statements
 
@@ -168,6 +169,9 @@ class _Reader(StatementReader):
         whole = self.with_imports((*head, *items, *late), main)
         arranged = normalized([*whole, *([main] if main else [])])
         kept = tuple(item for item in arranged if not isinstance(item, Main))
+        if main is None and is_only_raw(kept):
+            # Without its setup the block would be a whole file, and the robot would be lost.
+            kept = (Setup(), *kept)
         return Program(kept, main, self.ending(end_line), span=self.span())
 
     def span(self) -> Span:

@@ -423,3 +423,8 @@ class Program:
 
 
 Node = Item | Main | Branch | Else | Expression | Keyword | Program
+
+
+def is_only_raw(items: tuple[Item, ...]) -> bool:
+    """Whether the items of a program without `main` are one block of raw Python: a whole file."""
+    return len(items) == 1 and isinstance(items[0], Raw)

@@ -91,6 +91,7 @@ class Document:
 
     def with_text(self, notation: Notation, text: str) -> "Document":
         """Edit one of the texts."""
+        text = text.removeprefix("\ufeff")
         try:
             good = self._read_blocktext(text) if notation == "blocktext" else self._read(text)
         except ProgramError as error:

@@ -2,6 +2,7 @@
 
 import re
 import time
+import unicodedata
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
@@ -221,6 +222,7 @@ class ProjectFolder:
 
 def _plain(wish: str) -> str:
     """Convert any string to a valid project name."""
+    wish = unicodedata.normalize("NFC", wish)
     short = _NOT_IN_NAMES.sub(" ", wish).encode("utf-8", "ignore")[: LONGEST_NAME - 10]
     try:
         return checked_name(short.decode("utf-8", "ignore").strip(" ._-"))

@@ -18,6 +18,7 @@ has the positions of the blocks, ``breakpoints`` has ids of blocks, ``shown`` an
 choose blocks in the palette, and ``libraries`` has the versions with which the program was made.
 """
 
+import codecs
 import dataclasses
 import json
 import re
@@ -154,6 +155,7 @@ def decode(data: bytes, name: str) -> Project:
         ProjectError: the file is not a valid project; the error gives the position.
     """
     filename = name + ENDING
+    data = data.removeprefix(codecs.BOM_UTF8)
     if len(data) > LARGEST:
         message = Phrase("project-too-large", size=len(data), limit=LARGEST)
         _refuse(filename, "too-large", message)

@@ -67,6 +67,11 @@ def test_python_stays_as_it_was_typed_and_the_others_follow():
     assert one.origin == "python"
 
 
+def test_a_byte_order_mark_in_python_is_dropped():
+    edited = document().with_text("python", "\ufeff" + document().python)
+    assert edited.program("mine").python == document().python
+
+
 def test_blocks_keep_their_positions_and_the_texts_follow():
     other = document("function.turn(45)\n").workspace
     other.stacks[0][0].x, other.stacks[0][0].y = 40.0, 50.0

@@ -57,6 +57,16 @@ def test_a_projects_file_can_be_read_by_a_person():
     assert expected == encode(project).decode()
 
 
+def test_a_byte_order_mark_before_a_project_is_skipped():
+    project = Project("mine", "x = 1\n")
+    assert decode(b"\xef\xbb\xbf" + encode(project), "mine") == project
+
+
+def test_a_project_keeps_the_accents_of_a_decomposed_name(tmp_path):
+    folder = ProjectFolder(tmp_path)
+    assert folder.import_file("cafe\N{COMBINING ACUTE ACCENT}.bt", "x = 1\n").name == "café"
+
+
 def test_each_stack_of_blocks_has_a_line():
     workspace = Document.from_text(SQUARE, "learnblock.robots.sim_ebo", builtin()).workspace
     lines = encode(Project("p", SQUARE, workspace=workspace)).decode().split("\n")
