@@ -42,6 +42,7 @@ _ROBOT = click.option("--robot", metavar="NAME", help="The robot: see learnblock
 @click.option("--trace", type=_NEW_FILE, help="Write the trace as JSON Lines.")
 @click.option("--picture", type=_NEW_FILE, help="Draw the world and the path as .png or .svg.")
 @click.option("--anyway", is_flag=True, help="Run even if the robot lacks a device it needs.")
+@click.option("--allow-network", is_flag=True, help="Let the program use the network.")
 @json_option
 def run(file: Path, as_json: bool, **choices: Any) -> None:  # noqa: FBT001 - a flag of click
     """Run a program (.bt or .py) on a robot.

@@ -55,6 +55,7 @@ def run_and_report(
     trace: Path | None,
     picture: Path | None,
     anyway: bool,
+    allow_network: bool,
     as_json: bool,
 ) -> int:
     """Run a program, print the report, and return the exit code."""
@@ -69,7 +70,8 @@ def run_and_report(
         return ExitCode.MISTAKES
     if picture and picture.suffix not in {".png", ".svg"}:
         raise LearnBlockError("report-picture-format", file=str(picture))
-    options = Options(world, seed, pace, _time_limit(pace, seconds))
+    network = allow_network or running.may_use_network(file)
+    options = Options(world, seed, pace, _time_limit(pace, seconds), network=network)
     entry.load().check_wishes(options.wishes)
     with _opened(trace) as trace_file:
         watcher = _Collector() if as_json else _Terminal()
@@ -100,6 +102,7 @@ def demonstrate(picture: Path) -> int:
         trace=None,
         picture=picture,
         anyway=False,
+        allow_network=False,
         as_json=False,
     )
 

@@ -34,6 +34,7 @@ class Options:
         pace: ``free``, ``real`` or a factor.
         seconds: the limit of the run, in the robot's time.
         start: (x mm, y mm, heading in degrees) where a simulated robot starts.
+        network: whether the program may use the network.
     """
 
     world: str | None = None
@@ -41,6 +42,7 @@ class Options:
     pace: str | None = None
     seconds: float | None = None
     start: Pose | None = None
+    network: bool = False
 
     @property
     def wishes(self) -> dict[str, Any]:
@@ -95,6 +97,7 @@ class ProgramRun:
             limits=limits,
             debugger=debugger,
             worker=worker,
+            network=self.options.network,
             robots=tuple(entry.module for entry in robots.entries().values()),
         )
         self._host = Host(self._run, seconds=self.options.seconds)

@@ -167,6 +167,7 @@ class Stage:
         make_robot=None,
         folder="",
         robots=(),
+        network=False,
     ):
         text = header + source
         file = io.BytesIO()
@@ -188,6 +189,7 @@ class Stage:
             limits=limits,
             worker=make_worker,
             robots=robots,
+            network=network,
         )
         self.parts.append((run, listener, file))
         return run

@@ -1,8 +1,10 @@
 """What a pupil's program can do to the computer that it runs on: the table of attacks."""
 
 import re
+import socket
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import pytest
@@ -136,6 +138,35 @@ def test_a_system_call_of_another_processor_ends_the_program(run):
         "ctypes.CFUNCTYPE(ctypes.c_int)(at)()\n"
     )
     assert result.ending.phrase == Phrase("run-killed", signal="SIGSYS")
+
+
+CONNECTING = """
+import socket
+found = socket.getaddrinfo("127.0.0.1", {port})
+with socket.create_connection(("127.0.0.1", {port})) as connection:
+    print(connection.recv(5).decode())
+"""
+
+
+def test_a_program_that_may_use_the_network_reaches_it(run):
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        answering = threading.Thread(target=answer, args=(server,))
+        answering.start()
+        result = run(CONNECTING.format(port=server.getsockname()[1]), network=True)
+        answering.join()
+    assert result.output == "hello\n"
+
+
+def answer(server):
+    server.settimeout(20)
+    connection, _ = server.accept()
+    with connection:
+        connection.sendall(b"hello")
+
+
+def test_a_program_that_may_not_use_the_network_is_told_how_it_could(run):
+    result = run(CONNECTING.format(port=1))
+    assert result.ending.phrase == Phrase("run-no-network", event="socket.getaddrinfo")
 
 
 HEADERS = {

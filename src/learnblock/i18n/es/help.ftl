@@ -195,6 +195,7 @@ help-run-with-for = Para tras estos segundos del tiempo del robot  [por defecto:
 help-run-with-trace = Escribe la traza como JSON Lines.
 help-run-with-picture = Dibuja el mundo y el recorrido como .png o .svg.
 help-run-with-anyway = Ejecuta aunque al robot le falte un dispositivo que necesita.
+help-run-with-allow-network = Permite al programa usar la red.
 help-run-with-json = { help-blocks-with-json }
 
 help-sets =
