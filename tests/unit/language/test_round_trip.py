@@ -9,7 +9,15 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.lark import from_lark
 
-from learnblock.language import check, from_python, parse, recover, to_python
+from learnblock.language import (
+    check,
+    from_python,
+    from_workspace,
+    parse,
+    recover,
+    to_python,
+    to_workspace,
+)
 from learnblock.language import format as format_program
 from learnblock.language.tree.nodes import Raw
 from places import ROOT, TESTS
@@ -157,3 +165,4 @@ def test_the_robot_of_a_program_that_is_otherwise_raw_python_survives(statement)
     tree = parse(format_program(from_python(python)))
     assert "robot = Robot()" in to_python(tree).text
     assert from_python(to_python(tree).text) == tree
+    assert from_workspace(to_workspace(tree, {}).workspace, {}).program == tree

@@ -55,6 +55,7 @@ class WorkspaceReader(StatementReader):
         self.has_main = False
         program = [stack for stack in workspace.stacks if is_part(stack)]
         self.alone = len(program) == 1 and len(statements_of(program[0][0])) == 1
+        self.robot_and_raw = len(program) == 1 and _is_robot_and_raw(statements_of(program[0][0]))
         for stack in program:
             self.stack(stack[0])
         self.program = self.arranged()
@@ -85,7 +86,7 @@ class WorkspaceReader(StatementReader):
             self.report(block, "misplaced-block", Phrase("workspace-robot-not-first"))
             return False
         noted = any(type(one) is Comment for one in group.lead)
-        return noted or setup != Setup()
+        return noted or setup != Setup() or self.robot_and_raw
 
     def top_statement(self, block: Block, notes: Notes, ends: Ends) -> Item | None:
         """Read a block under the start block, where more than statements is allowed."""
@@ -162,6 +163,12 @@ def statements_of(hat: Block) -> list[Block]:
     """The blocks under a start block."""
     found = hat.inputs.get("DO")
     return [] if hat.type != START or found is None else found.stack
+
+
+def _is_robot_and_raw(blocks: list[Block]) -> bool:
+    """Whether one block of raw Python needs the block that creates the robot above it."""
+    types = [block.type for block in blocks]
+    return types == ["lb_setup", "lb_python"] and blocks[1].comment is None
 
 
 def is_part(stack: list[Block]) -> bool:

@@ -13,7 +13,7 @@ _EXAMPLES = (
         "polygons",
         "Polygons",
         "Drives polygons: functions with parameters, lists.",
-        "sim-ev3",
+        "sim-cozmo",
         "empty",
     ),
     ("avoid", "Avoid obstacles", "Drives about among obstacles.", "sim-ev3", "obstacles"),

@@ -3,6 +3,9 @@
 import subprocess
 import sys
 
+from learnblock import robots, running
+from learnblock.server.catalog import example
+
 ASK = """
 import sys
 from learnblock.server.catalog import welcome
@@ -23,3 +26,8 @@ def test_the_list_of_robots_loads_no_driver():
         "learnblock.robots.cozmo",
         "learnblock.robots.real",
     }.isdisjoint(done)
+
+
+def test_polygons_opens_without_a_warning():
+    source = running.read(running.example("polygons.bt"))
+    assert running.check(source, robots.find(example("polygons").robot)) == []
