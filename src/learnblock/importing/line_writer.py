@@ -44,6 +44,7 @@ class LineWriter:
     ) -> None:
         self.project, self.skills, self.reporting = project, skills, reporting
         self.names = Names(reporting)
+        self.used: set[str] = set()
         self.called: dict[str, None] = {}
         self.events: dict[str, None] = {}
 
@@ -91,11 +92,10 @@ class LineWriter:
         return Line(" ".join(words), tuple(unknown))
 
     def row(self, first: Block) -> Iterator[Block]:
-        """A block and those at its right, each once."""
-        seen: set[str] = set()
+        """A block and those at its right; each block is in one line only."""
         block: Block | None = first
-        while block is not None and block.id not in seen:
-            seen.add(block.id)
+        while block is not None and block.id not in self.used:
+            self.used.add(block.id)
             yield block
             block = self.project.blocks.get(block.right or "")
 

@@ -65,7 +65,15 @@ class ProgramWriter:
             loose += self.chain(root.below)[:1]
         order = ("def", "when", "main")
         found = sorted(parts.values(), key=lambda one: order.index(one.name.split()[0]))
-        return [*found, *(part for root in loose if (part := self.loose(root)).lines)]
+        rest = [part for root in loose if (part := self.loose(root)).lines]
+        self.report_left_out()
+        return [*found, *rest]
+
+    def report_left_out(self) -> None:
+        """Report blocks that no other leads to, as in a circle."""
+        for block in self.project.blocks.values():
+            if block.id not in self.written and block.id not in self.lines.used:
+                self.reporting.miss(Phrase("import-left-out", name=shown(block.name)))
 
     def roots(self) -> Iterator[Block]:
         """The blocks that hang on no other, from the top of the canvas."""

@@ -1,5 +1,7 @@
 """Projects of the original LearnBlock become programs with their blocks in place."""
 
+import time
+
 import pytest
 
 from learnblock import language
@@ -15,6 +17,8 @@ from old_projects import (
     VARIABLE,
     VERSION_1,
     Old,
+    Pickler,
+    Thing,
     control,
     define,
     examples,
@@ -289,3 +293,31 @@ def test_blocks_that_are_nested_too_deeply_are_refused(imported):
 def test_a_pickle_of_something_else_is_refused(imported, data):
     with pytest.raises(ProjectError):
         imported(data)
+
+
+def linked(name, *ends):
+    """A block with these ends of connections and blocks there."""
+    found = [
+        Thing("connection", {"_Connection__type": end, "_Connection__idItem": other})
+        for end, other in ends
+    ]
+    return Thing("block", {"name": name, "type": SKILL, "vars": [], "connections": found})
+
+
+def test_blocks_in_a_circle_are_left_out_and_listed(imported):
+    blocks = {"0": linked("stop_bot", (1, "1")), "1": linked("turn_back", (1, "0"))}
+    made = imported(Pickler(VERSION_1).dumps((blocks, [], [], [], [])))
+    assert made.blocktext.strip() == ""
+    assert made.report.missing == (
+        Phrase("import-left-out", name="stop_bot"),
+        Phrase("import-left-out", name="turn_back"),
+    )
+
+
+def test_a_row_that_many_lines_share_is_read_once(imported):
+    rows = {f"r{n}": linked("is_turning", (3, f"r{n + 1}")) for n in range(500)}
+    lines_ = {f"s{n}": linked("stop_bot", (1, f"s{n + 1}"), (3, "r0")) for n in range(500)}
+    data = Pickler(VERSION_1).dumps(({**rows, **lines_}, [], [], [], []))
+    start = time.process_time()
+    imported(data)
+    assert time.process_time() - start < 5

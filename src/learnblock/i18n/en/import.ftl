@@ -30,6 +30,7 @@ import-messages = Messages between robots ('{ $skill }') are not supported. As a
 import-unread-line = '{ $text }' can't be read. As a statement it became a comment; as a condition it became False.
 import-no-condition = A '{ $name }' had no condition. It became False.
 import-no-if = An '{ $name }' had no 'if' above it. It became an 'if'.
+import-left-out = The block '{ $name }' is connected in a circle or to two blocks. It was left out.
 import-no-library = The library '{ $name }' is not beside the project. Copy its folder there and import the project again.
 import-no-function = The function '{ $name }' is not in the project. It is now an empty function: fill it in.
 import-no-event = The event '{ $name }' is not in the project. It is now an empty event: fill it in.

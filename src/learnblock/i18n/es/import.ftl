@@ -27,6 +27,7 @@ import-messages = Los mensajes entre robots ('{ $skill }') no están disponibles
 import-unread-line = '{ $text }' no se puede leer. Como instrucción pasa a ser un comentario; como condición, False.
 import-no-condition = Un '{ $name }' no tenía condición. Pasa a ser False.
 import-no-if = Un '{ $name }' no tenía ningún 'if' encima. Pasa a ser un 'if'.
+import-left-out = El bloque '{ $name }' está unido en círculo o a dos bloques. Se ha dejado fuera.
 import-no-library = La biblioteca '{ $name }' no está junto al proyecto. Copia ahí su carpeta y vuelve a importar el proyecto.
 import-no-function = La función '{ $name }' no está en el proyecto. Ahora es una función vacía: complétala.
 import-no-event = El evento '{ $name }' no está en el proyecto. Ahora es un evento vacío: complétalo.
