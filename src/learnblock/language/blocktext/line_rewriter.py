@@ -9,8 +9,8 @@ from learnblock.language.blocktext.lexer import LINE_END, Token, Tokens, tokeniz
 from learnblock.language.blocktext.rewording import Rewording, reworded
 from learnblock.language.blocktext.token_reader import LINE_ENDS
 
-#: More lines than these are not rewritten: a program has no use for more messages.
-MAX_REWRITTEN = 100
+#: More lines than these are not compared with known slips: nobody reads more messages.
+MAX_COMPARED = 200
 #: A line may need several words in English.
 MAX_PER_LINE = 4
 
@@ -21,7 +21,7 @@ class LineRewriter(ExpressionParser):
     def __init__(self, tokens: Tokens) -> None:
         super().__init__(tokens)
         self.rewritten: dict[int, str] = {}  # what the lines should be, by their number
-        self.rewritings = 0
+        self.compared = 0
 
     @cached_property
     def lines(self) -> list[str]:
@@ -41,18 +41,18 @@ class LineRewriter(ExpressionParser):
             openers: the first tokens of the open blocks.
         """
         number = self.token.line
-        if self.rewritings >= MAX_REWRITTEN or any(one.line == number for one in openers):
+        if self.compared >= MAX_COMPARED or any(one.line == number for one in openers):
             return False
         start, end = self.line_start(), self.line_end_index()
         if any(token.line != number for token in self.tokens[start:end]):
             return False
+        self.compared += 1
         rewording = reworded(self.code_of(number, end))
         if rewording is None:
             return False
         if number not in self.rewritten:
             self.diagnostics.append(_diagnostic(rewording, number))
         self.rewritten[number] = rewording.line
-        self.rewritings += 1
         self.replace(start, end, _tokens_of(rewording.line, number))
         return True
 

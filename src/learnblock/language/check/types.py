@@ -1,7 +1,7 @@
 """The types of expressions, as far as they are certain before the run."""
 
 from collections.abc import Mapping
-from enum import Enum
+from enum import IntEnum, auto
 from types import MappingProxyType
 
 from learnblock.language.check.findings import Findings
@@ -26,17 +26,17 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.tree.traversal import set_by, statements
 
 
-class Type(Enum):
+class Type(IntEnum):
     """A type. Nothing is reported about an unknown one."""
 
-    UNKNOWN = "unknown"
-    UNSET = "unset"  # of a variable, as long as the types that it depends on are being worked out
-    NUMBER = "number"
-    TEXT = "text"
-    ANSWER = "answer"  # a text that `input` returned
-    BOOLEAN = "boolean"
-    LIST = "list"
-    NOTHING = "nothing"  # the value of an action
+    UNKNOWN = auto()
+    UNSET = auto()  # of a variable, as long as the types that it depends on are being worked out
+    NUMBER = auto()
+    TEXT = auto()
+    ANSWER = auto()  # a text that `input` returned
+    BOOLEAN = auto()
+    LIST = auto()
+    NOTHING = auto()  # the value of an action
 
 
 TEXTS = frozenset((Type.TEXT, Type.ANSWER))
