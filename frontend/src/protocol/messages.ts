@@ -850,7 +850,7 @@ export interface Variables {
 export interface Version {
   id: string;
   time: number;
-  reason: "opened" | "restored" | "run" | "time";
+  reason: "outside" | "restored" | "run" | "time";
   lines: number;
 }
 

@@ -173,7 +173,7 @@ class Version(Struct, frozen=True):
 
     id: str
     time: float
-    reason: Literal["run", "time", "restored", "opened"]
+    reason: Literal["run", "time", "restored", "outside"]
     lines: int
 
 

@@ -35,11 +35,20 @@ from learnblock.server.projects.project_file import (
 )
 from learnblock.storage.files import save
 
-__all__ = ["Format", "Project", "ProjectFolder"]
+__all__ = ["FileState", "Format", "Project", "ProjectFolder"]
 
 Format = Literal["bt", "py", "learnblock"]
 
 _NOT_IN_NAMES = re.compile(r"[^\w .-]+")
+
+
+@dataclass(frozen=True)
+class FileState:
+    """What tells one version of a file from another without reading it."""
+
+    inode: int
+    changed: int
+    size: int
 
 
 @dataclass(frozen=True)
@@ -80,6 +89,25 @@ class ProjectFolder:
         path = self._path(project.name)
         with _reporting(path, "save"):
             save(path, encode(project))
+
+    def state(self, name: str) -> FileState | None:
+        """The state of a project's file, which differs after any change; None without a file."""
+        try:
+            found = self._path(name).stat()
+        except OSError:
+            return None
+        return FileState(found.st_ino, found.st_mtime_ns, found.st_size)
+
+    def keep_file(self, name: str) -> None:
+        """Save a project's file, as another program has left it, as a version.
+
+        Raises:
+            ProjectError: it can't be read or saved.
+        """
+        path = self._path(name)
+        with _reporting(path, "keep-version"), path.open("rb") as file:
+            data = file.read(LARGEST + 1)
+            self._history(name).keep_file(data, "outside", _lines(data, name))
 
     def free_name(self, wish: str) -> str:
         """Find a free name like `wish`."""
@@ -218,6 +246,14 @@ class ProjectFolder:
 
     def _names(self) -> list[str]:
         return sorted(entry.name for entry in self._entries())
+
+
+def _lines(data: bytes, name: str) -> int:
+    """The lines of a project's program; 0 for a damaged file."""
+    try:
+        return decode(data, name).blocktext.count("\n") + 1
+    except ProjectError:
+        return 0
 
 
 def _plain(wish: str) -> str:

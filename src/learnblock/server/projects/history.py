@@ -14,13 +14,13 @@ from learnblock.server.messages import PastRun, Version
 from learnblock.server.projects.project_file import ENDING, LARGEST, Project, decode, encode
 from learnblock.storage.files import save
 
-Reason = Literal["run", "time", "restored", "opened"]
+Reason = Literal["run", "time", "restored", "outside"]
 
 MOST_VERSIONS = 100
 MOST_RUNS = 200
 
 #: The time in milliseconds since 1970, the reason for the version, its number of lines.
-_ID = re.compile(r"(\d{13,15})-(run|time|restored|opened)-(\d{1,7})")
+_ID = re.compile(r"(\d{13,15})-(run|time|restored|outside)-(\d{1,7})")
 _read_runs = msgspec.json.Decoder(list[PastRun]).decode
 
 
@@ -45,11 +45,18 @@ class History:
             ProjectError: it can't be written as a file.
             OSError: the folder can't be written to.
         """
-        data = encode(project)
+        return self.keep_file(encode(project), reason, project.blocktext.count("\n") + 1)
+
+    def keep_file(self, data: bytes, reason: Reason, lines: int) -> str:
+        """Save a project's file as a version, even a damaged one, as `keep` does.
+
+        Raises:
+            OSError: the folder can't be written to.
+        """
         before = self.versions()
         if before and self._path(before[0].id).read_bytes() == data:
             return before[0].id
-        version = self._new_id(before, reason, project.blocktext.count("\n") + 1)
+        version = self._new_id(before, reason, lines)
         save(self._path(version), data)
         self._thin_out()
         return version

@@ -47,6 +47,7 @@ class Archive:
         self._failed = failed
         self._saver = Saver(self._write)
         self._is_failing = False
+        self._on_disk = folder.state(project().name)
         self._version_kept = monotonic()
         self._tasks: set[asyncio.Task[Any]] = set()
 
@@ -73,7 +74,8 @@ class Archive:
     async def _write(self) -> bool:
         saved = self._saved()
         try:
-            await to_thread.run_sync(self._folder.write, self._project())
+            if await to_thread.run_sync(self._save, self._project()):
+                self._failed(Phrase("project-changed-outside", name=self._project().name))
         except (LearnBlockError, OSError) as error:
             if not self._is_failing:
                 self._failed(phrase_of(error))
@@ -84,6 +86,16 @@ class Archive:
         if monotonic() - self._version_kept > VERSION_PERIOD:
             await self.keep_version("time")
         return True
+
+    def _save(self, project: Project) -> bool:
+        """Save the project; return whether another program had changed its file."""
+        found = self._folder.state(project.name)
+        is_changed = found not in (None, self._on_disk)
+        if is_changed:
+            self._folder.keep_file(project.name)
+        self._folder.write(project)
+        self._on_disk = self._folder.state(project.name)
+        return is_changed
 
     async def _tried(self, action: Callable[..., Value], *args: object) -> Value | None:
         try:

@@ -187,6 +187,33 @@ def test_what_a_full_disk_refused_is_saved_once_there_is_room(projects):
     assert "\n".join(saved["blocktext"]) == OTHER
 
 
+def test_what_another_program_wrote_meanwhile_is_in_the_history(page, projects):
+    page.open(text=PROGRAM)
+    page.hear("Saved")
+    file = projects / "program.learnblock"
+    theirs = {**json.loads(file.read_text("utf-8")), "blocktext": OTHER.split("\n")}
+    file.write_text(json.dumps(theirs), "utf-8")
+    mine = PROGRAM + "# mine\n"
+    page.type(mine)
+    assert "Another program changed" in english(page.hear("Failed")["message"])
+    assert "\n".join(json.loads(file.read_text("utf-8"))["blocktext"]) == mine
+    page.say("ListHistory")
+    (version,) = page.hear("History")["versions"]
+    assert version["reason"] == "outside"
+    page.say("Restore", version=version["id"])
+    assert page.hear("Document", blocktext=OTHER)
+
+
+def test_even_a_damaged_file_of_another_program_is_kept(page, projects, own_home):
+    page.open(text=PROGRAM)
+    page.hear("Saved")
+    (projects / "program.learnblock").write_text("<<<<<<< HEAD", "utf-8")
+    page.type(OTHER)
+    page.hear("Failed")
+    kept = list((projects / ".history" / "program").glob("*-outside-0.learnblock"))
+    assert [one.read_text("utf-8") for one in kept] == ["<<<<<<< HEAD"]
+
+
 def test_a_project_with_an_empty_stack_of_blocks_opens_without_it(page, projects):
     page.open(text=PROGRAM)
     page.hear("Saved")

@@ -14,4 +14,4 @@ page-history-lines = { $lines ->
 page-history-reason-run = Before a run
 page-history-reason-time = Saved automatically
 page-history-reason-restored = Before restoring
-page-history-reason-opened = When opened
+page-history-reason-outside = Changed by another program

@@ -14,4 +14,4 @@ page-history-lines = { $lines ->
 page-history-reason-run = Antes de una ejecución
 page-history-reason-time = Guardada automáticamente
 page-history-reason-restored = Antes de restaurar
-page-history-reason-opened = Al abrir
+page-history-reason-outside = Cambiada por otro programa
