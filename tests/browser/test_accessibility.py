@@ -105,7 +105,7 @@ def test_a_screen_reader_reads_out_the_state_of_the_program(pupil):
     expect(pupil.blocks("lb_skill_sleep")).to_have_count(0)
     pupil.press("Run")
     expect_announcement(
-        pupil, "alert", re.compile("Stopped by an error .*You can't divide by zero")
+        pupil, "alert", re.compile("Stopped by an error .*A number was divided by 0")
     )
 
 

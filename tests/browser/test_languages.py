@@ -126,7 +126,7 @@ def test_a_run_is_shown_and_read_out_in_spanish(pupil):
         pupil.tab(tab)
     pupil.press("Ejecutar")
     expect(pupil.page.get_by_role("alert").filter(has_text="Detenido por un error")).to_have_text(
-        re.compile("No se puede dividir entre cero")
+        re.compile("Se ha dividido un número entre 0")
     )
     expect(pupil.page.locator(".result dl")).to_be_visible()
     pupil.picture("result")

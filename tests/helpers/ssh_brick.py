@@ -49,7 +49,8 @@ class SshBrick:
             self._transports.append(transport)
             transport.add_server_key(self.key)
             transport.set_subsystem_handler("sftp", paramiko.SFTPServer, Files, self.home)
-            transport.start_server(server=Server(self))
+            # With an event it does not wait here: a client that does not trust the key hangs up.
+            transport.start_server(threading.Event(), Server(self))
 
 
 class Server(paramiko.ServerInterface):

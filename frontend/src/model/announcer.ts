@@ -1,7 +1,7 @@
 /** Announces events to screen readers. */
 
 import { effect, signal } from "@preact/signals";
-import { t, worldName } from "../i18n";
+import { language, t, worldName } from "../i18n";
 import type { Ended, RobotLink, RunState, Telemetry } from "../protocol/messages";
 import type { Context } from "./context";
 import { sentence } from "./run-result";
@@ -24,6 +24,7 @@ export class Announcer {
     connection.on("RobotLink", (link) => this.link(link));
     connection.on("Ended", (ended) => this.ended(ended));
     effect(() => this.countErrors());
+    effect(() => this.forget(language.value));
   }
 
   say(text: string): void {
@@ -54,6 +55,12 @@ export class Announcer {
   private ended(ended: Ended): void {
     if (ended.ended === "error") this.assertive.value = sentence(ended);
     else this.say(sentence(ended));
+  }
+
+  /** What was said in the language before has been read. */
+  private forget(_language: string): void {
+    this.polite.value = "";
+    this.assertive.value = "";
   }
 
   /** Announce the number of errors once it has been stable for a while. */
