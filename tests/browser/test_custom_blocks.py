@@ -253,12 +253,14 @@ def test_each_parameter_has_a_field_that_fits_its_type(bench, pupil):
 
 
 def test_escape_restores_the_value_of_a_field(bench, pupil):
-    bench.uses("main:\n    function.paint(30)\nend\n", "lb_skill_paint")
+    bench.make(FIELDS.replace("paint", "tint"))
+    bench.uses("main:\n    function.tint(30)\nend\n", "lb_skill_tint")
+    pupil.show("Blocks", "Block-Text")
     pupil.blocks("lb_slider").click()
     pupil.page.keyboard.press("ArrowRight")
     pupil.page.keyboard.press("Escape")
     expect(pupil.blocks("lb_slider")).to_have_text("30")
-    pupil.sees("blocktext", "function.paint(30)")
+    pupil.sees("blocktext", "function.tint(30)")
 
 
 def test_a_block_can_be_created_with_the_keyboard_alone(pupil):

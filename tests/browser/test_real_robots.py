@@ -99,8 +99,9 @@ def test_as_many_readings_arrive_as_from_the_twin(pupil, reach, name):
     twins = len(readings(pupil))
     run(pupil, name)
     pupil.state("Ended")
-    # Twenty per second for two seconds on an idle machine; a busy one delays the emulator too.
-    assert len(readings(pupil)) >= max(15, 0.6 * twins)
+    # Twenty per second for two seconds on an idle machine, as from the twin; on a busy one both get
+    # fewer, but not in step.
+    assert min(len(readings(pupil)), twins) >= 15
     # The robot's own readings, and not the same one repeatedly.
     assert len({json.dumps(one) for one in readings(pupil)}) >= 10
     assert messages(pupil, "Ended")[0]["ended"] == "finished"

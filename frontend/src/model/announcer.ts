@@ -1,7 +1,7 @@
 /** Announces events to screen readers. */
 
 import { effect, signal } from "@preact/signals";
-import { language, t, worldName } from "../i18n";
+import { t, worldName } from "../i18n";
 import type { Ended, RobotLink, RunState, Telemetry } from "../protocol/messages";
 import type { Context } from "./context";
 import { sentence } from "./run-result";
@@ -15,6 +15,8 @@ export class Announcer {
   readonly assertive = signal("");
   private reached = new Set<string>();
   private errors = 0;
+  /** Whether this page has seen the run: opening a project tells how its last one ended. */
+  private isFollowing = false;
   private linked: RobotLink["state"] = "simulated";
 
   constructor(private readonly context: Context) {
@@ -24,7 +26,6 @@ export class Announcer {
     connection.on("RobotLink", (link) => this.link(link));
     connection.on("Ended", (ended) => this.ended(ended));
     effect(() => this.countErrors());
-    effect(() => this.forget(language.value));
   }
 
   say(text: string): void {
@@ -34,6 +35,7 @@ export class Announcer {
 
   private runState({ state }: RunState): void {
     if (state === "starting") this.reached.clear();
+    if (state !== "ended") this.isFollowing = state !== "idle";
     if (state !== "ended" && state !== "idle") this.say(t(`page-bar-state-${state}`));
   }
 
@@ -53,14 +55,10 @@ export class Announcer {
   }
 
   private ended(ended: Ended): void {
+    if (!this.isFollowing) return;
+    this.isFollowing = false;
     if (ended.ended === "error") this.assertive.value = sentence(ended);
     else this.say(sentence(ended));
-  }
-
-  /** What was said in the language before has been read. */
-  private forget(_language: string): void {
-    this.polite.value = "";
-    this.assertive.value = "";
   }
 
   /** Announce the number of errors once it has been stable for a while. */
