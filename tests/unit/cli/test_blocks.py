@@ -117,7 +117,8 @@ def test_an_error_in_a_block_names_its_own_line_and_the_one_that_called_it(run, 
     within = report["error"]["within"]
     assert (10, "base.halt()") == (within["line"], within["text"])
     shown = run("run", "program.bt").stderr
-    assert "program.bt:2: AttributeError: 'Base' object has no attribute 'halt'" in shown
+    assert "program.bt:2: 'halt' does not exist for Base" in shown
+    assert "AttributeError: 'Base' object has no attribute 'halt'" in shown
     assert "dance.py:10\n           base.halt()\n" in shown
 
 

@@ -38,15 +38,15 @@ def exact(text):
         ("for x in xs:\n  pass\n", "for x in xs:\n    pass\nend\n"),
         ("x = y if z else 0\n", "x = `y if z else 0`\n"),
         ("x = y[1:]\n", "x = `y[1:]`\n"),
-        ("a = b = 1\n", "python:\n    a = b = 1\nend\n"),
-        ("with a as b:\n    pass\n", "python:\n    with a as b:\n        pass\nend\n"),
+        ("a = b = 1\n", "robot()\n\npython:\n    a = b = 1\nend\n"),
+        ("with a as b:\n    pass\n", "robot()\n\npython:\n    with a as b:\n        pass\nend\n"),
         ("x = (  # why\n  1)\n", "# why\nx = 1\n"),
         ("if a:\n  b()\n  # c\n# d\n", "if a:\n    b()\n    # c\nend\n# d\n"),
         (
             "import math\nx = math.gcd(4, 6)\n",
             "python:\n    import math\nend\nx = `math.gcd(4, 6)`\n",
         ),
-        ("def f(x=1):\n    pass\n", "python:\n    def f(x=1):\n        pass\nend\n"),
+        ("def f(x=1):\n    pass\n", "robot()\n\npython:\n    def f(x=1):\n        pass\nend\n"),
         ("while a:\n    b = {}\n    c, d = 1, 2\n", None),
     ],
 )
@@ -110,7 +110,9 @@ def test_the_variants_of_pupils_need_no_raw_python(python, expected):
     ],
 )
 def test_a_function_that_needs_local_variables_stays_raw(function):
-    assert block_text(function).startswith("python:\n    def f():\n")
+    # The robot is named if there is nothing but raw Python, which would be a whole file otherwise.
+    text = block_text(function).removeprefix("robot()\n\n")
+    assert text.startswith("python:\n    def f():\n")
 
 
 def test_a_brace_in_a_string_is_not_a_bracket():
