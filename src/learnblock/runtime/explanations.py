@@ -7,111 +7,108 @@ from learnblock.i18n import Phrase, Value
 
 #: A type of error, the pattern of its text, and the code of what it means. The groups of the
 #: pattern are values of the phrase; those named after a type are nouns.
-_MEANINGS: tuple[tuple[type[Exception], re.Pattern[str], str], ...] = tuple(
-    (kind, re.compile(pattern, re.DOTALL), code)
-    for kind, pattern, code in (
-        (ZeroDivisionError, r".*", "run-means-zero-division"),
-        (RecursionError, r".*", "run-means-recursion"),
-        (MemoryError, r".*", "run-means-memory"),
-        (OverflowError, r".*", "run-means-overflow"),
-        (IndexError, r"pop from empty .*|.*empty sequence.*", "run-means-empty"),
-        (IndexError, r".*index out of range", "run-means-index"),
-        (KeyError, r"(?P<key>.+)", "run-means-key"),
-        (ModuleNotFoundError, r"No module named '(?P<module>.+)'.*", "run-means-module"),
-        (ImportError, r"cannot import name '(?P<name>\w+)'.*", "run-means-import"),
-        (FileNotFoundError, r".*", "run-means-file"),
-        (
-            UnboundLocalError,
-            r".*local variable '(?P<name>\w+)'.*",
-            "run-means-local",
-        ),
-        (NameError, r"name '(?P<name>\w+)' is not defined.*", "run-means-name"),
-        (
-            AttributeError,
-            r"'NoneType' object has no attribute '(?P<name>\w+)'.*",
-            "run-means-attribute-of-nothing",
-        ),
-        (AttributeError, r"'Robot' object has no attribute '(?P<name>\w+)'.*", "run-means-skill"),
-        (
-            AttributeError,
-            r"'(?P<type>\w+)' object has no attribute '(?P<name>\w+)'.*",
-            "run-means-attribute",
-        ),
-        (
-            AttributeError,
-            r"module '(?P<module>[\w.]+)' has no attribute '(?P<name>\w+)'.*",
-            "run-means-attribute-of-module",
-        ),
-        (TypeError, r"can only concatenate str \(not \"(?P<type>\w+)\"\) to str", "run-means-join"),
-        (
-            TypeError,
-            r"can only concatenate list \(not \"(?P<type>\w+)\"\) to list",
-            "run-means-join-list",
-        ),
-        (
-            TypeError,
-            r"unsupported operand type\(s\) for (?P<operator>\S+?)(?: or \S+)?: .*NoneType.*",
-            "run-means-nothing",
-        ),
-        (
-            TypeError,
-            r"unsupported operand type\(s\) for (?P<operator>\S+?)(?: or \S+)?:"
-            r" '(?P<type>\w+)' and '(?P<other_type>\w+)'",
-            "run-means-operands",
-        ),
-        (
-            TypeError,
-            r"'(?P<operator>[<>]=?)' not supported between instances of"
-            r" '(?P<type>\w+)' and '(?P<other_type>\w+)'",
-            "run-means-operands",
-        ),
-        (TypeError, r"can't multiply sequence by non-int .*", "run-means-multiply"),
-        (
-            TypeError,
-            r"'(?P<type>\w+)' object cannot be interpreted as an integer",
-            "run-means-whole-number",
-        ),
-        (TypeError, r"must be real number, not (?P<type>\w+)", "run-means-number"),
-        (TypeError, r"bad operand type for .*: '(?P<type>\w+)'", "run-means-number"),
-        (TypeError, r"'(?P<type>\w+)' object is not callable", "run-means-call"),
-        (TypeError, r"'(?P<type>\w+)' object is not subscriptable", "run-means-items"),
-        (TypeError, r"'(?P<type>\w+)' object is not iterable", "run-means-iteration"),
-        (TypeError, r"object of type '(?P<type>\w+)' has no len\(\)", "run-means-length"),
-        (TypeError, r"(?:list|string|tuple) indices must be integers.*", "run-means-position"),
-        (
-            TypeError,
-            r"'(?P<type>\w+)' object does not support item assignment",
-            "run-means-item-assignment",
-        ),
-        (
-            TypeError,
-            r"(?:\w+\.)*(?P<function>\w+)\(\) missing \d+ required .*: (?P<names>.+)",
-            "run-means-missing-argument",
-        ),
-        (
-            TypeError,
-            r"(?:\w+\.)*(?P<function>\w+)\(\) takes .* but (?P<given>\d+) w.* given",
-            "run-means-too-many-arguments",
-        ),
-        (
-            TypeError,
-            r"(?:\w+\.)*(?P<function>\w+)\(\) got an unexpected keyword argument '(?P<name>\w+)'.*",
-            "run-means-unknown-argument",
-        ),
-        (
-            ValueError,
-            r"invalid literal for int\(\) with base 10: (?P<text>.+)",
-            "run-means-int",
-        ),
-        (ValueError, r"could not convert string to float: (?P<text>.+)", "run-means-float"),
-        (ValueError, r"math domain error|expected a .*input.*", "run-means-domain"),
-        (ValueError, r".*empty (?:sequence|iterable)|.*argument is empty", "run-means-empty"),
-        (ValueError, r".*at least (?:one|two) data points?.*", "run-means-empty"),
-        (ValueError, r"empty range .*", "run-means-range"),
-        (ValueError, r".*(?:is )?not in list", "run-means-not-in-list"),
-        (ValueError, r"empty separator", "run-means-separator"),
-        (ValueError, r"(?:not enough|too many) values to unpack.*", "run-means-unpack"),
-    )
+_MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
+    (ZeroDivisionError, r".*", "run-means-zero-division"),
+    (RecursionError, r".*", "run-means-recursion"),
+    (MemoryError, r".*", "run-means-memory"),
+    (OverflowError, r".*", "run-means-overflow"),
+    (IndexError, r"pop from empty .*|.*empty sequence.*", "run-means-empty"),
+    (IndexError, r".*index out of range", "run-means-index"),
+    (KeyError, r"(?P<key>.+)", "run-means-key"),
+    (ModuleNotFoundError, r"No module named '(?P<module>.+)'.*", "run-means-module"),
+    (ImportError, r"cannot import name '(?P<name>\w+)'.*", "run-means-import"),
+    (FileNotFoundError, r".*", "run-means-file"),
+    (
+        UnboundLocalError,
+        r".*local variable '(?P<name>\w+)'.*",
+        "run-means-local",
+    ),
+    (NameError, r"name '(?P<name>\w+)' is not defined.*", "run-means-name"),
+    (
+        AttributeError,
+        r"'NoneType' object has no attribute '(?P<name>\w+)'.*",
+        "run-means-attribute-of-nothing",
+    ),
+    (AttributeError, r"'Robot' object has no attribute '(?P<name>\w+)'.*", "run-means-skill"),
+    (
+        AttributeError,
+        r"'(?P<type>\w+)' object has no attribute '(?P<name>\w+)'.*",
+        "run-means-attribute",
+    ),
+    (
+        AttributeError,
+        r"module '(?P<module>[\w.]+)' has no attribute '(?P<name>\w+)'.*",
+        "run-means-attribute-of-module",
+    ),
+    (TypeError, r"can only concatenate str \(not \"(?P<type>\w+)\"\) to str", "run-means-join"),
+    (
+        TypeError,
+        r"can only concatenate list \(not \"(?P<type>\w+)\"\) to list",
+        "run-means-join-list",
+    ),
+    (
+        TypeError,
+        r"unsupported operand type\(s\) for (?P<operator>\S+?)(?: or \S+)?: .*NoneType.*",
+        "run-means-nothing",
+    ),
+    (
+        TypeError,
+        r"unsupported operand type\(s\) for (?P<operator>\S+?)(?: or \S+)?:"
+        r" '(?P<type>\w+)' and '(?P<other_type>\w+)'",
+        "run-means-operands",
+    ),
+    (
+        TypeError,
+        r"'(?P<operator>[<>]=?)' not supported between instances of"
+        r" '(?P<type>\w+)' and '(?P<other_type>\w+)'",
+        "run-means-operands",
+    ),
+    (TypeError, r"can't multiply sequence by non-int .*", "run-means-multiply"),
+    (
+        TypeError,
+        r"'(?P<type>\w+)' object cannot be interpreted as an integer",
+        "run-means-whole-number",
+    ),
+    (TypeError, r"must be real number, not (?P<type>\w+)", "run-means-number"),
+    (TypeError, r"bad operand type for .*: '(?P<type>\w+)'", "run-means-number"),
+    (TypeError, r"'(?P<type>\w+)' object is not callable", "run-means-call"),
+    (TypeError, r"'(?P<type>\w+)' object is not subscriptable", "run-means-items"),
+    (TypeError, r"'(?P<type>\w+)' object is not iterable", "run-means-iteration"),
+    (TypeError, r"object of type '(?P<type>\w+)' has no len\(\)", "run-means-length"),
+    (TypeError, r"(?:list|string|tuple) indices must be integers.*", "run-means-position"),
+    (
+        TypeError,
+        r"'(?P<type>\w+)' object does not support item assignment",
+        "run-means-item-assignment",
+    ),
+    (
+        TypeError,
+        r"(?:\w+\.)*(?P<function>\w+)\(\) missing \d+ required .*: (?P<names>.+)",
+        "run-means-missing-argument",
+    ),
+    (
+        TypeError,
+        r"(?:\w+\.)*(?P<function>\w+)\(\) takes .* but (?P<given>\d+) w.* given",
+        "run-means-too-many-arguments",
+    ),
+    (
+        TypeError,
+        r"(?:\w+\.)*(?P<function>\w+)\(\) got an unexpected keyword argument '(?P<name>\w+)'.*",
+        "run-means-unknown-argument",
+    ),
+    (
+        ValueError,
+        r"invalid literal for int\(\) with base 10: (?P<text>.+)",
+        "run-means-int",
+    ),
+    (ValueError, r"could not convert string to float: (?P<text>.+)", "run-means-float"),
+    (ValueError, r"math domain error|expected a .*input.*", "run-means-domain"),
+    (ValueError, r".*empty (?:sequence|iterable)|.*argument is empty", "run-means-empty"),
+    (ValueError, r".*at least (?:one|two) data points?.*", "run-means-empty"),
+    (ValueError, r"empty range .*", "run-means-range"),
+    (ValueError, r".*(?:is )?not in list", "run-means-not-in-list"),
+    (ValueError, r"empty separator", "run-means-separator"),
+    (ValueError, r"(?:not enough|too many) values to unpack.*", "run-means-unpack"),
 )
 
 
@@ -123,7 +120,7 @@ def explanation(error: Exception, text: str) -> Phrase | None:
         text: its message.
     """
     for kind, pattern, code in _MEANINGS:
-        if isinstance(error, kind) and (found := pattern.fullmatch(text)):
+        if isinstance(error, kind) and (found := re.fullmatch(pattern, text, re.DOTALL)):
             return Phrase(code, **dict(_values(found.groupdict().items())))
     return None
 

@@ -6,6 +6,7 @@ texts, and is tried only on a line that cannot be read.
 """
 
 import re
+from functools import cache
 from typing import NamedTuple
 
 from learnblock.language.tree.builtins import TEMPLATES
@@ -22,25 +23,41 @@ class Rule(NamedTuple):
         code: of the message, which has the values ``found`` and ``instead``.
     """
 
-    pattern: re.Pattern[str]
+    pattern: str
     instead: str
     code: str = WRITE_INSTEAD
 
+    def match(self, line: str) -> re.Match[str] | None:
+        return _compiled(self.pattern).match(line)
 
-def rule(pattern: str, instead: str, code: str = WRITE_INSTEAD) -> Rule:
-    return Rule(re.compile(pattern, re.IGNORECASE), instead, code)
+
+@cache
+def _compiled(pattern: str) -> re.Pattern[str]:
+    # On first use: most programs have no such line, and all the patterns take 20 ms.
+    return re.compile(pattern, re.IGNORECASE)
 
 
 def at_start(words: str, instead: str, code: str = WRITE_INSTEAD) -> Rule:
     """A rule for words that begin a line, unless the line sets a variable of that name."""
-    return rule(rf"\s*(?P<wrong>{words})\b(?!\s*(?:=[^=]|[.\[]))", instead, code)
+    return Rule(rf"\s*(?P<wrong>{words})\b(?!\s*(?:=[^=]|[.\[]))", instead, code)
 
 
 #: A condition or a value: everything up to the colon.
 REST = r"(\S.*?)\s*:?\s*$"
 NAME = r"([^\W\d]\w*)"
 
-_COMMENTS = (rule(r"\s*(?P<wrong>//+|--+|/\*+)", "#", "blocktext-comment"),)
+NAME_WITH_SPACE = Rule(
+    rf"\s*(?P<wrong>(?!(?:if|while|for|when|def)\b){NAME}\s+{NAME})\s*(?==[^=])",
+    r"\2_\3",
+    "blocktext-name-with-space",
+)
+TEXT_WITHOUT_QUOTES = Rule(
+    r".*?\((?P<wrong>\s*([^\W\d]\w*(?:\s+[^\W\d]\w*)+)[!?.]*)\s*\)",
+    r'"\2"',
+    "blocktext-text-in-quotes",
+)
+
+_COMMENTS = (Rule(r"\s*(?P<wrong>//+|--+|/\*+)", "#", "blocktext-comment"),)
 
 _ENDS = (
     at_start(r"fin\s*(?:si|mientras|para|repetir|de\s+\w+)\s*$", "end"),
@@ -49,83 +66,83 @@ _ENDS = (
         "end",
     ),
     at_start(r"(?:end|fin|fi|done|od|wend|next|fim)\s*[.;]?\s*$", "end"),
-    rule(r"\s*(?P<wrong>\}\s*else\s*if\b)", "elif"),
-    rule(r"\s*(?P<wrong>\}\s*else\s*\{)", "else:"),
-    rule(r"\s*(?P<wrong>\})\s*$", "end"),
+    Rule(r"\s*(?P<wrong>\}\s*else\s*if\b)", "elif"),
+    Rule(r"\s*(?P<wrong>\}\s*else\s*\{)", "else:"),
+    Rule(r"\s*(?P<wrong>\})\s*$", "end"),
 )
 
 _LOOPS = (
-    rule(
+    Rule(
         r"\s*for\s*\(?\s*(?:int|let|var)?\s*(\w+)\s*=\s*(\w+)\s*;\s*\w+\s*<\s*(\w+)\s*;.*$",
         r"for \1 from \2 to \3 - 1:",
     ),
-    rule(
+    Rule(
         r"\s*for\s*\(?\s*(?:int|let|var)?\s*(\w+)\s*=\s*(\w+)\s*;\s*\w+\s*<=\s*(\w+)\s*;.*$",
         r"for \1 from \2 to \3:",
     ),
-    rule(
+    Rule(
         r"\s*(?:repeat|repetir|for|loop|repite)\s+(.+?)\s+(?:times|veces)\s*:?\s*$", r"repeat \1:"
     ),
-    rule(
+    Rule(
         r"\s*(?:repeat|repetir|repite|loop)\s+(?:until|hasta\s+que|hasta)\s+" + REST,
         r"while not (\1):",
     ),
-    rule(r"\s*(?:repeat|loop)\s+while\s+" + REST, r"while \1:"),
-    rule(
+    Rule(r"\s*(?:repeat|loop)\s+while\s+" + REST, r"while \1:"),
+    Rule(
         r"\s*(?:wait|espera|esperar)\s+(?:until|hasta\s+que|hasta)\s+" + REST,
         r"while not (\1): function.sleep(0.1) end",
     ),
-    rule(r"\s*(?:until|hasta\s+que|hasta)\s+" + REST, r"while not (\1):"),
-    rule(
+    Rule(r"\s*(?:until|hasta\s+que|hasta)\s+" + REST, r"while not (\1):"),
+    Rule(
         r"\s*(?:forever|repeat\s+forever|loop|repeat|repetir|por\s+siempre|siempre|do)\s*:?\s*$",
         "while True:",
         "blocktext-endless",
     ),
-    rule(r"\s*for\s+(\d+)\s*:\s*$", r"repeat \1:"),
-    rule(r"\s*(?P<wrong>for\s*each)\b", "for"),
-    rule(
+    Rule(r"\s*for\s+(\d+)\s*:\s*$", r"repeat \1:"),
+    Rule(r"\s*(?P<wrong>for\s*each)\b", "for"),
+    Rule(
         rf"\s*para\s+{NAME}\s+(?:desde|de)\s+(.+?)\s+(?:hasta|a)\s+" + REST,
         r"for \1 from \2 to \3:",
     ),
-    rule(rf"\s*para\s+(?:cada\s+)?{NAME}\s+(?:en|in)\s+" + REST, r"for \1 in \2:"),
-    rule(
+    Rule(rf"\s*para\s+(?:cada\s+)?{NAME}\s+(?:en|in)\s+" + REST, r"for \1 in \2:"),
+    Rule(
         rf"\s*for\s+{NAME}\s+(?:=|desde|de)\s*(.+?)\s+(?:to|hasta|a)\s+" + REST,
         r"for \1 from \2 to \3:",
     ),
 )
 
 _EVENTS = (
-    rule(r"\s*when\s+(?:green\s+)?flag(?:\s+is)?\s*clicked\s*:?\s*$", "main:"),
-    rule(
+    Rule(r"\s*when\s+(?:green\s+)?flag(?:\s+is)?\s*clicked\s*:?\s*$", "main:"),
+    Rule(
         r"\s*(?:on\s+start|al\s+iniciar|al\s+empezar|begin|start|inicio|program|programa)\s*:?\s*$",
         "main:",
     ),
-    rule(r"\s*(?:al|cuando)\s+.*bandera.*$", "main:"),
-    rule(rf"\s*(?:when\s+i\s+receive|cuando\s+reciba)\s+{NAME}\s*:?\s*$", r"when \1:"),
-    rule(rf"\s*(?:broadcast|enviar)\s+{NAME}\s*$", r"activate \1"),
-    rule(
+    Rule(r"\s*(?:al|cuando)\s+.*bandera.*$", "main:"),
+    Rule(rf"\s*(?:when\s+i\s+receive|cuando\s+reciba)\s+{NAME}\s*:?\s*$", r"when \1:"),
+    Rule(rf"\s*(?:broadcast|enviar)\s+{NAME}\s*$", r"activate \1"),
+    Rule(
         r"\s*(?:when|on|al)\s+(?:.*\s)?(?:key|button|tecla|bot[oó]n)\b.*$",
         "when pressed:",
         "blocktext-no-event",
     ),
-    rule(
+    Rule(
         r"\s*when\s+(\(.*\)|(?:function\.|not\b|\w+\s*[<>!=]=|\w+\s*[<>]).*?)\s*:\s*$",
         r"when seen = \1:",
         "blocktext-when-needs-name",
     ),
-    rule(rf"\s*(?P<wrong>when\s+{NAME})\s*\(\s*\)", r"when \2"),
+    Rule(rf"\s*(?P<wrong>when\s+{NAME})\s*\(\s*\)", r"when \2"),
 )
 
 _DEFINITIONS = (
-    rule(r"\s*(?:def\s+|void\s+|function\s+)?main\s*\(\s*\)\s*[:{]?\s*$", "main:"),
-    rule(rf"\s*(?:def|define|definir|procedure|sub|to)\s+{NAME}\s*:\s*$", r"def \1():"),
+    Rule(r"\s*(?:def\s+|void\s+|function\s+)?main\s*\(\s*\)\s*[:{]?\s*$", "main:"),
+    Rule(rf"\s*(?:def|define|definir|procedure|sub|to)\s+{NAME}\s*:\s*$", r"def \1():"),
     at_start(r"(?:define|definir|funci[oó]n|procedure|func|fn|void)(?=\s+\w)", "def"),
-    rule(rf"\s*(?P<wrong>function)\s+{NAME}\s*\([^)]*\)\s*[:{{]", "def"),
-    rule(rf"\s*(?:call|run|execute|llamar|ejecutar)\s+{NAME}\s*(?:\(\s*\))?\s*$", r"\1()"),
+    Rule(rf"\s*(?P<wrong>function)\s+{NAME}\s*\([^)]*\)\s*[:{{]", "def"),
+    Rule(rf"\s*(?:call|run|execute|llamar|ejecutar)\s+{NAME}\s*(?:\(\s*\))?\s*$", r"\1()"),
 )
 
 #: A line that ends in a brace, once its words are right.
-_BRACES = (rule(r"(?P<wrong>\s*\{)\s*$", ":"), rule(r".*?\S(?P<wrong>\s*:?\s*\{)\s*$", ":"))
+_BRACES = (Rule(r"(?P<wrong>\s*\{)\s*$", ":"), Rule(r".*?\S(?P<wrong>\s*:?\s*\{)\s*$", ":"))
 
 KEYWORDS = tuple(
     at_start(words, instead)
@@ -150,100 +167,92 @@ KEYWORDS = tuple(
 )
 
 _ACTIONS = (
-    rule(r"\s*(?:set|poner|fijar|dar\s+a)\s+(\w+)\s+(?:to|a|el\s+valor)\s+(.+?)\s*$", r"\1 = \2"),
-    rule(r"\s*(?:change|cambiar|sumar\s+a)\s+(\w+)\s+(?:by|por|en)\s+(.+?)\s*$", r"\1 += \2"),
-    rule(
+    Rule(r"\s*(?:set|poner|fijar|dar\s+a)\s+(\w+)\s+(?:to|a|el\s+valor)\s+(.+?)\s*$", r"\1 = \2"),
+    Rule(r"\s*(?:change|cambiar|sumar\s+a)\s+(\w+)\s+(?:by|por|en)\s+(.+?)\s*$", r"\1 += \2"),
+    Rule(
         r"\s*(?:wait|sleep|pause|esperar?|pausa)\s+([\d.]+|\w+)\s*(?:s|secs?|seconds?|segundos?)?\s*$",
         r"function.sleep(\1)",
     ),
-    rule(
+    Rule(
         r"\s*(?:say|decir|di|speak)\s+((?P<quote>[\"'])[^\"']*(?P=quote)|\w+)\s*$",
         r"function.say_Text(\1)",
     ),
-    rule(
+    Rule(
         r"\s*(?:ask|preguntar)\s+((?P<quote>[\"'])[^\"']*(?P=quote))(?:\s+and\s+wait)?\s*$",
         r"answer = input(\1)",
     ),
-    rule(r"\s*(?:print|imprimir|escribir|mostrar|echo|show)\s+(\S.*?)\s*$", r"print(\1)"),
-    rule(
+    Rule(r"\s*(?:print|imprimir|escribir|mostrar|echo|show)\s+(\S.*?)\s*$", r"print(\1)"),
+    Rule(
         r"\s*(?:go|move|drive|avanzar|mover|adelante|forward)(?:\s+(?:forwards?|straight|steps|pasos|[\d.]+))*\s*$",
         "function.move_straight()",
     ),
-    rule(
+    Rule(
         r"\s*(?:turn|girar)\s+(?:right|(?:a\s+la\s+)?derecha)\s+([\d.]+)\s*(?:degrees?|grados|°)?\s*$",
         r"function.turn(\1)",
     ),
-    rule(
+    Rule(
         r"\s*(?:turn|girar)\s+(?:left|(?:a\s+la\s+)?izquierda)\s+([\d.]+)\s*(?:degrees?|grados|°)?\s*$",
         r"function.turn(-\1)",
     ),
-    rule(r"\s*(?:turn|girar)\s+(right|left)\s*$", r"function.turn_\1()"),
-    rule(r"\s*(?:turn|girar)\s+(-?[\d.]+)\s*(?:degrees?|grados|°)?\s*$", r"function.turn(\1)"),
-    rule(
+    Rule(r"\s*(?:turn|girar)\s+(right|left)\s*$", r"function.turn_\1()"),
+    Rule(r"\s*(?:turn|girar)\s+(-?[\d.]+)\s*(?:degrees?|grados|°)?\s*$", r"function.turn(\1)"),
+    Rule(
         r"\s*(?:stop|parar|detener|alto)(?:\s+(?:all|robot|everything|todo|this\s+script))?\s*$",
         "function.stop_bot()",
     ),
 )
 
 _ASSIGNMENTS = (
-    rule(
+    Rule(
         r"\s*[^\W\d]\w*\s*[-+*/]?=\s*(?P<wrong>(\d+)\.(\d{3}),(\d+))\s*$",
         r"\2\3.\4",
         "blocktext-decimal-comma",
     ),
-    rule(
+    Rule(
         r"\s*(?P<wrong>(?:(?:var|let|const|int|float|double|string|bool|boolean|char|local|dim)\s+)(\w+))\s*(?==[^=])",
         r"\2",
         "blocktext-declared",
     ),
-    rule(
+    Rule(
         r"\s*(?:var|let|const|int|float|double|string|bool|boolean|char|local)\s+(\w+)\s*$",
         r"\1 = 0",
         "blocktext-declared",
     ),
-    rule(
-        rf"\s*(?P<wrong>(?!(?:if|while|for|when|def)\b){NAME}\s+{NAME})\s*(?==[^=])",
-        r"\2_\3",
-        "blocktext-name-with-space",
-    ),
-    rule(rf"\s*(?P<wrong>{NAME}-{NAME})\s*(?==[^=])", r"\2_\3", "blocktext-name-with-hyphen"),
-    rule(rf"\s*(?P<wrong>(\d+){NAME})\s*(?==[^=])", r"\3\2", "blocktext-name-with-digit"),
-    rule(rf"\s*([\d.]+)\s*(?:=|->)\s*{NAME}\s*$", r"\2 = \1"),
-    rule(rf"\s*{NAME}\s*(?P<wrong>:=|<-|=>)", "="),
-    rule(rf"\s*(?P<wrong>\+\+\s*{NAME})\s*$", r"\2 += 1"),
-    rule(
+    NAME_WITH_SPACE,
+    Rule(rf"\s*(?P<wrong>{NAME}-{NAME})\s*(?==[^=])", r"\2_\3", "blocktext-name-with-hyphen"),
+    Rule(rf"\s*(?P<wrong>(\d+){NAME})\s*(?==[^=])", r"\3\2", "blocktext-name-with-digit"),
+    Rule(rf"\s*([\d.]+)\s*(?:=|->)\s*{NAME}\s*$", r"\2 = \1"),
+    Rule(rf"\s*{NAME}\s*(?P<wrong>:=|<-|=>)", "="),
+    Rule(rf"\s*(?P<wrong>\+\+\s*{NAME})\s*$", r"\2 += 1"),
+    Rule(
         r"\s*[^\W\d]\w*\s*[-+*/]?=\s*(?P<wrong>(\d+),(\d+))\s*$",
         r"\2.\3",
         "blocktext-decimal-comma",
     ),
-    rule(rf"\s*{NAME}\s*,\s*{NAME}\s*=[^=].*$", r"\1 = 0", "blocktext-second-assignment"),
-    rule(rf"\s*{NAME}\s*[-+*/]\s*\w+\s*=[^=].*$", r"\1 = 0", "blocktext-sum-as-target"),
+    Rule(rf"\s*{NAME}\s*,\s*{NAME}\s*=[^=].*$", r"\1 = 0", "blocktext-second-assignment"),
+    Rule(rf"\s*{NAME}\s*[-+*/]\s*\w+\s*=[^=].*$", r"\1 = 0", "blocktext-sum-as-target"),
 )
 
 _CALLS = (
-    rule(r".*\[[^\]]*(?P<wrong>;)", ",", "blocktext-comma-in-list"),
-    rule(r".*?\b(?P<wrong>function\s*[,:;\s]\s*([^\W\d]\w*))(?=\s*\()", r"function.\2"),
-    rule(r"\s*(?P<wrong>function\.(\w+)\s*[-\s]\s*([^\W\d]\w*))\s*\(", r"function.\2_\3"),
-    rule(r"\s*(?P<wrong>function\.(\w+)\s*\[([^\]]*)\])\s*$", r"function.\2(\3)"),
-    rule(r"\s*(?P<wrong>function\.(\w+)\s+(-?[\d.]+|[\"'][^\"']*[\"']))\s*$", r"function.\2(\3)"),
-    rule(r".*\([^()]*?(?P<wrong>\b([^\W\d]\w*)\s*:)(?=[^()]*\))", r"\2="),
-    rule(
+    Rule(r".*\[[^\]]*(?P<wrong>;)", ",", "blocktext-comma-in-list"),
+    Rule(r".*?\b(?P<wrong>function\s*[,:;\s]\s*([^\W\d]\w*))(?=\s*\()", r"function.\2"),
+    Rule(r"\s*(?P<wrong>function\.(\w+)\s*[-\s]\s*([^\W\d]\w*))\s*\(", r"function.\2_\3"),
+    Rule(r"\s*(?P<wrong>function\.(\w+)\s*\[([^\]]*)\])\s*$", r"function.\2(\3)"),
+    Rule(r"\s*(?P<wrong>function\.(\w+)\s+(-?[\d.]+|[\"'][^\"']*[\"']))\s*$", r"function.\2(\3)"),
+    Rule(r".*\([^()]*?(?P<wrong>\b([^\W\d]\w*)\s*:)(?=[^()]*\))", r"\2="),
+    Rule(
         r".*?(?P<wrong>(?<![\w.])(\d+(?:\.\d+)?)\s*(?:°|º|%|mm|cm|m|ms|s|secs?|seconds?|segundos?|degrees?|grados|steps)(?=\s*[,)]))",
         r"\2",
         "blocktext-unit",
     ),
-    rule(
-        r".*?\((?P<wrong>\s*([^\W\d]\w*(?:\s+[^\W\d]\w*)+)[!?.]*)\s*\)",
-        r'"\2"',
-        "blocktext-text-in-quotes",
-    ),
-    rule(r".*?(?P<wrong>´([^´]*)´)", r'"\2"', "blocktext-straight-quotes"),
-    rule(r".*?(?P<wrong>''\s*([^']+)'')", r'"\2"', "blocktext-straight-quotes"),
+    TEXT_WITHOUT_QUOTES,
+    Rule(r".*?(?P<wrong>´([^´]*)´)", r'"\2"', "blocktext-straight-quotes"),
+    Rule(r".*?(?P<wrong>''\s*([^']+)'')", r'"\2"', "blocktext-straight-quotes"),
 )
 
 OPERATORS = (
     *(
-        rule(rf".*?(?P<wrong>{wrong})", instead)
+        Rule(rf".*?(?P<wrong>{wrong})", instead)
         for wrong, instead in (
             (r"=>", ">="),
             (r"=<", "<="),
@@ -257,18 +266,18 @@ OPERATORS = (
             (r"(?<=\w)\s+div(?=\s)", " //"),
         )
     ),
-    rule(r".*?\d\s+(?P<wrong>x)\s+\d", "*", "blocktext-multiply"),
-    rule(r".*?(?<![\w.])(?P<wrong>(\d+)\s*\()", r"\2 * (", "blocktext-multiply"),
-    rule(
+    Rule(r".*?\d\s+(?P<wrong>x)\s+\d", "*", "blocktext-multiply"),
+    Rule(r".*?(?<![\w.])(?P<wrong>(\d+)\s*\()", r"\2 * (", "blocktext-multiply"),
+    Rule(
         r"\s*(?:if|elif|while|when)\b.*?\b([^\W\d]\w*)\s*(?:[<>]=?|[!=]=)\s*[^\s:]+\s+"
         r"(?P<wrong>(or|and)\s+([<>]=?|[!=]=))",
         r"\3 \1 \4",
         "blocktext-name-again",
     ),
-    rule(r"\s*(?:if|elif|while|when)\b.*?(?<=[\w)\"'])\s+(?P<wrong>y)\s+(?=[\w(\"'-])", "and"),
-    rule(r"\s*(?:if|elif|while|when)\b.*?(?<=[\w)\"'])\s+(?P<wrong>[ou])\s+(?=[\w(\"'-])", "or"),
-    rule(r".*?\b(?:if|elif|while|and|or|=|\()\s*(?P<wrong>no)\s+(?=[\w(])", "not"),
-    rule(
+    Rule(r"\s*(?:if|elif|while|when)\b.*?(?<=[\w)\"'])\s+(?P<wrong>y)\s+(?=[\w(\"'-])", "and"),
+    Rule(r"\s*(?:if|elif|while|when)\b.*?(?<=[\w)\"'])\s+(?P<wrong>[ou])\s+(?=[\w(\"'-])", "or"),
+    Rule(r".*?\b(?:if|elif|while|and|or|=|\()\s*(?P<wrong>no)\s+(?=[\w(])", "not"),
+    Rule(
         r"\s*(?:if|elif|while|repeat|for|when)\b.*?(?P<wrong>\s+(?:then|entonces|hacer|do)\s*:?)\s*$",
         ":",
     ),
@@ -280,40 +289,40 @@ _METHODS = "|".join(
 _FUNCTIONS = "|".join(sorted({name for name, _ in TEMPLATES}))
 
 _PYTHON = (
-    rule(
+    Rule(
         r"\s*(?P<wrong>from\s+learnblock\b.*|robot\s*=\s*\w+\(.*\)|import\s+learnblock.*)\s*$",
         "pass",
         "blocktext-python-file",
     ),
-    rule(
+    Rule(
         r"\s*(?P<wrong>(?:import|from)\s+(?:math|random|time|statistics)\b.*)$",
         "pass",
         "blocktext-import-not-needed",
     ),
-    rule(r"\s*(?P<wrong>import\s+([^\W\d]\w*))\s*$", r'import "\2"'),
-    rule(r"\s*(?P<wrong>from\s+([^\W\d]\w*)\s+import\b.*)$", r'import "\2"'),
-    rule(r".*?\b(?P<wrong>math\.pi)\b(?!\s*\()", "pi()"),
-    rule(r".*?\b(?P<wrong>random\.random\s*\(\s*\))", "random_fraction()"),
-    rule(r".*?\b(?P<wrong>random\.(?:randint|randrange))(?=\s*\()", "random"),
-    rule(r".*?\b(?P<wrong>time\.sleep)(?=\s*\()", "function.sleep"),
-    rule(rf".*?\b(?P<wrong>(?:math|random|statistics)\.({_FUNCTIONS}))(?=\s*\()", r"\2"),
-    rule(r".*?\b(?P<wrong>basic\.show(?:Number|String|Leds|Icon))(?=\s*\()", "print"),
-    rule(r".*?\b(?P<wrong>basic\.pause\s*\(\s*(\d+)\s*\))", r"function.sleep(\2 / 1000)"),
-    rule(r".*?\b(?P<wrong>(?:console\.log|System\.out\.println))(?=\s*\()", "print"),
-    rule(
+    Rule(r"\s*(?P<wrong>import\s+([^\W\d]\w*))\s*$", r'import "\2"'),
+    Rule(r"\s*(?P<wrong>from\s+([^\W\d]\w*)\s+import\b.*)$", r'import "\2"'),
+    Rule(r".*?\b(?P<wrong>math\.pi)\b(?!\s*\()", "pi()"),
+    Rule(r".*?\b(?P<wrong>random\.random\s*\(\s*\))", "random_fraction()"),
+    Rule(r".*?\b(?P<wrong>random\.(?:randint|randrange))(?=\s*\()", "random"),
+    Rule(r".*?\b(?P<wrong>time\.sleep)(?=\s*\()", "function.sleep"),
+    Rule(rf".*?\b(?P<wrong>(?:math|random|statistics)\.({_FUNCTIONS}))(?=\s*\()", r"\2"),
+    Rule(r".*?\b(?P<wrong>basic\.show(?:Number|String|Leds|Icon))(?=\s*\()", "print"),
+    Rule(r".*?\b(?P<wrong>basic\.pause\s*\(\s*(\d+)\s*\))", r"function.sleep(\2 / 1000)"),
+    Rule(r".*?\b(?P<wrong>(?:console\.log|System\.out\.println))(?=\s*\()", "print"),
+    Rule(
         rf".*?\b(?P<wrong>(?:robot|functions|fuction|funtion|Function)\.({NAME}))(?=\s*\()",
         r"function.\2",
     ),
-    rule(r".*?\b(?P<wrong>([^\W\d]\w*)\.(?:length|size|len)\b(?:\s*\(\s*\))?)", r"len(\2)"),
-    rule(rf".*?\b(?P<wrong>([^\W\d]\w*)\.({_METHODS})\s*\(\s*\))", r"\3(\2)"),
-    rule(rf".*?\b(?P<wrong>([^\W\d]\w*)\.({_METHODS})\s*\(\s*([^\s()][^()]*)\))", r"\3(\2, \4)"),
-    rule(rf".*?\b(?P<wrong>([^\W\d]\w*)\.({_METHODS})\s*\(\s*(?=[^\s)]))", r"\3(\2, "),
-    rule(
+    Rule(r".*?\b(?P<wrong>([^\W\d]\w*)\.(?:length|size|len)\b(?:\s*\(\s*\))?)", r"len(\2)"),
+    Rule(rf".*?\b(?P<wrong>([^\W\d]\w*)\.({_METHODS})\s*\(\s*\))", r"\3(\2)"),
+    Rule(rf".*?\b(?P<wrong>([^\W\d]\w*)\.({_METHODS})\s*\(\s*([^\s()][^()]*)\))", r"\3(\2, \4)"),
+    Rule(rf".*?\b(?P<wrong>([^\W\d]\w*)\.({_METHODS})\s*\(\s*(?=[^\s)]))", r"\3(\2, "),
+    Rule(
         rf"\s*{NAME}\s*=\s*(?P<wrong>[^=]*\S\s+if\s+.*\s+else\s+\S.*?)\s*$",
         r"`\2`",
         "blocktext-backticks",
     ),
-    rule(
+    Rule(
         rf"\s*{NAME}\s*=\s*(?P<wrong>(?:lambda\b|\{{|\[.*\sfor\s).*?)\s*$",
         r"`\2`",
         "blocktext-backticks",

@@ -33,7 +33,7 @@ def reworded(line: str, rules: tuple[Rule, ...] = RULES) -> Rewording | None:
         return None
     masked = _TEXTS.sub(_blank, line)
     for rule in rules:
-        found = rule.pattern.match(masked)
+        found = rule.match(masked)
         if found is None:
             continue
         rewording = _applied(rule, found, line)

@@ -6,62 +6,55 @@ As in `learnblock.language.blocktext.foreign_lines`, for the line that Python ca
 from learnblock.language.blocktext.foreign_lines import (
     KEYWORDS,
     NAME,
+    NAME_WITH_SPACE,
     OPERATORS,
     REST,
+    TEXT_WITHOUT_QUOTES,
     Rule,
     at_start,
-    rule,
 )
 
 _LOOPS = (
-    rule(
+    Rule(
         r"\s*(?:repeat|repetir|repite)\s+(.+?)(?:\s+(?:times|veces))?\s*:\s*$",
         r"for i in range(\1):",
     ),
-    rule(r"\s*(?:repeat|repetir)\s+(?:until|hasta\s+que|hasta)\s+" + REST, r"while not (\1):"),
-    rule(r"\s*until\s+" + REST, r"while not (\1):"),
-    rule(r"\s*(?:forever|loop|repeat\s+forever|siempre|por\s+siempre)\s*:?\s*$", "while True:"),
-    rule(rf"\s*for\s+{NAME}\s+from\s+(.+?)\s+to\s+" + REST, r"for \1 in range(\2, \3 + 1):"),
-    rule(
+    Rule(r"\s*(?:repeat|repetir)\s+(?:until|hasta\s+que|hasta)\s+" + REST, r"while not (\1):"),
+    Rule(r"\s*until\s+" + REST, r"while not (\1):"),
+    Rule(r"\s*(?:forever|loop|repeat\s+forever|siempre|por\s+siempre)\s*:?\s*$", "while True:"),
+    Rule(rf"\s*for\s+{NAME}\s+from\s+(.+?)\s+to\s+" + REST, r"for \1 in range(\2, \3 + 1):"),
+    Rule(
         rf"\s*for\s*\(?\s*(?:int|let|var)?\s*{NAME}\s*=\s*(\w+)\s*;\s*\w+\s*<\s*(\w+)\s*;.*$",
         r"for \1 in range(\2, \3):",
     ),
-    rule(r"\s*for\s.*\bin\s+(?P<wrong>range\s+(\w+))\s*:", r"range(\2)"),
+    Rule(r"\s*for\s.*\bin\s+(?P<wrong>range\s+(\w+))\s*:", r"range(\2)"),
 )
 _BLOCK_TEXT = (
-    rule(r"\s*(?:main|when\s+\w.*)\s*:\s*$", "", "python-block-text"),
-    rule(rf"\s*(activate|deactivate)\s+{NAME}\s*$", r"\2.\1()"),
+    Rule(r"\s*(?:main|when\s+\w.*)\s*:\s*$", "", "python-block-text"),
+    Rule(rf"\s*(activate|deactivate)\s+{NAME}\s*$", r"\2.\1()"),
 )
 _DEFINITIONS = (
-    rule(rf"\s*(?P<wrong>function|func|fn|define|definir|void|procedure)(?=\s+{NAME})", "def"),
-    rule(rf"\s*def\s+{NAME}\s*:\s*$", r"def \1():"),
+    Rule(rf"\s*(?P<wrong>function|func|fn|define|definir|void|procedure)(?=\s+{NAME})", "def"),
+    Rule(rf"\s*def\s+{NAME}\s*:\s*$", r"def \1():"),
 )
 _WORDS = (
-    rule(r"\s*(?P<wrong>\}?\s*else\s+if)\b", "elif"),
+    Rule(r"\s*(?P<wrong>\}?\s*else\s+if)\b", "elif"),
     at_start(r"elseif|elsif|sino\s+si|si\s+no\s+si", "elif"),
-    rule(r"\s*(?P<wrong>[^\W\d]\w*)\s*(?P<plus>\+\+|--)\s*$", "", "python-count"),
+    Rule(r"\s*(?P<wrong>[^\W\d]\w*)\s*(?P<plus>\+\+|--)\s*$", "", "python-count"),
 )
 _BRACES = (
-    rule(r".*?\S(?P<wrong>\s*:?\s*\{)\s*$", ":"),
-    rule(r"\s*(?P<wrong>\})\s*$", "", "python-brace"),
+    Rule(r".*?\S(?P<wrong>\s*:?\s*\{)\s*$", ":"),
+    Rule(r"\s*(?P<wrong>\})\s*$", "", "python-brace"),
 )
 _CALLS = (
-    rule(r"\s*(?P<wrong>robot\.(\w+)\s+(-?[\d.]+|[\"'][^\"']*[\"']))\s*$", r"robot.\2(\3)"),
-    rule(
-        r".*?\((?P<wrong>\s*([^\W\d]\w*(?:\s+[^\W\d]\w*)+)[!?.]*)\s*\)",
-        r'"\2"',
-        "blocktext-text-in-quotes",
-    ),
-    rule(
+    Rule(r"\s*(?P<wrong>robot\.(\w+)\s+(-?[\d.]+|[\"'][^\"']*[\"']))\s*$", r"robot.\2(\3)"),
+    TEXT_WITHOUT_QUOTES,
+    Rule(
         r"\s*(?P<wrong>(?:var|let|const|int|float|double|string|bool|char)\s+(\w+))\s*(?==[^=])",
         r"\2",
         "blocktext-declared",
     ),
-    rule(
-        rf"\s*(?P<wrong>(?!(?:if|while|for|when|def)\b){NAME}\s+{NAME})\s*(?==[^=])",
-        r"\2_\3",
-        "blocktext-name-with-space",
-    ),
+    NAME_WITH_SPACE,
 )
 
 RULES: tuple[Rule, ...] = (
