@@ -1,7 +1,7 @@
 """The command that imports programs of the original LearnBlock."""
 
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
@@ -21,9 +21,6 @@ from learnblock.i18n import Phrase
 
 if TYPE_CHECKING:
     from learnblock.importing import Imported, Report
-
-#: The endings of projects and libraries of the original LearnBlock.
-ENDING, LIBRARY_ENDING = ".blockProject", ".lb"
 
 #: The ending of the new file, its content, and what changed.
 _Converted: TypeAlias = "tuple[str, bytes, Report]"
@@ -70,10 +67,15 @@ def import_command(
     learnblock import old-projects --output projects
     learnblock import square.blockProject --to block-text
     """  # noqa: D301 - click wants the character itself
-    convert = {ENDING: _program if notation == "block-text" else _project, LIBRARY_ENDING: _library}
+    from learnblock import importing  # noqa: PLC0415 - `--help` needs none of it
+
+    convert = {
+        importing.ENDING: _program if notation == "block-text" else _project,
+        importing.LIBRARY_ENDING: _library,
+    }
     done = [
         _imported(source, output / place, convert, replace=replace)
-        for source, place in _found(paths)
+        for source, place in _found(paths, convert)
     ]
     if as_json:
         print_json([one.as_object() for one in done])
@@ -130,9 +132,8 @@ def _print_list(heading: str, phrases: tuple[Phrase, ...]) -> None:
         click.echo(f"    {text(phrase)}")
 
 
-def _found(paths: tuple[Path, ...]) -> Iterator[tuple[Path, Path]]:
+def _found(paths: tuple[Path, ...], endings: Container[str]) -> Iterator[tuple[Path, Path]]:
     """The files to import, each with the folder for its result."""
-    endings = (ENDING, LIBRARY_ENDING)
     for path in paths:
         if path.is_file():
             yield path, Path()

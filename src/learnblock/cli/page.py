@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from learnblock.cli.console import text
-from learnblock.cli.importing import ENDING, LIBRARY_ENDING, print_report
+from learnblock.cli.importing import print_report
 from learnblock.cli.page_options import page_options
 
 if TYPE_CHECKING:
@@ -74,13 +74,13 @@ def _announce(phrase: "Phrase") -> None:
 
 def _project(folder: Path, file: Path) -> str:
     """The project of a file; a file from elsewhere is copied into the projects folder."""
-    from learnblock import running  # noqa: PLC0415
+    from learnblock import importing, running  # noqa: PLC0415
     from learnblock.server.projects.folder import ProjectFolder  # noqa: PLC0415
 
     projects = ProjectFolder(folder)
     if file.suffix == ".learnblock" and file.resolve().parent == folder.resolve():
         return projects.read(file.stem).name
-    if file.suffix in {ENDING, LIBRARY_ENDING}:
+    if file.suffix in {importing.ENDING, importing.LIBRARY_ENDING}:
         project = _original(projects, file)
     else:
         project = projects.import_file(file.name, running.read_text(file))

@@ -1,7 +1,8 @@
 """Import programs of the original LearnBlock, the tool of the paper, of versions 1 to 3."""
 
-from learnblock.importing.conversion import Imported, import_project
+from learnblock.importing.conversion import ENDING, Imported, import_project
 from learnblock.importing.library_folder import (
+    LIBRARY_ENDING,
     ImportedLibrary,
     find_library,
     import_library,
@@ -11,7 +12,9 @@ from learnblock.importing.pickle_reader import LARGEST
 from learnblock.importing.report import Report
 
 __all__ = [
+    "ENDING",
     "LARGEST",
+    "LIBRARY_ENDING",
     "Imported",
     "ImportedLibrary",
     "Report",

@@ -17,6 +17,8 @@ from learnblock.language.tree.nodes import Def, Main, Program, When
 from learnblock.language.workspace.blocks import Block as NewBlock
 from learnblock.language.workspace.blocks import Workspace
 
+#: The ending of a project.
+ENDING = ".blockProject"
 #: Of a function that holds loose blocks while they are converted.
 _LOOSE = "loose_blocks_"
 #: The block of a part that had none.

@@ -20,7 +20,7 @@ from learnblock.language import format as format_program
 from learnblock.language.tree.nodes import Blank, Comment, Def, Item, Program
 from learnblock.storage import skill_files
 
-ENDING = ".lb"
+LIBRARY_ENDING = ".lb"
 #: Bytes of a file of a library.
 LARGEST = 1024 * 1024
 
@@ -85,7 +85,7 @@ def find_library(
     if not _NAME.fullmatch(name):
         return None
     for place in (folder / name, folder.parent / name):
-        path = place / f"{name}{ENDING}"
+        path = place / f"{name}{LIBRARY_ENDING}"
         if path.is_file():
             program = parse_old(_text(path), str(path), skills, Reporting())
             return dict(program.functions)

@@ -53,7 +53,7 @@ class ProgramWriter:
         self.lines = LineWriter(self.project, self.skills, self.reporting)
 
     def parts(self) -> list[Part]:
-        """The parts of the program: functions, then events, then `main`, then loose blocks."""
+        """The parts of the program, then the loose blocks."""
         parts: dict[str, Part] = {}
         loose: list[Block] = []
         for root in self.roots():
@@ -63,11 +63,9 @@ class ProgramWriter:
                 continue
             parts[name] = Part(tuple(self.part(name, root)), root, name)
             loose += self.chain(root.below)[:1]
-        order = ("def", "when", "main")
-        found = sorted(parts.values(), key=lambda one: order.index(one.name.split()[0]))
         rest = [part for root in loose if (part := self.loose(root)).lines]
         self.report_left_out()
-        return [*found, *rest]
+        return [*parts.values(), *rest]
 
     def report_left_out(self) -> None:
         """Report blocks that no other leads to, as in a circle."""

@@ -8,9 +8,9 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-from learnblock import importing, language, robots
+from learnblock import language, robots
 from learnblock.blocks.known import all_configurations
 from learnblock.errors import (
     Diagnostic,
@@ -34,6 +34,9 @@ from learnblock.server.projects.project_file import (
     encode,
 )
 from learnblock.storage.files import save
+
+if TYPE_CHECKING:
+    from learnblock.importing import Report
 
 __all__ = ["FileState", "Format", "Project", "ProjectFolder"]
 
@@ -157,7 +160,7 @@ class ProjectFolder:
             raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("project-type"))])
         return replace(decode(text.encode("utf-8", "replace"), stem), name=name)
 
-    def import_original(self, filename: str, data: bytes) -> tuple[Project, importing.Report]:
+    def import_original(self, filename: str, data: bytes) -> "tuple[Project, Report]":
         """Make a project of a file of the original LearnBlock, under a free name.
 
         Args:
@@ -167,11 +170,13 @@ class ProjectFolder:
         Raises:
             FileError: the file is damaged, or has another type.
         """
+        from learnblock import importing  # noqa: PLC0415 - few pages open such files
+
         stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
         skills = all_configurations()
-        if ending == "blockProject":
+        if f".{ending}" == importing.ENDING:
             made = importing.import_project(data, filename, skills)
-        elif ending == "lb":
+        elif f".{ending}" == importing.LIBRARY_ENDING:
             made = importing.import_text(data, filename, skills)
         else:
             raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("import-type"))])

@@ -29,6 +29,7 @@ class Archive:
 
     Args:
         folder: the folder of the projects.
+        name: the name of the project.
         project: returns the project in its current state.
         saved: called before each save; the function that it returns is called after success.
         failed: called with the error.
@@ -37,17 +38,19 @@ class Archive:
     def __init__(
         self,
         folder: ProjectFolder,
+        name: str,
         project: Callable[[], Project],
         saved: Callable[[], Callable[[], None]],
         failed: Callable[[Phrase], None],
     ) -> None:
         self._folder = folder
+        self._name = name
         self._project = project
         self._saved = saved
         self._failed = failed
         self._saver = Saver(self._write)
         self._is_failing = False
-        self._on_disk = folder.state(project().name)
+        self._on_disk = folder.state(name)
         self._version_kept = monotonic()
         self._tasks: set[asyncio.Task[Any]] = set()
 
@@ -62,7 +65,7 @@ class Archive:
 
     def add_run(self, run: PastRun) -> None:
         """Save the result of a run."""
-        task = asyncio.create_task(self._tried(self._folder.add_run, self._project().name, run))
+        task = asyncio.create_task(self._tried(self._folder.add_run, self._name, run))
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
@@ -73,15 +76,12 @@ class Archive:
 
     async def _write(self) -> bool:
         saved = self._saved()
-        try:
-            if await to_thread.run_sync(self._save, self._project()):
-                self._failed(Phrase("project-changed-outside", name=self._project().name))
-        except (LearnBlockError, OSError) as error:
-            if not self._is_failing:
-                self._failed(phrase_of(error))
-            self._is_failing = True
+        is_changed = await self._tried(self._save, self._project(), quietly=self._is_failing)
+        self._is_failing = is_changed is None
+        if self._is_failing:
             return False
-        self._is_failing = False
+        if is_changed:
+            self._failed(Phrase("project-changed-outside", name=self._name))
         saved()
         if monotonic() - self._version_kept > VERSION_PERIOD:
             await self.keep_version("time")
@@ -89,17 +89,21 @@ class Archive:
 
     def _save(self, project: Project) -> bool:
         """Save the project; return whether another program had changed its file."""
-        found = self._folder.state(project.name)
+        found = self._folder.state(self._name)
         is_changed = found not in (None, self._on_disk)
         if is_changed:
-            self._folder.keep_file(project.name)
+            self._folder.keep_file(self._name)
         self._folder.write(project)
-        self._on_disk = self._folder.state(project.name)
+        self._on_disk = self._folder.state(self._name)
         return is_changed
 
-    async def _tried(self, action: Callable[..., Value], *args: object) -> Value | None:
+    async def _tried(
+        self, action: Callable[..., Value], *args: object, quietly: bool = False
+    ) -> Value | None:
+        """Do something with files in a thread; report a failure unless `quietly`, as None."""
         try:
             return await to_thread.run_sync(action, *args)
         except (LearnBlockError, OSError) as error:
-            self._failed(phrase_of(error))
+            if not quietly:
+                self._failed(phrase_of(error))
             return None

@@ -42,7 +42,9 @@ class Session:
         self.libraries = prepared.libraries
         self.edits = Edits(prepared.document)
         self.turn = asyncio.Lock()
-        self.archive = Archive(folder, lambda: self.project, self._saving, self._failed)
+        self.archive = Archive(
+            folder, prepared.name, lambda: self.project, self._saving, self._failed
+        )
         self.viewers = Viewers()
         self._remarks = prepared.remarks
         self._last_run = (0.0, "")
