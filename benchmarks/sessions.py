@@ -22,7 +22,7 @@ from time import perf_counter
 
 from websockets.asyncio.client import ClientConnection, connect
 
-TOKEN = "the-token-of-the-benchmark"  # noqa: S105 - it keeps nobody's secret
+TOKEN = "the-token-of-the-benchmark"  # noqa: S105 - it protects nothing
 PROGRAM = """\
 main:
     while True:

@@ -45,7 +45,7 @@ class Targets:
     """What the attacks aim at.
 
     Args:
-        folder: a folder with files of somebody else, whom the program has no business with.
+        folder: a folder with another person's files, which are none of the program's business.
         project: the program's own folder, to read.
         victim: another process of the same user.
     """
@@ -115,7 +115,7 @@ def try_contained(attacks: list[Attack], targets: Targets) -> dict[str, str]:
 
 
 def prepare(folder: Path) -> tuple[Path, Path]:
-    """Make the files that attacks aim at; return somebody's folder and the program's own."""
+    """Make the files that attacks aim at; return another person's folder and the program's own."""
     others, project = folder / "others", folder / "project"
     for name in ("secret.txt", "emptied.txt", "removed.txt", "moved.txt", ".bashrc"):
         (others / name).parent.mkdir(parents=True, exist_ok=True)

@@ -8,7 +8,7 @@ function parameters(): URLSearchParams {
   return new URLSearchParams(location.hash.slice(1));
 }
 
-/** Move the token from the address to the page's storage, and return it; without one in the address, return the stored one. */
+/** Move the token from the address to the page's storage and return it; without one, return the stored one. */
 export function takeToken(): string {
   const address = new URL(location.href);
   const hash = parameters();

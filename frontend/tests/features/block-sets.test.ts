@@ -24,7 +24,7 @@ test("ticking any blocks gives a set that shows exactly these", () => {
   }
 });
 
-test("a set that nobody changed stays as it is", () => {
+test("an unchanged set stays as it is", () => {
   const base: BlockSet = { name: "few", show: { blocks: ["turn", "unknown"] } };
   expect(setOf({ base, ticks: ticksOf(base, GROUPS), changed: false }, GROUPS)).toBe(base);
 });

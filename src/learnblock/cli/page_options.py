@@ -30,7 +30,7 @@ _OPTIONS = (
     click.option(
         "--new-token",
         is_flag=True,
-        help="Change the page's address, so that nobody who knows the old one can open it.",
+        help="Change the page's address, so that the old one no longer opens it.",
     ),
     click.option(
         "--projects",

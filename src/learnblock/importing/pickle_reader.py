@@ -53,7 +53,7 @@ class Name:
     """A class or function that the pickle names; it is never called.
 
     Args:
-        kind: what it stands for.
+        kind: our name for it, such as ``block``.
     """
 
     kind: str
@@ -245,7 +245,7 @@ class _Reader:
             raise self.damaged()
         found = self.top(dict)
         for key, value in zip(values[::2], values[1::2], strict=True):
-            # Other keys may take for ever to hash.
+            # Other keys may take forever to hash.
             if not isinstance(key, str | int):
                 raise self.damaged()
             found[key] = value

@@ -153,7 +153,7 @@ class ProgramWriter:
             yield from self.other_header(block)
 
     def other_header(self, block: Block) -> Iterator[str]:
-        """A loop that only later versions have, or a block that nobody knows."""
+        """A loop that only later versions have, or an unknown block."""
         text = self.lines.line(block).text
         if is_statement(f"{text}: pass end"):
             yield f"{text}:"

@@ -137,7 +137,7 @@ def set_orientation(robot: "Client", angle: float) -> None:
     """Turn on the spot to face a direction, the shorter way.
 
     The robot turns at 5 to 15 degrees/s, stops within 1 degree, and corrects an error of more than
-    2 degrees once it stands still.
+    2 degrees after it has stopped.
 
     Args:
         angle: degrees to the right of the heading at the last `reset_orientation`.

@@ -128,7 +128,7 @@ def tag_on_the_left(robot: "Client", idTag: int | str | None = None) -> bool:
     """Does the camera see the tag on the left of the picture?
 
     Args:
-        idTag: the number or name of the tag; None stands for the first tag seen.
+        idTag: the number or name of the tag; None means the first tag seen.
 
     Raises:
         UnknownNameError: no tag has this name.
@@ -141,7 +141,7 @@ def tag_on_the_right(robot: "Client", idTag: int | str | None = None) -> bool:
     """Does the camera see the tag on the right of the picture?
 
     Args:
-        idTag: the number or name of the tag; None stands for the first tag seen.
+        idTag: the number or name of the tag; None means the first tag seen.
 
     Raises:
         UnknownNameError: no tag has this name.
@@ -154,7 +154,7 @@ def tag_on_the_center(robot: "Client", idTag: int | str | None = None) -> bool:
     """Does the camera see the tag in the middle of the picture?
 
     Args:
-        idTag: the number or name of the tag; None stands for the first tag seen.
+        idTag: the number or name of the tag; None means the first tag seen.
 
     Raises:
         UnknownNameError: no tag has this name.
@@ -170,7 +170,7 @@ def get_tag_distance(robot: "Client", idTag: int | str | None = None) -> float |
     square of a tag is assumed to be 80 mm wide.
 
     Args:
-        idTag: the number or name of the tag; None stands for the first tag seen.
+        idTag: the number or name of the tag; None means the first tag seen.
 
     Raises:
         UnknownNameError: no tag has this name.

@@ -4,12 +4,12 @@ import re
 import tomllib
 from typing import Any
 
-#: A key of more parts than any of ours has: tomllib takes a time that grows with their square.
+#: A key of more parts than any of ours has: tomllib takes time quadratic in their number.
 _DEEP_KEY = re.compile(r"""(?:[\w"'-]+[ \t]*\.[ \t]*){32}""", re.ASCII)
 
 
 def loads(source: str) -> dict[str, Any]:
-    """Read TOML, in a time that grows with its size only.
+    """Read TOML, in time linear in its size.
 
     Raises:
         tomllib.TOMLDecodeError: it is not TOML.

@@ -295,7 +295,7 @@ def _push(connection, data, link):
 
 
 def test_thousands_of_damaged_messages_give_messages_or_refusals_and_nothing_else():
-    rng = random.Random(0)  # noqa: S311 - nobody guesses
+    rng = random.Random(0)  # noqa: S311 - not a secret
     good = [
         msgspec.msgpack.encode(message)
         for message in (

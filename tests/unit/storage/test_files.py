@@ -1,4 +1,4 @@
-"""A file is written completely or not at all, whoever else writes it."""
+"""A file is written completely or not at all, even by several writers at once."""
 
 import errno
 import os

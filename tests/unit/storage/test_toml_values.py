@@ -1,4 +1,4 @@
-"""TOML of anyone is read in a time that grows with its size only."""
+"""TOML from anyone is read in time linear in its size."""
 
 import pytest
 from hypothesis import given

@@ -9,7 +9,7 @@ from learnblock.language.blocktext.lexer import LINE_END, Token, Tokens, tokeniz
 from learnblock.language.blocktext.rewording import Rewording, reworded
 from learnblock.language.blocktext.token_reader import LINE_ENDS
 
-#: More lines than these are not compared with known slips: nobody reads more messages.
+#: At most this many lines are compared with known slips; a pupil reads only the first messages.
 MAX_COMPARED = 200
 #: A line may need several words in English.
 MAX_PER_LINE = 4

@@ -259,7 +259,7 @@ class CallChecker:
         return Phrase("check-unknown-function-near", name=name, near=near)
 
     def function_meant(self, name: str) -> str | None:
-        """The call that a name of another language stands for."""
+        """Our call for a function name from another language."""
         if name in OTHER_FUNCTIONS:
             return f"{OTHER_FUNCTIONS[name]}(...)"
         return self.meant(FUNCTIONS_AS_SKILLS, name)

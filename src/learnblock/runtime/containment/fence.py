@@ -36,7 +36,7 @@ def _contain(setup: Setup) -> None:
 
 
 def _let_go_of_terminal() -> None:
-    """Give away the host's error output, which may be a terminal that somebody types into."""
+    """Let go of the host's error output, which may be a terminal in which the user types."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, 2)
     os.close(nowhere)

@@ -63,7 +63,7 @@ def _own_files(project: Path) -> Iterator[tuple[str, int]]:
 
 
 def _is_shared(folder: Path) -> bool:
-    """Whether a program in this folder lies among things that are not its own."""
+    """Whether this folder also contains what does not belong to the program."""
     others = (Path(_users_home()), home(), Path(os.environ["TMPDIR"]))
     return any(other.resolve().is_relative_to(folder) for other in others)
 

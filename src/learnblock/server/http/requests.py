@@ -10,8 +10,8 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 class TimedRequests(H11Protocol):
     """One connection; it is closed if a request does not arrive within a time.
 
-    Uvicorn limits how long a connection may be idle, but not how long the head of a request may
-    take, so whoever sends half of one would keep its connection for ever.
+    Uvicorn limits how long a connection may be idle, but not how long the header of a request may
+    take, so a client that sends half of one would keep its connection forever.
     """
 
     #: Seconds from the start of the connection, or from the answer before, to a whole request.

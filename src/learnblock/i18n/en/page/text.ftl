@@ -1,4 +1,4 @@
-# The editors for Block-Text and Python. $ alone stands for a number.
+# The editors for Block-Text and Python. $ on its own is replaced by a number.
 
 page-text-blocktext = Block-Text
 page-text-python = Python
