@@ -105,11 +105,17 @@ class _TypeChecker:
     # Statements.
 
     def assignment(self, item: Assign) -> None:
-        if item.operator != "=":
+        if item.operator == "+=" and self.adds_characters(item):
+            self.report(self.append(item.target, item.value), item.value, "warning")
+        elif item.operator != "=":
             self.operands(item.operator[:-1], item.target, item.value)
         elif isinstance(item.value, Unary):
             self.swapped_operator(item.target, item.value)
         self.result(item.value)
+
+    def adds_characters(self, item: Assign) -> bool:
+        """Whether text is added to a list in place: Python then adds its characters one by one."""
+        return self.types.of(item.target) is Type.LIST and self.types.of(item.value) in TEXTS
 
     def swapped_operator(self, target: Expression, value: Unary) -> None:
         """Report ``x =+ 1``, with a space where a sign has none."""

@@ -93,6 +93,11 @@ def test_what_may_work_is_not_reported(program):
     assert "wrong-type" not in [one.code for one in check(parse(program), {})]
 
 
+def test_text_added_to_a_list_in_place_works_but_is_hardly_meant():
+    found = check(parse('names = []\nnames += "Ada"\nprint(names)\n'), {})
+    assert [(one.code, one.severity, one.line) for one in found] == [("wrong-type", "warning", 2)]
+
+
 def test_the_types_of_a_long_chain_of_variables_are_uncertain():
     chain = "".join(f"x{number} = x{number + 1}\n" for number in range(50))
     found = check(parse(f'{chain}x50 = "a"\nprint(x0 - 1)\n'), {})
