@@ -15,7 +15,7 @@ TESTS = Path(__file__).parent
 sys.path.insert(0, str(TESTS / "helpers"))
 
 # A busy machine takes longer for an example, which is no failure.
-settings.register_profile("untimed")
+settings.register_profile("untimed", deadline=None)
 settings.load_profile("untimed")
 
 # A shell ignores Ctrl-C for background processes, and their children inherit that.
