@@ -1,5 +1,6 @@
 import { signal } from "@preact/signals";
 
+import type { Phrase } from "../src/i18n";
 import type { Connection, ConnectionState } from "../src/protocol/connection";
 import type { FromPage, ToPage } from "../src/protocol/messages";
 
@@ -17,6 +18,12 @@ export class FakeConnection {
   on(kind: string, listener: (message: ToPage) => void): () => void {
     this.listeners.push([kind, listener]);
     return () => undefined;
+  }
+
+  onRefused(requests: readonly string[], listener: (reason: Phrase) => void): () => void {
+    return this.on("Failed", (failed) => {
+      if (failed.kind === "Failed" && requests.includes(failed.request ?? "")) listener(failed.message);
+    });
   }
 
   /** Receive a message; what a test does not care about may be missing. */

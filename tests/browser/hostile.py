@@ -15,6 +15,7 @@ SET = {"name": "lesson"}
 LIBRARY = {"filename": "songs.lblib", "content": "UEsDBA=="}
 PLACE = {"request": 1, "notation": "blocktext", "line": 2, "column": 14}
 #: Every message of a page, with valid values.
+EMPTY = {"stacks": [], "variables": []}
 MESSAGES = {
     "Open": {"name": "program"},
     "New": {"name": "another"},
@@ -26,8 +27,10 @@ MESSAGES = {
     "ListProjects": {},
     "ListHistory": {},
     "Restore": {"version": "1"},
-    "EditBlocks": {"edit": 1, "workspace": {"stacks": [], "variables": []}},
+    "EditBlocks": {"edit": 1, "workspace": EMPTY},
     "EditText": {"edit": 1, "notation": "blocktext", "text": PROGRAM},
+    "RecoverBlocks": {"edit": 1, "workspace": EMPTY, "base": EMPTY},
+    "RecoverText": {"edit": 1, "notation": "python", "text": PROGRAM, "base": "x = 1"},
     "Undo": {},
     "Redo": {},
     "Format": {},

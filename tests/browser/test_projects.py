@@ -1,7 +1,9 @@
 """Projects: saved automatically, safe from crashes, uploaded and downloaded."""
 
 import json
+import os
 import re
+import signal
 
 import pytest
 from playwright.sync_api import expect
@@ -16,6 +18,17 @@ main:
     end
 end
 """
+#: Whether the browser keeps a draft with a text; whether it keeps none.
+DATABASE = """new Promise((done, failed) => {
+    const opening = indexedDB.open("keyval-store");
+    opening.onerror = failed;
+    opening.onsuccess = () => {
+        const reading = opening.result.transaction("keyval").objectStore("keyval").getAll();
+        reading.onsuccess = () => { opening.result.close(); done(JSON.stringify(reading.result)); };
+    };
+})"""
+DRAFTED = f"async (text) => (await {DATABASE}).includes(text)"
+NO_DRAFTS = f"async () => (await {DATABASE}) === '[]'"
 WAVE = "main:\n    function.expressJoy()\nend\n"
 
 
@@ -54,6 +67,55 @@ def test_saved_changes_survive_a_crash_of_the_computer(own_server, sit_down):
     pupil.expect_project("program")
     pupil.sees("blocktext", "function.expressJoy()")
     expect(pupil.page.get_by_role("combobox", name="World")).to_have_value("line")
+
+
+def test_what_was_typed_without_a_server_survives_closing_the_page(own_server, sit_down):
+    pupil = sit_down(own_server)
+    pupil.begin()
+    wave(pupil)
+    pupil.wait_until_saved()
+    own_server.kill()
+    pupil.put_cursor("blocktext", "end")
+    pupil.page.keyboard.type("    function.sleep(7)\n")
+    pupil.page.wait_for_function(DRAFTED, arg="sleep(7)")
+    pupil.page.close()
+    own_server.start()
+    pupil.page = pupil.open()
+    pupil.expect_note("They are back now")
+    pupil.picture("recovered")
+    pupil.sees("blocktext", "sleep(7)")
+    pupil.wait_until_saved()
+    assert "sleep(7)" in saved(own_server, "program")
+    pupil.page.wait_for_function(NO_DRAFTS)
+
+
+def test_the_browser_asks_before_it_closes_a_page_with_unsaved_changes(own_server, sit_down):
+    pupil = sit_down(own_server)
+    pupil.begin()
+    own_server.kill()
+    pupil.put_cursor("blocktext", "pass")
+    pupil.page.keyboard.type("# ")
+    with pupil.page.expect_event("dialog") as asked:
+        pupil.page.close(run_before_unload=True)
+    assert asked.value.type == "beforeunload"
+    asked.value.dismiss()
+
+
+def test_where_a_page_and_another_program_change_the_same_line_the_page_asks(own_server, sit_down):
+    pupil = sit_down(own_server)
+    pupil.begin()
+    wave(pupil)
+    pupil.wait_until_saved()
+    file = own_server.home / "projects" / "program.learnblock"
+    os.kill(own_server.process.pid, signal.SIGSTOP)
+    file.write_text(file.read_text("utf-8").replace("expressJoy()", "expressFear()"), "utf-8")
+    pupil.put_cursor("blocktext", "function")
+    pupil.page.keyboard.type("# ")
+    os.kill(own_server.process.pid, signal.SIGCONT)
+    pupil.expect_note("the other one is in the history")
+    pupil.picture("conflict")
+    pupil.page.get_by_role("button", name="Use the other one").click()
+    pupil.sees("blocktext", "expressFear")
 
 
 def test_a_new_tab_finds_the_program_still_running_when_the_page_was_closed(pupil):

@@ -136,10 +136,10 @@ class Visitor:
             self.type(text)
         return opened
 
-    def type(self, text, notation="blocktext"):
+    def type(self, text, notation="blocktext", **made_on):
         """Edit a text; return the resulting document."""
         self._edits += 1
-        self.say("EditText", edit=self._edits, notation=notation, text=text)
+        self.say("EditText", edit=self._edits, notation=notation, text=text, **made_on)
         return self.hear("Document", edit=self._edits)
 
     def run(self, **options):

@@ -12,6 +12,7 @@ import { Announcer } from "../model/announcer";
 import type { Context } from "../model/context";
 import { Controls } from "../model/controls";
 import { Dialogs } from "../model/dialogs";
+import { BrowserDrafts } from "../model/drafts";
 import { type Page, PageProvider } from "../model/page";
 import { Program } from "../model/program";
 import { Project } from "../model/project";
@@ -55,7 +56,7 @@ function makeStores(connection: Connection): Stores {
 }
 
 function makePage(connection: Connection, { blockSets, customBlocks, tags }: Stores): Page {
-  const program = new Program(connection);
+  const program = new Program(connection, new BrowserDrafts());
   const running = new Running(connection);
   const views = new Views();
   const dialogs = new Dialogs();

@@ -4,12 +4,18 @@ import { signal } from "@preact/signals";
 
 import type { Connection } from "../protocol/connection";
 import type { Document, Notation, Place, Problem, View, Workspace } from "../protocol/messages";
+import type { Drafts } from "./drafts";
+import { type Content, type Draft, Unsaved } from "./unsaved";
 
-/** The program as the page knows it. */
-export interface ProgramState {
+/** What the three views show. */
+interface Shown {
   readonly blocktext: string;
   readonly python: string;
   readonly workspace: Workspace;
+}
+
+/** The program as the page knows it. */
+export interface ProgramState extends Shown {
   readonly places: readonly Place[];
   readonly problems: readonly Problem[];
   /** Views that still show the last valid program because another view has errors. */
@@ -31,11 +37,7 @@ const EMPTY: ProgramState = {
   canRedo: false,
 };
 
-/** A view's content after the last edit. */
-interface Edit {
-  readonly view: View;
-  readonly content: string | Workspace;
-}
+const VIEWS: readonly View[] = ["blocks", "blocktext", "python"];
 
 function field(view: View): Notation | "workspace" {
   return view === "blocks" ? "workspace" : view;
@@ -50,23 +52,36 @@ function field(view: View): Notation | "workspace" {
  */
 export class Program {
   readonly state = signal<ProgramState>(EMPTY);
-  /** The last edit until the server has saved it; it is sent again after a lost connection. */
-  readonly unsaved = signal<Edit | null>(null);
+  /** Whether the server has saved every edit. Until then, they are kept as drafts. */
+  readonly saved = signal(true);
+  /** How often edits were found that an earlier page had left unsaved. */
+  readonly recovered = signal(0);
   private project = "";
+  /** Whether the page has just opened the project, and not only reconnected. */
+  private isNew = false;
   private latest = EMPTY;
+  /** What the views show, with the user's own edits. */
+  private shown: Shown = EMPTY;
+  /** The revision that the views show but for the user's edits; null until the server has answered. */
+  private revision: number | null = null;
   private edits = 0;
   private answered = 0;
   /** The number of the last edit of each view. */
   private edited = new Map<View, number>();
+  private readonly unsaved = new Unsaved();
+  /** Other pages' drafts, by the edit that repeats the last of them. */
+  private recovering = new Map<number, () => void>();
   private pending = new Map<View, () => void>();
   private frame = 0;
 
-  constructor(private readonly connection: Connection) {
+  constructor(
+    private readonly connection: Connection,
+    private readonly drafts: Drafts,
+  ) {
     connection.on("Opened", (opened) => this.opened(opened.name));
     connection.on("Document", (document) => this.receive(document));
-    connection.on("Saved", (saved) => {
-      if (saved.edit >= this.edits) this.unsaved.value = null;
-    });
+    connection.on("Saved", ({ edit }) => this.savedUpTo(edit));
+    connection.onRefused(["EditBlocks", "EditText", "RecoverBlocks", "RecoverText"], () => this.refused());
   }
 
   /** Whether the server has answered every edit. */
@@ -76,12 +91,12 @@ export class Program {
 
   /** Report an edit of the workspace; `read` is called at most once per frame. */
   editedBlocks(read: () => Workspace): void {
-    this.schedule("blocks", () => this.send({ view: "blocks", content: read() }));
+    this.schedule("blocks", read);
   }
 
   /** Report an edit of a text; `read` is called at most once per frame. */
   editedText(notation: Notation, read: () => string): void {
-    this.schedule(notation, () => this.send({ view: notation, content: read() }));
+    this.schedule(notation, read);
   }
 
   /** Send pending edits now, before a message that depends on them. */
@@ -103,21 +118,36 @@ export class Program {
     this.connection.send({ kind: "Redo" });
   }
 
-  private schedule(view: View, send: () => void): void {
-    this.pending.set(view, send);
+  private schedule(view: View, read: () => Content): void {
+    this.pending.set(view, () => this.edit(view, read()));
     if (!this.frame) this.frame = requestAnimationFrame(() => this.flush());
   }
 
-  private send(edit: Edit): void {
-    this.unsaved.value = edit;
-    const { view, content } = edit;
+  private edit(view: View, content: Content): void {
+    this.send({ view, base: this.shown[field(view)], content });
+    this.keepDrafts();
+  }
+
+  /** Send an edit; before the server has answered with a revision, together with what it is based on. */
+  private send(draft: Draft): void {
+    const { view, base, content } = draft;
+    this.shown = { ...this.shown, [field(view)]: content };
     this.latest = { ...this.latest, [field(view)]: content };
     this.edits += 1;
     this.edited.set(view, this.edits);
-    if (typeof content !== "string") {
-      this.connection.send({ kind: "EditBlocks", edit: this.edits, workspace: content });
-    } else if (view !== "blocks") {
-      this.connection.send({ kind: "EditText", edit: this.edits, notation: view, text: content });
+    this.unsaved.add(this.edits, view, content, base);
+    if (this.revision === null) return this.repeat(draft);
+    const made = { edit: this.edits, revision: this.revision };
+    if (typeof content !== "string") this.connection.send({ kind: "EditBlocks", ...made, workspace: content });
+    else if (view !== "blocks") this.connection.send({ kind: "EditText", ...made, notation: view, text: content });
+  }
+
+  private repeat({ view, base, content }: Draft): void {
+    const edit = this.edits;
+    if (typeof content !== "string" && typeof base !== "string") {
+      this.connection.send({ kind: "RecoverBlocks", edit, workspace: content, base });
+    } else if (view !== "blocks" && typeof content === "string" && typeof base === "string") {
+      this.connection.send({ kind: "RecoverText", edit, notation: view, text: content, base });
     }
   }
 
@@ -132,13 +162,21 @@ export class Program {
       canUndo: document.can_undo ?? false,
       canRedo: document.can_redo ?? false,
     };
-    if (!this.settled) return;
-    if (this.superseded()) this.unsaved.value = null;
+    if (this.settled) this.show(document.revision);
+  }
+
+  private show(revision: number): void {
+    this.revision = revision;
     this.state.value = this.latest;
+    this.shown = this.latest;
+    for (const view of VIEWS) this.unsaved.answered(view, this.shown[field(view)]);
+    this.keepDrafts();
+    if (this.isNew) void this.recover();
+    this.isNew = false;
   }
 
   /** The views' contents; an answer to an earlier edit does not overwrite a later one. */
-  private contents(document: Document): Pick<ProgramState, Notation | "workspace"> {
+  private contents(document: Document): Shown {
     const older = (view: View) => (this.edited.get(view) ?? 0) > document.edit;
     const { blocktext, python, workspace } = this.latest;
     return {
@@ -148,21 +186,56 @@ export class Program {
     };
   }
 
-  /** Whether the last edit has been changed since, for example by an undo, and must not be sent again. */
-  private superseded(): boolean {
-    const edit = this.unsaved.value;
-    return edit !== null && this.latest[field(edit.view)] !== edit.content;
+  /** An edit that the server can't take in is not waited for. */
+  private refused(): void {
+    this.answered = this.edits;
+  }
+
+  private savedUpTo(edit: number): void {
+    this.unsaved.saved(edit);
+    for (const [number, forget] of this.recovering) {
+      if (number > edit) continue;
+      this.recovering.delete(number);
+      forget();
+    }
+    this.keepDrafts();
+  }
+
+  private keepDrafts(): void {
+    const { drafts } = this.unsaved;
+    if (drafts.length > 0 || !this.saved.value) this.drafts.keep(this.project, drafts);
+    this.saved.value = drafts.length === 0 && this.recovering.size === 0;
   }
 
   /** Handle an opened project: another one, or the same one after a reconnection. */
   private opened(name: string): void {
-    const unsaved = name === this.project ? this.unsaved.value : null;
-    if (name !== this.project) this.pending.clear();
+    this.isNew = name !== this.project;
+    const unsaved = this.isNew ? [] : this.unsaved.drafts;
+    if (this.isNew) this.pending.clear();
     this.project = name;
     this.edits = this.answered = 0;
+    this.revision = null;
     this.edited.clear();
+    this.recovering.clear();
+    this.unsaved.clear();
     this.latest = EMPTY;
-    this.unsaved.value = null;
-    if (unsaved) this.send(unsaved);
+    for (const draft of unsaved) this.send(draft);
+    this.saved.value = unsaved.length === 0;
+  }
+
+  /** Repeat the edits that other pages of this project have left unsaved. */
+  private async recover(): Promise<void> {
+    const { project } = this;
+    const left = await this.drafts.left(project);
+    if (project !== this.project || left.length === 0) return;
+    for (const { drafts, forget } of left) {
+      for (const draft of drafts) {
+        this.edits += 1;
+        this.repeat(draft);
+      }
+      this.recovering.set(this.edits, forget);
+    }
+    this.keepDrafts();
+    this.recovered.value += 1;
   }
 }

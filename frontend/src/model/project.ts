@@ -1,10 +1,18 @@
 /** The open project, and the list of all projects. */
 
-import { computed, effect, signal } from "@preact/signals";
+import { effect, signal } from "@preact/signals";
 import { type Phrase, say, t, translated } from "../i18n";
 import { addressedProject, nameProject, renameProject } from "../protocol/address";
 import type { Connection } from "../protocol/connection";
-import type { Export, History, OriginalImported, ProjectEntry, Welcome, WorldChoice } from "../protocol/messages";
+import type {
+  Conflict,
+  Export,
+  History,
+  OriginalImported,
+  ProjectEntry,
+  Welcome,
+  WorldChoice,
+} from "../protocol/messages";
 import { inBase64, saveFile } from "../ui/files";
 import type { Toasts } from "../ui/toasts";
 import type { Program } from "./program";
@@ -28,7 +36,6 @@ export class Project {
   readonly history = signal<History | null>(null);
   /** What the last import changed, until the user has read it. */
   readonly imported = signal<OriginalImported | null>(null);
-  readonly saved = computed(() => this.program.unsaved.value === null);
   /** Whether to choose a project when the list arrives. */
   private choosing = false;
   /** The project to delete once another one is open. */
@@ -49,11 +56,17 @@ export class Project {
       if (report.changed.length + report.missing.length) this.imported.value = report;
     });
     connection.on("File", ({ filename, text }) => saveFile(filename, text, "text/plain"));
+    connection.on("Conflict", (conflict) => this.tellConflict(conflict));
+    connection.on("TakenIn", () => this.toasts.note(t("page-project-taken-in")));
     connection.on("Failed", ({ message, request }) => this.failed(message, request ?? ""));
+    program.recovered.subscribe((times) => {
+      if (times > 0) this.toasts.note(t("page-project-drafts-recovered"));
+    });
     effect(() => {
       document.title = this.name.value ? `${this.name.value} – LearnBlock` : "LearnBlock";
     });
     addEventListener("popstate", () => this.followAddress());
+    addEventListener("beforeunload", (event) => this.leaving(event));
   }
 
   open(name: string): void {
@@ -154,6 +167,18 @@ export class Project {
     if (this.doomed && this.doomed !== name) this.connection.send({ kind: "Delete", name: this.doomed });
     this.doomed = null;
     this.list();
+  }
+
+  private tellConflict({ version, by }: Conflict): void {
+    const action = { text: t("page-project-take-other"), run: () => this.restore(version) };
+    const text = t(`page-project-conflict-${by}`);
+    this.toasts.show(version ? { sort: "error", text, action } : { sort: "error", text });
+  }
+
+  /** Let the browser ask before it closes a page whose edits are not saved. */
+  private leaving(event: BeforeUnloadEvent): void {
+    this.program.flush();
+    if (!this.program.saved.value) event.preventDefault();
   }
 
   private failed(message: Phrase, request: string): void {

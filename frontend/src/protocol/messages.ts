@@ -138,6 +138,12 @@ export interface Completions {
   options: Completion[];
 }
 
+export interface Conflict {
+  kind: "Conflict";
+  version: string;
+  by: "before" | "file" | "page";
+}
+
 export interface CustomBlock {
   name: string;
   category: string;
@@ -223,6 +229,7 @@ export interface Description {
 export interface Document {
   kind: "Document";
   edit: number;
+  revision: number;
   origin: "blocks" | "blocktext" | "python";
   blocktext?: string | null;
   python?: string | null;
@@ -255,6 +262,7 @@ export interface EditBlocks {
   kind: "EditBlocks";
   edit: number;
   workspace: Workspace;
+  revision?: number;
 }
 
 export interface EditText {
@@ -262,6 +270,7 @@ export interface EditText {
   edit: number;
   notation: "blocktext" | "python";
   text: string;
+  revision?: number;
 }
 
 export interface Ended {
@@ -576,6 +585,21 @@ export interface ReadWorld {
   name: string;
 }
 
+export interface RecoverBlocks {
+  kind: "RecoverBlocks";
+  edit: number;
+  workspace: Workspace;
+  base: Workspace;
+}
+
+export interface RecoverText {
+  kind: "RecoverText";
+  edit: number;
+  notation: "blocktext" | "python";
+  text: string;
+  base: string;
+}
+
 export interface Redo {
   kind: "Redo";
 }
@@ -809,6 +833,10 @@ export interface TagsRead {
   names: Record<string, number>;
 }
 
+export interface TakenIn {
+  kind: "TakenIn";
+}
+
 export interface Telemetry {
   kind: "Telemetry";
   time: number;
@@ -850,7 +878,7 @@ export interface Variables {
 export interface Version {
   id: string;
   time: number;
-  reason: "outside" | "restored" | "run" | "time";
+  reason: "conflict" | "outside" | "restored" | "run" | "time";
   lines: number;
 }
 
@@ -917,6 +945,8 @@ export type FromPage =
   | Restore
   | EditBlocks
   | EditText
+  | RecoverBlocks
+  | RecoverText
   | Undo
   | Redo
   | Format
@@ -981,8 +1011,10 @@ export type ToPage =
   | File
   | History
   | Saved
+  | TakenIn
   | Failed
   | Document
+  | Conflict
   | Completions
   | Description
   | RunState

@@ -1,6 +1,8 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
+import type { Drafts, Left } from "../../src/model/drafts";
 import { Program } from "../../src/model/program";
+import type { Draft } from "../../src/model/unsaved";
 import { FakeConnection } from "../fake-connection";
 
 let frames: (() => void)[] = [];
@@ -14,11 +16,29 @@ beforeEach(() => {
 });
 afterEach(() => vi.unstubAllGlobals());
 
-function opened(name = "square"): [Program, FakeConnection] {
+/** Keeps drafts for one project, and has some of an earlier page. */
+class FakeDrafts implements Drafts {
+  kept: readonly Draft[] = [];
+  forgotten = 0;
+
+  constructor(private readonly earlier: readonly Draft[]) {}
+
+  keep(_: string, drafts: readonly Draft[]): void {
+    this.kept = drafts;
+  }
+
+  async left(): Promise<readonly Left[]> {
+    if (this.earlier.length === 0) return [];
+    return [{ drafts: this.earlier, forget: () => (this.forgotten += 1) }];
+  }
+}
+
+function opened(name = "square", earlier: readonly Draft[] = []): [Program, FakeConnection, FakeDrafts] {
   const connection = new FakeConnection();
-  const program = new Program(connection.real);
+  const drafts = new FakeDrafts(earlier);
+  const program = new Program(connection.real, drafts);
   connection.tell({ kind: "Opened", name });
-  return [program, connection];
+  return [program, connection, drafts];
 }
 
 function drawFrame(): void {
@@ -27,16 +47,17 @@ function drawFrame(): void {
 
 test("edits of one frame are sent as one, the last", () => {
   const [program, connection] = opened();
+  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python" });
   for (const text of ["a", "ab", "abc"]) program.editedText("blocktext", () => text);
   drawFrame();
-  expect(connection.sent).toEqual([{ kind: "EditText", edit: 1, notation: "blocktext", text: "abc" }]);
+  expect(connection.sent).toEqual([{ kind: "EditText", edit: 1, revision: 1, notation: "blocktext", text: "abc" }]);
 });
 
 test("an undo sends what was edited before it", () => {
   const [program, connection] = opened();
   program.editedText("python", () => "x = 1");
   program.undo();
-  expect(connection.sent.map(({ kind }) => kind)).toEqual(["EditText", "Undo"]);
+  expect(connection.sent.map(({ kind }) => kind)).toEqual(["RecoverText", "Undo"]);
 });
 
 test("a document that answers an earlier edit is not shown", () => {
@@ -45,7 +66,7 @@ test("a document that answers an earlier edit is not shown", () => {
   drawFrame();
   program.editedText("python", () => "x = 12");
   drawFrame();
-  connection.tell({ kind: "Document", edit: 1, origin: "python", blocktext: "x = 1" });
+  connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "python", blocktext: "x = 1" });
   expect(program.settled).toBe(false);
   expect(program.state.value.blocktext).toBe("");
 });
@@ -54,7 +75,7 @@ test("the answer to the last edit is shown", () => {
   const [program, connection] = opened();
   program.editedText("python", () => "x = 12");
   drawFrame();
-  connection.tell({ kind: "Document", edit: 1, origin: "python", blocktext: "x = 12" });
+  connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "python", blocktext: "x = 12" });
   expect(program.settled).toBe(true);
   expect(program.state.value).toMatchObject({ blocktext: "x = 12", python: "x = 12", origin: "python" });
 });
@@ -65,37 +86,64 @@ test("an answer to an edit of one view does not undo a later edit of another", (
   drawFrame();
   program.editedText("python", () => "newer");
   drawFrame();
-  connection.tell({ kind: "Document", edit: 1, origin: "blocktext", python: "older" });
-  connection.tell({ kind: "Document", edit: 2, origin: "python" });
+  connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "blocktext", python: "older" });
+  connection.tell({ kind: "Document", edit: 2, revision: 3, origin: "python" });
   expect(program.state.value.python).toBe("newer");
 });
 
-test("an edit is unsaved until the server has saved it", () => {
-  const [program, connection] = opened();
+test("an edit is a draft until the server has saved it", () => {
+  const [program, connection, drafts] = opened();
   program.editedText("python", () => "x = 1");
   drawFrame();
-  expect(program.unsaved.value).toEqual({ view: "python", content: "x = 1" });
+  expect(program.saved.value).toBe(false);
+  expect(drafts.kept).toEqual([{ view: "python", base: "", content: "x = 1" }]);
   connection.tell({ kind: "Saved", edit: 1 });
-  expect(program.unsaved.value).toBeNull();
+  expect(program.saved.value).toBe(true);
+  expect(drafts.kept).toEqual([]);
 });
 
-test("saving an earlier edit leaves a later one unsaved", () => {
-  const [program, connection] = opened();
+test("saving an earlier edit leaves a later one as a draft of it", () => {
+  const [program, connection, drafts] = opened();
   for (const text of ["x = 1", "x = 2"]) {
     program.editedText("python", () => text);
     drawFrame();
   }
   connection.tell({ kind: "Saved", edit: 1 });
-  expect(program.unsaved.value).toEqual({ view: "python", content: "x = 2" });
+  expect(drafts.kept).toEqual([{ view: "python", base: "x = 1", content: "x = 2" }]);
 });
 
-test("an unsaved edit is sent again when the same project opens after a lost connection", () => {
+test("an edit names the revision that the views show", () => {
+  const [program, connection] = opened();
+  connection.tell({ kind: "Document", edit: 0, revision: 7, origin: "python" });
+  for (const text of ["x = 1", "x = 2"]) {
+    program.editedText("python", () => text);
+    drawFrame();
+    connection.tell({ kind: "Document", edit: 0, revision: 8, origin: "python" });
+  }
+  expect(connection.sent.map((edit) => "revision" in edit && edit.revision)).toEqual([7, 7]);
+});
+
+test("an unsaved edit of each view is sent again when the same project opens after a lost connection", () => {
+  const [program, connection] = opened("square");
+  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python", python: "x = 0" });
+  program.editedText("python", () => "x = 1");
+  program.editedText("blocktext", () => "y = 1");
+  drawFrame();
+  connection.tell({ kind: "Opened", name: "square" });
+  expect(connection.sent.slice(2)).toEqual([
+    { kind: "RecoverText", edit: 1, notation: "python", text: "x = 1", base: "x = 0" },
+    { kind: "RecoverText", edit: 2, notation: "blocktext", text: "y = 1", base: "" },
+  ]);
+});
+
+test("what is typed before the project is back is based on what was sent again", () => {
   const [program, connection] = opened("square");
   program.editedText("python", () => "x = 1");
   drawFrame();
   connection.tell({ kind: "Opened", name: "square" });
-  expect(connection.sent.at(-1)).toEqual({ kind: "EditText", edit: 1, notation: "python", text: "x = 1" });
-  expect(connection.sent).toHaveLength(2);
+  program.editedText("python", () => "x = 12");
+  drawFrame();
+  expect(connection.sent.at(-1)).toMatchObject({ kind: "RecoverText", edit: 2, base: "x = 1", text: "x = 12" });
 });
 
 test("an unsaved edit is not carried into another project", () => {
@@ -104,14 +152,36 @@ test("an unsaved edit is not carried into another project", () => {
   drawFrame();
   connection.tell({ kind: "Opened", name: "dance" });
   expect(connection.sent).toHaveLength(1);
-  expect(program.unsaved.value).toBeNull();
+  expect(program.saved.value).toBe(true);
 });
 
 test("an edit that was undone is not sent again", () => {
   const [program, connection] = opened("square");
   program.editedText("python", () => "x = 1");
   drawFrame();
-  connection.tell({ kind: "Document", edit: 1, origin: "python", python: "" });
+  connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "python", python: "" });
   connection.tell({ kind: "Opened", name: "square" });
-  expect(connection.sent).toHaveLength(1);
+  expect(connection.sent.at(-1)).toMatchObject({ kind: "RecoverText", text: "", base: "" });
+});
+
+test("what an earlier page has left unsaved is repeated, and forgotten once it is saved", async () => {
+  const draft: Draft = { view: "python", base: "x = 0", content: "x = 1" };
+  const [program, connection, drafts] = opened("square", [draft]);
+  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python", python: "x = 0" });
+  await vi.waitFor(() => expect(program.recovered.value).toBe(1));
+  expect(connection.sent).toEqual([{ kind: "RecoverText", edit: 1, notation: "python", text: "x = 1", base: "x = 0" }]);
+  connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "python", python: "x = 1" });
+  expect(program.state.value.python).toBe("x = 1");
+  expect(drafts.forgotten).toBe(0);
+  connection.tell({ kind: "Saved", edit: 1 });
+  expect(drafts.forgotten).toBe(1);
+});
+
+test("a refused edit does not keep later answers from being shown", () => {
+  const [program, connection] = opened();
+  program.editedText("python", () => "x = 1");
+  drawFrame();
+  connection.tell({ kind: "Failed", message: { code: "server-too-deep" }, request: "RecoverText" });
+  connection.tell({ kind: "Document", edit: 0, revision: 3, origin: "python", blocktext: "y = 1" });
+  expect(program.state.value.blocktext).toBe("y = 1");
 });

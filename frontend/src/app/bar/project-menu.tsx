@@ -9,7 +9,8 @@ import { Menu } from "../../ui/menu";
 
 export function ProjectMenu() {
   const page = usePage();
-  const { name, saved } = page.project;
+  const { name } = page.project;
+  const { saved } = page.context.program;
   return (
     <>
       <Menu label={t("page-project-menu")} items={items(page)}>

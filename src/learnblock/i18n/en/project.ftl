@@ -37,7 +37,6 @@ project-expects-workspace = Remove the workspace from the file to lay the blocks
 ## Folder
 
 # $reason is the system's text.
-project-changed-outside = Another program changed the file of '{ $name }' while it was open. What you see here has been saved; the other version is in the project's history.
 project-no-access = { $action ->
         [read] The project can't be read from { $folder }: { $reason }
         [save] The project can't be saved in { $folder }: { $reason }

@@ -30,7 +30,6 @@ project-expects-workspace = Quita el espacio de trabajo del archivo para colocar
 
 ## Folder
 
-project-changed-outside = Otro programa cambió el archivo de «{ $name }» mientras estaba abierto. Se ha guardado lo que ves aquí; la otra versión está en el historial del proyecto.
 project-no-access = { $action ->
         [read] No se puede leer el proyecto en { $folder }: { $reason }
         [save] No se puede guardar el proyecto en { $folder }: { $reason }

@@ -75,6 +75,7 @@ from learnblock.server.messages.program import (
     Complete,
     Completion,
     Completions,
+    Conflict,
     Describe,
     Description,
     Document,
@@ -83,6 +84,8 @@ from learnblock.server.messages.program import (
     Format,
     Place,
     Problem,
+    RecoverBlocks,
+    RecoverText,
     Redo,
     Rename,
     SetBreakpoints,
@@ -111,6 +114,7 @@ from learnblock.server.messages.projects import (
     SaveAs,
     Saved,
     Settings,
+    TakenIn,
     Version,
     Welcome,
 )
@@ -185,6 +189,8 @@ FromPage = (
     | Restore
     | EditBlocks
     | EditText
+    | RecoverBlocks
+    | RecoverText
     | Undo
     | Redo
     | Format
@@ -250,8 +256,10 @@ ToPage = (
     | File
     | History
     | Saved
+    | TakenIn
     | Failed
     | Document
+    | Conflict
     | Completions
     | Description
     | RunState
@@ -309,6 +317,7 @@ __all__ = [
     "Complete",
     "Completion",
     "Completions",
+    "Conflict",
     "Coordinate",
     "CustomBlock",
     "CustomBlockChecked",
@@ -383,6 +392,8 @@ __all__ = [
     "ReadSettings",
     "ReadTags",
     "ReadWorld",
+    "RecoverBlocks",
+    "RecoverText",
     "Redo",
     "RemoveLibrary",
     "Rename",
@@ -422,6 +433,7 @@ __all__ = [
     "Stop",
     "Tags",
     "TagsRead",
+    "TakenIn",
     "Telemetry",
     "Text",
     "ToPage",

@@ -21,22 +21,49 @@ MOST_BREAKPOINTS = 1000
 
 
 class EditBlocks(Message, frozen=True):
-    """Replace the workspace.
+    """Replace the workspace; what others have changed since stays.
 
     Args:
         edit: the number of the page's edit; the resulting `Document` has the same number.
+        workspace: the workspace after the edit.
+        revision: the revision that the page shows but for its own edits; 0 for the current one.
     """
 
     edit: int
     workspace: Workspace
+    revision: int = 0
 
 
 class EditText(Message, frozen=True):
-    """Replace a text."""
+    """Replace a text; what others have changed since stays. See `EditBlocks`."""
 
     edit: int
     notation: Notation
     text: Text
+    revision: int = 0
+
+
+class RecoverBlocks(Message, frozen=True):
+    """Repeat an edit of the blocks that may not have been saved, after a crash for example.
+
+    Args:
+        edit: the number of the page's edit.
+        workspace: the workspace after the edit.
+        base: the workspace that was edited.
+    """
+
+    edit: int
+    workspace: Workspace
+    base: Workspace
+
+
+class RecoverText(Message, frozen=True):
+    """Repeat an edit of a text that may not have been saved. See `RecoverBlocks`."""
+
+    edit: int
+    notation: Notation
+    text: Text
+    base: Text
 
 
 class Undo(Message, frozen=True):
@@ -127,6 +154,7 @@ class Document(Message, frozen=True):
 
     Args:
         edit: the page's last edit that it contains.
+        revision: counts the changes of the program while it is open.
         origin: the view that was edited last.
         blocktext: the text in Block-Text.
         python: the text in Python.
@@ -137,6 +165,7 @@ class Document(Message, frozen=True):
     """
 
     edit: int
+    revision: int
     origin: View
     blocktext: str | None = None
     python: str | None = None
@@ -146,6 +175,19 @@ class Document(Message, frozen=True):
     stale: tuple[View, ...] = ()
     can_undo: bool = False
     can_redo: bool = False
+
+
+class Conflict(Message, frozen=True):
+    """Two edits changed the same line, and the program has only one of them.
+
+    Args:
+        version: the version of the project with the other one; empty if it can't be saved.
+        by: which edit is in the version: that of another `page`, that of this page `before` its
+            connection was lost, or that of another program in the `file`.
+    """
+
+    version: str
+    by: Literal["page", "before", "file"]
 
 
 class Completion(Struct, frozen=True, omit_defaults=True):

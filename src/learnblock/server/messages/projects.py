@@ -173,7 +173,7 @@ class Version(Struct, frozen=True):
 
     id: str
     time: float
-    reason: Literal["run", "time", "restored", "outside"]
+    reason: Literal["run", "time", "restored", "outside", "conflict"]
     lines: int
 
 
@@ -201,6 +201,10 @@ class Saved(Message, frozen=True):
     """The project is saved on disk, up to `edit`."""
 
     edit: int
+
+
+class TakenIn(Message, frozen=True):
+    """Another program has changed the project's file, and the project has its changes now."""
 
 
 class Failed(Message, frozen=True):

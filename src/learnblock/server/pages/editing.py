@@ -8,13 +8,19 @@ from learnblock.server.program.document import Document
 
 
 async def _edit_blocks(page: Page, message: messages.EditBlocks) -> None:
-    page.shown.edited(message.edit, "blocks", message.workspace)
-    await page.session.change(lambda document: document.with_blocks(message.workspace))
+    await page.session.edit(page, message.edit, message.revision, "blocks", message.workspace)
 
 
 async def _edit_text(page: Page, message: messages.EditText) -> None:
-    page.shown.edited(message.edit, message.notation, message.text)
-    await page.session.change(lambda document: document.with_text(message.notation, message.text))
+    await page.session.edit(page, message.edit, message.revision, message.notation, message.text)
+
+
+async def _recover_blocks(page: Page, message: messages.RecoverBlocks) -> None:
+    await page.session.recover(page, message.edit, "blocks", message.workspace, message.base)
+
+
+async def _recover_text(page: Page, message: messages.RecoverText) -> None:
+    await page.session.recover(page, message.edit, message.notation, message.text, message.base)
 
 
 async def _undo(page: Page, _: messages.Undo) -> None:
@@ -42,6 +48,8 @@ async def _set_breakpoints(page: Page, message: messages.SetBreakpoints) -> None
 HANDLERS: Mapping[type, Handler] = {
     messages.EditBlocks: _edit_blocks,
     messages.EditText: _edit_text,
+    messages.RecoverBlocks: _recover_blocks,
+    messages.RecoverText: _recover_text,
     messages.Undo: _undo,
     messages.Redo: _redo,
     messages.Format: _format,

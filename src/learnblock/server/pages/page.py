@@ -91,6 +91,12 @@ class Page:
         self._session = session
         session.join(self)
 
+    async def move_to(self, session: "Session") -> None:
+        """Show a project once the previous one is saved, so that the page need not wait for it."""
+        if self._session:
+            await self._session.archive.flush()
+        self.join(session)
+
     def leave(self) -> None:
         """Stop showing a project."""
         session, self._session = self._session, None

@@ -15,18 +15,18 @@ _EMPTY = "main:\n    pass\nend\n"
 
 
 async def _open(page: Page, message: messages.Open) -> None:
-    page.join(await page.sessions.open(message.name))
+    await page.move_to(await page.sessions.open(message.name))
 
 
 async def _new(page: Page, message: messages.New) -> None:
     project = await to_thread.run_sync(_made, message)
-    page.join(await page.sessions.start(project))
+    await page.move_to(await page.sessions.start(project))
 
 
 async def _import(page: Page, message: messages.Import) -> None:
     folder = page.sessions.folder
     project = await to_thread.run_sync(folder.import_file, message.filename, message.text)
-    page.join(await page.sessions.start(project))
+    await page.move_to(await page.sessions.start(project))
 
 
 async def _import_original(page: Page, message: messages.ImportOriginal) -> None:
@@ -34,12 +34,12 @@ async def _import_original(page: Page, message: messages.ImportOriginal) -> None
     project, report = await to_thread.run_sync(
         folder.import_original, message.filename, message.content
     )
-    page.join(await page.sessions.start(project))
+    await page.move_to(await page.sessions.start(project))
     page.send(messages.OriginalImported(message.filename, report.changed, report.missing))
 
 
 async def _save_as(page: Page, message: messages.SaveAs) -> None:
-    page.join(await page.sessions.start(replace(page.session.project, name=message.name)))
+    await page.move_to(await page.sessions.start(replace(page.session.project, name=message.name)))
 
 
 async def _delete(page: Page, message: messages.Delete) -> None:

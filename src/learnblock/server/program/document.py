@@ -191,6 +191,12 @@ class Document:
         shown = unread is not None and unread.view == "python"
         return unread.text if unread and shown else self.good.python.text
 
+    def text_of(self, view: View) -> str:
+        """The text of a view; for blocks, the Block-Text of the last valid program."""
+        if view == "blocks":
+            return self.good.blocktext.text
+        return self.blocktext if view == "blocktext" else self.python
+
     @property
     def workspace(self) -> Workspace:
         """The blocks that are shown."""
@@ -239,6 +245,11 @@ class Document:
     def block_tree(self) -> Tree:
         """The last good program, with spans in its Block-Text."""
         return self.good.blocktext.tree or parse(self.good.blocktext.text)
+
+    def settled(self) -> "Document":
+        """Compute the slow properties now, so that reading them later is fast."""
+        _ = self.problems, self.places, self.workspace
+        return self
 
     # Positions.
 

@@ -175,15 +175,11 @@ def _typed(before: Document, after: Document, now: float) -> _Typing | None:
     if view == "blocks":
         same = [*_blocks(before.workspace)] == [*_blocks(after.workspace)]
         return _Typing(view, now) if same else None
-    old, new = _text(before, view), _text(after, view)
+    old, new = before.text_of(view), after.text_of(view)
     start, removed, inserted = _difference(old, new)
     if removed and inserted:
         return None
     return _Typing(view, now, start, removed, inserted)
-
-
-def _text(document: Document, view: str) -> str:
-    return document.blocktext if view == "blocktext" else document.python
 
 
 def _difference(old: str, new: str) -> tuple[int, str, str]:

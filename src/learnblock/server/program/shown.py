@@ -4,7 +4,8 @@ from typing import TypeVar
 
 from learnblock.server import messages
 from learnblock.server.messages import View
-from learnblock.server.program.edits import Edits
+from learnblock.server.program.document import Document
+from learnblock.server.program.revisions import Revisions
 
 Content = TypeVar("Content")
 
@@ -18,17 +19,47 @@ class Shown:
     def __init__(self) -> None:
         self.edit = 0
         self._views: dict[View, object] = {}
+        #: The revision that its last edit was made on, and its edits of each view since.
+        self._revision = 0
+        self._own: dict[View, str] = {}
 
     def edited(self, edit: int, view: View, content: object) -> None:
         """Record that the page has edited a view."""
         self.edit = edit
         self._views[view] = content
 
-    def update(self, edits: Edits) -> messages.Document:
+    def repeated(self, edit: int, view: View) -> None:
+        """Record that the page has repeated an edit, which it may not show any more."""
+        self.edit = edit
+        self._views.pop(view, None)
+
+    def base(self, view: View, revision: int, revisions: Revisions) -> str | None:
+        """The text that the page's next edit is made on; None if it is forgotten.
+
+        Args:
+            view: the view that it edits.
+            revision: the revision that it shows, but for its own edits.
+            revisions: those of the program.
+        """
+        if revision != self._revision:
+            self._revision = revision
+            self._own.clear()
+        if view in self._own:
+            return self._own[view]
+        found = revisions.find(revision)
+        return found.text(view) if found else None
+
+    def left(self, view: View, text: str) -> None:
+        """Record the text that the page's edit has left in a view; see `Document.text_of`."""
+        self._own[view] = text
+
+    def update(
+        self, document: Document, revision: int, *, can_undo: bool, can_redo: bool
+    ) -> messages.Document:
         """Return the message that brings the page up to date."""
-        document = edits.document
         return messages.Document(
             edit=self.edit,
+            revision=revision,
             origin=document.origin,
             blocktext=self._new("blocktext", document.blocktext),
             python=self._new("python", document.python),
@@ -36,8 +67,8 @@ class Shown:
             places=document.places,
             problems=document.problems,
             stale=document.stale,
-            can_undo=edits.can_undo,
-            can_redo=edits.can_redo,
+            can_undo=can_undo,
+            can_redo=can_redo,
         )
 
     def _new(self, view: View, content: Content) -> Content | None:

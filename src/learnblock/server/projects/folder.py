@@ -101,8 +101,8 @@ class ProjectFolder:
             return None
         return FileState(found.st_ino, found.st_mtime_ns, found.st_size)
 
-    def keep_file(self, name: str) -> None:
-        """Save a project's file, as another program has left it, as a version.
+    def keep_file(self, name: str) -> str:
+        """Save a project's file, as another program has left it, as a version; return its id.
 
         Raises:
             ProjectError: it can't be read or saved.
@@ -110,7 +110,7 @@ class ProjectFolder:
         path = self._path(name)
         with _reporting(path, "keep-version"), path.open("rb") as file:
             data = file.read(LARGEST + 1)
-            self._history(name).keep_file(data, "outside", _lines(data, name))
+            return self._history(name).keep_file(data, "outside", _lines(data, name))
 
     def free_name(self, wish: str) -> str:
         """Find a free name like `wish`."""

@@ -14,13 +14,13 @@ from learnblock.server.messages import PastRun, Version
 from learnblock.server.projects.project_file import ENDING, LARGEST, Project, decode, encode
 from learnblock.storage.files import save
 
-Reason = Literal["run", "time", "restored", "outside"]
+Reason = Literal["run", "time", "restored", "outside", "conflict"]
 
 MOST_VERSIONS = 100
 MOST_RUNS = 200
 
 #: The time in milliseconds since 1970, the reason for the version, its number of lines.
-_ID = re.compile(r"(\d{13,15})-(run|time|restored|outside)-(\d{1,7})")
+_ID = re.compile(r"(\d{13,15})-(run|time|restored|outside|conflict)-(\d{1,7})")
 _read_runs = msgspec.json.Decoder(list[PastRun]).decode
 
 

@@ -3,7 +3,7 @@
 import asyncio
 from collections.abc import Callable
 from time import monotonic
-from typing import Any, TypeVar
+from typing import Any, Protocol, TypeVar
 
 from anyio import to_thread
 
@@ -11,57 +11,74 @@ from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server.messages import PastRun
 from learnblock.server.messages.problems import phrase_of
-from learnblock.server.projects.folder import ProjectFolder
+from learnblock.server.projects.folder import FileState, ProjectFolder
 from learnblock.server.projects.history import Reason
 from learnblock.server.projects.project_file import Project
 from learnblock.server.sessions.saver import Saver
 
 #: Seconds of changes after which a version is saved.
 VERSION_PERIOD = 300.0
+#: Seconds between two looks at whether another program has changed the file.
+WATCH_PERIOD = 1.0
 
 Value = TypeVar("Value")
+
+
+class Archived(Protocol):
+    """An open project, as its archive sees it."""
+
+    @property
+    def project(self) -> Project:
+        """The project in its current state."""
+
+    def saving(self) -> Callable[[], None]:
+        """Called before each save; the result is called after success."""
+
+    async def take_in(self, outside: Project, version: str) -> None:
+        """Merge the project as another program has saved it, which is kept as a version."""
+
+    def failed(self, error: Phrase) -> None:
+        """Called with the reason why something could not be saved."""
 
 
 class Archive:
     """Saves an open project; a failure is reported, and the project stays usable.
 
-    A save that fails is reported once, and repeated until it succeeds.
+    A save that fails is reported once, and repeated until it succeeds. What another program changes
+    in the file is merged into the project.
 
     Args:
         folder: the folder of the projects.
         name: the name of the project.
-        project: returns the project in its current state.
-        saved: called before each save; the function that it returns is called after success.
-        failed: called with the error.
+        project: the project.
     """
 
-    def __init__(
-        self,
-        folder: ProjectFolder,
-        name: str,
-        project: Callable[[], Project],
-        saved: Callable[[], Callable[[], None]],
-        failed: Callable[[Phrase], None],
-    ) -> None:
+    def __init__(self, folder: ProjectFolder, name: str, project: Archived) -> None:
         self._folder = folder
         self._name = name
         self._project = project
-        self._saved = saved
-        self._failed = failed
         self._saver = Saver(self._write)
         self._is_failing = False
         self._on_disk = folder.state(name)
         self._version_kept = monotonic()
         self._tasks: set[asyncio.Task[Any]] = set()
+        self._watching = asyncio.create_task(self._watch())
 
     def changed(self) -> None:
         """Record that the project has changed since it was saved."""
         self._saver.changed()
 
-    async def keep_version(self, reason: Reason) -> str:
-        """Save a version; return its id, or "" if it can't be saved."""
-        self._version_kept = monotonic()
-        return await self._tried(self._folder.keep_version, self._project(), reason) or ""
+    async def keep_version(self, reason: Reason, project: Project | None = None) -> str:
+        """Save a version; return its id, or "" if it can't be saved.
+
+        Args:
+            reason: why.
+            project: what to save; the current project by default.
+        """
+        if project is None:
+            project = self._project.project
+            self._version_kept = monotonic()
+        return await self._tried(self._folder.keep_version, project, reason) or ""
 
     def add_run(self, run: PastRun) -> None:
         """Save the result of a run."""
@@ -69,33 +86,55 @@ class Archive:
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
+    async def flush(self) -> None:
+        """Save what has changed, and return when it is on disk."""
+        await self._saver.flush()
+
     async def close(self) -> None:
         """Save everything, and return when it is on disk."""
-        await self._saver.flush()
+        self._watching.cancel()
+        await self.flush()
         await asyncio.gather(*self._tasks)
 
+    async def _watch(self) -> None:
+        """Save soon after another program has changed the file, which first takes that in."""
+        while True:
+            await asyncio.sleep(WATCH_PERIOD)
+            if await to_thread.run_sync(self._found_outside):
+                self._saver.changed()
+
     async def _write(self) -> bool:
-        saved = self._saved()
-        is_changed = await self._tried(self._save, self._project(), quietly=self._is_failing)
-        self._is_failing = is_changed is None
-        if self._is_failing:
+        await self._take_in()
+        saved = self._project.saving()
+        state = await self._tried(self._save, self._project.project, quietly=self._is_failing)
+        self._is_failing = state is None
+        if state is None:
             return False
-        if is_changed:
-            self._failed(Phrase("project-changed-outside", name=self._name))
+        self._on_disk = state
         saved()
         if monotonic() - self._version_kept > VERSION_PERIOD:
             await self.keep_version("time")
         return True
 
-    def _save(self, project: Project) -> bool:
-        """Save the project; return whether another program had changed its file."""
-        found = self._folder.state(self._name)
-        is_changed = found not in (None, self._on_disk)
-        if is_changed:
-            self._folder.keep_file(self._name)
+    def _save(self, project: Project) -> FileState | None:
         self._folder.write(project)
-        self._on_disk = self._folder.state(self._name)
-        return is_changed
+        return self._folder.state(self._name)
+
+    async def _take_in(self) -> None:
+        """Merge what another program has changed in the file."""
+        state = await to_thread.run_sync(self._found_outside)
+        if state is None:
+            return
+        version = await self._tried(self._folder.keep_file, self._name)
+        outside = await self._tried(self._folder.read, self._name)
+        self._on_disk = state
+        if outside and version:
+            await self._project.take_in(outside, version)
+
+    def _found_outside(self) -> FileState | None:
+        """The state of the file if another program has changed it."""
+        found = self._folder.state(self._name)
+        return None if found == self._on_disk else found
 
     async def _tried(
         self, action: Callable[..., Value], *args: object, quietly: bool = False
@@ -105,5 +144,5 @@ class Archive:
             return await to_thread.run_sync(action, *args)
         except (LearnBlockError, OSError) as error:
             if not quietly:
-                self._failed(phrase_of(error))
+                self._project.failed(phrase_of(error))
             return None

@@ -58,7 +58,7 @@ def prepare(project: Project) -> Prepared:
     libraries = LibraryVersions(project.libraries)
     return Prepared(
         name=project.name,
-        document=settled(document),
+        document=document.settled(),
         robot=robot,
         world=world,
         shown_blocks=shown_blocks,
@@ -66,12 +66,6 @@ def prepare(project: Project) -> Prepared:
         breakpoints=tuple(project.breakpoints),
         remarks=(*no_robot, *no_world, *no_set, *libraries.remarks()),
     )
-
-
-def settled(document: Document) -> Document:
-    """Compute the slow properties of a document now, so that reading them later is fast."""
-    _ = document.problems, document.places, document.workspace
-    return document
 
 
 def loaded(name: str) -> RobotEntry:

@@ -1,8 +1,9 @@
 """An open project, shared by every page that shows it."""
 
 import asyncio
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from time import time
+from typing import Literal, TypeVar
 
 from anyio import to_thread
 
@@ -11,8 +12,10 @@ from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server import catalog, messages
+from learnblock.server.messages import View
 from learnblock.server.program.document import Document
-from learnblock.server.program.edits import Edits
+from learnblock.server.program.merging import Content, Edit, Merged, base_of
+from learnblock.server.program.shared import SharedProgram
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project_file import Project
 from learnblock.server.runs.player import Player
@@ -20,7 +23,10 @@ from learnblock.server.runs.playing import Played, Setting
 from learnblock.server.runs.trial import Trial
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions.archive import Archive
-from learnblock.server.sessions.prepared import Prepared, loaded, prepare, settled
+from learnblock.server.sessions.prepared import Prepared, loaded, prepare
+from learnblock.server.sessions.saves import Saved, Saves
+
+Result = TypeVar("Result")
 
 
 class Session:
@@ -40,11 +46,12 @@ class Session:
         self.breakpoints = prepared.breakpoints
         self.shown_blocks = prepared.shown_blocks
         self.libraries = prepared.libraries
-        self.edits = Edits(prepared.document)
+        self.program = SharedProgram(prepared.document)
         self.turn = asyncio.Lock()
-        self.archive = Archive(
-            folder, prepared.name, lambda: self.project, self._saving, self._failed
-        )
+        #: The program changes in one thread at a time.
+        self._thinking = asyncio.Lock()
+        self.archive = Archive(folder, prepared.name, self)
+        self._saves = Saves(self._save())
         self.viewers = Viewers()
         self._remarks = prepared.remarks
         self._last_run = (0.0, "")
@@ -53,22 +60,25 @@ class Session:
     @property
     def document(self) -> Document:
         """The current program."""
-        return self.edits.document
+        return self.program.document
 
     @property
     def project(self) -> Project:
         """The project in the form that is saved."""
+        return self._project_with(self.document)
+
+    def _project_with(self, document: Document) -> Project:
         return Project(
             name=self.name,
-            blocktext=self.document.blocktext,
-            python=self.document.python_by_hand,
-            workspace=self.document.workspace,
+            blocktext=document.blocktext,
+            python=document.python_by_hand,
+            workspace=document.workspace,
             robot=self.robot.name,
             world=self.world,
             breakpoints=self.breakpoints,
             shown=self.shown_blocks.name,
             block_sets=self.shown_blocks.carried,
-            libraries=self.libraries.used(self.document.good.tree),
+            libraries=self.libraries.used(document.good.tree),
         )
 
     async def close(self) -> None:
@@ -92,7 +102,7 @@ class Session:
         page.send(messages.Opened(self.name, self.robot.name, self.world, self.breakpoints))
         page.send(self.shown_blocks.message())
         page.send(catalog.tag_dictionary())
-        page.send(page.shown.update(self.edits))
+        page.send(self.program.update(page.shown))
         for remark in self._remarks:
             page.send(messages.Failed(remark))
         self.player.join(page)
@@ -110,16 +120,64 @@ class Session:
         Raises:
             LearnBlockError: the edit is impossible; nothing has changed.
         """
-        before = self.document
-        await self._think(lambda: self.edits.push(settled(edit(before))))
+        await self._think(lambda: self.program.change(edit))
+
+    async def edit(
+        self, page: Viewer, number: int, revision: int, view: View, content: Content
+    ) -> None:
+        """Merge an edit of a page, which wins where others have changed the same line since.
+
+        Args:
+            page: the page.
+            number: the number of its edit.
+            revision: the revision that it shows but for its own edits; 0 for the current one.
+            view: the edited view.
+            content: the view after the edit.
+        """
+
+        def merge() -> Merged:
+            revisions = self.program.revisions
+            base = page.shown.base(view, revision or revisions.last.number, revisions)
+            merged = self.program.merge(Edit(view, content, base), page.shown)
+            page.shown.edited(number, view, content)
+            return merged
+
+        merged = await self._think(merge)
+        if merged.lost:
+            await self._keep(merged.lost, self.viewers, "page")
+
+    async def recover(
+        self, page: Viewer, number: int, view: View, content: Content, base: Content
+    ) -> None:
+        """Merge an edit that a page had made before its connection was lost.
+
+        What others have changed since wins.
+
+        Args:
+            page: the page.
+            number: the number of its edit.
+            view: the edited view.
+            content: the view after the edit.
+            base: the view before the edit.
+        """
+
+        def merge() -> Merged:
+            edit = Edit(view, content, base_of(self.document, base), wins=False)
+            merged = self.program.merge(edit, page.shown)
+            page.shown.repeated(number, view)
+            return merged
+
+        merged = await self._think(merge)
+        if merged.lost:
+            await self._keep(merged.lost, [page], "before")
 
     async def undo(self) -> None:
         """Undo the last edit, if there is one."""
-        await self._think(self.edits.undo)
+        await self._think(self.program.undo)
 
     async def redo(self) -> None:
         """Redo the last undone edit, if there is one."""
-        await self._think(self.edits.redo)
+        await self._think(self.program.redo)
 
     async def restore(self, earlier: Project) -> None:
         """Restore an earlier program, with the current robot and world."""
@@ -129,9 +187,73 @@ class Session:
 
     async def know(self, configurations: Mapping[str, BlockConfiguration]) -> None:
         """Read the program with a changed set of skills."""
-        before = self.document
         self.libraries = await to_thread.run_sync(self.libraries.renewed)
-        await self._think(lambda: self.edits.replace(before.with_configurations(configurations)))
+        await self._think(
+            lambda: self.program.replace(lambda now: now.with_configurations(configurations))
+        )
+
+    # The file.
+
+    def saving(self) -> Callable[[], None]:
+        """Record the last edit of each page, to confirm it once it is saved."""
+        edits = [(page, page.shown.edit) for page in self.viewers]
+        save = self._save()
+
+        def saved() -> None:
+            self._saves.add(save)
+            for page, edit in edits:
+                page.send(messages.Saved(edit))
+
+        return saved
+
+    async def take_in(self, outside: Project, version: str) -> None:
+        """Merge the project as another program has saved it; what was changed here wins.
+
+        Args:
+            outside: the project.
+            version: the version of it that is kept.
+        """
+        await self.archive.keep_version("time")
+        prepared = await to_thread.run_sync(prepare, outside)
+        await self._take_in_settings(self._saves.last.project, outside, prepared)
+        devices = self.robot.load().known_devices()
+        document = prepared.document.with_robot(self.robot.module, devices)
+        view: View = "blocktext" if outside.python is None else "python"
+        base = self._saves.edited(view, document.text_of(view)).revision
+        edit = Edit(view, document.text_of(view), base.text(view), wins=False)
+
+        def merge() -> bool:
+            if self.program.revisions.last == base:
+                self.program.change(lambda _: document)
+                return False
+            return self.program.merge(edit).lost is not None
+
+        if await self._think(merge):
+            self.viewers.send(messages.Conflict(version, "file"))
+        else:
+            self.viewers.send(messages.TakenIn())
+
+    async def _take_in_settings(self, saved: Project, outside: Project, found: Prepared) -> None:
+        """Choose what another program has chosen, unless the running program forbids it."""
+        try:
+            if outside.robot != saved.robot:
+                await self.choose_robot(found.robot.name)
+            if outside.world != saved.world:
+                await self.choose_world(found.world)
+        except LearnBlockError as error:
+            self.failed(error.phrase)
+        if outside.breakpoints != saved.breakpoints:
+            self.set_breakpoints(found.breakpoints)
+        if (outside.shown, outside.block_sets) != (saved.shown, saved.block_sets):
+            self.shown_blocks = found.shown_blocks
+            self.viewers.send(self.shown_blocks.message())
+
+    def _save(self) -> Saved:
+        return Saved(self.project, self.program.revisions.last)
+
+    def failed(self, message: Phrase) -> None:
+        """Tell every page what went wrong."""
+        self.viewers.send(messages.Failed(message))
 
     # Settings.
 
@@ -146,7 +268,7 @@ class Session:
         self.robot = robot
         devices = robot.load().known_devices()
         await self._think(
-            lambda: self.edits.replace(self.document.with_robot(robot.module, devices))
+            lambda: self.program.replace(lambda now: now.with_robot(robot.module, devices))
         )
         self._send_settings()
 
@@ -222,31 +344,23 @@ class Session:
 
     # Helpers.
 
-    async def _think(self, change: Callable[[], None]) -> None:
+    async def _keep(
+        self, lost: Document, pages: Iterable[Viewer], by: Literal["page", "before"]
+    ) -> None:
+        """Save a version of the project with a change that the program lacks, and say so."""
+        version = await self.archive.keep_version("conflict", self._project_with(lost))
+        for page in pages:
+            page.send(messages.Conflict(version, by))
+
+    async def _think(self, change: Callable[[], Result]) -> Result:
         """Change the program in a thread, because this is slow, and send the changes."""
-
-        def think() -> None:
-            change()
-            settled(self.document)
-
-        await to_thread.run_sync(think)
+        async with self._thinking:
+            result = await to_thread.run_sync(change)
         for page in self.viewers:
-            page.send(page.shown.update(self.edits))
+            page.send(self.program.update(page.shown))
         self.archive.changed()
+        return result
 
     def _send_settings(self) -> None:
         self.viewers.send(messages.Settings(self.robot.name, self.world, self.breakpoints))
         self.archive.changed()
-
-    def _saving(self) -> Callable[[], None]:
-        """Record the last edit of each page, to confirm it once it is saved."""
-        edits = [(page, page.shown.edit) for page in self.viewers]
-
-        def saved() -> None:
-            for page, edit in edits:
-                page.send(messages.Saved(edit))
-
-        return saved
-
-    def _failed(self, message: Phrase) -> None:
-        self.viewers.send(messages.Failed(message))

@@ -9,6 +9,17 @@ OTHER = "main:\n    function.move_straight(60)\nend\n"
 WRONG = "main:\n    function.move_straight(50\nend\n"
 
 
+def text_of(file):
+    return "\n".join(json.loads(file.read_text("utf-8"))["blocktext"])
+
+
+def write_outside(file, text, **values):
+    """Change the program in a project's file, and other values, as another program would."""
+    saved = json.loads(file.read_text("utf-8"))
+    changed = {**saved, "blocktext": text.split("\n"), **values}
+    file.write_text(json.dumps(changed), "utf-8")
+
+
 def number(workspace, value):
     """Return the workspace with a different number in its innermost block."""
     text = json.dumps(workspace)
@@ -187,21 +198,100 @@ def test_what_a_full_disk_refused_is_saved_once_there_is_room(projects):
     assert "\n".join(saved["blocktext"]) == OTHER
 
 
-def test_what_another_program_wrote_meanwhile_is_in_the_history(page, projects):
+def test_what_another_program_writes_is_shown(page, projects):
+    page.open(text=PROGRAM)
+    page.hear("Saved")
+    write_outside(projects / "program.learnblock", OTHER, world="line")
+    assert page.hear("Settings")["world"] == "line"
+    assert page.hear("Document")["blocktext"] == OTHER
+    page.hear("TakenIn")
+    page.say("Undo")
+    assert page.hear("Document", blocktext=PROGRAM)
+
+
+def test_what_another_program_wrote_is_merged_with_an_edit(page, projects):
     page.open(text=PROGRAM)
     page.hear("Saved")
     file = projects / "program.learnblock"
-    theirs = {**json.loads(file.read_text("utf-8")), "blocktext": OTHER.split("\n")}
-    file.write_text(json.dumps(theirs), "utf-8")
-    mine = PROGRAM + "# mine\n"
+    write_outside(file, OTHER)
+    page.type(PROGRAM + "# mine\n")
+    assert page.hear("Document", blocktext=OTHER + "# mine\n")
+    page.hear("TakenIn")
+    page.hear("Saved")
+    assert text_of(file) == OTHER + "# mine\n"
+
+
+def test_where_another_program_changed_the_same_line_its_version_is_in_the_history(page, projects):
+    page.open(text=PROGRAM)
+    page.hear("Saved")
+    file = projects / "program.learnblock"
+    write_outside(file, OTHER)
+    mine = PROGRAM.replace("50", "70")
     page.type(mine)
-    assert "Another program changed" in english(page.hear("Failed")["message"])
-    assert "\n".join(json.loads(file.read_text("utf-8"))["blocktext"]) == mine
-    page.say("ListHistory")
-    (version,) = page.hear("History")["versions"]
-    assert version["reason"] == "outside"
-    page.say("Restore", version=version["id"])
+    conflict = page.hear("Conflict")
+    assert conflict["by"] == "file"
+    page.hear("Saved")
+    assert text_of(file) == mine
+    page.say("Restore", version=conflict["version"])
     assert page.hear("Document", blocktext=OTHER)
+
+
+def test_edits_of_two_pages_are_merged(server, page):
+    page.open(text=PROGRAM)
+    with server.visit() as other:
+        other.say("Open", name="program")
+        revision = other.hear("Document")["revision"]
+        page.type(OTHER, revision=revision)
+        merged = other.type(PROGRAM + "# more\n", revision=revision)
+        assert merged["blocktext"] == OTHER + "# more\n"
+        assert page.hear("Document", blocktext=OTHER + "# more\n")
+        # What it types before it shows the merged program is based on its own text.
+        further = other.type(PROGRAM + "# more and more\n", revision=revision)
+        assert further["blocktext"] == OTHER + "# more and more\n"
+
+
+def test_of_two_edits_of_one_line_the_first_is_in_the_history(server, page):
+    page.open(text=PROGRAM)
+    with server.visit() as other:
+        other.say("Open", name="program")
+        revision = other.hear("Document")["revision"]
+        page.type(OTHER, revision=revision)
+        mine = PROGRAM.replace("50", "70")
+        assert "blocktext" not in other.type(mine, revision=revision)
+        conflicts = [one.hear("Conflict") for one in (page, other)]
+        assert [one["by"] for one in conflicts] == ["page", "page"]
+        page.say("Restore", version=conflicts[0]["version"])
+        assert page.hear("Document", blocktext=OTHER)
+
+
+def test_an_edit_that_was_not_saved_is_repeated_after_a_crash(page):
+    page.open(text=PROGRAM)
+    line = "# first\n"
+    repeated = {"notation": "blocktext", "text": line + PROGRAM, "base": PROGRAM}
+    page.say("RecoverText", edit=2, **repeated)
+    assert page.hear("Document", edit=2)["origin"] == "blocktext"
+    page.say("RecoverText", edit=3, **{**repeated, "text": PROGRAM, "base": line + PROGRAM})
+    assert page.hear("Document", edit=3)
+
+
+def test_what_others_changed_since_a_crash_wins_over_the_edit_before_it(page):
+    page.open(text=OTHER)
+    mine = PROGRAM.replace("50", "70")
+    page.say("RecoverText", edit=2, notation="blocktext", text=mine, base=PROGRAM)
+    assert page.hear("Document", edit=2)["blocktext"] == OTHER
+    conflict = page.hear("Conflict")
+    assert conflict["by"] == "before"
+    page.say("Restore", version=conflict["version"])
+    assert page.hear("Document", blocktext=mine)
+
+
+def test_blocks_that_were_not_saved_are_merged_after_a_crash(page):
+    page.open()
+    base = page.type(PROGRAM)["workspace"]
+    page.type(PROGRAM + "# more\n")
+    page.say("RecoverBlocks", edit=3, workspace=number(base, 70), base=base)
+    merged = page.hear("Document", edit=3)
+    assert merged["blocktext"] == PROGRAM.replace("50", "70") + "\n# more\n"
 
 
 def test_even_a_damaged_file_of_another_program_is_kept(page, projects, own_home):
@@ -210,6 +300,7 @@ def test_even_a_damaged_file_of_another_program_is_kept(page, projects, own_home
     (projects / "program.learnblock").write_text("<<<<<<< HEAD", "utf-8")
     page.type(OTHER)
     page.hear("Failed")
+    page.hear("Saved")
     kept = list((projects / ".history" / "program").glob("*-outside-0.learnblock"))
     assert [one.read_text("utf-8") for one in kept] == ["<<<<<<< HEAD"]
 

@@ -15,3 +15,4 @@ page-history-reason-run = Before a run
 page-history-reason-time = Saved automatically
 page-history-reason-restored = Before restoring
 page-history-reason-outside = Changed by another program
+page-history-reason-conflict = The other change of the same line

@@ -15,3 +15,4 @@ page-history-reason-run = Antes de una ejecución
 page-history-reason-time = Guardada automáticamente
 page-history-reason-restored = Antes de restaurar
 page-history-reason-outside = Cambiada por otro programa
+page-history-reason-conflict = El otro cambio de la misma línea

@@ -1,0 +1,67 @@
+/** Unsaved edits, kept by the browser so that a crash of the page, the server or the machine loses none. */
+
+import { del, getMany, keys, set } from "idb-keyval";
+
+import { Throttle } from "../ui/throttle";
+import type { Draft } from "./unsaved";
+
+/** ms between two writes of the drafts. */
+const PERIOD = 100;
+
+/** The drafts that another page, or this one before it was reloaded, has left. */
+export interface Left {
+  readonly drafts: readonly Draft[];
+  /** Forget them once they are saved. */
+  forget(): void;
+}
+
+/** Where a page keeps its drafts. */
+export interface Drafts {
+  /** Keep the drafts of a project instead of those before; none forgets them. */
+  keep(project: string, drafts: readonly Draft[]): void;
+  /** The drafts that other pages have left of a project. */
+  left(project: string): Promise<readonly Left[]>;
+}
+
+/** Keeps drafts in the browser's database. Without one, as in some private windows, it keeps nothing. */
+export class BrowserDrafts implements Drafts {
+  /** Tells the drafts of this page from those that another page of the same project may be writing. */
+  private readonly page = crypto.getRandomValues(new Uint32Array(2)).join("-");
+  private readonly writing = new Throttle(PERIOD);
+  private readonly locks = navigator.locks as LockManager | undefined;
+
+  constructor() {
+    // The browser releases the lock when the page is closed, or crashes.
+    void this.locks?.request(this.page, () => new Promise(() => undefined));
+  }
+
+  keep(project: string, drafts: readonly Draft[]): void {
+    const key = [project, this.page];
+    this.writing.do(() => {
+      void attempt(drafts.length > 0 ? set(key, drafts) : del(key));
+    });
+  }
+
+  async left(project: string): Promise<readonly Left[]> {
+    const all = (await attempt(keys<[string, string]>())) ?? [];
+    const open = await this.openPages();
+    const others = all.filter(([name, page]) => name === project && !open.has(page));
+    const found = (await attempt(getMany<readonly Draft[]>(others))) ?? [];
+    return others.map((key, index) => ({ drafts: found[index] ?? [], forget: () => void attempt(del(key)) }));
+  }
+
+  /** The pages that will save their edits themselves; only this one where the browser has no locks. */
+  private async openPages(): Promise<ReadonlySet<string | undefined>> {
+    const { held = [] } = (await this.locks?.query()) ?? {};
+    return new Set([this.page, ...held.map(({ name }) => name)]);
+  }
+}
+
+async function attempt<T>(action: Promise<T>): Promise<T | null> {
+  try {
+    return await action;
+  } catch (reason) {
+    console.warn("The browser keeps no drafts:", reason);
+    return null;
+  }
+}
