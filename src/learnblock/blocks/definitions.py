@@ -137,7 +137,8 @@ def _values() -> list[Definition]:
 
 def skill_definition(configuration: BlockConfiguration, language: str) -> Definition:
     """The block of a skill, with its words in `language`, such as ``es``."""
-    shape = {"output": None} if configuration.returns_value else _STATEMENT
+    output = "Boolean" if configuration.returns == "boolean" else None
+    shape = {"output": output} if configuration.returns_value else _STATEMENT
     return {
         "type": SKILL + configuration.name,
         "style": f"lb_{configuration.type}",

@@ -47,6 +47,16 @@ def test_every_skill_is_in_the_toolbox_once():
         assert 1 == kinds.count(f"lb_skill_{name}")
 
 
+@pytest.mark.parametrize(
+    ("skill", "output"),
+    [("is_center_ground_line", "Boolean"), ("get_min_distance", None), ("stop_bot", "a statement")],
+)
+def test_a_question_is_a_boolean_block_and_a_measurement_any_value(skill, output):
+    definition = named(palette(builtin(), "en"), f"lb_skill_{skill}")
+
+    assert output == definition.get("output", "a statement")
+
+
 @every_language
 def test_each_placeholder_in_a_message_is_filled(language):
     words = translation(language)

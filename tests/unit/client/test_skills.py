@@ -69,6 +69,14 @@ def test_a_skill_without_its_device_has_no_effect_and_reports_it(block):
 
 
 @pytest.mark.parametrize("block", BLOCKS, ids=by_name)
+def test_a_skill_that_returns_a_boolean_is_a_question(block):
+    hint = skills.find([block.name])[block.name].__annotations__["return"]
+    is_question = hint in (bool, "bool")
+
+    assert is_question is (block.returns == "boolean")
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
 def test_with_every_device_no_skill_reports_a_missing_one(block):
     listener = Listener()
     with FakeRobot(skills=[block.name], observer=listener) as robot:

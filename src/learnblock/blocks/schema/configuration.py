@@ -12,6 +12,7 @@ from learnblock.i18n import Phrase
 ParameterType = Literal[
     "float", "int", "string", "boolean", "list", "apriltext", "choice", "colour", "angle"
 ]
+Returns = Literal["any", "boolean"]
 #: The types that are numbers, and can have a range.
 NUMBERS: tuple[ParameterType, ...] = ("float", "int", "angle")
 
@@ -83,6 +84,7 @@ class BlockConfiguration:
         tooltip: a sentence of help, by upper-case language code.
         needs: the devices that it needs to have an effect: ``Base``, or ``JointMotor:CAMERA`` for
             the device with that key.
+        returns: the kind of a value: ``boolean`` for a question, whose block is hexagonal.
         library: the library that a program must import, if any.
         titles: the name of the tab of a library, by upper-case language code.
     """
@@ -95,6 +97,7 @@ class BlockConfiguration:
     languages: Mapping[str, str] = field(default_factory=dict)
     tooltip: Mapping[str, str] = field(default_factory=dict)
     needs: tuple[str, ...] = ()
+    returns: Returns = "any"
     library: str = ""
     titles: Mapping[str, str] = field(default_factory=dict)
 

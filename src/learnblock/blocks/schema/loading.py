@@ -94,6 +94,7 @@ def _trusted(raw: dict[str, Any]) -> BlockConfiguration:
         languages=raw["languages"],
         tooltip=raw["tooltip"],
         needs=tuple(raw.get("needs", ())),
+        returns=raw.get("returns", "any"),
     )
 
 
@@ -123,6 +124,7 @@ def completed(block: BlockConfiguration, known: BlockConfiguration) -> BlockConf
         parameters=parameters or known.parameters,
         languages={**known.languages, **block.languages},
         tooltip={**known.tooltip, **block.tooltip},
+        returns=known.returns if block.returns == "any" else block.returns,
         needs=block.needs or known.needs,
         library=known.library,
         titles=known.titles,

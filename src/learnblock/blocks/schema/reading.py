@@ -11,6 +11,7 @@ from learnblock.blocks.schema.configuration import (
     BlockConfiguration,
     Parameter,
     ParameterType,
+    Returns,
 )
 from learnblock.blocks.schema.defaults import DEFAULTS
 from learnblock.blocks.schema.limits import MOST_CHOICES, is_choice, range_problem
@@ -23,6 +24,7 @@ T = TypeVar("T", bound=str)
 
 TYPES = ("motor", "perceptual", "proprioceptive", "express", "control", "operator", "others")
 SHAPES = ("blockVertical", "blockLeft", "blockBoth")
+RETURNS: tuple[Returns, ...] = get_args(Returns)
 PARAMETER_TYPES: tuple[ParameterType, ...] = get_args(ParameterType)
 
 # Each key, and whether it is required.
@@ -32,6 +34,7 @@ _BLOCK_KEYS = {
     "name": True,
     "variables": False,
     "shape": True,
+    "returns": False,
     "languages": False,
     "tooltip": False,
     "needs": False,
@@ -89,6 +92,7 @@ class _Reader:
             languages=self._languages(fields, "languages", path, who),
             tooltip=self._languages(fields, "tooltip", path, who),
             needs=self._needs(fields, path, who),
+            returns=self._choice(fields, "returns", path, who, RETURNS),
         )
 
     def _parameters(

@@ -20,6 +20,7 @@ def _block(block: BlockConfiguration) -> dict[str, Any]:
         "name": block.name,
         "variables": list(map(_parameter, block.parameters)),
         "shape": list(block.shapes),
+        **({} if block.returns == "any" else {"returns": block.returns}),
         "languages": dict(block.languages),
         "tooltip": dict(block.tooltip),
         **({"needs": list(block.needs)} if block.needs else {}),

@@ -48,6 +48,7 @@ def derived(signature: Signature, filename: str) -> BlockConfiguration:
         name=signature.name,
         parameters=tuple(map(_parameter, signature.arguments)),
         shapes=VALUE if signature.answers else STATEMENT,
+        returns=signature.returns,
         languages={"EN": label},
         tooltip={"EN": signature.summary or label},
     )
@@ -74,6 +75,7 @@ def fitted(
             _fitted_parameter(by_name.get(argument.name), argument, parameter)
             for argument, parameter in zip(signature.arguments, known.parameters, strict=True)
         ),
+        returns=signature.returns if signature.is_said else chosen.returns,
         shapes=chosen.shapes if same_kind or not signature.is_said else known.shapes,
         languages={**known.languages, **chosen.languages},
         tooltip={**known.tooltip, **chosen.tooltip},

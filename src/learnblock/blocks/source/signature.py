@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from learnblock.blocks.schema.configuration import ParameterType
+from learnblock.blocks.schema.configuration import ParameterType, Returns
 from learnblock.blocks.source.hints import FieldType, field_type
 from learnblock.errors import HintError
 from learnblock.i18n import Phrase
@@ -63,7 +63,8 @@ class Signature:
         robot: the name of its first parameter.
         arguments: the other parameters, in order.
         answers: whether it returns a value.
-        is_said: whether a hint says so; otherwise it follows from the `return` statements.
+        returns: the kind of that value, if a hint says so.
+        is_said: whether a hint says if it does; otherwise that follows from its `return`s.
         summary: the first paragraph of its docstring, if any.
         unfit: parameters that a block cannot set: ``*args``, and keyword-only ones without default.
         place: the position of its name.
@@ -73,6 +74,7 @@ class Signature:
     robot: str
     arguments: tuple[Argument, ...]
     answers: bool
+    returns: Returns
     is_said: bool
     summary: str
     unfit: tuple[str, ...]
@@ -100,6 +102,7 @@ def signature(function: ast.FunctionDef) -> Signature:
         robot=positional[0].arg,
         arguments=tuple(_arguments(function.args)),
         answers=_answers(function),
+        returns=_returns(function.returns),
         is_said=said,
         summary=" ".join(summary.split()),
         unfit=tuple(_unfit(function.args)),
@@ -170,6 +173,12 @@ def _unfit(arguments: ast.arguments) -> Iterator[str]:
             yield argument.arg
     if arguments.vararg:
         yield f"*{arguments.vararg.arg}"
+
+
+def _returns(hint: ast.expr | None) -> Returns:
+    is_name = isinstance(hint, ast.Name) and hint.id == "bool"
+    is_text = isinstance(hint, ast.Constant) and hint.value == "bool"
+    return "boolean" if is_name or is_text else "any"
 
 
 def _answers(function: ast.FunctionDef) -> bool:

@@ -396,6 +396,7 @@ def configurations(draw) -> BlockConfiguration:
         draw(st.sampled_from(["motor", "others"])), draw(some_words), "waltz", tuple(parameters),
         draw(st.sampled_from([("blockVertical",), ("blockLeft", "blockBoth")])),
         draw(texts), draw(texts), draw(st.sampled_from([(), ("Base", "JointMotor:CAMERA")])),
+        draw(st.sampled_from(["any", "boolean"])),
     )  # fmt: skip
 
 

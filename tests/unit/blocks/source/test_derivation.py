@@ -247,6 +247,23 @@ def test_a_function_that_returns_something_is_a_value(source, is_value):
     assert is_value is derived(source).returns_value
 
 
+@pytest.mark.parametrize(
+    ("hint", "returns"),
+    [("-> bool", "boolean"), ('-> "bool"', "boolean"), ("-> int", "any"), ("", "any")],
+)
+def test_a_hint_determines_whether_a_value_is_a_question(hint, returns):
+    source = f"def f(robot) {hint}: return 3"
+
+    assert returns == derived(source).returns
+    assert returns == fit(source, shape=["blockLeft"]).returns
+
+
+def test_a_configuration_makes_a_question_of_a_function_without_a_hint():
+    block = fit("def f(robot): return 3", shape=["blockLeft"], returns="boolean")
+
+    assert "boolean" == block.returns
+
+
 def test_only_public_functions_with_a_robot_are_blocks():
     source = "def _help(robot): ...\nclass A:\n    def f(self): ...\ndef g(): ...\nx = 1\n"
 
