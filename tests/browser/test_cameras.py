@@ -43,7 +43,7 @@ def watched(tmp_path):
 def test_the_result_says_why_emotions_had_no_effect(sit_down, watched):
     pupil = sit_down(watched)
     pupil.begin()
-    pupil.choose("Robot", "mine")
+    pupil.choose("Robot", "mine (real)")
     pupil.show("Block-Text", "Python")
     pupil.write("blocktext", LOOKING)
     pupil.sees("python", "robot.is_any_face_happy()", "learnblock_home.robots.mine")

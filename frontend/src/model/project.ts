@@ -16,6 +16,7 @@ import type {
 import { inBase64, saveFile } from "../ui/files";
 import type { Toasts } from "../ui/toasts";
 import type { Program } from "./program";
+import { robotTitle } from "./robots";
 
 /** The example that new users see. */
 const FIRST_EXAMPLE = "square";
@@ -132,7 +133,8 @@ export class Project {
 
   /** A robot's display name. */
   robotTitle(name: string): string {
-    return this.welcome.value?.robots.find((one) => one.name === name)?.title ?? name;
+    const robot = this.welcome.value?.robots.find((one) => one.name === name);
+    return robot ? robotTitle(robot) : name;
   }
 
   /** A world's display name; the user's own worlds keep their names. */
@@ -184,13 +186,22 @@ export class Project {
   private failed(message: Phrase, request: string): void {
     // The dialog that sent the request shows the error itself.
     if (/(CustomBlock|Library|Libraries)$/.test(request)) return;
-    this.toasts.error(say(message));
+    if (request === "Run") this.refused(message);
+    else this.toasts.error(say(message));
     this.doomed = null;
     // The page's address names a project that does not exist.
     if (request !== "Open") return;
     if (this.name.value) return renameProject(this.name.value);
     this.choosing = true;
     this.list();
+  }
+
+  /** Tell why the program cannot run, until its error is fixed. */
+  private refused(message: Phrase): void {
+    const error = say((message.values?.problem ?? "") as Phrase | string);
+    const isFixed = () => !this.program.state.value.problems.some((one) => say(one.message) === error);
+    if (isFixed()) this.toasts.error(say(message));
+    else this.toasts.errorUntil(isFixed, say(message));
   }
 
   private followAddress(): void {

@@ -1,6 +1,6 @@
 /** Short notes over the page that disappear on their own. */
 
-import { signal } from "@preact/signals";
+import { effect, signal } from "@preact/signals";
 
 export interface Toast {
   readonly sort: "note" | "error";
@@ -9,7 +9,7 @@ export interface Toast {
 }
 
 const MOST = 4;
-/** Errors stay until the user dismisses them. */
+/** Errors stay until the user dismisses them or they are fixed. */
 const NOTE_STAYS = 6000;
 
 export class Toasts {
@@ -27,6 +27,20 @@ export class Toasts {
 
   error(text: string): void {
     this.show({ sort: "error", text });
+  }
+
+  /** Show an error until `fixed`, which reads signals, is true. */
+  errorUntil(fixed: () => boolean, text: string): void {
+    const toast = { sort: "error", text } as const;
+    this.show(toast);
+    const end = effect(() => {
+      if (!fixed() && this.shown.value.includes(toast)) return;
+      // After this turn: an effect that is still being created has no end.
+      queueMicrotask(() => {
+        end();
+        this.dismiss(toast);
+      });
+    });
   }
 
   dismiss(toast: Toast): void {

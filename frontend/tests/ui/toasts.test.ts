@@ -1,3 +1,4 @@
+import { signal } from "@preact/signals";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 
 import { Toasts } from "../../src/ui/toasts";
@@ -27,4 +28,16 @@ test("only the newest four are shown", () => {
   const toasts = new Toasts();
   for (const text of ["a", "b", "c", "d", "e"]) toasts.error(text);
   expect(texts(toasts)).toEqual(["b", "c", "d", "e"]);
+});
+
+test("an error that can be fixed goes once it is fixed, and no other does", async () => {
+  const toasts = new Toasts();
+  const isFixed = signal(false);
+  toasts.errorUntil(() => isFixed.value, "a value is missing");
+  toasts.error("disk full");
+  await Promise.resolve();
+  expect(texts(toasts)).toEqual(["a value is missing", "disk full"]);
+  isFixed.value = true;
+  await Promise.resolve();
+  expect(texts(toasts)).toEqual(["disk full"]);
 });

@@ -2,6 +2,7 @@
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
+import { robotGroups, robotTitle } from "../../model/robots";
 import type { WorldChoice as World } from "../../protocol/messages";
 import { IconButton } from "../../ui/button";
 
@@ -45,10 +46,14 @@ export function RobotChoice() {
           disabled={context.running.active.value}
           onChange={({ currentTarget }) => controls.chooseRobot(currentTarget.value)}
         >
-          {robots.map(({ name, title }) => (
-            <option key={name} value={name}>
-              {title}
-            </option>
+          {robotGroups(robots).map((group) => (
+            <optgroup key={group.name} label={t(`page-bar-robots-${group.name}`)}>
+              {group.robots.map((robot) => (
+                <option key={robot.name} value={robot.name}>
+                  {robotTitle(robot)}
+                </option>
+              ))}
+            </optgroup>
           ))}
         </select>
       </label>

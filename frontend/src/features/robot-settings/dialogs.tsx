@@ -6,6 +6,7 @@ import { useEffect } from "preact/hooks";
 
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
+import { plainTitle } from "../../model/robots";
 import type { SettingsTable } from "../../protocol/messages";
 import { Actions, Dialog } from "../../ui/dialog";
 import { SettingField } from "./field";
@@ -25,9 +26,9 @@ export function RobotSettingsDialog() {
       <label class="field">
         {t("page-bar-robot")}
         <select value={robot.value} onChange={({ currentTarget }) => (robot.value = currentTarget.value)}>
-          {real.map(({ name, title }) => (
-            <option key={name} value={name}>
-              {title}
+          {real.map((one) => (
+            <option key={one.name} value={one.name}>
+              {plainTitle(one)}
             </option>
           ))}
         </select>

@@ -16,6 +16,10 @@ page-bar-slow = Slow motion { $factor }×
 page-bar-times = { $factor }×
 page-bar-free = Fastest
 page-bar-robot = Robot
+page-bar-robots-simulated = Simulated
+page-bar-robots-real = Real
+# A robot that is not simulated. $robot: its name
+page-bar-real-robot = { $robot } (real)
 page-bar-world = World
 page-bar-worlds = Worlds
 page-bar-own-worlds = My worlds

@@ -16,6 +16,10 @@ page-bar-slow = Cámara lenta { $factor }×
 page-bar-times = { $factor }×
 page-bar-free = Máxima
 page-bar-robot = Robot
+page-bar-robots-simulated = Simulados
+page-bar-robots-real = Reales
+# A robot that is not simulated. $robot: its name
+page-bar-real-robot = { $robot } (real)
 page-bar-world = Mundo
 page-bar-worlds = Mundos
 page-bar-own-worlds = Mis mundos

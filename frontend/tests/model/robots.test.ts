@@ -1,0 +1,29 @@
+import { signal } from "@preact/signals";
+import { expect, test } from "vitest";
+
+import { startLanguage } from "../../src/i18n";
+import { robotGroups, robotTitle } from "../../src/model/robots";
+
+const ROBOTS = [
+  { name: "sim-cozmo", title: "Cozmo", simulated: true },
+  { name: "coppeliasim", title: "coppeliasim", simulated: false },
+  { name: "cozmo", title: "cozmo", simulated: false },
+  { name: "mine", title: "mine", simulated: false },
+];
+
+test("robots are grouped into simulated and real ones", () => {
+  const groups = robotGroups(ROBOTS).map(({ name, robots }) => [name, robots.map((one) => one.name)]);
+  expect(groups).toEqual([
+    ["simulated", ["sim-cozmo", "coppeliasim"]],
+    ["real", ["cozmo", "mine"]],
+  ]);
+});
+
+test("a group without robots is left out", () => {
+  expect(robotGroups(ROBOTS.slice(0, 1)).map(({ name }) => name)).toEqual(["simulated"]);
+});
+
+test("a real robot's title says that it is real", async () => {
+  await startLanguage(signal("en"));
+  expect(ROBOTS.map(robotTitle)).toEqual(["Cozmo", "CoppeliaSim", "Cozmo (real)", "mine (real)"]);
+});
