@@ -174,6 +174,11 @@ class Pupil:
         # The first one keeps the margin open.
         margin.nth(line).click()
 
+    def click_line_number(self, view, line):
+        """Click the number of a line."""
+        numbers = self.page.locator(f"[data-region={view}] .cm-lineNumbers .cm-gutterElement")
+        numbers.get_by_text(str(line), exact=True).last.click()
+
     def put_cursor(self, view, word, occurrence=0):
         """Put the cursor before a word of a text."""
         before = self.text(view).split(word, occurrence + 1)

@@ -133,6 +133,19 @@ def test_a_run_is_shown_and_read_out_in_spanish(pupil):
     assert english_words() & visible_texts(pupil) == set()
 
 
+def test_the_page_s_own_lines_in_the_console_change_their_language(pupil):
+    pupil.write("blocktext", FAILING)
+    expect(pupil.blocks("lb_when")).to_have_count(0)
+    pupil.press("Run")
+    console = pupil.tab("Console")
+    expect(console).to_contain_text("Stopped by an error")
+    choose_language(pupil, "Español")
+    console = pupil.page.locator(".console-lines")
+    expect(console).to_contain_text("Detenido por un error")
+    expect(console).not_to_contain_text("Stopped by an error")
+    expect(console.locator(".note").last).to_have_text("Iniciado")
+
+
 def test_a_mistake_is_explained_in_the_chosen_language(pupil):
     pupil.write("blocktext", WRONG)
     problems = pupil.tab("Problems")

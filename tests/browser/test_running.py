@@ -100,6 +100,23 @@ def test_a_breakpoint_set_at_a_line_is_shown_at_its_block_and_pauses_the_program
     assert pupil.foreign == []
 
 
+def test_a_click_on_a_line_number_sets_a_breakpoint_and_another_removes_it(pupil):
+    pupil.write("blocktext", TWICE)
+    pupil.sees("python", "four = twice(2)")
+    for view, count in (("blocktext", 1), ("python", 0)):
+        pupil.click_line_number(view, pupil.line_of(view, "four = twice(2)"))
+        expect(pupil.page.locator("[data-region=blocks] .lbBreakpoint")).to_have_count(count)
+
+
+def test_the_note_that_refused_a_run_goes_once_the_error_is_fixed(pupil):
+    pupil.write("blocktext", "main:\n    function.turn(90\nend\n")
+    expect(pupil.page.locator(".stale-note")).to_be_visible()
+    pupil.press("Run")
+    note = pupil.expect_note("The program has an error on line 2")
+    pupil.write("blocktext", "main:\n    function.turn(90)\nend\n")
+    expect(note).to_have_count(0)
+
+
 def test_a_question_of_the_program_is_answered_in_the_console_which_shows_its_output(pupil):
     pupil.write("blocktext", ASKING)
     pupil.sees("python", "input(")

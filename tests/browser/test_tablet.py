@@ -37,6 +37,13 @@ CONTROLS = """() => {
         });
 }"""
 
+#: The visible titles of regions that do not have the width they need.
+CUT = """() => [...document.querySelectorAll("h2")]
+    .filter((title) => title.checkVisibility())
+    .filter((title) => !getComputedStyle(title).clipPath.startsWith("inset"))
+    .filter((title) => title.scrollWidth > title.clientWidth)
+    .map((title) => title.textContent)"""
+
 
 def test_a_block_is_dragged_by_a_finger_and_the_program_run_by_a_tap(sit_down, server):
     pupil = sit_down(server, viewport=TABLET, has_touch=True, user_agent=ANDROID)
@@ -87,6 +94,19 @@ def test_a_divider_can_be_dragged_by_a_finger_next_to_it(sit_down, server):
         "([divider, y]) => Math.abs(divider.getBoundingClientRect().y - y) < 3",
         arg=[divider.element_handle(), before["y"] - 120],
     )
+
+
+def test_on_a_phone_no_title_is_cut_and_no_button_covers_the_console(sit_down, server):
+    pupil = sit_down(server, viewport=PHONE, has_touch=True)
+    for area in ("World", "Output"):
+        tap(pupil, ".area-buttons button", area)
+        expect(pupil.page.locator(SHOWN[area]).first).to_be_visible()
+        pupil.picture(area)
+        assert pupil.page.evaluate(CUT) == []
+    lines = pupil.page.locator(".console-lines").bounding_box()
+    for name in ("Copy", "Clear"):
+        button = pupil.page.get_by_role("button", name=name, exact=True).bounding_box()
+        assert button["y"] >= lines["y"] + lines["height"]
 
 
 class Finger:

@@ -46,6 +46,7 @@ class Console implements ConsoleIsland {
         copy.textContent = t("page-console-copy");
         clear.textContent = t("page-console-clear");
         this.lines.dom.setAttribute("aria-label", t("page-console-lines"));
+        this.lines.translate();
       }),
     ];
   }
@@ -72,11 +73,11 @@ class Console implements ConsoleIsland {
       connection.on("Printed", ({ text }) => this.lines.print(text)),
       connection.on("InputWanted", ({ prompt }) => this.question.ask(prompt || t("page-console-asks"))),
       connection.on("RunState", ({ state }) => {
-        if (state === "starting") this.lines.add(t("page-console-started"), "note");
+        if (state === "starting") this.lines.add(() => t("page-console-started"), "note");
       }),
       connection.on("Ended", (ended) => {
         this.question.close();
-        this.lines.add(ending(ended), WELL.has(ended.ended) ? "good" : "bad");
+        this.lines.add(() => ending(ended), WELL.has(ended.ended) ? "good" : "bad");
       }),
     ];
   }
@@ -88,7 +89,8 @@ class Console implements ConsoleIsland {
   }
 
   private answer(text: string): void {
-    this.lines.add(`${this.question.prompt} ${text}`, "asked");
+    const line = `${this.question.prompt} ${text}`;
+    this.lines.add(() => line, "asked");
     this.context.connection.send({ kind: "Answer", text });
   }
 

@@ -16,6 +16,8 @@ export class Lines {
   private frame = 0;
   private open: HTMLElement | null = null;
   private following = true;
+  /** The words of the page's own lines, in the language in use. */
+  private readonly own = new Map<Element, () => string>();
 
   constructor() {
     this.dom.onscroll = () => {
@@ -31,14 +33,22 @@ export class Lines {
   }
 
   /** Add a line of the page itself. */
-  add(text: string, sort: Sort): void {
+  add(words: () => string, sort: Sort): void {
     this.flush();
     if (this.open?.textContent === "") this.open.remove();
     this.open = null;
-    this.append([element("div", { class: sort }, text)]);
+    const line = element("div", { class: sort }, words());
+    this.own.set(line, words);
+    this.append([line]);
+  }
+
+  /** Say the page's own lines in another language. */
+  translate(): void {
+    for (const [line, words] of this.own) line.textContent = words();
   }
 
   clear(): void {
+    this.own.clear();
     this.waiting = "";
     this.open = null;
     this.dom.replaceChildren();
@@ -86,7 +96,14 @@ export class Lines {
 
   private append(lines: readonly HTMLElement[]): void {
     this.dom.append(...lines);
-    while (this.dom.childElementCount > MOST_LINES) this.dom.firstElementChild?.remove();
+    while (this.dom.childElementCount > MOST_LINES) this.removeFirst();
     this.follow();
+  }
+
+  private removeFirst(): void {
+    const first = this.dom.firstElementChild;
+    if (!first) return;
+    this.own.delete(first);
+    first.remove();
   }
 }

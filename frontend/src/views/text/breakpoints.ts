@@ -1,7 +1,7 @@
-/** Breakpoints in the gutter: a click or F9 sets and clears them. */
+/** Breakpoints in the gutter: a click on a line number or beside it, or F9, sets and clears them. */
 
 import { type EditorState, type Extension, RangeSet, StateEffect, StateField } from "@codemirror/state";
-import { type EditorView, GutterMarker, gutter } from "@codemirror/view";
+import { type BlockInfo, type EditorView, GutterMarker, gutter, lineNumbers } from "@codemirror/view";
 
 const setLines = StateEffect.define<readonly number[]>();
 
@@ -33,22 +33,28 @@ const field = StateField.define<RangeSet<GutterMarker>>({
   },
 });
 
+type Toggle = (view: EditorView, line: number) => void;
+
+function clicked(toggle: Toggle) {
+  return {
+    mousedown: (view: EditorView, line: BlockInfo) => {
+      toggle(view, view.state.doc.lineAt(line.from).number);
+      return true;
+    },
+  };
+}
+
 /** `toggle` receives the number of the clicked line. */
-export function breakpointGutter(toggle: (view: EditorView, line: number) => void): Extension {
+export function breakpointGutter(toggle: Toggle): Extension {
   const beside = gutter({
     class: "cm-breakpoints",
     markers: (view) => view.state.field(field),
     initialSpacer: () => dot,
     // Under the pointer, a line without a breakpoint shows where one would go.
     renderEmptyElements: true,
-    domEventHandlers: {
-      mousedown: (view, line) => {
-        toggle(view, view.state.doc.lineAt(line.from).number);
-        return true;
-      },
-    },
+    domEventHandlers: clicked(toggle),
   });
-  return [field, beside];
+  return [field, beside, lineNumbers({ domEventHandlers: clicked(toggle) })];
 }
 
 /** Show breakpoints at these lines. */
