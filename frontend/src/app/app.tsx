@@ -7,7 +7,7 @@ import { arrange, preferences } from "../model/preferences";
 import { room } from "../ui/screen";
 import { Splitter } from "../ui/splitter";
 import { Announcements } from "./announcements";
-import { ConnectionBanner } from "./banner";
+import { ConnectionBanner, ReadOnlyBanner } from "./banner";
 import { Bar } from "./bar/bar";
 import { DropPlace } from "./drop";
 import { OpenedDialog } from "./opened-dialog";
@@ -26,6 +26,7 @@ export function App() {
       <SkipLinks />
       <Bar />
       <ConnectionBanner />
+      <ReadOnlyBanner />
       <Main />
       <ToastList />
       <OpenedDialog />

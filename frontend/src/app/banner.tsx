@@ -1,5 +1,15 @@
-import { t } from "../i18n";
+import { say, t } from "../i18n";
 import { usePage } from "../model/page";
+
+/** A banner while nothing can be changed here. */
+export function ReadOnlyBanner() {
+  const reason = usePage().context.program.readOnly.value;
+  return (
+    <div role="status" class={reason ? "banner calm" : "hidden"}>
+      {reason && say(reason)}
+    </div>
+  );
+}
 
 /** A banner while the server cannot be reached. */
 export function ConnectionBanner() {

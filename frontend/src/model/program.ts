@@ -2,6 +2,7 @@
 
 import { signal } from "@preact/signals";
 
+import type { Phrase } from "../i18n";
 import type { Connection } from "../protocol/connection";
 import type { Document, Notation, Place, Problem, View, Workspace } from "../protocol/messages";
 import type { Drafts } from "./drafts";
@@ -56,6 +57,8 @@ export class Program {
   readonly saved = signal(true);
   /** How often edits were found that an earlier page had left unsaved. */
   readonly recovered = signal(0);
+  /** Why the program can't be changed here; null if it can. */
+  readonly readOnly = signal<Phrase | null>(null);
   private project = "";
   /** Whether the page has just opened the project, and not only reconnected. */
   private isNew = false;
@@ -78,6 +81,7 @@ export class Program {
     private readonly connection: Connection,
     private readonly drafts: Drafts,
   ) {
+    connection.on("Welcome", (welcome) => (this.readOnly.value = welcome.read_only ?? null));
     connection.on("Opened", (opened) => this.opened(opened.name));
     connection.on("Document", (document) => this.receive(document));
     connection.on("Saved", ({ edit }) => this.savedUpTo(edit));
@@ -109,16 +113,19 @@ export class Program {
   }
 
   undo(): void {
+    if (this.readOnly.peek()) return;
     this.flush();
     this.connection.send({ kind: "Undo" });
   }
 
   redo(): void {
+    if (this.readOnly.peek()) return;
     this.flush();
     this.connection.send({ kind: "Redo" });
   }
 
   private schedule(view: View, read: () => Content): void {
+    if (this.readOnly.peek()) return;
     this.pending.set(view, () => this.edit(view, read()));
     if (!this.frame) this.frame = requestAnimationFrame(() => this.flush());
   }
@@ -225,6 +232,8 @@ export class Program {
 
   /** Repeat the edits that other pages of this project have left unsaved. */
   private async recover(): Promise<void> {
+    // They stay in the browser until the project can be changed again.
+    if (this.readOnly.peek()) return;
     const { project } = this;
     const left = await this.drafts.left(project);
     if (project !== this.project || left.length === 0) return;

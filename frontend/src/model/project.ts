@@ -58,7 +58,10 @@ export class Project {
     });
     connection.on("File", ({ filename, text }) => saveFile(filename, text, "text/plain"));
     connection.on("Conflict", (conflict) => this.tellConflict(conflict));
-    connection.on("TakenIn", () => this.toasts.note(t("page-project-taken-in")));
+    connection.on("TakenIn", () => {
+      // A page that only reads follows the other one all the time.
+      if (!program.readOnly.value) this.toasts.note(t("page-project-taken-in"));
+    });
     connection.on("Failed", ({ message, request }) => this.failed(message, request ?? ""));
     program.recovered.subscribe((times) => {
       if (times > 0) this.toasts.note(t("page-project-drafts-recovered"));

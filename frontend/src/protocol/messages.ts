@@ -894,6 +894,7 @@ export interface Welcome {
   worlds: WorldChoice[];
   examples: ExampleChoice[];
   folder: string;
+  read_only?: Phrase | null;
 }
 
 export interface WhenNow {

@@ -185,3 +185,21 @@ test("a refused edit does not keep later answers from being shown", () => {
   connection.tell({ kind: "Document", edit: 0, revision: 3, origin: "python", blocktext: "y = 1" });
   expect(program.state.value.blocktext).toBe("y = 1");
 });
+
+test("a page that only reads sends no edit, and keeps the drafts of earlier pages", async () => {
+  const draft = { view: "python", base: "", content: "x = 1" } as const;
+  const connection = new FakeConnection();
+  const drafts = new FakeDrafts([draft]);
+  const program = new Program(connection.real, drafts);
+  const read_only = { code: "server-reading", values: {} };
+  connection.tell({ kind: "Welcome", version: "", robots: [], worlds: [], examples: [], folder: "", read_only });
+  connection.tell({ kind: "Opened", name: "square" });
+  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python" });
+  program.editedText("blocktext", () => "x = 2");
+  drawFrame();
+  program.undo();
+  program.redo();
+  await Promise.resolve();
+  expect(connection.sent).toEqual([]);
+  expect(drafts.forgotten).toBe(0);
+});

@@ -8,6 +8,7 @@ import click
 from learnblock.cli.console import text
 from learnblock.cli.importing import print_report
 from learnblock.cli.page_options import page_options
+from learnblock.errors import LearnBlockError
 
 if TYPE_CHECKING:
     from learnblock.i18n import Phrase
@@ -44,6 +45,8 @@ def open_page(
     projects: Path | None,
     no_browser: bool,
     window: bool,
+    take_over: bool,
+    read_only: bool,
     **place: Any,
 ) -> None:
     """Start the server, and show the page.
@@ -53,26 +56,32 @@ def open_page(
         projects: the projects folder; None for the default.
         no_browser: only print the page's address.
         window: show the page in a separate window.
+        take_over: let another server that uses the folder end.
+        read_only: save nothing.
         place: the address where the server listens.
     """
+    from learnblock.cli.claiming import claimed  # noqa: PLC0415
     from learnblock.server import serve  # noqa: PLC0415
     from learnblock.storage.home import home  # noqa: PLC0415 - `--help` needs none of it
 
     folder = projects or home() / "projects"
-    project = _project(folder, file) if file else None
     chosen = {name: value for name, value in place.items() if value is not None}
-    service = serve.Service(folder, project=project, announce=_announce, **chosen)
-    if window:
-        serve.serve_in_window(service)
-    else:
-        serve.serve(service, show=None if no_browser else serve.show_in_browser)
+    with claimed(folder, take_over=take_over, read_only=read_only) as access:
+        project = _project(folder, file, read_only=access.read_only is not None) if file else None
+        service = serve.Service(
+            folder, project=project, announce=_announce, access=access, **chosen
+        )
+        if window:
+            serve.serve_in_window(service)
+        else:
+            serve.serve(service, show=None if no_browser else serve.show_in_browser)
 
 
 def _announce(phrase: "Phrase") -> None:
     click.echo(text(phrase))
 
 
-def _project(folder: Path, file: Path) -> str:
+def _project(folder: Path, file: Path, *, read_only: bool) -> str:
     """The project of a file; a file from elsewhere is copied into the projects folder."""
     from learnblock import importing, running  # noqa: PLC0415
     from learnblock.server.projects.folder import ProjectFolder  # noqa: PLC0415
@@ -80,6 +89,8 @@ def _project(folder: Path, file: Path) -> str:
     projects = ProjectFolder(folder)
     if file.suffix == ".learnblock" and file.resolve().parent == folder.resolve():
         return projects.read(file.stem).name
+    if read_only:
+        raise LearnBlockError("server-open-read-only", name=file.name)
     if file.suffix in {importing.ENDING, importing.LIBRARY_ENDING}:
         project = _original(projects, file)
     else:

@@ -37,6 +37,16 @@ _OPTIONS = (
         type=click.Path(path_type=Path, file_okay=False),
         help="The folder of the projects.",
     ),
+    click.option(
+        "--take-over",
+        is_flag=True,
+        help="If another LearnBlock is using the folder, let it save everything and end.",
+    ),
+    click.option(
+        "--read-only",
+        is_flag=True,
+        help="Open and run projects, but save nothing, so that another LearnBlock can go on.",
+    ),
 )
 
 

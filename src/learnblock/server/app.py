@@ -16,6 +16,7 @@ from starlette.responses import RedirectResponse, Response
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket
 
+from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
 from learnblock.server.http.palette import palette
 from learnblock.server.http.pictures import face, floor, tag
@@ -48,6 +49,7 @@ def create_app(
     base_url: str = "/",
     static: Path = static_files.BUILT,
     grace: float = GRACE,
+    read_only: Phrase | None = None,
 ) -> Starlette:
     """Create the server as an ASGI application.
 
@@ -60,9 +62,10 @@ def create_app(
         base_url: the path of the page.
         static: the folder of the built page.
         grace: seconds for which a project stays open without a page.
+        read_only: why nothing may be written; None if it may.
     """
     protection = Protection.of(token, hosts, origins)
-    lobby = _LateLobby(folder, grace)
+    lobby = _LateLobby(folder, grace, read_only)
     routes = _routes(protection, static, lobby)
     base = "/" + base_url.strip("/")
     if base != "/":
@@ -125,9 +128,10 @@ async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSoc
 class _LateLobby:
     """The lobby; its imports start once the server answers."""
 
-    def __init__(self, folder: Path, grace: float) -> None:
+    def __init__(self, folder: Path, grace: float, read_only: Phrase | None) -> None:
         self._folder = folder
         self._grace = grace
+        self._read_only = read_only
         self._making: asyncio.Task[Lobby] | None = None
 
     @asynccontextmanager
@@ -145,4 +149,4 @@ class _LateLobby:
     def _made(self) -> "Lobby":
         from learnblock.server.pages.lobby import Lobby  # noqa: PLC0415
 
-        return Lobby(self._folder, self._grace)
+        return Lobby(self._folder, self._grace, self._read_only)

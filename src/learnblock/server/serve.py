@@ -1,5 +1,6 @@
 """The command `learnblock`: the server, with the page in a browser or in a window."""
 
+import asyncio
 import contextlib
 import gc
 import signal
@@ -8,7 +9,7 @@ import threading
 import webbrowser
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
 from urllib.parse import quote
@@ -21,6 +22,7 @@ from learnblock.i18n import Phrase
 from learnblock.server.app import create_app
 from learnblock.server.http.requests import TimedRequests
 from learnblock.server.http.token import token as the_token
+from learnblock.server.projects.writer import Access
 
 DEFAULT_HOST = "127.0.0.1"
 DEFAULT_PORT = 8421
@@ -28,6 +30,8 @@ DEFAULT_PORT = 8421
 _EVERYWHERE = {"0.0.0.0", "::"}  # noqa: S104 - only if the user chooses it
 #: Seconds that open pages have to disconnect when the server ends.
 _FAREWELL = 1
+#: Seconds between two looks for a server that wants to take over.
+_LOOK_FOR_OTHERS = 0.5
 #: Bytes; twice the limit of a message, so that the page receives an error and stays connected.
 _LONGEST_FRAME = 8 * 1024 * 1024
 
@@ -45,6 +49,7 @@ class Service:
         allowed_hosts: names that a proxy uses for the server.
         project: the project to open.
         new_token: whether the address gets a new token, with which only new pages open.
+        access: the right to write to the folder.
         announce: shows the user the page's address.
     """
 
@@ -56,6 +61,7 @@ class Service:
     allowed_hosts: tuple[str, ...] = ()
     project: str | None = None
     new_token: bool = False
+    access: Access = field(default_factory=Access)
     announce: Callable[[Phrase], object] = click.echo
 
     @property
@@ -116,15 +122,38 @@ def serve_in_window(service: Service) -> None:
 
 
 class _Server(uvicorn.Server):
-    """A server that reports when it is ready."""
+    """A server that reports when it is ready, and ends when another one wants to take over."""
 
-    def __init__(self, config: uvicorn.Config, answers: Callable[[], None]) -> None:
+    def __init__(
+        self, config: uvicorn.Config, service: Service, answers: Callable[[], None]
+    ) -> None:
         super().__init__(config)
+        self._service = service
         self._answers = answers
+        self._listening_to_others: asyncio.Task[None] | None = None
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         await super().startup(sockets)
         self._answers()
+        self._listening_to_others = asyncio.create_task(self._end_when_asked())
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        if self._listening_to_others:
+            self._listening_to_others.cancel()
+        await super().shutdown(sockets)
+        # Everything is saved now. A window may stay open, but another server need not wait for it.
+        if self._service.access.writer:
+            self._service.access.writer.release()
+
+    async def _end_when_asked(self) -> None:
+        writer = self._service.access.writer
+        if writer is None:
+            return
+        # The other server may be another user's, so a file is the only way to send it a request.
+        while not writer.is_asked_to_end:
+            await asyncio.sleep(_LOOK_FOR_OTHERS)
+        self._service.announce(Phrase("server-taken-over"))
+        self.should_exit = True
 
 
 @contextmanager
@@ -138,17 +167,23 @@ def _server(
         hosts=service.hosts,
         origins=service.allowed_hosts,
         base_url=service.base_url,
+        read_only=service.access.read_only,
     )
     with _listening(service) as listening:
 
         def answers() -> None:
-            address = _address(service, listening, token)
+            address = _page_address(service, listening)
+            if service.access.writer:
+                service.access.writer.describe(address)
+            address = f"{address}?token={token}{_fragment(service)}"
             service.announce(Phrase("server-started", address=address))
+            if service.access.read_only:
+                service.announce(service.access.read_only)
             if show:
                 threading.Thread(target=show, args=(address,), daemon=True).start()
 
         _collect_rarely()
-        yield _Server(_config(app), answers), listening
+        yield _Server(_config(app), service, answers), listening
 
 
 def _collect_rarely() -> None:
@@ -175,10 +210,13 @@ def _config(app: object) -> uvicorn.Config:
     )
 
 
-def _address(service: Service, listening: socket.socket, token: str) -> str:
+def _page_address(service: Service, listening: socket.socket) -> str:
     path = f"/{service.base_url.strip('/')}/".replace("//", "/")
-    fragment = f"#project={quote(service.project)}" if service.project else ""
-    return f"http://{_place(service, listening)}{path}?token={token}{fragment}"
+    return f"http://{_place(service, listening)}{path}"
+
+
+def _fragment(service: Service) -> str:
+    return f"#project={quote(service.project)}" if service.project else ""
 
 
 def _place(service: Service, listening: socket.socket) -> str:

@@ -45,10 +45,11 @@ export function Bar() {
 function UndoButtons() {
   const { program } = usePage().context;
   const { canUndo, canRedo } = program.state.value;
+  const readOnly = program.readOnly.value !== null;
   return (
     <>
-      <IconButton icon="undo" word="page-bar-undo" off={!canUndo} onClick={() => program.undo()} />
-      <IconButton icon="redo" word="page-bar-redo" off={!canRedo} onClick={() => program.redo()} />
+      <IconButton icon="undo" word="page-bar-undo" off={readOnly || !canUndo} onClick={() => program.undo()} />
+      <IconButton icon="redo" word="page-bar-redo" off={readOnly || !canRedo} onClick={() => program.redo()} />
     </>
   );
 }

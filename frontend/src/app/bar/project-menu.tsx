@@ -10,7 +10,7 @@ import { Menu } from "../../ui/menu";
 export function ProjectMenu() {
   const page = usePage();
   const { name } = page.project;
-  const { saved } = page.context.program;
+  const { saved, readOnly } = page.context.program;
   return (
     <>
       <Menu label={t("page-project-menu")} items={items(page)}>
@@ -18,7 +18,7 @@ export function ProjectMenu() {
         <span class="project-name">{name.value || "…"}</span>
         <Icon name="down" />
       </Menu>
-      <span class="saved">{t(saved.value ? "page-project-saved" : "page-project-saving")}</span>
+      <span class="saved">{!readOnly.value && t(saved.value ? "page-project-saved" : "page-project-saving")}</span>
     </>
   );
 }

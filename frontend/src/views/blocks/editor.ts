@@ -99,6 +99,10 @@ export class Editor {
     this.workspace.setTheme(themeOf(theme));
   }
 
+  setReadOnly(on: boolean): void {
+    this.workspace.setIsReadOnly(on);
+  }
+
   resize(): void {
     Blockly.svgResize(this.workspace);
   }

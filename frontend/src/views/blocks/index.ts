@@ -66,6 +66,7 @@ class Blocks implements BlocksIsland {
       effect(() => this.showCustomBlocks()),
       effect(() => this.showBlocks(context.shownBlocks.value)),
       effect(() => this.showTheme(theme.value)),
+      effect(() => this.showAccess(context.program.readOnly.value !== null)),
       effect(() => this.showProgram()),
       effect(() => this.showProblems()),
       effect(() => this.showBreakpoints()),
@@ -137,6 +138,7 @@ class Blocks implements BlocksIsland {
     this.dom.textContent = "";
     this.editor = new Editor(this.dom, this.palette, theme.peek(), this.actions(), () => this.edited());
     if (view) this.editor.takeOver(view);
+    this.showAccess(this.context.program.readOnly.peek() !== null);
     this.showAll();
   }
 
@@ -197,6 +199,10 @@ class Blocks implements BlocksIsland {
   // Read the signals before the editor exists: an effect depends only on what it has read.
   private showTheme(name: ThemeName): void {
     this.editor?.setTheme(name);
+  }
+
+  private showAccess(readOnly: boolean): void {
+    this.editor?.setReadOnly(readOnly);
   }
 
   private showBlocks(set: BlockSet): void {

@@ -40,6 +40,7 @@ class TextView implements TextIsland {
   private readonly view: EditorView;
   private readonly toolbar: Island;
   private readonly words = new Compartment();
+  private readonly access = new Compartment();
   private readonly disposers: (() => void)[];
   private shown: ProgramState | null = null;
   private hasProblems = false;
@@ -66,6 +67,7 @@ class TextView implements TextIsland {
       effect(() => this.showBreakpoints()),
       effect(() => this.showRunning()),
       effect(() => this.view.dispatch({ effects: this.words.reconfigure(words(notation)) })),
+      effect(() => this.showAccess()),
     ];
   }
 
@@ -94,6 +96,7 @@ class TextView implements TextIsland {
     return EditorState.create({
       extensions: [
         this.words.of([]),
+        this.access.of([]),
         extensions(this.notation, this.actions, this.requests),
         tooltips({ parent: this.boxes }),
         tellEdits(this.context.program, this.notation),
@@ -108,6 +111,11 @@ class TextView implements TextIsland {
     this.shown = state;
     showText(this.view, state[this.notation], this.actions.takeRestoring());
     this.dom.classList.toggle("stale", state.stale.includes(this.notation));
+  }
+
+  private showAccess(): void {
+    const readOnly = this.context.program.readOnly.value !== null;
+    this.view.dispatch({ effects: this.access.reconfigure(EditorState.readOnly.of(readOnly)) });
   }
 
   private showProblems(): void {

@@ -59,3 +59,9 @@ cli-new-robot-test = The test lists the functions that you still have to write, 
 cli-new-skill = Next, change what the skill does. In Block-Text, it is { $call }.
 
 cli-emotions-question = Turn it on for all real cameras?
+
+cli-take-over-or-read-only = Give either --take-over or --read-only.
+cli-folder-choices =
+    {"  "}1  Take over: the other LearnBlock saves everything and ends.
+    {"  "}2  Read only: open and run projects here; changes are not saved.
+cli-folder-choice = 1 or 2 (Ctrl-C to quit)

@@ -14,6 +14,27 @@ server-already-listening = Another LearnBlock is listening at { $path }.
 server-token-wrong = { $variable } can only contain letters, digits, '-', '_', '.' and '~'.
 server-no-window = A window needs pywebview. Run pip install 'learnblock-studio[window]', or leave out --window and use the browser.
 
+## One writer per folder
+
+# $process is a number, $since a date and time, $address the address of its page.
+server-owner = process { $process }, since { $since }, at { $address }
+# $computer is the name of another computer that shares the folder.
+server-owner-elsewhere = process { $process } on { $computer }, since { $since }, at { $address }
+server-owner-unknown = a process that has just started or belongs to another user
+# $owner is one of the above.
+server-folder-used = Another LearnBlock is using the folder { $folder }: { $owner }.
+# $used is the sentence above.
+server-folder-refused = { $used } Use --take-over to let it save everything and end, --read-only to open and run projects without saving, or --projects for another folder.
+server-folder-waiting = Waiting up to { $seconds } seconds for the other LearnBlock to save everything and end: { $owner }
+server-folder-kept = The other LearnBlock has not ended: { $owner }. It still has the folder { $folder }. End that process yourself and start LearnBlock again, or use --read-only.
+server-folder-unlocked = LearnBlock can't lock the folder { $folder } ({ $reason }), so it can't tell whether another LearnBlock is using it. Open these projects in only one LearnBlock at a time.
+server-taken-over = Another LearnBlock takes over this folder. Saving everything...
+server-reading = Read only: you can open and run projects, but changes are not saved.
+server-reading-beside = Read only: another LearnBlock is using these projects ({ $owner }). You can open and run them, but not change them here.
+server-read-only = Nothing can be changed here: this LearnBlock only reads. To make changes, start LearnBlock without --read-only.
+# $name is the name of a file.
+server-open-read-only = Opening '{ $name }' would copy it into the projects folder. Leave out --read-only.
+
 ## Answers to a browser
 
 # The title of the page below.

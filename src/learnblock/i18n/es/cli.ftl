@@ -53,3 +53,9 @@ cli-new-robot-test = La prueba muestra las funciones que aún tienes que escribi
 cli-new-skill = Ahora cambia lo que hace la habilidad. En Block-Text es { $call }.
 
 cli-emotions-question = ¿Activarlo para todas las cámaras reales?
+
+cli-take-over-or-read-only = Usa --take-over o --read-only, pero no las dos.
+cli-folder-choices =
+    {"  "}1  Tomar el control: el otro LearnBlock lo guarda todo y termina.
+    {"  "}2  Solo lectura: aquí se abren y ejecutan proyectos; los cambios no se guardan.
+cli-folder-choice = 1 o 2 (Ctrl-C para salir)

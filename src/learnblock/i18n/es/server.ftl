@@ -11,6 +11,22 @@ server-already-listening = Otro LearnBlock está escuchando en { $path }.
 server-token-wrong = { $variable } solo puede contener letras, cifras, '-', '_', '.' y '~'.
 server-no-window = Una ventana necesita pywebview. Ejecuta pip install 'learnblock-studio[window]', o quita --window y usa el navegador.
 
+## One writer per folder
+
+server-owner = el proceso { $process }, desde { $since }, en { $address }
+server-owner-elsewhere = el proceso { $process } en { $computer }, desde { $since }, en { $address }
+server-owner-unknown = un proceso que acaba de empezar o que es de otro usuario
+server-folder-used = Otro LearnBlock está usando la carpeta { $folder }: { $owner }.
+server-folder-refused = { $used } Usa --take-over para que lo guarde todo y termine, --read-only para abrir y ejecutar proyectos sin guardar nada, o --projects para elegir otra carpeta.
+server-folder-waiting = Esperando hasta { $seconds } segundos a que el otro LearnBlock lo guarde todo y termine: { $owner }
+server-folder-kept = El otro LearnBlock no ha terminado: { $owner }. Sigue usando la carpeta { $folder }. Termina tú ese proceso y vuelve a iniciar LearnBlock, o usa --read-only.
+server-folder-unlocked = LearnBlock no puede bloquear la carpeta { $folder } ({ $reason }), así que no sabe si otro LearnBlock la está usando. Abre estos proyectos en un solo LearnBlock a la vez.
+server-taken-over = Otro LearnBlock se hace cargo de esta carpeta. Guardando todo...
+server-reading = Solo lectura: puedes abrir y ejecutar proyectos, pero los cambios no se guardan.
+server-reading-beside = Solo lectura: otro LearnBlock está usando estos proyectos ({ $owner }). Puedes abrirlos y ejecutarlos, pero no cambiarlos aquí.
+server-read-only = Aquí no se puede cambiar nada: este LearnBlock solo lee. Para hacer cambios, inicia LearnBlock sin --read-only.
+server-open-read-only = Abrir '{ $name }' lo copiaría en la carpeta de proyectos. Quita --read-only.
+
 ## Answers to a browser
 
 server-incomplete-address-title = Esta dirección está incompleta

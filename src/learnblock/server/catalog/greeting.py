@@ -2,17 +2,19 @@
 
 from importlib.metadata import version
 
+from learnblock.i18n import Phrase
 from learnblock.server.catalog.examples import example_choices
 from learnblock.server.catalog.robots import robot_choices
 from learnblock.server.catalog.worlds import world_choices
 from learnblock.server.messages import Welcome
 
 
-def welcome(folder: str) -> Welcome:
+def welcome(folder: str, read_only: Phrase | None = None) -> Welcome:
     """Create the first message to a page.
 
     Args:
         folder: the projects folder.
+        read_only: why nothing may be written; None if it may.
     """
     return Welcome(
         version=version("learnblock-studio"),
@@ -20,4 +22,5 @@ def welcome(folder: str) -> Welcome:
         worlds=world_choices(),
         examples=tuple(example_choices().values()),
         folder=folder,
+        read_only=read_only,
     )

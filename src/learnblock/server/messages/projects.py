@@ -107,13 +107,23 @@ class ExampleChoice(Struct, frozen=True):
 
 
 class Welcome(Message, frozen=True):
-    """The first message of the server."""
+    """The first message of the server.
+
+    Args:
+        version: of LearnBlock.
+        robots: to choose from.
+        worlds: to choose from.
+        examples: to open.
+        folder: the projects folder.
+        read_only: why nothing may be changed; None if it may.
+    """
 
     version: str
     robots: tuple[RobotChoice, ...]
     worlds: tuple[WorldChoice, ...]
     examples: tuple[ExampleChoice, ...]
     folder: str
+    read_only: Phrase | None = None
 
 
 class ProjectEntry(Struct, frozen=True):

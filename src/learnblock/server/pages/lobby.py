@@ -5,6 +5,7 @@ from pathlib import Path
 from anyio import to_thread
 from starlette.websockets import WebSocket
 
+from learnblock.i18n import Phrase
 from learnblock.server import catalog
 from learnblock.server.pages import (
     asking,
@@ -46,16 +47,18 @@ class Lobby:
     Args:
         folder: the projects folder.
         grace: seconds for which a project stays open without a page.
+        read_only: why nothing may be written; None if it may.
     """
 
-    def __init__(self, folder: Path, grace: float) -> None:
+    def __init__(self, folder: Path, grace: float, read_only: Phrase | None = None) -> None:
         self._folder = folder
-        self._sessions = Sessions(ProjectFolder(folder), grace)
+        self._read_only = read_only
+        self._sessions = Sessions(ProjectFolder(folder, read_only=read_only is not None), grace)
 
     async def serve(self, socket: WebSocket) -> None:
         """Serve a page until it has disconnected."""
         page = Page(socket, self._sessions, HANDLERS)
-        page.send(await to_thread.run_sync(catalog.welcome, str(self._folder)))
+        page.send(await to_thread.run_sync(catalog.welcome, str(self._folder), self._read_only))
         await page.serve()
 
     async def close(self) -> None:

@@ -15,6 +15,7 @@ from learnblock.server import messages
 from learnblock.server.messages.problems import phrase_of
 from learnblock.server.pages.inbox import Inbox
 from learnblock.server.pages.outbox import Outbox, OutboxFullError
+from learnblock.server.pages.reading import require_reading
 from learnblock.server.program.shown import Shown
 
 if TYPE_CHECKING:
@@ -128,6 +129,8 @@ class Page:
     async def _handle(self, message: messages.Message) -> None:
         kind = type(message).__name__
         try:
+            if self.sessions.folder.read_only:
+                require_reading(message)
             async with self._turn():
                 await self._handlers[type(message)](self, message)
         except (LearnBlockError, OSError, ValueError) as error:

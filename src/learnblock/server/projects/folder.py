@@ -61,10 +61,12 @@ class ProjectFolder:
     Args:
         path: the path of the folder, which may not exist yet.
         now: returns the time in seconds since 1970.
+        read_only: whether everything that would write is refused.
     """
 
     path: Path
     now: Callable[[], float] = time.time
+    read_only: bool = False
 
     def entries(self) -> tuple[ProjectEntry, ...]:
         """List the projects, the last changed first."""
@@ -89,6 +91,7 @@ class ProjectFolder:
         Raises:
             ProjectError: it can't be saved; the file is unchanged.
         """
+        self._require_writing()
         path = self._path(project.name)
         with _reporting(path, "save"):
             save(path, encode(project))
@@ -107,6 +110,7 @@ class ProjectFolder:
         Raises:
             ProjectError: it can't be read or saved.
         """
+        self._require_writing()
         path = self._path(name)
         with _reporting(path, "keep-version"), path.open("rb") as file:
             data = file.read(LARGEST + 1)
@@ -127,6 +131,7 @@ class ProjectFolder:
             UnknownNameError: it does not exist.
             ProjectError: it can't be moved.
         """
+        self._require_writing()
         path = self._path(name)
         if not path.is_file():
             raise UnknownNameError("project", name, self._names())
@@ -205,6 +210,7 @@ class ProjectFolder:
         Raises:
             ProjectError: it can't be saved.
         """
+        self._require_writing()
         with _reporting(self._path(project.name), "keep-version"):
             return self._history(project.name).keep(project, reason)
 
@@ -228,6 +234,7 @@ class ProjectFolder:
         Raises:
             ProjectError: it can't be saved.
         """
+        self._require_writing()
         with _reporting(self._path(name), "keep-run"):
             self._history(name).add_run(run)
 
@@ -235,6 +242,12 @@ class ProjectFolder:
         """List the last runs of a project, the newest first."""
         with _reporting(self._path(name), "read-runs"):
             return self._history(name).runs()
+
+    def _require_writing(self) -> None:
+        if self.read_only:
+            raise ProjectError(
+                self.path.name, [Diagnostic("no-access", Phrase("server-read-only"))]
+            )
 
     def _history(self, name: str) -> History:
         name = checked_name(name)

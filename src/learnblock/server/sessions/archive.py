@@ -45,7 +45,8 @@ class Archive:
     """Saves an open project; a failure is reported, and the project stays usable.
 
     A save that fails is reported once, and repeated until it succeeds. What another program changes
-    in the file is merged into the project.
+    in the file is merged into the project. In a folder that is only read, the project follows the
+    file, and nothing is saved.
 
     Args:
         folder: the folder of the projects.
@@ -66,7 +67,8 @@ class Archive:
 
     def changed(self) -> None:
         """Record that the project has changed since it was saved."""
-        self._saver.changed()
+        if not self._folder.read_only:
+            self._saver.changed()
 
     async def keep_version(self, reason: Reason, project: Project | None = None) -> str:
         """Save a version; return its id, or "" if it can't be saved.
@@ -75,6 +77,8 @@ class Archive:
             reason: why.
             project: what to save; the current project by default.
         """
+        if self._folder.read_only:
+            return ""
         if project is None:
             project = self._project.project
             self._version_kept = monotonic()
@@ -82,6 +86,8 @@ class Archive:
 
     def add_run(self, run: PastRun) -> None:
         """Save the result of a run."""
+        if self._folder.read_only:
+            return
         task = asyncio.create_task(self._tried(self._folder.add_run, self._name, run))
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
@@ -100,8 +106,17 @@ class Archive:
         """Save soon after another program has changed the file, which first takes that in."""
         while True:
             await asyncio.sleep(WATCH_PERIOD)
-            if await to_thread.run_sync(self._found_outside):
+            if not await to_thread.run_sync(self._found_outside):
+                continue
+            if self._folder.read_only:
+                await self._follow()
+            else:
                 self._saver.changed()
+
+    async def _follow(self) -> None:
+        """Show what the server that writes has saved."""
+        await self._take_in()
+        self._project.saving()()
 
     async def _write(self) -> bool:
         await self._take_in()
@@ -125,10 +140,12 @@ class Archive:
         state = await to_thread.run_sync(self._found_outside)
         if state is None:
             return
-        version = await self._tried(self._folder.keep_file, self._name)
+        version: str | None = ""
+        if not self._folder.read_only:
+            version = await self._tried(self._folder.keep_file, self._name)
         outside = await self._tried(self._folder.read, self._name)
         self._on_disk = state
-        if outside and version:
+        if outside and version is not None:
             await self._project.take_in(outside, version)
 
     def _found_outside(self) -> FileState | None:

@@ -1,0 +1,76 @@
+"""The right to write to the folder of projects, and what to do if another server has it."""
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import click
+
+from learnblock.cli.console import say, text, usage_error
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.server.projects.writer import Access, Writer
+
+#: Seconds for another server to end, which ends every program and saves every project first.
+PATIENCE = 20.0
+#: The answers to the question.
+_TAKE_OVER, _READ_ONLY = 1, 2
+
+
+@contextmanager
+def claimed(folder: Path, *, take_over: bool, read_only: bool) -> Iterator[Access]:
+    """Claim a folder of projects; if another server uses it, ask what to do.
+
+    Args:
+        folder: the folder.
+        take_over: let the other server end, without a question.
+        read_only: only read, without a question.
+
+    Raises:
+        LearnBlockError: another server uses the folder, and there is no terminal to ask on, or it
+            does not end.
+    """
+    if take_over and read_only:
+        raise usage_error("cli-take-over-or-read-only")
+    with Writer(folder) as writer:
+        yield Access.reading(writer) if read_only else _access(writer, folder, take_over)
+
+
+def _access(writer: Writer, folder: Path, take_over: bool) -> Access:  # noqa: FBT001 - a flag of click
+    try:
+        if writer.claim():
+            return Access(writer)
+    except OSError as error:
+        # Some network drives have no locks, and nobody can write to some folders.
+        reason = error.strerror or str(error)
+        say("server-folder-unlocked", folder=str(folder), reason=reason, err=True)
+        return Access()
+    if not take_over and _answer(writer, folder) == _READ_ONLY:
+        return Access.reading(writer)
+    return _taken_over(writer, folder)
+
+
+def _answer(writer: Writer, folder: Path) -> int:
+    """Ask what to do about the other server.
+
+    Raises:
+        LearnBlockError: there is no terminal to ask on.
+    """
+    used = Phrase("server-folder-used", folder=str(folder), owner=writer.owner_phrase)
+    if not sys.stdin.isatty():
+        raise LearnBlockError("server-folder-refused", used=used)
+    click.echo(text(used))
+    say("cli-folder-choices")
+    answer: int = click.prompt(
+        text(Phrase("cli-folder-choice")), type=click.IntRange(_TAKE_OVER, _READ_ONLY)
+    )
+    return answer
+
+
+def _taken_over(writer: Writer, folder: Path) -> Access:
+    owner = writer.owner_phrase
+    say("server-folder-waiting", owner=owner, seconds=int(PATIENCE), err=True)
+    if not writer.take_over(PATIENCE):
+        raise LearnBlockError("server-folder-kept", folder=str(folder), owner=writer.owner_phrase)
+    return Access(writer)

@@ -1,0 +1,165 @@
+"""The right to write to a folder of projects, which one server at a time has."""
+
+import os
+import socket
+import time
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Self
+
+import msgspec
+from filelock import FileLock, Timeout
+
+from learnblock.i18n import Phrase
+from learnblock.storage.files import save
+
+#: A larger file is not ours.
+_LARGEST = 10_000
+
+#: Another user may have written them, and they are printed on a terminal.
+_Printable = Annotated[str, msgspec.Meta(pattern="^[!-~]{0,300}$")]
+_Moment = Annotated[float, msgspec.Meta(ge=0, le=4e9)]
+
+
+class Owner(msgspec.Struct, frozen=True):
+    """The server that writes to a folder.
+
+    Args:
+        process: its number.
+        computer: the name of the computer it runs on, which matters on a network drive.
+        since: seconds since 1970.
+        address: where its page is; without the token, which others may not read.
+    """
+
+    process: int
+    computer: _Printable
+    since: _Moment
+    address: _Printable
+
+    @classmethod
+    def this_process(cls, address: str) -> "Owner":
+        """Describe this server."""
+        return cls(os.getpid(), socket.gethostname(), time.time(), address)
+
+    @property
+    def phrase(self) -> Phrase:
+        """Say which process it is."""
+        since = time.strftime("%Y-%m-%d %H:%M", time.localtime(self.since))
+        shown = {"process": str(self.process), "since": since, "address": self.address}
+        if self.computer == socket.gethostname():
+            return Phrase("server-owner", **shown)
+        return Phrase("server-owner-elsewhere", computer=self.computer, **shown)
+
+
+class Writer:
+    """A claim to a folder of projects.
+
+    The system frees the lock of a process however it ends, so a crash leaves no obstacle.
+
+    Args:
+        folder: the folder, which is made if it does not exist.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        # A server in a window claims in one thread and releases in another. A lock that is only a
+        # file would outlive a crash. Users that share the folder share the lock.
+        self._lock = FileLock(
+            folder / ".writer.lock", thread_local=False, fallback_to_soft=False, mode=0o666
+        )
+        self._description = folder / ".writer.json"
+        self._request = folder / ".take-over"
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
+
+    def claim(self, patience: float = 0.0) -> bool:
+        """Try to get the right to write; return whether this server has it.
+
+        Args:
+            patience: seconds to wait for another server to end.
+
+        Raises:
+            OSError: nothing can be locked in this folder.
+        """
+        self._folder.mkdir(parents=True, exist_ok=True)
+        try:
+            self._lock.acquire(timeout=patience)
+        except Timeout:
+            return False
+        # They are about a server that has ended.
+        self._description.unlink(missing_ok=True)
+        self._request.unlink(missing_ok=True)
+        return True
+
+    def take_over(self, patience: float) -> bool:
+        """Ask the other server to end; return whether this one has the right to write then.
+
+        Args:
+            patience: seconds to wait for it.
+
+        Raises:
+            OSError: the request can't be written.
+        """
+        self._request.touch()
+        try:
+            return self.claim(patience)
+        finally:
+            self._request.unlink(missing_ok=True)
+
+    def describe(self, address: str) -> None:
+        """Leave a description of this server for others; nothing without the right to write."""
+        if self._lock.is_locked:
+            with suppress(OSError):
+                save(self._description, msgspec.json.encode(Owner.this_process(address)))
+
+    @property
+    def owner(self) -> Owner | None:
+        """The server that has the right to write, as far as it is known."""
+        try:
+            with self._description.open("rb") as file:
+                return msgspec.json.decode(file.read(_LARGEST), type=Owner)
+        except (OSError, msgspec.MsgspecError):
+            # It has just started, or this user may not read the folder.
+            return None
+
+    @property
+    def owner_phrase(self) -> Phrase:
+        """Say which server has the right to write."""
+        owner = self.owner
+        return owner.phrase if owner else Phrase("server-owner-unknown")
+
+    @property
+    def is_asked_to_end(self) -> bool:
+        """Whether another server wants to take over."""
+        return self._lock.is_locked and self._request.exists()
+
+    def release(self) -> None:
+        """Give up the right to write; a second time does nothing."""
+        if self._lock.is_locked:
+            self._description.unlink(missing_ok=True)
+            self._lock.release()
+
+
+@dataclass(frozen=True)
+class Access:
+    """What a server may do with its folder.
+
+    Args:
+        writer: the right to write; None where nothing can be locked.
+        read_only: why the server only reads; None if it also writes.
+    """
+
+    writer: Writer | None = None
+    read_only: Phrase | None = None
+
+    @classmethod
+    def reading(cls, writer: Writer) -> "Access":
+        """Only read, while another server may write."""
+        if writer.owner is None:
+            return cls(read_only=Phrase("server-reading"))
+        return cls(read_only=Phrase("server-reading-beside", owner=writer.owner_phrase))
