@@ -31,6 +31,7 @@ from learnblock.language.workspace.statement_reader import (
     spaced,
 )
 from learnblock.language.workspace.types import (
+    COMMENT,
     FUNCTION,
     HATS,
     MAIN,
@@ -42,7 +43,7 @@ class WorkspaceReader(StatementReader):
     """Reads a workspace.
 
     `entries` are the statements and definitions of the top level in order, each with its block and
-    its hat block; `program` is the result.
+    its hat block, which comments of their own do not have; `program` is the result.
     """
 
     def __init__(
@@ -51,13 +52,16 @@ class WorkspaceReader(StatementReader):
         super().__init__(workspace, configurations)
         self.groups: dict[str, Group] = {}
         self.silent: set[str] = set()
-        self.entries: list[tuple[Group, Block, Block]] = []
+        self.entries: list[tuple[Group, Block, Block | None]] = []
         self.has_main = False
         program = [stack for stack in workspace.stacks if is_part(stack)]
         self.alone = len(program) == 1 and len(statements_of(program[0][0])) == 1
         self.robot_and_raw = len(program) == 1 and _is_robot_and_raw(statements_of(program[0][0]))
         for stack in program:
-            self.stack(stack[0])
+            if is_note(stack):
+                self.comments(stack)
+            else:
+                self.stack(stack[0])
         self.program = self.arranged()
 
     def stack(self, hat: Block) -> None:
@@ -70,7 +74,12 @@ class WorkspaceReader(StatementReader):
         else:
             self.entry(self.group(hat, self.hat), hat, hat)
 
-    def entry(self, group: Group | None, block: Block, hat: Block) -> None:
+    def comments(self, stack: list[Block]) -> None:
+        """Read comments outside of any hat."""
+        for block in stack:
+            self.entry(self.group(block), block, None)
+
+    def entry(self, group: Group | None, block: Block, hat: Block | None) -> None:
         if group is None:
             return
         if type(group.statement) is Setup and not self.sets_up(group, block):
@@ -137,9 +146,20 @@ class WorkspaceReader(StatementReader):
             found.append(self.variables.get(key, name) if isinstance(key, str) else name)
         return found
 
+    def separated(self) -> list[Group]:
+        """The entries, with a blank line below comments outside of any hat."""
+        groups: list[Group] = []
+        is_below_note = False
+        for group, _, hat in self.entries:
+            if is_below_note and hat is not None and group.lead[:1] != (Blank(),):
+                group = Group((Blank(), *group.lead), group.statement)  # noqa: PLW2901
+            groups.append(group)
+            is_below_note = hat is None
+        return groups
+
     def arranged(self) -> Program:
         """The program, `main` last, without the blank lines that the layout adds anyway."""
-        groups = [group for group, _, _ in self.entries]
+        groups = self.separated()
         mains = [group for group in groups if type(group.statement) is Main]
         if not mains:
             items = normalized(spaced(groups))
@@ -173,7 +193,12 @@ def _is_robot_and_raw(blocks: list[Block]) -> bool:
 
 def is_part(stack: list[Block]) -> bool:
     """Whether a stack is part of the program."""
-    return bool(stack) and stack[0].type in HATS and not is_disabled(stack[0])
+    return is_note(stack) or (stack[0].type in HATS and not is_disabled(stack[0]))
+
+
+def is_note(stack: list[Block]) -> bool:
+    """Whether a stack consists of comments."""
+    return all(block.type == COMMENT and not is_disabled(block) for block in stack)
 
 
 def read(workspace: Workspace, configurations: Mapping[str, BlockConfiguration]) -> WorkspaceReader:

@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 from learnblock.language.blocktext.lexer import KEYWORDS
 
+COMMENT = "lb_comment"
 MAIN, START, WHEN = "lb_main", "lb_start", "lb_when"
 FUNCTION, ANSWERING_FUNCTION = "procedures_defnoreturn", "procedures_defreturn"
-#: The blocks that begin a part of the program; a stack under any other block is loose.
+#: The blocks that begin a part of the program; under any other block, only comments belong to it.
 HATS = frozenset((MAIN, START, WHEN, FUNCTION, ANSWERING_FUNCTION))
 
 #: The prefix of unknown skills' names, which share a block with other calls.

@@ -1,6 +1,7 @@
 """Write a program as a workspace, and keep the rest of the earlier workspace."""
 
 from collections.abc import Mapping, Sequence
+from itertools import groupby
 
 import msgspec
 
@@ -21,11 +22,11 @@ from learnblock.language.tree.traversal import bodies, expressions, statements
 from learnblock.language.workspace.alignment import Match, aligned
 from learnblock.language.workspace.blocks import Block, Input, Variable, Workspace
 from learnblock.language.workspace.notes import Lead, comment_of
-from learnblock.language.workspace.reader import WorkspaceReader, is_part, statements_of
+from learnblock.language.workspace.reader import WorkspaceReader, is_note, is_part, statements_of
 from learnblock.language.workspace.shapes import Shape
 from learnblock.language.workspace.statement_reader import Group
 from learnblock.language.workspace.survey import Survey, survey
-from learnblock.language.workspace.types import ANSWERING_FUNCTION, FUNCTION, START
+from learnblock.language.workspace.types import ANSWERING_FUNCTION, COMMENT, FUNCTION, START
 from learnblock.language.workspace.value_writer import ValueWriter
 
 _HATTED = (Def, When, Main)
@@ -47,6 +48,10 @@ class WorkspaceWriter(ValueWriter):
         self.set_aside = before.variables.keys() - in_use.variables
         # The blocks below hats, where they do not belong.
         self.tails = {stack[0].id: stack[1:] for stack in previous.stacks if len(stack) > 1}
+        # The first block of the stack of each comment outside of any hat.
+        self.notes = {
+            block.id: stack[0].id for stack in filter(is_note, previous.stacks) for block in stack
+        }
         self.stacks: list[list[Block]] = []
         self.has_main = program.main is not None
         self.hats: set[str] = set()
@@ -66,16 +71,26 @@ class WorkspaceWriter(ValueWriter):
             _, old_block, hat = (None, None, None) if match is None else old[match.place]
             block = self.statement(group, old_block, equal=match is not None and match.equal)
             if isinstance(group.statement, _HATTED):
-                self.starts(run)
+                self.run(run)
                 run = []
                 self.definition(block)
             else:
                 run.append((block, hat))
-        self.starts(run)
+        self.run(run)
 
     def definition(self, block: Block) -> None:
         self.hats.add(block.id)
         self.stacks.append([block, *self.tails.get(block.id, [])])
+
+    def run(self, run: Sequence[tuple[Block, Block | None]]) -> None:
+        """Write consecutive statements; comments outside of any hat stay there."""
+        for note, part in groupby(run, lambda pair: self.notes.get(pair[0].id)):
+            blocks = list(part)
+            is_only_comments = all(one.type == COMMENT and hat is None for one, hat in blocks)
+            if note is not None or is_only_comments:
+                self.stacks.append([block for block, _ in blocks])
+            else:
+                self.starts(blocks)
 
     def starts(self, run: Sequence[tuple[Block, Block | None]]) -> None:
         """Write consecutive statements as stacks, each under the hat block it was under before."""
@@ -265,7 +280,7 @@ def _alone(lead: Lead) -> list[Group]:
 
 def _with_moved(
     groups: Sequence[Group],
-    old: Sequence[tuple[Group, Block, Block]],
+    old: Sequence[tuple[Group, Block, Block | None]],
     matches: list[Match | None],
 ) -> list[Match | None]:
     """The matches, including functions and whens that were moved past others."""

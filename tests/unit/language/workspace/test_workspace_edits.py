@@ -3,6 +3,7 @@
 import pytest
 
 from learnblock.language import Workspace, from_workspace, parse, to_workspace
+from learnblock.language import format as format_program
 from learnblock.language.workspace.blocks import Block, BlockComment, Input, Variable
 from workspaces import CONFIGURATIONS, blocks, only, through_json
 
@@ -117,6 +118,31 @@ def test_adding_or_removing_a_line_keeps_all_others(before, line, where):
     assert places(before).items() <= places(more).items()
     less = to_workspace(parse(PROGRAM), CONFIGURATIONS, more).workspace
     assert before == less
+
+
+def test_a_comment_at_the_end_is_a_comment_outside_of_any_hat(before):
+    after = edited(before, PROGRAM, PROGRAM + "\n# bye\n")
+    assert ["lb_comment"] == [block.type for block in after.stacks[-1]]
+    assert PROGRAM + "\n# bye\n" == format_program(from_workspace(after, CONFIGURATIONS).program)
+
+
+def test_a_comment_that_the_user_put_outside_stays_there_when_the_text_changes(before):
+    note = Block("lb_comment", "note", x=500, y=20, fields={"TEXT": "look"})
+    before.stacks.insert(0, [note])
+    program = from_workspace(before, CONFIGURATIONS).program
+    text = format_program(program)
+    after = to_workspace(parse(text.replace("90", "80")), CONFIGURATIONS, before).workspace
+    assert text.startswith("# look\n\nimport")
+    assert [note] == after.stacks[0]
+    assert places(before) == places(after)
+
+
+def test_a_comment_above_loose_blocks_is_no_part_of_the_program(before):
+    loose = [Block("lb_comment", "note", fields={"TEXT": "later"}), Block("lb_pass", "pass")]
+    program = from_workspace(before, CONFIGURATIONS).program
+    before.stacks.append(loose)
+    assert program == from_workspace(before, CONFIGURATIONS).program
+    assert loose == to_workspace(program, CONFIGURATIONS, before).workspace.stacks[-1]
 
 
 def test_the_page_chooses_the_position_of_a_new_stack(before):
