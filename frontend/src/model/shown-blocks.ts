@@ -8,7 +8,13 @@ type Named = BlockSet["show"];
 export const CHANGING: Readonly<Record<string, readonly string[]>> = {
   WHEN: ["lb_when", "lb_activate", "lb_deactivate", "lb_state", "lb_time"],
   VARIABLE: ["variables_set", "math_change", "variables_get"],
-  PROCEDURE: ["procedures_defnoreturn", "procedures_defreturn", "procedures_callnoreturn", "procedures_callreturn"],
+  PROCEDURE: [
+    "procedures_defnoreturn",
+    "procedures_defreturn",
+    "procedures_callnoreturn",
+    "procedures_callreturn",
+    "lb_return",
+  ],
 };
 
 /** The part of a palette entry that sets use; library blocks are identified by their type. */

@@ -10,6 +10,7 @@ from typing import Any
 from learnblock.blocks.definitions import definitions, skill_definition
 from learnblock.blocks.labels import translated
 from learnblock.blocks.schema.configuration import BlockConfiguration
+from learnblock.blocks.styles import CALLS
 from learnblock.blocks.toolbox import category_word, skill_block, toolbox
 
 _TRANSLATIONS = Path(__file__).parent / "translations"
@@ -30,6 +31,7 @@ def palette(configurations: Mapping[str, BlockConfiguration], language: str) -> 
         "definitions": definitions(configurations.values(), language),
         "toolbox": toolbox(configurations, {**_titles(configurations, language), **words}),
         "messages": dict(words),
+        "calls": dict(CALLS),
         "language": language,
     }
 

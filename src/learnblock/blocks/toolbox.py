@@ -131,7 +131,6 @@ _TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
             ("controls_for", {"fields": {"VAR": {"name": "i"}}}),
             ("controls_forEach", {"fields": {"VAR": {"name": "x"}}}),
             ("controls_flow_statements", {"fields": {"FLOW": "BREAK"}}),
-            ("lb_return", {}),
             ("lb_pass", {}),
             ("lb_comment", {}),
             ("lb_do", {}),

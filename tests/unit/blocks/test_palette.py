@@ -14,6 +14,7 @@ from learnblock.blocks.schema.configuration import Parameter
 from learnblock.blocks.toolbox import SHADOWS, parameter_shadow
 from learnblock.fields import Range
 from learnblock.language import Workspace, from_workspace
+from learnblock.language.tree.builtins import BUILTINS, TEMPLATES
 from learnblock.language.workspace.blocks import Block, Input, Variable
 from learnblock.language.workspace.statement_reader import STATEMENTS
 from learnblock.language.workspace.types import HATS
@@ -215,3 +216,7 @@ def alone(state):
         block = holder
     start = Block("lb_start", "start", inputs={"DO": Input(stack=[block])})
     return Workspace([[start]], [Variable("x", "x")])
+
+
+def test_each_function_of_the_language_has_the_colour_of_a_tab():
+    assert {*BUILTINS, *(name for name, _ in TEMPLATES)} == palette(builtin(), "en")["calls"].keys()

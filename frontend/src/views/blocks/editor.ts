@@ -7,6 +7,7 @@ import type { BlockSet, Workspace } from "../../protocol/messages";
 import { type Actions, setActions } from "./actions";
 import { registerCategories } from "./categories";
 import { Checker } from "./checker";
+import { Loose } from "./loose";
 import { Marks, visible } from "./marks";
 import { MEDIA } from "./media";
 import type { Palette } from "./palette";
@@ -33,6 +34,7 @@ export class Editor {
   private readonly workspace: Blockly.WorkspaceSvg;
   private readonly sync: Sync;
   private readonly sight: Sight;
+  private readonly loose: Loose;
   private readonly search: ProgramSearch;
 
   constructor(
@@ -47,6 +49,7 @@ export class Editor {
     this.workspace.MAX_UNDO = 0;
     this.sync = new Sync(this.workspace, this.workspace.connectionChecker as Checker);
     this.sight = new Sight(this.workspace);
+    this.loose = new Loose(this.workspace);
     this.marks = new Marks(this.workspace, (block) => actions.toggleBreakpoint(block));
     this.search = new ProgramSearch(this.workspace);
     this.search.init();
@@ -66,6 +69,7 @@ export class Editor {
   /** Show a program, but not during a drag: its result is sent, and answered, when it ends. */
   show(wanted: Workspace): void {
     if (this.workspace.isDragging() || !this.sync.show(wanted)) return;
+    this.loose.mark();
     this.workspace.refreshToolboxSelection();
     this.sight.look();
   }
@@ -166,7 +170,9 @@ export class Editor {
   private hear(event: Blockly.Events.Abstract): void {
     if (!event.isUiEvent || event.type === Blockly.Events.VIEWPORT_CHANGE) this.sight.look();
     const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart;
-    if (dropped || (!event.isUiEvent && !this.workspace.isDragging())) this.edited();
+    if (!dropped && (event.isUiEvent || this.workspace.isDragging())) return;
+    this.loose.mark();
+    this.edited();
   }
 }
 

@@ -1,6 +1,7 @@
 /** Blocks with several shapes: `extraState` defines their inputs. */
 
 import * as Blockly from "blockly/core";
+import { styleCall } from "./styles";
 
 interface ArgumentsState {
   name?: string;
@@ -26,6 +27,7 @@ const ARGUMENTS = {
 function setName(block: Blockly.Block, name: string): void {
   if (block.getField("NAME")) block.setFieldValue(name, "NAME");
   else block.getInput("PLACE")?.appendField(name, "NAME");
+  styleCall(block, name);
 }
 
 interface ChainState {

@@ -10,6 +10,7 @@ import { keepFocus } from "./focus";
 import { registerMutators } from "./mutators";
 import { offerPlainly } from "./offered";
 import { tuneRendering } from "./rendering";
+import { correctStyles, learnCalls } from "./styles";
 import { defineTagField } from "./tag-field";
 import { forgetUnknown } from "./unknown";
 import { compareNamesExactly } from "./variables";
@@ -24,6 +25,8 @@ export interface Palette {
   readonly definitions: readonly Definition[];
   readonly toolbox: Toolbox;
   readonly messages: Messages;
+  /** The styles of calls of the language's functions, by name. */
+  readonly calls: Readonly<Record<string, string>>;
 }
 
 // Blockly has texts in a hundred languages, 9 MB; add a new language of the page here.
@@ -55,6 +58,7 @@ async function fetchWords(language: string): Promise<object> {
 export function installPalette(palette: Palette): void {
   Blockly.setLocale(palette.messages);
   defineBlocks(palette.definitions);
+  learnCalls(palette.calls);
 }
 
 /** Define or redefine types of blocks; blocks in the program keep their shape. */
@@ -71,6 +75,7 @@ export function defineBlocks(definitions: readonly Definition[]): void {
 /** Set up everything that is the same in every language, once. */
 export function prepareBlockly(): void {
   compareNamesExactly();
+  correctStyles();
   registerMutators();
   registerWhen();
   registerCodeField();

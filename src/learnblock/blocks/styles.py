@@ -1,0 +1,23 @@
+"""The colours of calls: those of the tab with such functions."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+_FUNCTIONS = {
+    "text_blocks": """
+        print input str int float upper lower title strip find replace split join
+    """,
+    "list_blocks": """
+        list len append extend insert remove pop clear copy sort sorted reverse index count sublist
+        shuffle choice sum max min mean median mode stdev
+    """,
+    "math_blocks": """
+        abs round sqrt exp log log10 floor ceil sin cos tan asin acos atan atan2 pi constrain random
+        random_fraction
+    """,
+}
+#: The styles of blocks that call a function of the language, by its name; others have the style of
+#: the user's own functions.
+CALLS: Mapping[str, str] = MappingProxyType(
+    {name: style for style, names in _FUNCTIONS.items() for name in names.split()}
+)

@@ -1,0 +1,72 @@
+"""The look of blocks: their colours, and those that do not run."""
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+PRINTS = """\
+main:
+    print(1)
+    print(1, 2)
+end
+
+# the end
+"""
+LOOSE = re.compile("lbLoose")
+#: Comments and Python code are grey, and a number is white like its field, in any tab.
+PLAIN = ("lb_comment", "lb_python", "lb_python_value", "math_number")
+#: The colours of the other blocks in the open tab.
+COLOURS = """(plain) => [...document.querySelectorAll(
+        ".blocklyFlyout:not([style*='none']) .blocklyBlockCanvas > .blocklyDraggable")]
+    .filter((block) => !plain.some((kind) => block.classList.contains(kind)))
+    .map((block) => block.querySelector(":scope > .blocklyPath").getAttribute("fill"))"""
+
+
+@pytest.fixture
+def pupil(sit_down, server):
+    """A pupil with an empty program."""
+    pupil = sit_down(server, viewport={"width": 1600, "height": 900})
+    pupil.begin()
+    return pupil
+
+
+def test_all_blocks_of_a_tab_have_one_colour(pupil):
+    many = {}
+    for row in pupil.page.locator(".blocklyToolboxCategory:not(:has(input))").all():
+        row.click()
+        colours = pupil.page.evaluate(COLOURS, PLAIN)
+        if len(set(colours)) > 1:
+            many[row.inner_text()] = colours
+    pupil.picture("palette")
+    assert many == {}
+
+
+def test_a_call_has_the_colour_of_its_function_however_many_arguments_it_has(pupil):
+    pupil.write("blocktext", PRINTS)
+    fills = [
+        pupil.blocks(kind).locator("> .blocklyPath").first.get_attribute("fill")
+        for kind in ("text_print", "lb_call")
+    ]
+    assert fills[0] == fills[1]
+
+
+def test_a_comment_at_the_end_is_a_comment_without_a_hat(pupil):
+    pupil.write("blocktext", PRINTS)
+    comment = pupil.blocks("lb_comment")
+    expect(comment).to_contain_text("the end")
+    expect(pupil.blocks("lb_start")).to_have_count(0)
+    expect(comment).not_to_have_class(LOOSE)
+    pupil.picture("comment")
+    pupil.fill(comment.locator(".blocklyInputField"), "over")
+    pupil.sees("blocktext", "# over")
+
+
+def test_blocks_that_do_not_run_are_drawn_as_inactive_until_they_are_connected(pupil):
+    wait = pupil.take("Waiting", "lb_skill_sleep")
+    expect(pupil.block(wait)).to_have_class(LOOSE)
+    pupil.picture("loose")
+    hat = pupil.blocks("lb_main").get_attribute("data-id")
+    pupil.put_into(wait, hat)
+    pupil.sees("blocktext", "function.sleep")
+    expect(pupil.block(wait)).not_to_have_class(LOOSE)
