@@ -1,12 +1,14 @@
 """A brick's SSH server on this machine, which executes commands in its own folder."""
 
 import os
+import queue
 import socket
 import subprocess
 import threading
 from pathlib import Path
 
 import paramiko
+from paramiko.common import cMSG_CHANNEL_SUCCESS
 
 
 class SshBrick:
@@ -45,12 +47,29 @@ class SshBrick:
                 connection, _ = self._listener.accept()
             except TimeoutError:
                 continue
-            transport = paramiko.Transport(connection)
+            transport = Transport(connection)
             self._transports.append(transport)
             transport.add_server_key(self.key)
             transport.set_subsystem_handler("sftp", paramiko.SFTPServer, Files, self.home)
             # With an event it does not wait here: a client that does not trust the key hangs up.
             transport.start_server(threading.Event(), Server(self))
+
+
+class Transport(paramiko.Transport):
+    """A connection that executes a command after it has accepted it.
+
+    A client for which the channel is closed before that takes the command for refused.
+    """
+
+    def __init__(self, connection):
+        super().__init__(connection)
+        self.accepted = queue.SimpleQueue()
+
+    def _send_user_message(self, data):
+        super()._send_user_message(data)
+        is_command = not self.accepted.empty()
+        if is_command and data.asbytes()[:1] == cMSG_CHANNEL_SUCCESS:
+            self.accepted.get().start()
 
 
 class Server(paramiko.ServerInterface):
@@ -71,7 +90,8 @@ class Server(paramiko.ServerInterface):
 
     def check_channel_exec_request(self, channel, command):
         self._brick.executed.append(command.decode())
-        threading.Thread(target=self._execute, args=(channel, command)).start()
+        thread = threading.Thread(target=self._execute, args=(channel, command))
+        channel.get_transport().accepted.put(thread)
         return True
 
     def _execute(self, channel, command):
