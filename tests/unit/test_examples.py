@@ -19,7 +19,7 @@ NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
 SEVEN = ("joy", "sadness", "anger", "surprise", "fear", "disgust", "neutral")
 PAIRS = list(itertools.product(NAMES, TWINS))
 
-pytestmark = pytest.mark.spread
+pytestmark = [pytest.mark.slow, pytest.mark.spread]
 
 
 def refusal(name, robot):

@@ -89,6 +89,7 @@ def is_all_raw(program):
     return program.main is None and len(program.items) == 1 and type(program.items[0]) is Raw
 
 
+@pytest.mark.slow
 @settings(many, max_examples=1800)
 @given(seeds)
 def test_a_random_program_survives_every_round_trip(trees):
@@ -129,6 +130,7 @@ TERMINALS = {
 }
 
 
+@pytest.mark.slow
 @settings(many, max_examples=120)
 @given(from_lark(GRAMMAR, start="program", explicit=TERMINALS))
 def test_a_program_of_the_grammar_survives_every_round_trip(text):

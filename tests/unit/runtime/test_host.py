@@ -16,6 +16,8 @@ from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.process import ThreadWorker
 from learnblock.runtime.watcher import Watcher
 
+pytestmark = pytest.mark.slow
+
 DRIVE = """from learnblock.devices import Base
 robot.device(Base).move(100, 0)
 robot.clock.sleep(0.1)

@@ -144,6 +144,7 @@ def value_of(source):
         return repr(error)
 
 
+@pytest.mark.slow
 def test_ten_thousand_expressions_have_the_value_of_python():
     rng = random.Random(2024)  # noqa: S311 - no secret
     sources = [written_at_random(rng, 4) for _ in range(10_000)]

@@ -64,6 +64,7 @@ def test_python_survives_as_blocks(path):
     assert python == to_python(back).text
 
 
+@pytest.mark.slow
 @settings(many, max_examples=2000)
 @given(seeds)
 def test_a_random_program_survives_as_blocks(trees):

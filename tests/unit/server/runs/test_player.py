@@ -11,6 +11,8 @@ from learnblock.server.runs.console import MOST_AT_ONCE
 from pages import english
 from places import ROOT
 
+pytestmark = pytest.mark.slow
+
 EXAMPLES = ROOT / "examples"
 SQUARE = (EXAMPLES / "square.bt").read_text("utf-8")
 DRIVING = "main:\n    while True:\n        function.move_straight(50)\n    end\nend\n"
