@@ -12,6 +12,7 @@ import pytest
 
 from learnblock import language, robots, running
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
+from pythons import VERSIONS, with_learnblock
 from runs import EXAMPLES, TWINS, WORLDS, run_example, run_file
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
@@ -129,3 +130,19 @@ def test_the_page_of_examples_names_each_with_a_robot_that_can_run_it():
     for name, robot, world in commands:
         assert refusal(name, robot) == []
         assert world == WORLDS.get(name, world)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("version", VERSIONS)
+@pytest.mark.parametrize("name", ["line-states.bt", "tags.bt", "watch-out.bt"])
+def test_another_version_of_python_leaves_the_same_trace(name, version, tmp_path):
+    python = with_learnblock(version)
+    if python is None:
+        pytest.skip(f"`scripts/bench hashes` has not installed LearnBlock for Python {version}")
+    robot = next(robot for robot in TWINS if not refusal(name, robot))
+    options = {"world": WORLDS.get(name, "empty"), "seconds": 4}
+    trace = tmp_path / "trace.jsonl"
+    command = [python, "-m", "learnblock", "run", EXAMPLES / name, "--robot", robot]
+    given = ["--for", "4", "--world", options["world"], "--trace", trace]
+    subprocess.run([*command, *given], stdout=subprocess.DEVNULL, check=True)
+    assert trace.read_bytes() == run_example(name, robot, **options).trace

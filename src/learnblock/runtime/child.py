@@ -192,7 +192,8 @@ class _Program:
         """Check at every line, from the first one, whether the program pauses."""
         self._wire.control = control
         self._gate = Gate(self._wire, self._setup.filename)
-        self._end_lines = start_line_events(self._code, unless_shown(self._wire.turn, self._gate))
+        on_line = unless_shown(self._wire.turn, self._gate)
+        self._end_lines = start_line_events(self._code, self._setup.source, on_line)
 
     def _begin_lines(self, budget: LineBudget) -> None:
         # Not earlier, because without a robot there is no time for a line event.
@@ -202,7 +203,7 @@ class _Program:
         self._end_lines()
         frame = sys._getframe()  # noqa: SLF001 - the documented way to walk the stack
         on_line = unless_shown(self._wire.turn, budget)
-        self._end_lines = start_line_events(self._code, on_line, frame)
+        self._end_lines = start_line_events(self._code, self._setup.source, on_line, frame)
 
     def _input(self, prompt: object = "") -> str:
         self._output.finish()

@@ -29,6 +29,7 @@ def trace_main_program(client: Client, path: Path) -> Callable[[], None]:
     client.observer = recorder
     stop_lines = start_line_events(
         frame.f_code,
+        source,
         LineBudget(client.clock, recorder.line),
         running=sys._getframe(),  # noqa: SLF001 - the robot may be made in a function
     )

@@ -13,8 +13,8 @@ from learnblock.client import Client
 from learnblock.devices import Function, Pose
 from learnblock.runtime.values import plain
 
-#: The version of the trace format.
-VERSION = 1
+#: The version of the trace format: since 2 a line is a statement that begins.
+VERSION = 2
 #: Functions of devices that only read; all others are commands.
 QUESTIONS = frozenset({"read", "detect"})
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 from learnblock.devices import (
     MP3,
@@ -25,14 +26,32 @@ from learnblock.devices import (
 )
 from learnblock.simulator import RobotBody
 
+#: Decimals of every reading: the last digits of sines differ between computers.
+DECIMALS = 3
+
 
 def make_device(body: RobotBody, kind: str, key: str) -> Device:
     """The device with this type and key, such as ``Camera`` and ``ROBOT``."""
     return _MAKERS[kind](body, key)
 
 
+def _reading(read: Callable[[], Any]) -> Callable[[], Any]:
+    return lambda: _rounded(read())
+
+
+def _rounded(value: Any) -> Any:
+    if isinstance(value, float):
+        # The zero makes -0.0 a plain zero.
+        return round(value, DECIMALS) + 0.0
+    if isinstance(value, tuple | list):
+        return type(value)(map(_rounded, value))
+    if isinstance(value, dict):
+        return {key: _rounded(one) for key, one in value.items()}
+    return value
+
+
 def _base(body: RobotBody, _key: str) -> Base:
-    return Base(move=body.drive, read=lambda: body.pose)
+    return Base(move=body.drive, read=_reading(lambda: body.pose))
 
 
 def _logged(body: RobotBody, device: str, action: str) -> Callable[..., None]:
@@ -69,23 +88,23 @@ def _rgb_led(body: RobotBody, key: str) -> RGBLed:
 
 
 def _joint(body: RobotBody, key: str) -> JointMotor:
-    return JointMotor(move=partial(body.set_joint, key), read=partial(body.joint, key))
+    return JointMotor(move=partial(body.set_joint, key), read=_reading(partial(body.joint, key)))
 
 
 _MAKERS: dict[str, Callable[[RobotBody, str], Device]] = {
-    "Accelerometer": lambda body, _: Accelerometer(body.acceleration),
+    "Accelerometer": lambda body, _: Accelerometer(_reading(body.acceleration)),
     "Animator": lambda body, _: Animator(_logged(body, "Animator", "play")),
     "Base": _base,
     "Bumper": lambda body, _: Bumper(body.bumper),
     "Camera": lambda body, key: Camera(partial(body.frame, key), drawn=True, focal=body.focal(key)),
     "Display": lambda body, _: Display(show_emotion=body.show_emotion),
-    "DistanceSensors": lambda body, _: DistanceSensors(body.distances),
-    "GroundSensors": lambda body, _: GroundSensors(body.ground),
-    "Gyroscope": lambda body, _: Gyroscope(body.gyroscope, body.reset_gyroscope),
+    "DistanceSensors": lambda body, _: DistanceSensors(_reading(body.distances)),
+    "GroundSensors": lambda body, _: GroundSensors(_reading(body.ground)),
+    "Gyroscope": lambda body, _: Gyroscope(_reading(body.gyroscope), body.reset_gyroscope),
     "Infrared": lambda body, _: Infrared(lambda: None, _logged(body, "Infrared", "send")),
     "JointMotor": _joint,
     "Led": _led,
-    "LightSensor": lambda body, _: LightSensor(body.light),
+    "LightSensor": lambda body, _: LightSensor(_reading(body.light)),
     "MP3": _mp3,
     "Matrix": _matrix,
     "RGBLed": _rgb_led,
