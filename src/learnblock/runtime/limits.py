@@ -14,8 +14,9 @@ class Limits(msgspec.Struct, frozen=True, array_like=True):
         output: the limit of printed characters.
         file_size: the limit of each written file, in bytes.
         open_files: the limit of simultaneously open files.
-        silence: how long a simulated robot waits for the program's next call, in seconds.
-        preparation: how long a program may take to create its robot, in seconds.
+        silence: how long a program may compute before its next call, in seconds of processor time.
+        preparation: the same before it creates its robot.
+        blocked: how long it may wait for anything but its robot, such as a file, in seconds.
     """
 
     memory: int = 2048 * MEGABYTE
@@ -28,3 +29,4 @@ class Limits(msgspec.Struct, frozen=True, array_like=True):
     threads: int = 100
     silence: float = 5.0
     preparation: float = 15.0
+    blocked: float = 30.0

@@ -14,6 +14,7 @@ from typing import Protocol
 
 from learnblock.errors import ProgramStopped
 from learnblock.runtime import child
+from learnblock.runtime.activity import Activity, of_process, of_thread
 from learnblock.runtime.containment.environment import environment
 from learnblock.runtime.containment.scratch import Scratch, Usage
 from learnblock.runtime.limits import Limits
@@ -57,6 +58,9 @@ class Worker(Protocol):
     def usage(self, limits: Limits) -> Usage:
         """Return what it occupies."""
 
+    def activity(self) -> Activity | None:
+        """Return what it has done so far; None if the system does not say."""
+
 
 class ProcessWorker:
     """A process in a separate session, so that its children can be ended with it."""
@@ -90,6 +94,9 @@ class ProcessWorker:
 
     def usage(self, limits: Limits) -> Usage:
         return self._scratch.usage(self._process.pid, limits)
+
+    def activity(self) -> Activity | None:
+        return of_process(self._process.pid)
 
     @staticmethod
     def _start(handle: int, variables: Mapping[str, str]) -> "subprocess.Popen[bytes]":
@@ -141,6 +148,11 @@ class ThreadWorker:
 
     def usage(self, limits: Limits) -> Usage:  # noqa: ARG002 - it is the host's own
         return Usage()
+
+    def activity(self) -> Activity | None:
+        # The clock of a thread that has ended must not be asked for.
+        alive = self._thread.is_alive() and self._thread.ident is not None
+        return of_thread(self._thread.ident or 0) if alive else None
 
     @staticmethod
     def _run(connection: socket.socket) -> None:

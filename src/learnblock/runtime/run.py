@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
-from time import monotonic
 from typing import Any
 
 from learnblock.client import Client
@@ -170,7 +169,7 @@ class Run:
             self._has_sent = True
             self._pauses.status.enter(State.RUNNING)
         if self.supervision.is_due:
-            self._end_soon(self.supervision.check())
+            self._end_soon(self.supervision.check(conversation.worker.activity))
             self._end_soon(self.supervision.check_usage(conversation.worker.usage))
             if self.variables.are_due:
                 self.variables.request(conversation)
@@ -258,10 +257,7 @@ class Run:
         self._reads = message.reads
 
     def _on_line(self, message: messages.Line) -> None:
-        reached = monotonic()
         self._pauses.hold(message)
-        # While it was paused, the program could not make a call.
-        self.supervision.excuse(monotonic() - reached)
         self._continue(messages.Continue())
 
     def _on_input(self, message: messages.Input) -> None:

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from time import monotonic
 
 from learnblock.i18n import Phrase
+from learnblock.runtime.activity import Activity, Silence
 from learnblock.runtime.containment.scratch import Usage
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.hosted_robot import HostedRobot
@@ -29,36 +30,39 @@ class Supervision:
         self.limits = limits
         self._robot = robot
         self._printed = 0
-        self._last_call = self._last_check = self._last_usage = 0.0
+        self._last_check = self._last_usage = 0.0
+        self._called = True
+        self._silence = Silence()
 
     def note_call(self) -> None:
         """Record that the program made a call."""
-        self._last_call = monotonic()
-
-    def excuse(self, seconds: float) -> None:
-        """Do not count these seconds as silence, because the program could not make a call."""
-        self._last_call += seconds
+        self._called = True
 
     @property
     def is_due(self) -> bool:
         """Whether the last check is more than a period ago."""
         return monotonic() - self._last_check > PERIOD
 
-    def check(self) -> Ending | None:
+    def check(self, activity: Callable[[], Activity | None]) -> Ending | None:
         """Check silence, link and time; return how the run has to end, or None.
+
+        Args:
+            activity: says what the program has done.
 
         Raises:
             RobotConnectionError: the link to a real robot is gone.
         """
-        self._last_check = monotonic()
-        silent = self._last_check - self._last_call
-        if self._robot.client is None:
-            return self._check_preparation(silent)
-        if self._robot.world.simulation is None:
+        before, self._last_check = self._last_check, monotonic()
+        if self._robot.client is not None and self._robot.world.simulation is None:
             # A real robot does not wait for its program, so long silence is not an error there.
             self._robot.check_link()
             return self._check_time(self._robot.client.clock.time())
-        return self._check_silence(silent)
+        if self._called:
+            self._called = False
+            self._silence.begin(activity())
+        else:
+            self._silence.look(self._last_check - before, activity())
+        return self._check_silence()
 
     def check_output(self, characters: int) -> Ending | None:
         """Count printed characters; return how the run has to end if there are too many."""
@@ -89,15 +93,15 @@ class Supervision:
             return Ending(How.KILLED, Phrase("run-too-many-threads", limit=limits.threads))
         return None
 
-    def _check_preparation(self, silent: float) -> Ending | None:
-        if silent <= self.limits.preparation:
-            return None
-        return Ending(How.NO_CALL, Phrase("run-no-robot", seconds=self.limits.preparation))
-
-    def _check_silence(self, silent: float) -> Ending | None:
-        if silent <= self.limits.silence:
-            return None
-        return Ending(How.NO_CALL, Phrase("run-no-call", seconds=self.limits.silence))
+    def _check_silence(self) -> Ending | None:
+        limits, ready = self.limits, self._robot.client is not None
+        if self._silence.waiting > limits.blocked:
+            return Ending(How.NO_CALL, Phrase("run-blocked", seconds=limits.blocked))
+        if ready and self._silence.computing > limits.silence:
+            return Ending(How.NO_CALL, Phrase("run-no-call", seconds=limits.silence))
+        if not ready and self._silence.computing > limits.preparation:
+            return Ending(How.NO_CALL, Phrase("run-no-robot", seconds=limits.preparation))
+        return None
 
     def _check_time(self, time: float) -> Ending | None:
         if self.seconds is None or time < self.seconds:

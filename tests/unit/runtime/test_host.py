@@ -10,10 +10,11 @@ import pytest
 from learnblock.client import Client
 from learnblock.devices import Device
 from learnblock.i18n import Phrase
+from learnblock.runtime.activity import Activity
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.limits import MEGABYTE, Limits
-from learnblock.runtime.process import ThreadWorker
+from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from learnblock.runtime.watcher import Watcher
 
 pytestmark = pytest.mark.slow
@@ -26,6 +27,7 @@ STOPPED = [("move", 100.0, 0.0), ("move", 0.0, 0.0), ("disconnect",)]
 FINISHED = Phrase("run-finished")
 BROKEN = Phrase("OSError: the cable is out")
 needs_posix = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+needs_linux = pytest.mark.skipif(sys.platform != "linux", reason="needs the states of Linux")
 
 
 def endless(lines):
@@ -274,6 +276,33 @@ def test_a_program_that_never_creates_its_robot_is_ended(run):
     result = run("while True: pass", header="", limits=Limits(preparation=0.2))
     assert How.NO_CALL == result.how
     assert result.ending.phrase == Phrase("run-no-robot", seconds=0.2)
+
+
+@needs_linux
+@pytest.mark.parametrize(
+    "source",
+    ["import os\nos.read(os.pipe()[0], 1)", "import threading\nthreading.Event().wait()"],
+)
+def test_a_program_that_waits_for_something_else_is_ended(run, source):
+    result = run(DRIVE + source, limits=Limits(blocked=0.3))
+    assert How.NO_CALL == result.how
+    assert result.ending.phrase == Phrase("run-blocked", seconds=0.3)
+    assert result.log == STOPPED
+
+
+class Starved(ProcessWorker):
+    """The program of a machine so busy that it gets no processor, as far as anyone can see."""
+
+    def activity(self):
+        return Activity(0.0, waits=False)
+
+
+@needs_linux
+@pytest.mark.parametrize(("worker", "how"), [(ProcessWorker, How.NO_CALL), (Starved, How.FINISHED)])
+def test_a_program_that_gets_no_processor_is_not_ended(run, worker, how):
+    source = "import time as t\nend = t.process_time() + 0.6\nwhile t.process_time() < end: pass"
+    limits = Limits(silence=0.1, blocked=0.1)
+    assert run(source, limits=limits, worker=worker).how == how
 
 
 def test_an_error_in_the_python_names_its_line(run):

@@ -20,6 +20,11 @@ run-no-call =
         [one] The program sent no command to the robot for { $seconds } second and was stopped. Is a sleep missing in one of its loops?
        *[other] The program sent no command to the robot for { $seconds } seconds and was stopped. Is a sleep missing in one of its loops?
     }
+run-blocked =
+    { $seconds ->
+        [one] The program waited { $seconds } second for something other than the robot and was stopped. To let time pass, use a sleep of the robot.
+       *[other] The program waited { $seconds } seconds for something other than the robot and was stopped. To let time pass, use a sleep of the robot.
+    }
 run-link-closed = The program closed its connection to the robot and was stopped.
 # $status is the exit status of the process.
 run-process-ended = The program's process ended unexpectedly with status { $status }.

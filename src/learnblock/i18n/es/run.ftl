@@ -19,6 +19,11 @@ run-no-call =
         [one] El programa no ha enviado órdenes al robot durante { $seconds } segundo y se ha detenido. ¿Falta un sleep en algún bucle?
        *[other] El programa no ha enviado órdenes al robot durante { $seconds } segundos y se ha detenido. ¿Falta un sleep en algún bucle?
     }
+run-blocked =
+    { $seconds ->
+        [one] El programa ha esperado { $seconds } segundo a algo que no es el robot y se ha detenido. Para dejar pasar el tiempo, usa un sleep del robot.
+       *[other] El programa ha esperado { $seconds } segundos a algo que no es el robot y se ha detenido. Para dejar pasar el tiempo, usa un sleep del robot.
+    }
 run-link-closed = El programa ha cerrado su conexión con el robot y se ha detenido.
 # $status es el estado de salida del proceso.
 run-process-ended = El proceso del programa ha terminado de forma inesperada con el estado { $status }.
