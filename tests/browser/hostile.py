@@ -22,6 +22,7 @@ MESSAGES = {
     "Import": {"filename": "a.bt", "text": PROGRAM},
     "ImportOriginal": {"filename": "a.blockProject", "content": "gAJOLg=="},
     "SaveAs": {"name": "a copy"},
+    "RenameProject": {"name": "renamed"},
     "Delete": {"name": "another"},
     "Export": {"format": "py"},
     "ListProjects": {},

@@ -78,10 +78,11 @@ class Pupil:
         """Choose a robot, a world or a speed in the bar."""
         self.page.get_by_role("combobox", name=what).select_option(label=name)
 
-    def begin(self):
+    def begin(self, name="program"):
         """Begin an empty program."""
         with self._another_project():
-            self.project("New")
+            self.project("New…")
+            self.answer(name)
 
     def project(self, command):
         """Choose a command of the project's menu."""

@@ -173,6 +173,8 @@ def open_tag_names(pupil):
 DIALOGS = {
     "open": lambda pupil: pupil.project("Open…"),
     "examples": lambda pupil: pupil.project("Examples…"),
+    "new": lambda pupil: pupil.project("New…"),
+    "rename": lambda pupil: pupil.project("Rename…"),
     "save as": lambda pupil: pupil.project("Save as…"),
     "history": lambda pupil: pupil.project("History…"),
     "delete": lambda pupil: pupil.project("Delete…"),

@@ -52,13 +52,15 @@ NAMES = re.compile(
 #: Names shown on the blocks that call these functions.
 FUNCTIONS = {*BUILTINS, *(name for name, _ in TEMPLATES), "world ="}
 DIALOGS = {
+    "new": ("project", 0),
     "open": ("project", 1),
     "examples": ("project", 2),
-    "save as": ("project", 3),
-    "history": ("project", 4),
-    "block sets": ("project", 5),
-    "tag names": ("project", 8),
-    "delete": ("project", 13),
+    "rename": ("project", 3),
+    "save as": ("project", 4),
+    "history": ("project", 5),
+    "block sets": ("project", 6),
+    "tag names": ("project", 9),
+    "delete": ("project", 14),
     "tour": ("help", 0),
     "settings": ("help", 1),
     "shortcuts": ("help", 3),

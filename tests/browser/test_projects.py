@@ -32,6 +32,32 @@ NO_DRAFTS = f"async () => (await {DATABASE}) === '[]'"
 WAVE = "main:\n    function.expressJoy()\nend\n"
 
 
+def test_a_new_project_has_the_name_that_its_owner_gives_it(own_server, sit_down):
+    pupil = sit_down(own_server)
+    pupil.begin("My patrol")
+    pupil.expect_project("My patrol")
+    expect(pupil.dialog()).to_have_count(0)
+
+
+def test_a_renamed_project_keeps_its_program_and_its_address(own_server, sit_down):
+    pupil = sit_down(own_server)
+    pupil.begin()
+    wave(pupil)
+    pupil.project("Rename…")
+    expect(pupil.dialog().get_by_role("textbox")).to_have_value("program")
+    pupil.picture("rename")
+    pupil.answer("hello")
+    pupil.expect_project("hello")
+    pupil.wait_until_saved()
+    pupil.page.reload()
+    pupil.expect_project("hello")
+    pupil.sees("blocktext", "function.expressJoy()")
+    pupil.project("Rename…")
+    pupil.answer("square")
+    pupil.expect_note("There is already a project named 'square'")
+    pupil.expect_project("hello")
+
+
 # Saving.
 
 

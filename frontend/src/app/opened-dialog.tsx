@@ -8,7 +8,7 @@ import { NewRobotDialog } from "../features/new-robot/dialog";
 import { HistoryDialog } from "../features/projects/history";
 import { ImportedDialog } from "../features/projects/imported";
 import { OpenDialog } from "../features/projects/open";
-import { DeleteDialog, SaveAsDialog } from "../features/projects/save-and-delete";
+import { DeleteDialog, NewDialog, RenameDialog, SaveAsDialog } from "../features/projects/save-and-delete";
 import { PerceptionDialog, RobotSettingsDialog } from "../features/robot-settings/dialogs";
 import { SettingsDialog, ShortcutsDialog } from "../features/settings/dialogs";
 import { TagsDialog } from "../features/tags/dialog";
@@ -20,6 +20,8 @@ import { IslandPlace } from "../ui/island-place";
 const DIALOGS = {
   open: OpenDialog,
   examples: ExamplesDialog,
+  new: NewDialog,
+  rename: RenameDialog,
   saveAs: SaveAsDialog,
   history: HistoryDialog,
   shortcuts: ShortcutsDialog,

@@ -5,6 +5,8 @@ import { signal } from "@preact/signals";
 export type DialogName =
   | "open"
   | "examples"
+  | "new"
+  | "rename"
   | "saveAs"
   | "history"
   | "shortcuts"

@@ -19,6 +19,8 @@ export interface Left {
 export interface Drafts {
   /** Keep the drafts of a project instead of those before; none forgets them. */
   keep(project: string, drafts: readonly Draft[]): void;
+  /** Forget the drafts of a project at once. */
+  forget(project: string): void;
   /** The drafts that other pages have left of a project. */
   left(project: string): Promise<readonly Left[]>;
 }
@@ -40,6 +42,10 @@ export class BrowserDrafts implements Drafts {
     this.writing.do(() => {
       void attempt(drafts.length > 0 ? set(key, drafts) : del(key));
     });
+  }
+
+  forget(project: string): void {
+    void attempt(del([project, this.page]));
   }
 
   async left(project: string): Promise<readonly Left[]> {

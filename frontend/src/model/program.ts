@@ -83,6 +83,7 @@ export class Program {
   ) {
     connection.on("Welcome", (welcome) => (this.readOnly.value = welcome.read_only ?? null));
     connection.on("Opened", (opened) => this.opened(opened.name));
+    connection.on("ProjectRenamed", ({ name }) => this.renamed(name));
     connection.on("Document", (document) => this.receive(document));
     connection.on("Saved", ({ edit }) => this.savedUpTo(edit));
     connection.onRefused(["EditBlocks", "EditText", "RecoverBlocks", "RecoverText"], () => this.refused());
@@ -212,6 +213,13 @@ export class Program {
     const { drafts } = this.unsaved;
     if (drafts.length > 0 || !this.saved.value) this.drafts.keep(this.project, drafts);
     this.saved.value = drafts.length === 0 && this.recovering.size === 0;
+  }
+
+  /** The drafts move with the project. */
+  private renamed(name: string): void {
+    this.drafts.forget(this.project);
+    this.project = name;
+    this.drafts.keep(name, this.unsaved.drafts);
   }
 
   /** Handle an opened project: another one, or the same one after a reconnection. */

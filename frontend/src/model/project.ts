@@ -50,6 +50,7 @@ export class Project {
     connection.on("Welcome", (welcome) => this.begin(welcome));
     connection.on("Projects", ({ projects }) => this.listed(projects));
     connection.on("Opened", ({ name }) => this.opened(name));
+    connection.on("ProjectRenamed", ({ name }) => this.renamed(name));
     connection.on("Robots", ({ robots }) => (this.welcome.value &&= { ...this.welcome.value, robots }));
     connection.on("Worlds", ({ worlds }) => (this.worlds.value = worlds));
     connection.on("History", (history) => (this.history.value = history));
@@ -86,6 +87,12 @@ export class Project {
   saveAs(name: string): void {
     this.program.flush();
     this.connection.send({ kind: "SaveAs", name });
+  }
+
+  rename(name: string): void {
+    if (name === this.name.value) return;
+    this.program.flush();
+    this.connection.send({ kind: "RenameProject", name });
   }
 
   export(format: Export["format"]): void {
@@ -184,6 +191,12 @@ export class Project {
   private leaving(event: BeforeUnloadEvent): void {
     this.program.flush();
     if (!this.program.saved.value) event.preventDefault();
+  }
+
+  private renamed(name: string): void {
+    this.name.value = name;
+    renameProject(name);
+    this.list();
   }
 
   private failed(message: Phrase, request: string): void {

@@ -553,6 +553,11 @@ export interface ProjectEntry {
   changed: number;
 }
 
+export interface ProjectRenamed {
+  kind: "ProjectRenamed";
+  name: string;
+}
+
 export interface Projects {
   kind: "Projects";
   projects: ProjectEntry[];
@@ -614,6 +619,11 @@ export interface Rename {
   sort: "function" | "variable" | "when";
   name: string;
   new: string;
+}
+
+export interface RenameProject {
+  kind: "RenameProject";
+  name: string;
 }
 
 export interface ResetWorld {
@@ -939,6 +949,7 @@ export type FromPage =
   | Import
   | ImportOriginal
   | SaveAs
+  | RenameProject
   | Delete
   | Export
   | ListProjects
@@ -1007,6 +1018,7 @@ export type ToPage =
   | Worlds
   | Projects
   | Opened
+  | ProjectRenamed
   | OriginalImported
   | Settings
   | File

@@ -20,11 +20,18 @@ afterEach(() => vi.unstubAllGlobals());
 class FakeDrafts implements Drafts {
   kept: readonly Draft[] = [];
   forgotten = 0;
+  /** The project that the drafts are kept for. */
+  project = "";
 
   constructor(private readonly earlier: readonly Draft[]) {}
 
-  keep(_: string, drafts: readonly Draft[]): void {
+  keep(project: string, drafts: readonly Draft[]): void {
+    this.project = project;
     this.kept = drafts;
+  }
+
+  forget(): void {
+    this.kept = [];
   }
 
   async left(): Promise<readonly Left[]> {
@@ -51,6 +58,17 @@ test("edits of one frame are sent as one, the last", () => {
   for (const text of ["a", "ab", "abc"]) program.editedText("blocktext", () => text);
   drawFrame();
   expect(connection.sent).toEqual([{ kind: "EditText", edit: 1, revision: 1, notation: "blocktext", text: "abc" }]);
+});
+
+test("the drafts of a renamed project move with it, and are sent again under its new name", () => {
+  const [program, connection, drafts] = opened("square");
+  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python" });
+  program.editedText("python", () => "x = 1");
+  drawFrame();
+  connection.tell({ kind: "ProjectRenamed", name: "patrol" });
+  expect([drafts.project, drafts.kept.map(({ content }) => content)]).toEqual(["patrol", ["x = 1"]]);
+  connection.tell({ kind: "Opened", name: "patrol" });
+  expect(connection.sent.at(-1)).toMatchObject({ kind: "RecoverText", text: "x = 1" });
 });
 
 test("an undo sends what was edited before it", () => {

@@ -27,10 +27,11 @@ function items(page: Page) {
   const { dialogs, project } = page;
   const name = project.name.value;
   return [
-    { text: t("page-project-new"), run: () => project.create(t("page-project-new-name")) },
+    { text: t("page-project-new"), run: () => dialogs.show("new") },
     { text: t("page-project-open"), run: () => dialogs.show("open") },
     { text: t("page-project-examples"), run: () => dialogs.show("examples") },
-    { text: t("page-project-save-as"), separated: true, run: () => dialogs.show("saveAs") },
+    { text: t("page-project-rename"), separated: true, run: () => dialogs.show("rename") },
+    { text: t("page-project-save-as"), run: () => dialogs.show("saveAs") },
     { text: t("page-project-history"), run: () => dialogs.show("history") },
     { text: t("page-sets-menu"), separated: true, run: () => dialogs.show("blockSets") },
     { text: t("page-custom-menu"), run: () => dialogs.show("customBlocks") },

@@ -9,36 +9,85 @@ import { Actions, Dialog } from "../../ui/dialog";
 /** The server's limit. */
 const LONGEST_NAME = 100;
 
+export function NewDialog() {
+  const { dialogs, project } = usePage();
+  return (
+    <Dialog title={t("page-project-new-title")} close={() => dialogs.close()}>
+      <NameForm
+        name={t("page-project-new-name")}
+        help={t("page-project-new-help")}
+        action={t("page-project-new-now")}
+        run={(name) => project.create(name)}
+      />
+    </Dialog>
+  );
+}
+
 export function SaveAsDialog() {
   const { dialogs, project } = usePage();
-  const name = useSignal(t("page-project-copy-of", { name: project.name.value }));
-  const save = (event: SubmitEvent) => {
-    event.preventDefault();
-    dialogs.close();
-    project.saveAs(name.value.trim());
-  };
   return (
     <Dialog title={t("page-project-save-as-title")} close={() => dialogs.close()}>
-      <form onSubmit={save}>
-        <label class="field">
-          {t("page-project-name")}
-          <input
-            required
-            autofocus
-            pattern=".*\S.*"
-            maxLength={LONGEST_NAME}
-            value={name.value}
-            onInput={({ currentTarget }) => (name.value = currentTarget.value)}
-          />
-        </label>
-        <p class="dim">{t("page-project-save-as-help")}</p>
-        <Actions cancel={() => dialogs.close()}>
-          <button type="submit" class="button filled">
-            {t("page-project-save-copy")}
-          </button>
-        </Actions>
-      </form>
+      <NameForm
+        name={t("page-project-copy-of", { name: project.name.value })}
+        help={t("page-project-save-as-help")}
+        action={t("page-project-save-copy")}
+        run={(name) => project.saveAs(name)}
+      />
     </Dialog>
+  );
+}
+
+export function RenameDialog() {
+  const { dialogs, project } = usePage();
+  return (
+    <Dialog title={t("page-project-rename-title")} close={() => dialogs.close()}>
+      <NameForm
+        name={project.name.value}
+        help={t("page-project-rename-help")}
+        action={t("page-project-rename-now")}
+        run={(name) => project.rename(name)}
+      />
+    </Dialog>
+  );
+}
+
+interface NameFormProps {
+  readonly name: string;
+  readonly help: string;
+  readonly action: string;
+  readonly run: (name: string) => void;
+}
+
+/** Asks for a project's name, then closes the dialog. */
+function NameForm({ name: first, help, action, run }: NameFormProps) {
+  const { dialogs } = usePage();
+  const name = useSignal(first);
+  const submit = (event: SubmitEvent) => {
+    event.preventDefault();
+    dialogs.close();
+    run(name.value.trim());
+  };
+  return (
+    <form onSubmit={submit}>
+      <label class="field">
+        {t("page-project-name")}
+        <input
+          required
+          autofocus
+          pattern=".*\S.*"
+          maxLength={LONGEST_NAME}
+          value={name.value}
+          onFocus={({ currentTarget }) => currentTarget.select()}
+          onInput={({ currentTarget }) => (name.value = currentTarget.value)}
+        />
+      </label>
+      <p class="dim">{help}</p>
+      <Actions cancel={() => dialogs.close()}>
+        <button type="submit" class="button filled">
+          {action}
+        </button>
+      </Actions>
+    </form>
   );
 }
 

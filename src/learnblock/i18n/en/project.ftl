@@ -40,12 +40,14 @@ project-expects-workspace = Remove the workspace from the file to lay the blocks
 project-no-access = { $action ->
         [read] The project can't be read from { $folder }: { $reason }
         [save] The project can't be saved in { $folder }: { $reason }
+        [rename] Can't rename the project in { $folder }: { $reason }
         [delete] The project can't be deleted from { $folder }: { $reason }
         [keep-version] The version can't be saved in { $folder }: { $reason }
         [read-version] The version can't be read from { $folder }: { $reason }
         [keep-run] The run can't be saved in { $folder }: { $reason }
        *[read-runs] The list of runs can't be read from { $folder }: { $reason }
     }
+project-name-taken = There is already a project named '{ $name }'. Choose another name.
 project-in-use = The project '{ $name }' is open. Close its pages first.
 
 ## Opening

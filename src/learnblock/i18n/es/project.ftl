@@ -33,12 +33,14 @@ project-expects-workspace = Quita el espacio de trabajo del archivo para colocar
 project-no-access = { $action ->
         [read] No se puede leer el proyecto en { $folder }: { $reason }
         [save] No se puede guardar el proyecto en { $folder }: { $reason }
+        [rename] No se puede cambiar el nombre del proyecto en { $folder }: { $reason }
         [delete] No se puede borrar el proyecto en { $folder }: { $reason }
         [keep-version] No se puede guardar la versión en { $folder }: { $reason }
         [read-version] No se puede leer la versión en { $folder }: { $reason }
         [keep-run] No se puede guardar la ejecución en { $folder }: { $reason }
        *[read-runs] No se puede leer la lista de ejecuciones en { $folder }: { $reason }
     }
+project-name-taken = Ya hay un proyecto llamado '{ $name }'. Elige otro nombre.
 project-in-use = El proyecto '{ $name }' está abierto. Cierra antes sus páginas.
 
 ## Opening

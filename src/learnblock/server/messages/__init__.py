@@ -108,7 +108,9 @@ from learnblock.server.messages.projects import (
     OriginalImported,
     PastRun,
     ProjectEntry,
+    ProjectRenamed,
     Projects,
+    RenameProject,
     Restore,
     RobotChoice,
     SaveAs,
@@ -182,6 +184,7 @@ FromPage = (
     | Import
     | ImportOriginal
     | SaveAs
+    | RenameProject
     | Delete
     | Export
     | ListProjects
@@ -251,6 +254,7 @@ ToPage = (
     | Worlds
     | Projects
     | Opened
+    | ProjectRenamed
     | OriginalImported
     | Settings
     | File
@@ -386,6 +390,7 @@ __all__ = [
     "Printed",
     "Problem",
     "ProjectEntry",
+    "ProjectRenamed",
     "Projects",
     "ReadBlockSet",
     "ReadLibraries",
@@ -397,6 +402,7 @@ __all__ = [
     "Redo",
     "RemoveLibrary",
     "Rename",
+    "RenameProject",
     "ResetWorld",
     "Restore",
     "RestoreCustomBlock",

@@ -59,6 +59,12 @@ class SaveAs(Message, frozen=True):
     name: Name
 
 
+class RenameProject(Message, frozen=True):
+    """Rename the open project and its history: `ProjectRenamed` to every page that shows it."""
+
+    name: Name
+
+
 class Delete(Message, frozen=True):
     """Move a project that is not open to the trash folder."""
 
@@ -146,6 +152,12 @@ class Opened(Message, frozen=True):
     robot: str
     world: str
     breakpoints: tuple[str, ...] = ()
+
+
+class ProjectRenamed(Message, frozen=True):
+    """The open project has another name."""
+
+    name: str
 
 
 class OriginalImported(Message, frozen=True):

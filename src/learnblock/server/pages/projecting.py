@@ -42,6 +42,10 @@ async def _save_as(page: Page, message: messages.SaveAs) -> None:
     await page.move_to(await page.sessions.start(replace(page.session.project, name=message.name)))
 
 
+async def _rename(page: Page, message: messages.RenameProject) -> None:
+    await page.sessions.rename(page.session, message.name)
+
+
 async def _delete(page: Page, message: messages.Delete) -> None:
     await page.sessions.delete(message.name)
     await _list(page, messages.ListProjects())
@@ -77,6 +81,7 @@ HANDLERS: Mapping[type, Handler] = {
     messages.Import: _import,
     messages.ImportOriginal: _import_original,
     messages.SaveAs: _save_as,
+    messages.RenameProject: _rename,
     messages.Delete: _delete,
     messages.Export: _export,
     messages.ListProjects: _list,

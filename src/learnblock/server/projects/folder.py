@@ -124,6 +124,38 @@ class ProjectFolder:
         names = (plain, *(f"{plain} {number}" for number in range(2, len(taken) + 3)))
         return next(name for name in names if name.casefold() not in taken)
 
+    def rename(self, name: str, wish: str) -> None:
+        """Rename a project's file and its history, both or neither.
+
+        Raises:
+            UnknownNameError: it does not exist.
+            ProjectError: the new name is invalid or taken, or the file can't be renamed.
+        """
+        self._require_writing()
+        path, target = self._path(name), self._path(wish)
+        if not path.is_file():
+            raise UnknownNameError("project", name, self._names())
+        # Windows and macOS ignore case in file names.
+        others = {one.casefold() for one in self._names() if one != name}
+        if wish.casefold() in others:
+            message = Phrase("project-name-taken", name=wish)
+            raise ProjectError(target.name, [Diagnostic("name-taken", message)])
+        with _reporting(path, "rename"):
+            path.rename(target)
+            try:
+                self._move_history(name, wish)
+            except OSError:
+                target.rename(path)
+                raise
+
+    def _move_history(self, name: str, wish: str) -> None:
+        old, new = self._history(name).folder, self._history(wish).folder
+        if new.is_dir() and name.casefold() != wish.casefold():
+            # A project whose file was deleted by hand has left it.
+            new.replace(self._new_trash(wish) / "history")
+        if old.is_dir():
+            old.rename(new)
+
     def delete(self, name: str) -> None:
         """Move a project and its history into the trash folder, ``.trash``.
 
@@ -135,14 +167,18 @@ class ProjectFolder:
         path = self._path(name)
         if not path.is_file():
             raise UnknownNameError("project", name, self._names())
-        moment = datetime.fromtimestamp(self.now(), UTC).strftime("%Y-%m-%d %H.%M.%S.%f")
-        trash = self.path / ".trash" / f"{path.stem} {moment}"
         with _reporting(path, "delete"):
-            trash.mkdir(parents=True)
+            trash = self._new_trash(path.stem)
             path.replace(trash / path.name)
             history = self._history(name).folder
             if history.is_dir():
                 history.replace(trash / "history")
+
+    def _new_trash(self, name: str) -> Path:
+        moment = datetime.fromtimestamp(self.now(), UTC).strftime("%Y-%m-%d %H.%M.%S.%f")
+        trash = self.path / ".trash" / f"{name} {moment}"
+        trash.mkdir(parents=True)
+        return trash
 
     def import_file(self, filename: str, text: str) -> Project:
         """Create a project from a file's text, under a free name; it is not saved yet.

@@ -27,6 +27,8 @@ Value = TypeVar("Value")
 class Archived(Protocol):
     """An open project, as its archive sees it."""
 
+    name: str
+
     @property
     def project(self) -> Project:
         """The project in its current state."""
@@ -50,17 +52,15 @@ class Archive:
 
     Args:
         folder: the folder of the projects.
-        name: the name of the project.
         project: the project.
     """
 
-    def __init__(self, folder: ProjectFolder, name: str, project: Archived) -> None:
+    def __init__(self, folder: ProjectFolder, project: Archived) -> None:
         self._folder = folder
-        self._name = name
         self._project = project
         self._saver = Saver(self._write)
         self._is_failing = False
-        self._on_disk = folder.state(name)
+        self._on_disk = folder.state(project.name)
         self._version_kept = monotonic()
         self._tasks: set[asyncio.Task[Any]] = set()
         self._watching = asyncio.create_task(self._watch())
@@ -88,13 +88,26 @@ class Archive:
         """Save the result of a run."""
         if self._folder.read_only:
             return
-        task = asyncio.create_task(self._tried(self._folder.add_run, self._name, run))
+        task = asyncio.create_task(self._tried(self._folder.add_run, self._project.name, run))
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
     async def flush(self) -> None:
         """Save what has changed, and return when it is on disk."""
         await self._saver.flush()
+
+    async def rename(self, name: str) -> None:
+        """Rename the project, its file and its history.
+
+        Raises:
+            LearnBlockError: the name is taken, or the file can't be renamed.
+        """
+        await self.flush()
+        await asyncio.gather(*self._tasks)
+        async with self._saver.still():
+            await to_thread.run_sync(self._folder.rename, self._project.name, name)
+            self._project.name = name
+            self._on_disk = self._folder.state(name)
 
     async def close(self) -> None:
         """Save everything, and return when it is on disk."""
@@ -133,7 +146,7 @@ class Archive:
 
     def _save(self, project: Project) -> FileState | None:
         self._folder.write(project)
-        return self._folder.state(self._name)
+        return self._folder.state(self._project.name)
 
     async def _take_in(self) -> None:
         """Merge what another program has changed in the file."""
@@ -142,15 +155,15 @@ class Archive:
             return
         version: str | None = ""
         if not self._folder.read_only:
-            version = await self._tried(self._folder.keep_file, self._name)
-        outside = await self._tried(self._folder.read, self._name)
+            version = await self._tried(self._folder.keep_file, self._project.name)
+        outside = await self._tried(self._folder.read, self._project.name)
         self._on_disk = state
         if outside and version is not None:
             await self._project.take_in(outside, version)
 
     def _found_outside(self) -> FileState | None:
         """The state of the file if another program has changed it."""
-        found = self._folder.state(self._name)
+        found = self._folder.state(self._project.name)
         return None if found == self._on_disk else found
 
     async def _tried(

@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Awaitable, Callable
+from contextlib import AbstractAsyncContextManager
 
 #: Seconds from the first unsaved change to the save.
 DELAY = 0.5
@@ -34,6 +35,10 @@ class Saver:
         """Record a change that is not on disk."""
         self._unsaved = True
         self._save_in(self._delay)
+
+    def still(self) -> AbstractAsyncContextManager[None]:
+        """A context in which nothing is saved."""
+        return self._writing
 
     async def flush(self) -> None:
         """Try at once to save unsaved changes, and return when they are on disk."""

@@ -50,7 +50,7 @@ class Session:
         self.turn = asyncio.Lock()
         #: The program changes in one thread at a time.
         self._thinking = asyncio.Lock()
-        self.archive = Archive(folder, prepared.name, self)
+        self.archive = Archive(folder, self)
         self._saves = Saves(self._save())
         self.viewers = Viewers()
         self._remarks = prepared.remarks
@@ -85,6 +85,15 @@ class Session:
         """End the running program, and save."""
         await self.player.close()
         await self.archive.close()
+
+    async def rename(self, name: str) -> None:
+        """Rename the project, and tell every page.
+
+        Raises:
+            LearnBlockError: the name is taken, or the file can't be renamed.
+        """
+        await self.archive.rename(name)
+        self.viewers.send(messages.ProjectRenamed(name))
 
     async def set_the_stage(self) -> None:
         """Put the robot into its world before the first page joins."""

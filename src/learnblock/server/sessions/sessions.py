@@ -53,6 +53,20 @@ class Sessions:
             project = await to_thread.run_sync(self._written, project)
         return await self._opened(project.name, lambda: project)
 
+    async def rename(self, session: Session, name: str) -> None:
+        """Rename an open project; the pages that show it follow.
+
+        Raises:
+            LearnBlockError: the name is invalid or taken, or the file can't be renamed.
+        """
+        name = checked_name(name)
+        async with self._opening:
+            self._keep_open(session.name)
+            before = session.name
+            await session.rename(name)
+            del self._open[before]
+            self._open[name] = session
+
     async def delete(self, name: str) -> None:
         """Delete a project that no page shows.
 

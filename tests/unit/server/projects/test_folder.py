@@ -362,6 +362,54 @@ def test_a_deleted_project_goes_to_the_trash_with_its_history(folder):
     assert len([*folder.path.glob(".trash/*/history/*.learnblock")]) == 2
 
 
+def test_a_renamed_project_keeps_its_history(folder):
+    version = folder.keep_version(Project("p", "x = 1\n"), "run")
+    folder.write(Project("p", "x = 2\n"))
+    folder.rename("p", "q")
+    assert [one.name for one in folder.entries()] == ["q"]
+    assert folder.read("q") == Project("q", "x = 2\n")
+    assert folder.read_version("q", version) == Project("q", "x = 1\n")
+    assert folder.versions("p") == ()
+
+
+@pytest.mark.parametrize("taken", ["other", "OTHER"])
+def test_a_project_cannot_have_the_name_of_another(folder, taken):
+    for name in ("p", "other"):
+        folder.write(Project(name, f"x = '{name}'\n"))
+    with pytest.raises(ProjectError, match="There is already a project named"):
+        folder.rename("p", taken)
+    assert {one.name for one in folder.entries()} == {"p", "other"}
+    assert folder.read("other").blocktext == "x = 'other'\n"
+
+
+def test_a_project_can_change_the_case_of_its_name(folder):
+    folder.write(Project("square", "x = 1\n"))
+    folder.rename("square", "Square")
+    assert [one.name for one in folder.entries()] == ["Square"]
+
+
+def test_a_rename_that_fails_halfway_changes_nothing(folder, monkeypatch):
+    folder.keep_version(Project("p", "x = 1\n"), "run")
+    folder.write(Project("p", "x = 1\n"))
+
+    def refuse(*_):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(ProjectFolder, "_move_history", refuse)
+    with pytest.raises(ProjectError, match="Can't rename the project"):
+        folder.rename("p", "q")
+    assert [one.name for one in folder.entries()] == ["p"]
+    assert len(folder.versions("p")) == 1
+
+
+def test_the_history_that_a_lost_project_has_left_goes_to_the_trash(folder):
+    folder.keep_version(Project("q", "x = 0\n"), "run")
+    folder.write(Project("p", "x = 1\n"))
+    folder.rename("p", "q")
+    assert folder.versions("q") == ()
+    assert len([*folder.path.glob(".trash/*/history/*.learnblock")]) == 1
+
+
 def test_a_missing_project_cannot_be_deleted(folder):
     with pytest.raises(UnknownNameError, match="There is no project 'p'"):
         folder.delete("p")

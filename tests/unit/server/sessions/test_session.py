@@ -366,6 +366,35 @@ def test_a_copy_continues_under_its_own_name(page):
     assert {"copy", "program"} == {project["name"] for project in page.pulse()["projects"]}
 
 
+def test_a_renamed_project_is_the_same_for_every_page(server, page, projects):
+    page.open(text=PROGRAM)
+    with server.visit() as other:
+        other.say("Open", name="program")
+        other.hear("Document")
+        other.type(OTHER)
+        page.say("RenameProject", name="patrol")
+        assert other.hear("ProjectRenamed")["name"] == "patrol"
+        page.hear("ProjectRenamed")
+        other.type(PROGRAM)
+        page.hear("Document", blocktext=PROGRAM)
+        assert [one["name"] for one in page.pulse()["projects"]] == ["patrol"]
+        with server.visit() as third:
+            third.say("Open", name="patrol")
+            assert third.hear("Document")["blocktext"] == PROGRAM
+    page.hear("Saved")
+    assert [file.name for file in projects.glob("*.learnblock")] == ["patrol.learnblock"]
+
+
+def test_a_project_is_not_renamed_to_a_name_that_is_taken(page):
+    page.open("one")
+    page.open("two")
+    page.say("RenameProject", name="One")
+    refused = page.hear("Failed")
+    assert refused["request"] == "RenameProject"
+    assert english(refused["message"]).startswith("There is already a project named 'One'.")
+    assert {one["name"] for one in page.pulse()["projects"]} == {"one", "two"}
+
+
 def test_a_file_becomes_a_project_and_a_project_a_file(page):
     page.say("Import", filename="square.py", text="print('hi')\n")
     assert page.hear("Opened")["name"] == "square"
