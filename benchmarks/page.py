@@ -35,7 +35,7 @@ STARTS = 5
 WATCHED = 8000
 #: The time in which the largest program appears on a slow machine, in ms.
 TIMEOUT = 120_000
-#: The edit changes the number in its second line.
+#: The edit changes the number on the second line.
 HEAD = "main:\n    function.sleep(1)\n"
 BODY = """\
     x = x + 2 * (y - 1)

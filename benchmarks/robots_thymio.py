@@ -39,7 +39,7 @@ SAMPLES = 12
 
 def speed(ground: Playground, robot: Robot) -> tuple[float, float]:
     """Return (mm/s at motor speed 1, wheel distance in mm), measured over about two seconds."""
-    motors = robot._motors  # noqa: SLF001 - below our units
+    motors = robot._motors  # noqa: SLF001 - needs raw motor units
     ground.pose = Pose(-800, 0, 0)
     begin, end, seconds = driven(ground, lambda: motors.drive(300, 300), lambda: motors.drive(0, 0))
     unit = math.hypot(end.x - begin.x, end.y - begin.y) / seconds / 300

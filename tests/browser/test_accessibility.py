@@ -49,7 +49,7 @@ def test_axe_finds_a_button_without_a_name(pupil, axe):
 
 
 def test_the_page_has_no_serious_violation_during_and_after_a_run_in_any_theme(pupil, axe):
-    for name in ("Robot camera", "Manual drive"):
+    for name in ("Robot camera", "Manual control"):
         pupil.press(name)
     pupil.write("blocktext", WAITS)
     expect(pupil.blocks("lb_skill_sleep")).to_be_visible()

@@ -1,4 +1,4 @@
-"""The world: views, placing the robot, manual drive and the world editor."""
+"""The world: views, placing the robot, manual control and the world editor."""
 
 import re
 
@@ -114,11 +114,11 @@ def test_the_camera_lists_the_emotion_of_a_face(pupil):
     pupil.press("Stop")
 
 
-# Manual drive.
+# Manual control.
 
 
 def test_the_robot_is_driven_by_keys_and_by_the_joystick(pupil):
-    pupil.press("Manual drive")
+    pupil.press("Manual control")
     stick = pupil.page.get_by_role("application", name="Joystick")
     stick.focus()
     pupil.page.keyboard.down("ArrowUp")
@@ -132,13 +132,13 @@ def test_the_robot_is_driven_by_keys_and_by_the_joystick(pupil):
     pupil.expect_robot("facing (south|west)")
     pupil.picture("joystick")
     mouse.up()
-    pupil.press("Manual drive")
+    pupil.press("Manual control")
 
 
 def test_manual_drive_is_disabled_while_a_program_runs(pupil):
     pupil.write("blocktext", WAITS)
     expect(pupil.blocks("lb_skill_sleep")).to_be_visible()
-    pupil.press("Manual drive")
+    pupil.press("Manual control")
     pupil.press("Run")
     stick = pupil.page.get_by_role("application", name="Joystick")
     expect(stick).to_have_attribute("aria-disabled", "true")

@@ -72,7 +72,7 @@ export class Views {
   goTo(problem: Problem): void {
     this.show(problem.view);
     if (problem.block) this.reveal(problem.block);
-    // A view that was hidden has no size before the next frame.
+    // A view that was hidden has no size until the next frame.
     requestAnimationFrame(() => this.enter(problem));
   }
 

@@ -7,7 +7,7 @@ import type { FromPage, ToPage } from "./messages";
 
 type Listener = (message: ToPage) => void;
 type FrameListener = (jpeg: Blob) => void;
-/** `refused` is final: the server has another token, for example after a restart. */
+/** `refused` is final: the server has a different token, for example after a restart. */
 export type ConnectionState = "connecting" | "open" | "lost" | "refused";
 
 const FIRST_DELAY = 250;

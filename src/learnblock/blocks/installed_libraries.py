@@ -1,4 +1,4 @@
-"""The blocks of libraries, read from their files without running any."""
+"""Library blocks, read from the libraries' files without running any code."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -121,7 +121,7 @@ def _file(folder: Path, module: str) -> Path | None:
 
 
 def _titles(manifest: str) -> dict[str, str]:
-    """The library's title by upper-case language code; empty if it cannot be read."""
+    """The library's titles by upper-case language code; empty if the manifest is unreadable."""
     try:
         title = toml_source.parse(manifest, MANIFEST, LibraryError).get("title", {})
     except LibraryError:

@@ -27,7 +27,7 @@ class Place(NamedTuple):
 COMMANDS = {
     "blocks": Place("blocks", "blocks_group", "List, check, export or import custom blocks"),
     "check": Place("programs", "check", "Check programs for mistakes without running them"),
-    "component": Place("perception", "component_command", "Serve our detector to RoboComp"),
+    "component": Place("perception", "component_command", "Serve a detector to RoboComp"),
     "convert": Place("programs", "convert", "Convert a program between Block-Text and Python"),
     "demo": Place("programs", "demo", "Run a demonstration in the simulator, and draw it"),
     "dev": Place("page", "dev", "Serve the page with hot reload, for its developers"),

@@ -195,7 +195,7 @@ def _clear(target: Path, *, replace: bool) -> None:
     """Remove the library that a new one replaces.
 
     Raises:
-        LearnBlockError: it must not be replaced, or is not a library.
+        LearnBlockError: replacing it is not allowed, or it is not a library.
     """
     import shutil  # noqa: PLC0415 - `--help` needs none of it
 

@@ -111,9 +111,9 @@ def component_command(
     layout: str,
     drawn: bool,  # noqa: FBT001 - a flag of click
 ) -> None:
-    """Serve our detector to RoboComp.
+    """Serve a LearnBlock detector to RoboComp.
 
-    RoboComp's components call it over Ice. Stop with Ctrl-C.
+    RoboComp's components call it over Ice. Press Ctrl-C to stop.
 
     \b
     learnblock component apriltag

@@ -146,7 +146,7 @@ def _report(step: Phrase) -> None:
 def emulate_command(name: str, world: str | None, seed: int) -> None:
     """Emulate a robot to try its driver.
 
-    The driver then moves a simulated robot. Stop with Ctrl-C.
+    The driver then moves a simulated robot. Press Ctrl-C to stop.
 
     \b
     learnblock emulate cozmo --world tags

@@ -63,7 +63,7 @@ class Client(Events):
 
     #: Whether the robot's world waits for the program; True for simulated robots only.
     lockstep: ClassVar[bool] = False
-    #: Seconds between two readings of a sensor in use; None reads whenever the program asks.
+    #: Seconds between readings of a sensor in use; if None, it is read whenever the program asks.
     sensing_period: ClassVar[float | None] = 0.02
     #: Whether the robot gets the camera that the user's settings add to every robot.
     has_extra_camera: ClassVar[bool] = True
@@ -104,7 +104,7 @@ class Client(Events):
 
     @classmethod
     def device_names(cls) -> frozenset[str] | None:
-        """The devices of every such robot as ``Type:KEY``; None if known only after connecting."""
+        """Devices that every such robot has (``Type:KEY``); None if unknown before connecting."""
         return None
 
     @classmethod

@@ -45,7 +45,7 @@ class OurScript:
         self._move(0, 0)
 
     def watch(self) -> None:
-        """Stop the motors if the program has made no call for too long."""
+        """Stop the motors if the program has not made a call for too long."""
         if self._alive and monotonic() - self._heard > WATCHDOG:
             self._alive = False
             self._move(0, 0)

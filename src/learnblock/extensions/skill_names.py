@@ -1,4 +1,4 @@
-"""Positions of skill names in Python source, which is read and not run."""
+"""Positions of skill names in Python source, which is read but not run."""
 
 import ast
 from collections.abc import Collection, Iterable, Iterator, Mapping
@@ -13,7 +13,7 @@ class Place:
         line: the line, from 1.
         column: the column in bytes, from 0.
         name: the skill's name.
-        is_plain: whether the source spells it the same, and not in another form of Unicode.
+        is_plain: whether the source spells it exactly like `name`, not in a different Unicode form.
     """
 
     line: int

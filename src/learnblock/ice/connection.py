@@ -53,7 +53,7 @@ class Connection:
         self._await_validation(deadline)
 
     def is_usable(self, deadline: float) -> bool:
-        """Whether a call may be tried, once everything received so far is processed."""
+        """Process everything received so far, and return whether a call can be attempted."""
         with self._turn:
             while not self._calls and self._failure is None and self._stream.has_news():
                 try:

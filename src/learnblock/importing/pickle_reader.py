@@ -16,7 +16,7 @@ from learnblock.i18n import Phrase
 
 #: Bytes. The largest project known has a tenth of it.
 LARGEST = 4 * 1024 * 1024
-#: Opcodes, and so values: reading stays below a few seconds.
+#: Limits opcodes, and therefore values, so that reading takes a few seconds at most.
 MOST_STEPS = 1_000_000
 #: Values that wait for the ones inside them.
 DEEPEST = 20_000
@@ -93,7 +93,7 @@ def read_pickle(data: bytes, filename: str) -> object:
 
 
 def refusal(filename: str, code: str, message: Phrase) -> ProjectError:
-    """The error of a file that is refused."""
+    """The error for a rejected file."""
     return ProjectError(filename, [Diagnostic(code, message)])
 
 

@@ -25,7 +25,7 @@ class LinkState(StrEnum):
     CONNECTED = "connected"
     #: Messages are missing or late.
     WEAK = "weak"
-    #: The link broke while a program ran.
+    #: The link broke while a program was running.
     LOST = "lost"
 
 

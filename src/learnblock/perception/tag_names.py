@@ -19,7 +19,7 @@ from learnblock.storage.home import home
 LAST_TAG = 586
 MOST_NAMES = 2000
 LONGEST_NAME = 100
-#: The limit of a dictionary in bytes.
+#: The maximum size of a dictionary, in bytes.
 LARGEST = 256 * 1024
 
 

@@ -177,5 +177,5 @@ _LASTING = frozenset({"move", "show_emotion", "set", "set_color"})
 
 
 def _rounded(pose: Pose) -> list[float]:
-    # A thousandth of a millimetre hides differences between the arithmetic of machines.
+    # Rounding to a thousandth of a millimetre hides differences in arithmetic between machines.
     return [round(value, 3) + 0.0 for value in pose]

@@ -24,7 +24,7 @@ class Watcher:
         """The state of the run has changed; called from any thread, and must not block."""
 
     def held(self, line: int, variables: Variables) -> None:
-        """The program and its world have paused before a line of its Python."""
+        """The program and its world have paused before a line of its Python code."""
 
     def resumed(self) -> None:
         """The program continues after a pause."""

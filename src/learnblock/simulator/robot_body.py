@@ -45,12 +45,12 @@ EMOTION_COLOURS: Mapping[str, RGB] = {
 
 
 class LogEntry(NamedTuple):
-    """A command to a device that has no other effect in the world.
+    """A device command with no other effect in the world.
 
     Args:
         time: the world's time in s.
-        device: such as ``Speaker``.
-        action: such as ``say``.
+        device: its type, such as ``Speaker``.
+        action: the command's name, such as ``say``.
         values: the values of the command.
     """
 

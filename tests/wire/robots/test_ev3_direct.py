@@ -174,7 +174,7 @@ def test_a_missing_or_silent_device_is_reported(tmp_path):
         connect("ev3", device=str(tmp_path / "rfcomm9"))
     ours, theirs = os.openpty()
     try:
-        with pytest.raises(RobotConnectionError, match="does not answer like an EV3"):
+        with pytest.raises(RobotConnectionError, match="does not respond like an EV3"):
             connect("ev3", device=os.ttyname(theirs), patience=0.5)
     finally:
         os.close(ours)

@@ -1,4 +1,4 @@
-/** The world with the robot, its camera and the manual drive. */
+/** The world with the robot, its camera and manual control. */
 
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";

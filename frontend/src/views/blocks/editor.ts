@@ -66,7 +66,10 @@ export class Editor {
     this.workspace.dispose();
   }
 
-  /** Show a program, but not during a drag: its result is sent, and answered, when it ends. */
+  /**
+   * Show a program, unless a drag is in progress: the drag's result is sent when it ends, and the
+   * reply updates the view.
+   */
   show(wanted: Workspace): void {
     if (this.workspace.isDragging() || !this.sync.show(wanted)) return;
     this.loose.mark();

@@ -1,4 +1,4 @@
-/** Keeps the focus on the focused block. */
+/** Keeps keyboard focus on the current block. */
 
 import * as Blockly from "blockly/core";
 

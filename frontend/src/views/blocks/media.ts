@@ -1,6 +1,6 @@
 /** The address of Blockly's pictures and sounds: bundled, never on the internet. */
 
-// The build bundles all of them, in one folder (see vite.config.ts).
+// The build bundles all these files into one folder (see vite.config.ts).
 const files = import.meta.glob<string>("../../../node_modules/blockly/media/*", {
   eager: true,
   query: "?url&no-inline",

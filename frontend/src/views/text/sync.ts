@@ -19,8 +19,8 @@ export function tellEdits(program: Program, notation: Notation): Extension {
 }
 
 /**
- * Shows a text with the smallest change, keeping cursor, selection and scroll position; the cursor
- * moves to the change if `follows` is true, as after an undo.
+ * Updates the text with the smallest possible change, keeping the cursor, selection and scroll
+ * position; the cursor moves to the change if `follows` is true, as after an undo.
  */
 export function showText(view: EditorView, text: string, follows: boolean): void {
   const before = view.state.doc.toString();

@@ -65,7 +65,7 @@ class _Session:
         return number
 
     def acknowledge(self, number: int) -> None:
-        """Forget the packets up to that number, which the client has received."""
+        """Forget the packets up to `number`, which the client has received."""
         if any(number == owed for owed, _ in self._owed):
             while self._owed and self._owed.popleft()[0] != number:
                 continue

@@ -79,7 +79,7 @@ class Firmware:
             sender.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
             while True:
                 with suppress(OSError):
-                    # Without a network or a listener, the next attempt may succeed.
+                    # This fails without a network or listener, but a later attempt may succeed.
                     sender.sendto(text.encode(), beacon)
                 if self._closed.wait(BEACON):
                     return

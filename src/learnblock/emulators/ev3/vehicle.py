@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from learnblock.emulators.twin import Twin
 from learnblock.wheels import body_speeds
 
-#: The motor ports of the left and the right wheel.
+#: The motor ports of the left and right wheels.
 LEFT, RIGHT = "B", "D"
 #: Degrees/s of a large motor at full speed.
 FASTEST = 1050

@@ -6,8 +6,8 @@ ev3-not-agent = The program at { $place } is not LearnBlock's agent. Run: learnb
 ev3-not-rpyc = The program at { $place } is not an rpyc server. Choose another 'connection' in the robot settings.
 ev3-rpyc-failed = The EV3 at { $place } can't be driven over rpyc ({ $reason }). Run 'learnblock robots setup ev3' to put LearnBlock's agent on it.
 ev3-not-firmware = The program at { $place } is not LEGO's firmware. Choose another 'connection' in the robot settings.
-ev3-firmware-silent = LEGO's firmware does not answer at { $place }. It serves one program at a time, so close any other program that uses the EV3.
-ev3-device-silent = { $place } does not answer like an EV3. Is the EV3 on, and is this the right device?
+ev3-firmware-silent = LEGO's firmware is not responding at { $place }. It serves one program at a time, so close any other program that uses the EV3.
+ev3-device-silent = { $place } does not respond like an EV3. Is the EV3 on, and is this the right device?
 ev3-no-device-files = This computer can reach LEGO's firmware only over Wi-Fi. Leave 'device' empty in the robot settings.
 # $reason is a message of the operating system.
 ev3-device-closed = The device { $device } can't be opened ({ $reason }). Is the EV3 connected?
@@ -38,7 +38,7 @@ ev3-complaint = The EV3 at { $place } reported: { $reason }
 ev3-closed = The connection to the EV3 at { $place } is closed. Run the program again.
 ev3-silent = The EV3 at { $place } stopped answering. Is it on and in range?
 ev3-link-broke = The connection to the EV3 at { $place } was lost. Is it on and in range?
-ev3-garbled = The data from { $place } does not come from an EV3. Check the address and the port in the robot settings.
+ev3-garbled = The device at { $place } does not seem to be an EV3. Check the address and the port in the robot settings.
 
 # learnblock robots setup ev3: what it is doing, and what went wrong.
 ev3-setup-login = Logging in to { $address } as { $user }...

@@ -123,7 +123,7 @@ run-variable-uses-robot = The __str__ of a variable cannot use the robot or prin
 run-value-not-sendable = A value cannot be sent to the robot: { $reason }.
 # $size and $limit are numbers of bytes.
 run-value-too-large = A value of { $size } bytes is too large to be sent to the robot: the limit is { $limit } bytes.
-run-no-program-file = LEARNBLOCK_TRACE records a program that runs from a file, but no file is running.
+run-no-program-file = LEARNBLOCK_TRACE can only record a program that is run from a file, and this one is not.
 
 # Failures of the robot. $reason is a sentence or another program's error message.
 

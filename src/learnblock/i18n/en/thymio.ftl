@@ -10,7 +10,7 @@ thymio-other-robot = The robot at { $place } is not a Thymio but '{ $name }'. Ch
 thymio-too-old = The firmware of the Thymio at { $place } is too old. Update it with Thymio Suite.
 thymio-suite-empty = Thymio Suite at { $place } shows no Thymio. Is the robot on and connected?
 thymio-suite-busy = Thymio Suite at { $place } has no free Thymio. Is the robot on, and not in use by another program?
-thymio-suite-silent = Thymio Suite at { $place } does not answer. Restart it, and close other programs that use the Thymio.
+thymio-suite-silent = Thymio Suite is not responding at { $place }. Restart it, and close other programs that use the Thymio.
 # $code is Thymio Suite's own number for the error.
 thymio-suite-refused = Thymio Suite at { $place } refused the program (error { $code }). Close other programs that use the Thymio.
 thymio-silent = The Thymio at { $place } has not answered for { $seconds } seconds. Is it on and in range, and not in use by another program?

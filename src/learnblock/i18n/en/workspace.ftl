@@ -7,7 +7,7 @@ workspace-bad-number = This is not a number. Write one, such as 40.
 # $field: the name of the field
 workspace-unknown-choice = This block has an unknown option in '{ $field }'. Choose another.
 # $nearest: a name that is allowed
-workspace-bad-name = '{ $name }' can't be a name here. Use letters, digits and _, as in '{ $nearest }', but no word of the language.
+workspace-bad-name = '{ $name }' can't be a name here. Use letters, digits and _, as in '{ $nearest }', but not a reserved word.
 workspace-duplicate-argument = The argument '{ $name }' is given twice. Rename or remove one.
 workspace-duplicate-parameter = Two parameters of this function have the same name. Rename one.
 workspace-unknown-skill = There is no skill '{ $name }' here. Remove this block.

@@ -122,7 +122,7 @@ run-variable-uses-robot = El __str__ de una variable no puede usar el robot ni e
 run-value-not-sendable = No se puede enviar un valor al robot: { $reason }.
 # $size y $limit son números de bytes.
 run-value-too-large = Un valor de { $size } bytes es demasiado grande para enviarlo al robot: el límite es de { $limit } bytes.
-run-no-program-file = LEARNBLOCK_TRACE registra un programa que se ejecuta desde un archivo, pero no se está ejecutando ninguno.
+run-no-program-file = LEARNBLOCK_TRACE solo puede registrar un programa que se ejecuta desde un archivo, y este no es el caso.
 
 # Fallos del robot. $reason es una frase o el mensaje de un error ajeno.
 

@@ -7,7 +7,7 @@ workspace-bad-number = Esto no es un número. Escribe uno, como 40.
 # $field: the name of the field
 workspace-unknown-choice = Este bloque tiene una opción desconocida en '{ $field }'. Elige otra.
 # $nearest: a name that is allowed
-workspace-bad-name = '{ $name }' no puede ser un nombre aquí. Usa letras, cifras y _, como en '{ $nearest }', pero ninguna palabra del lenguaje.
+workspace-bad-name = '{ $name }' no puede ser un nombre aquí. Usa letras, cifras y _, como en '{ $nearest }', pero no una palabra reservada.
 workspace-duplicate-argument = El argumento '{ $name }' aparece dos veces. Cambia el nombre de uno o quítalo.
 workspace-duplicate-parameter = Dos parámetros de esta función se llaman igual. Cambia el nombre de uno.
 workspace-unknown-skill = Aquí no hay ninguna habilidad '{ $name }'. Quita este bloque.

@@ -248,7 +248,7 @@ class _Lexer:
     def begins_statement(self, after: int) -> bool:
         """Whether a keyword that ends at `after` begins its line and is not an argument's name.
 
-        ``end`` may begin a line as such a name: ``print("a",`` and ``end="")`` below.
+        ``end`` can also begin a line as an argument name: ``print("a",`` and ``end="")`` below.
         """
         first_of_line = self.soft[-1][0] == len(self.result.tokens)
         return first_of_line and not _ARGUMENT.match(self.text, after)

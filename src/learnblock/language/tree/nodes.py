@@ -374,7 +374,7 @@ class Def:
 
 @dataclass(frozen=True, slots=True)
 class When:
-    """Statements that run while a state is active; with a condition, the state follows it."""
+    """Statements that run while a state is active; a condition determines whether it is active."""
 
     name: str
     condition: Expression | None
@@ -385,7 +385,7 @@ class When:
 
 @dataclass(frozen=True, slots=True)
 class Main:
-    """The statements of ``main``, which run after all others of the top level."""
+    """The statements of ``main``, which run after all other top-level statements."""
 
     body: Body
     span: Span = field(default=NOWHERE, compare=False)

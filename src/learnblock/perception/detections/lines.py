@@ -29,7 +29,7 @@ class LineView:
 
     @property
     def is_there(self) -> bool:
-        """Whether a side has more than 20 pixels."""
+        """Whether any side contains more than 20 line pixels."""
         return self.has_more(LINE_PIXELS, max(self.left, self.center, self.right))
 
     def has_more(self, threshold: int, count: int) -> bool:

@@ -49,7 +49,7 @@ class Asked(Closing):
         self._is_known = False
 
     def detect(self, sight: Sight) -> Detections:
-        """Let the component search a frame.
+        """Have the component search a frame.
 
         Raises:
             RobotConnectionError: it cannot be reached, does not answer in time, or is a different

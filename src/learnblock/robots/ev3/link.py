@@ -20,7 +20,7 @@ class Link(ABC):
     """Exchanges one command and its answer at a time, from any thread; a failure ends it.
 
     The last drive command is repeated ten times per second: the brick stops its motors if it
-    receives nothing, and turns them again when a slow connection recovers.
+    receives nothing, and restarts them when a slow connection recovers.
 
     A subclass implements `exchange`. An OSError (broken or too slow) or a ValueError (invalid data)
     breaks the link and becomes a RobotConnectionError; a RobotConnectionError from the subclass

@@ -1,7 +1,7 @@
 """The program that runs on a Thymio while LearnBlock drives it.
 
-Only a program on the robot itself can use its lamps and sounds, so one is uploaded. It waits for
-our events, and works as a watchdog: after `LIVES` ticks without a `DRIVE` event it stops the
+Only a program on the robot itself can use its LEDs and sounds, so one is uploaded. It waits for
+our events, and acts as a watchdog: after `LIVES` ticks without a `DRIVE` event it stops the
 motors.
 
 There are two versions: assembly, which `thymiodirect` translates to the robot's bytecode, and

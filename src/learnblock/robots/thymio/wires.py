@@ -8,7 +8,7 @@ from typing import Protocol
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.real import require
 
-#: Seconds of one attempt to receive, after which the reader checks whether it should end.
+#: Receive timeout in seconds; after each one, the reader checks whether to stop.
 MOMENT = 0.1
 #: Timeout in seconds for sending.
 SENDING = 0.5

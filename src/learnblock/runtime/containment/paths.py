@@ -10,7 +10,7 @@ from learnblock.storage.home import home
 
 #: Programs' libraries and data, which every user of the computer can read.
 _SYSTEM = ("/usr", "/lib", "/lib32", "/lib64", "/nix/store", "/gnu/store")
-#: Settings of libraries; nothing about users and their passwords.
+#: Library settings; nothing about users and their passwords.
 _SETTINGS = (
     "/etc/ld.so.cache", "/etc/localtime", "/etc/mime.types", "/etc/os-release", "/etc/fonts",
     "/etc/ssl/openssl.cnf", "/etc/pki/tls/openssl.cnf", "/sys/devices/system/cpu",

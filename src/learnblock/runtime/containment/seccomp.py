@@ -56,11 +56,11 @@ class _Program(ctypes.Structure):
 
 @cache
 def is_supported() -> bool:
-    """Whether this kernel has filters, and we have one for this kind of processor."""
+    """Whether this kernel supports filters and we have one for this architecture."""
     try:
         kernel.prctl(_PR_SET_SECCOMP, _MODE_FILTER, None)
     except OSError as error:
-        # It complains about the missing filter only if it takes filters.
+        # It complains about the missing filter only if it supports filters.
         return error.errno == errno.EFAULT and kernel.machine() in PROCESSORS
     return False
 

@@ -101,9 +101,9 @@ class RunState(Message, frozen=True):
     """The state of the program.
 
     Args:
-        state: ``idle`` before the first run, ``ended`` after one; ``paused`` with its world,
-            ``held`` before a line; ``input`` while it waits for `Answer`.
-        block: the block before which it has paused.
+        state: ``idle`` before the first run, ``ended`` after one; ``paused`` together
+            with its world, ``held`` before a line of code; ``input`` while it waits for `Answer`.
+        block: the block it is paused at.
         speed: the speed of simulated time, as a multiple of real time; None is the fastest.
     """
 

@@ -11,7 +11,7 @@ from learnblock.server.messages.base import Message, Name
 
 
 class ReadWorld(Message, frozen=True):
-    """Ask for a world to edit: `WorldToEdit`."""
+    """Ask for a world to edit; the reply is `WorldToEdit`."""
 
     name: Name
 

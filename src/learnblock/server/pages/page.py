@@ -138,7 +138,7 @@ class Page:
         except RecursionError:
             self.send(messages.Failed(Phrase("server-too-deep"), kind))
         except Exception as error:  # noqa: BLE001 - see below
-            # A bug of ours must not end the pupil's session.
+            # A bug in our code must not end the pupil's session.
             _log.exception("%s failed", kind)
             reason = f"{type(error).__name__}: {error}"
             self.send(messages.Failed(Phrase("server-mistake", reason=reason), kind))

@@ -13,7 +13,7 @@ from learnblock.server.program.shown import Shown
 class SharedProgram:
     """The current program, with undo and redo, and the revisions that edits are based on.
 
-    Its methods take their time with a long program.
+    Its methods can be slow for long programs.
 
     Args:
         document: the program.

@@ -91,7 +91,7 @@ class Writer:
             self._lock.acquire(timeout=patience)
         except Timeout:
             return False
-        # They are about a server that has ended.
+        # These files belong to a server that has exited.
         self._description.unlink(missing_ok=True)
         self._request.unlink(missing_ok=True)
         return True

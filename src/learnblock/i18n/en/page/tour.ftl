@@ -16,6 +16,6 @@ page-tour-texts = Block-Text and Python show the same program as text. Change on
 page-tour-run-title = Run it
 page-tour-run = The green button runs your program, and the red one stops it. You can also pause it, step through it or restart it.
 page-tour-world-title = Watch the robot
-page-tour-world = This is the robot in its world. When no program is running, you can drag it somewhere else. Camera and joystick are above, output is below.
+page-tour-world = This is the robot in its world. When no program is running, you can drag it somewhere else. The camera and joystick are above, and the output is below.
 page-tour-robot-title = Try another robot
 page-tour-robot = The same program runs on other robots and in other worlds. Choose them here, then run it again.
