@@ -24,12 +24,12 @@ from learnblock.runtime.lines import (
     start_line_events,
 )
 from learnblock.runtime.link import Link
+from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.messages import (
     Control,
     Ended,
     Fault,
     FromHost,
-    Input,
     Printed,
     Setup,
     Variables,
@@ -207,10 +207,12 @@ class _Program:
 
     def _input(self, prompt: object = "") -> str:
         self._output.finish()
-        answer = self._wire.ask(Input(str(prompt)))
+        answer, steps = self._wire.input(str(prompt))
+        if self._robot and isinstance(self._robot.clock, LockStepClock) and steps is not None:
+            self._robot.clock.instant = steps
         if answer is None:
             raise InputEndedError("run-input-ended")
-        return str(answer)
+        return answer
 
     # Messages to the host.
 

@@ -29,6 +29,7 @@ class Host:
         self._seconds = seconds
         for run in runs:
             run.supervision.seconds = seconds
+            run.world.is_private = len(runs) == 1
 
     def run(self) -> None:
         """Run all programs; return when each has its `ending`."""

@@ -99,7 +99,11 @@ class Connected(Message, frozen=True):
 
 
 class Answer(Message, frozen=True):
-    """The answer to an `Ask`, a `Sleep` (the step at which it woke, and readings) or an `Input`."""
+    """The answer to a request.
+
+    To an `Ask` the value, to a `Sleep` the step at which it woke and readings, to an `Input` the
+    line (None if there is none) and the world's step (None without a world).
+    """
 
     value: Any = None
 

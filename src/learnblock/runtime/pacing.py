@@ -32,12 +32,22 @@ class Pacing:
         self._anchor: tuple[float, float] | None = None
         self._slipped = False
 
-    def wait(self, world_time: float) -> None:
-        """Return when the world may take the step that begins at `world_time` seconds."""
+    def wait(self, world_time: float, given_up: threading.Event | None = None) -> None:
+        """Return when the world may take the step that begins at `world_time` seconds.
+
+        Args:
+            world_time: the world's time.
+            given_up: ends the waiting early once it is set and `wake` is called.
+        """
         # Without the lock at first: a free world calls this before every step.
         if self._paused or self.factor is not None:
             with self._changed:
-                self._wait(world_time)
+                self._wait(world_time, given_up or threading.Event())
+
+    def wake(self) -> None:
+        """Make those who wait look whether they have given up."""
+        with self._changed:
+            self._changed.notify_all()
 
     def pause(self) -> None:
         """Pause the world before its next step."""
@@ -74,8 +84,8 @@ class Pacing:
             self._paused, self._allowed_steps, self._anchor = paused, 0, None
             self._changed.notify_all()
 
-    def _wait(self, world_time: float) -> None:
-        while not self._ended:
+    def _wait(self, world_time: float, given_up: threading.Event) -> None:
+        while not self._ended and not given_up.is_set():
             if self._paused and self._allowed_steps:
                 self._allowed_steps -= 1
                 return

@@ -261,9 +261,11 @@ class Run:
         self._continue(messages.Continue())
 
     def _on_input(self, message: messages.Input) -> None:
-        answer = self._pauses.input(message.prompt, stopping=self.stopping is not None)
+        with self.world.running_by_itself(self.supervision.seconds):
+            answer = self._pauses.input(message.prompt, stopping=self.stopping is not None)
         self.supervision.note_call()
-        self._continue(messages.Answer(answer))
+        steps = self.simulation.steps if self.simulation else None
+        self._continue(messages.Answer((answer, steps)))
 
     def _continue(self, message: messages.Message) -> None:
         """Answer a waiting program; one that is being stopped gets `Stop` instead."""

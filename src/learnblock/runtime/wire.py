@@ -15,6 +15,7 @@ from learnblock.runtime.messages import (
     Control,
     Failed,
     FromHost,
+    Input,
     Interrupted,
     Line,
     Lines,
@@ -78,6 +79,12 @@ class Wire:
         woke, readings = self.ask(Sleep(steps, reads))
         self._fresh = dict(zip(reads, readings, strict=True))
         return int(woke)
+
+    def input(self, prompt: str) -> tuple[str | None, int | None]:
+        """Ask for a line of input; return it and the world's step, which may have advanced."""
+        answer, steps = self.ask(Input(prompt))
+        self._fresh.clear()
+        return answer, steps
 
     def read(self, index: int) -> Any:
         """The reading of a device, which may have been received at the last waking."""

@@ -1,7 +1,9 @@
 """The simulated world of a program's robot, as its host controls it."""
 
+import math
 import threading
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from typing import Protocol
 
 from learnblock.client import Client
@@ -24,8 +26,8 @@ class Simulation(Protocol):
     def steps(self) -> int:
         """The number of steps made so far."""
 
-    def advance(self, step: int) -> None:
-        """Advance until `steps` is `step`."""
+    def advance(self, step: int, given_up: threading.Event | None = None) -> None:
+        """Advance until `steps` is `step`, or until `given_up` is set and the pacing woken."""
 
 
 class World:
@@ -37,6 +39,8 @@ class World:
 
     def __init__(self, debugger: Debugger | None) -> None:
         self.simulation: Simulation | None = None
+        #: Whether no other program is in it, which would have to be woken meanwhile.
+        self.is_private = True
         self._debugger = debugger
         self._entering = threading.Lock()
         self._speed: tuple[float | None] | None = None
@@ -65,6 +69,33 @@ class World:
         if self.simulation:
             self.simulation.pacing.end()
 
+    @contextmanager
+    def running_by_itself(self, seconds: float | None) -> Iterator[None]:
+        """Let the time of a paced world pass while its program waits for a person.
+
+        At free pace it stands still, since it would run away.
+
+        Args:
+            seconds: the world's time at which the run ends; None for no limit.
+        """
+        simulation = self.simulation
+        if simulation is None or simulation.pacing.factor is None or not self.is_private:
+            yield
+            return
+        last = math.inf if seconds is None else round(seconds / simulation.dt)
+        ended = threading.Event()
+        thread = threading.Thread(
+            target=_advance, args=(simulation, last, ended), name="world", daemon=True
+        )
+        thread.start()
+        try:
+            yield
+        finally:
+            ended.set()
+            # It may be paused, which must not keep the program from going on.
+            simulation.pacing.wake()
+            thread.join()
+
     @property
     def exclusive(self) -> AbstractContextManager[object]:
         """Exclusive access to the simulated world; on a real robot, does nothing."""
@@ -74,3 +105,8 @@ class World:
         if self.simulation:
             return self.simulation.pacing
         return Brake([device for _, device in client.devices() if isinstance(device, Base)])
+
+
+def _advance(simulation: Simulation, last: float, ended: threading.Event) -> None:
+    while not ended.is_set() and simulation.steps < last:
+        simulation.advance(simulation.steps + 1, ended)

@@ -39,10 +39,17 @@ class Simulation:
         """The world's time in seconds."""
         return self.world.time
 
-    def advance(self, step: int) -> None:
-        """Advance, no faster than the pace allows, until `steps` is `step`."""
+    def advance(self, step: int, given_up: threading.Event | None = None) -> None:
+        """Advance, no faster than the pace allows, until `steps` is `step`.
+
+        Args:
+            step: the number of steps.
+            given_up: ends this early, see `Pacing.wait`.
+        """
         while self.world.steps < step:
-            self.pacing.wait(self.world.time)
+            self.pacing.wait(self.world.time, given_up)
+            if given_up and given_up.is_set():
+                return
             with self.lock:
                 self.world.step()
                 self._report()
