@@ -9,6 +9,8 @@ from places import ROOT
 
 AXE = ROOT / "frontend/node_modules/axe-core/axe.min.js"
 THEMES = ("Light", "Dark", "High contrast")
+#: The beginnings of the names of axe's rules about landmarks.
+LANDMARKS = ("landmark", "region")
 WAITS = "main:\n    function.sleep(600)\nend\n"
 WRONG = "main:\n    while\nend\n"
 FAILS = "main:\n    x = 1 / 0\nend\n"
@@ -140,10 +142,17 @@ def test_the_world_editor_has_no_serious_violation_in_any_theme(pupil, axe):
         for thing in ("Wall", "Tag", "Line", "Line to follow"):
             pupil.dialog().get_by_role("button", name=thing, exact=True).click()
         pupil.picture(theme)
-        assert (theme, faults(pupil, axe, "dialog")) == (theme, [])
+        assert (theme, faults(pupil, axe)) == (theme, [])
         pupil.page.keyboard.press("Escape")
         pupil.page.keyboard.press("Escape")
         expect(pupil.dialog()).to_have_count(0)
+
+
+def test_the_editor_of_a_custom_block_has_its_content_in_landmarks(pupil, axe):
+    pupil.project("My blocks…")
+    pupil.dialog().get_by_role("button", name="New block").click()
+    expect(pupil.dialog().locator(".cm-content").first).to_be_visible()
+    assert faults(pupil, axe) == []
 
 
 def expect_announcement(pupil, role, words):
@@ -209,12 +218,15 @@ def faults_of_dialog(pupil, axe, opened):
 
 
 def faults(pupil, axe, part="body"):
-    """Return the serious and critical violations in a part of the page, with their elements."""
+    """Return the violations in a part of the page that matter, with their elements.
+
+    These are the serious and critical ones, and those of landmarks and regions.
+    """
     pupil.page.evaluate(f"() => {{ if (!globalThis.axe) {{ {axe} }} }}")
     found = pupil.page.evaluate("(part) => axe.run(part, { resultTypes: ['violations'] })", part)
     return [
         (fault["id"], node["target"], re.sub(r"\s+", " ", node["failureSummary"]))
         for fault in found["violations"]
-        if fault["impact"] in ("serious", "critical")
+        if fault["impact"] in ("serious", "critical") or fault["id"].startswith(LANDMARKS)
         for node in fault["nodes"]
     ]

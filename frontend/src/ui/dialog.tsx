@@ -26,10 +26,10 @@ export function Dialog({ title, close, size = "small", children }: Props) {
       onClick={({ target }) => target === dialog.current && close()}
     >
       <div class="dialog-inside">
-        <header>
+        <div class="dialog-head">
           <h2 id="dialog-title">{title}</h2>
           <IconButton icon="close" word="page-shell-close" onClick={close} />
-        </header>
+        </div>
         {children}
       </div>
     </dialog>

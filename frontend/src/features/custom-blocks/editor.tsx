@@ -53,7 +53,7 @@ function Head({ editing: { draft } }: { editing: Editing }) {
   const { context } = usePage();
   const { goesOn, dirty } = draft;
   return (
-    <header class="custom-block-head">
+    <div class="custom-block-head">
       <button type="button" class="button bordered" onClick={() => context.listCustomBlocks()}>
         {t("page-custom-all")}
       </button>
@@ -71,7 +71,7 @@ function Head({ editing: { draft } }: { editing: Editing }) {
       <button type="button" class="button filled" title="Ctrl+S" onClick={() => draft.save()}>
         {t("page-custom-save")}
       </button>
-    </header>
+    </div>
   );
 }
 

@@ -65,7 +65,8 @@ export class Editor implements Island {
     this.dom.className = "world-editor";
     this.closing.type = "button";
     this.help.className = "editor-help";
-    const head = part("header", this.actions.dom, this.saving.dom, this.closing);
+    const head = part("div", this.actions.dom, this.saving.dom, this.closing);
+    head.className = "head";
     const middle = part("div", this.plan.dom, this.help);
     middle.className = "editor-middle";
     const side = part("aside", this.properties.dom, this.checking.dom);
@@ -135,7 +136,7 @@ export class Editor implements Island {
   }
 }
 
-function part(name: "header" | "div" | "aside", ...children: Element[]): HTMLElement {
+function part(name: "div" | "aside", ...children: Element[]): HTMLElement {
   const element = document.createElement(name);
   element.append(...children);
   return element;

@@ -6,8 +6,16 @@ const block = Blockly.BlockSvg.prototype;
 
 /** Call it once, before the first workspace is created. */
 export function tuneRendering(): void {
+  hideRuler();
   forgetDisposed();
   bumpOnlyWhatIsDropped();
+}
+
+// Blockly measures texts with a canvas outside of any region, where a screen reader would find it.
+function hideRuler(): void {
+  const text = Blockly.utils.dom.createSvgElement(Blockly.utils.Svg.TEXT, {}) as SVGTextElement;
+  Blockly.utils.dom.getFastTextWidthWithSizeString(text, "11pt", "600", "sans-serif");
+  document.querySelector(".blocklyComputeCanvas")?.setAttribute("aria-hidden", "true");
 }
 
 // Blockly removes only drawn blocks from its queue, and disposed blocks are never drawn: without this
