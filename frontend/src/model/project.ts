@@ -21,7 +21,7 @@ import { robotTitle } from "./robots";
 /** The example that new users see. */
 const FIRST_EXAMPLE = "square";
 /** The server's limit. */
-const LONGEST_TEXT = 1_000_000;
+const LARGEST_FILE = 1_000_000;
 const LONGEST_NAME = 100;
 /** The files that the page opens. */
 export const IMPORTED = [".learnblock", ".bt", ".py", ".blockProject", ".lb"];
@@ -129,7 +129,7 @@ export class Project {
     if (!IMPORTED.some((ending) => file.name.endsWith(ending))) {
       return this.toasts.error(t("page-project-wrong-file", { name: file.name }));
     }
-    if (file.size > LONGEST_TEXT) {
+    if (file.size > LARGEST_FILE) {
       return this.toasts.error(t("page-project-large-file", { name: file.name }));
     }
     this.program.flush();

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 #: The limit in bytes, larger than any hand-written file of skills.
 LARGEST = 1024 * 1024
+#: The limit of statements outside of functions, which definitions are too.
+MOST_STATEMENTS = 1000
 
 _DEFINITION = re.compile(r"^def[ \t]+([^\W\d_]\w*)[ \t]*\([ \t]*[^\W\d*)]", re.MULTILINE)
 
@@ -57,7 +59,11 @@ def parse(source: str, filename: str) -> "ast.Module":
     import ast  # noqa: PLC0415 - most programs have no custom skills
 
     with _reporting(source, filename):
-        return ast.parse(source, filename)
+        tree = ast.parse(source, filename)
+    if len(tree.body) > MOST_STATEMENTS:
+        message = Phrase("file-too-many-statements", count=len(tree.body), limit=MOST_STATEMENTS)
+        raise ProgramError(filename, [Diagnostic("too-large", message)], source)
+    return tree
 
 
 def require_python(source: str, filename: str) -> None:

@@ -2,6 +2,7 @@
 
 # A value that is not allowed: $place is its position in the file, $reason a sentence.
 file-wrong-value = { $place }: { $reason }
+file-too-many-statements = The file has { $count } functions and other statements; the limit is { $limit }. Split it into several files.
 file-too-large = { $name } is too large: the limit is { $limit } MB.
 # $size and $limit are numbers of bytes.
 file-too-many-bytes = The file has { $size } bytes, but it can have at most { $limit }.

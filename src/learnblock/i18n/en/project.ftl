@@ -6,6 +6,7 @@ project-name-wrong = A project can't be called '{ $name }'. Use up to { $limit }
 project-name-device = Windows reserves the name '{ $name }' for a device. Choose another name.
 # $code is the character's number, such as D800.
 project-character = The character U+{ $code } can't be saved. Remove it from the program.
+project-program-too-long = The program has { $size } characters, more than the { $limit } that LearnBlock can edit. Split it into several programs or functions of a library.
 project-too-large = The project has { $size } bytes, but a project can have at most { $limit }.
 project-type = LearnBlock can't open this type of file. Choose a .bt, .py, .learnblock or .blockProject file.
 # $start is how the file of a project starts.

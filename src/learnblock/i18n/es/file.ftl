@@ -2,6 +2,7 @@
 
 # Un valor que un archivo no puede contener: $place es su lugar en el archivo, $reason una frase.
 file-wrong-value = { $place }: { $reason }
+file-too-many-statements = El archivo tiene { $count } funciones y otras instrucciones; el límite es { $limit }. Divídelo en varios archivos.
 file-too-large = { $name } es demasiado grande: el límite es { $limit } MB.
 file-too-many-bytes = El archivo tiene { $size } bytes, pero puede tener como máximo { $limit }.
 file-not-utf-8 = El byte { $position } del archivo no es UTF-8. Guarda el archivo como UTF-8.

@@ -5,6 +5,7 @@
 project-name-wrong = Un proyecto no puede llamarse '{ $name }'. Usa hasta { $limit } letras, cifras, espacios, '-', '_' y '.', y empieza por una letra o una cifra.
 project-name-device = Windows reserva el nombre '{ $name }' para un dispositivo. Elige otro nombre.
 project-character = El carácter U+{ $code } no se puede guardar. Quítalo del programa.
+project-program-too-long = El programa tiene { $size } caracteres, más de los { $limit } que LearnBlock puede editar. Divídelo en varios programas o en funciones de una biblioteca.
 project-too-large = El proyecto tiene { $size } bytes, pero un proyecto puede tener como máximo { $limit }.
 project-type = LearnBlock no puede abrir este tipo de archivo. Elige un archivo .bt, .py, .learnblock o .blockProject.
 project-none = Este archivo está dañado o no es un proyecto de LearnBlock. Un archivo de proyecto empieza por { $start }.

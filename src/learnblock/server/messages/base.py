@@ -4,8 +4,10 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
-#: The limit in characters; no one writes a longer program by hand.
-LONGEST_TEXT = 1_000_000
+#: The limit in characters of a program: 6,000 lines. A longer one would keep other pages waiting.
+LONGEST_TEXT = 250_000
+#: That of a file with more than a program in it, such as blocks or a library.
+LONGEST_FILE = 1_000_000
 #: The limit of block sets saved in one project.
 MOST_CARRIED = 8
 
@@ -13,6 +15,7 @@ Notation = Literal["blocktext", "python"]
 View = Literal["blocks", "blocktext", "python"]
 StateName = Literal["idle", "starting", "running", "paused", "held", "input", "ended"]
 Text = Annotated[str, Meta(max_length=LONGEST_TEXT)]
+FileText = Annotated[str, Meta(max_length=LONGEST_FILE)]
 Name = Annotated[str, Meta(min_length=1, max_length=100)]
 #: A name or an empty string.
 ShortText = Annotated[str, Meta(max_length=100)]

@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta, Struct, field
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import Message, Name, ShortText, Text
+from learnblock.server.messages.base import FileText, Message, Name, ShortText, Text
 
 #: The name of a function.
 MOST_ARGUMENTS = 100
@@ -104,7 +104,7 @@ class ImportCustomBlock(Message, frozen=True):
         replace: whether to replace a block with the same name; otherwise `Failed`.
     """
 
-    content: Text
+    content: FileText
     replace: bool = False
 
 

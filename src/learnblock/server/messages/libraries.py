@@ -6,7 +6,7 @@ from msgspec import Meta, Struct, field
 
 from learnblock.i18n import Phrase
 from learnblock.server.messages.base import (
-    LONGEST_TEXT,
+    LONGEST_FILE,
     Message,
     Name,
     ShortText,
@@ -30,7 +30,7 @@ class LibraryFile(Struct, frozen=True, omit_defaults=True):
     """
 
     filename: Name
-    content: Annotated[bytes, Meta(max_length=LONGEST_TEXT)]
+    content: Annotated[bytes, Meta(max_length=LONGEST_FILE)]
     renames: Annotated[dict[ShortText, ShortText], Meta(max_length=MOST_SKILLS)] = {}
 
 

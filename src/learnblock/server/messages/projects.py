@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import LONGEST_TEXT, Message, Name, Text
+from learnblock.server.messages.base import LONGEST_FILE, FileText, Message, Name
 from learnblock.server.messages.worlds import WorldChoice
 
 # From the page.
@@ -38,7 +38,7 @@ class Import(Message, frozen=True):
     """
 
     filename: Name
-    text: Text
+    text: FileText
 
 
 class ImportOriginal(Message, frozen=True):
@@ -50,7 +50,7 @@ class ImportOriginal(Message, frozen=True):
     """
 
     filename: Name
-    content: Annotated[bytes, Meta(max_length=LONGEST_TEXT)]
+    content: Annotated[bytes, Meta(max_length=LONGEST_FILE)]
 
 
 class SaveAs(Message, frozen=True):

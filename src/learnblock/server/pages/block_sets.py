@@ -38,7 +38,8 @@ async def _delete(page: Page, message: messages.DeleteBlockSet) -> None:
 
 
 async def _export(page: Page, message: messages.ExportBlockSet) -> None:
-    page.send(messages.File(f"{message.set.name}.toml", block_sets.write(message.set)))
+    text = await to_thread.run_sync(block_sets.write, message.set)
+    page.send(messages.File(f"{message.set.name}.toml", text))
 
 
 def _all() -> messages.BlockSets:

@@ -15,6 +15,7 @@ from learnblock.server import messages
 from learnblock.server.messages.problems import phrase_of
 from learnblock.server.pages.inbox import Inbox
 from learnblock.server.pages.outbox import Outbox, OutboxFullError
+from learnblock.server.pages.quota import Quota
 from learnblock.server.pages.reading import require_reading
 from learnblock.server.program.shown import Shown
 
@@ -24,6 +25,10 @@ if TYPE_CHECKING:
 
 #: The limit in bytes, larger than any message of a page.
 LARGEST_MESSAGE = 4 * 1024 * 1024
+#: What msgspec says about a program that is too long.
+_TOO_LONG = f"Expected `str` of length <= {messages.LONGEST_TEXT}"
+#: The projects that a page may make, and the seconds in which it may.
+_MOST_PROJECTS, _PERIOD = 20, 60.0
 #: Close code: try again later.
 _TOO_SLOW = 1013
 
@@ -53,6 +58,7 @@ class Page:
         self.sessions = sessions
         self.shown = Shown()
         self.watching = False
+        self.new_projects = Quota(_MOST_PROJECTS, _PERIOD)
         self._socket = socket
         self._handlers = handlers
         self._session: Session | None = None
@@ -174,6 +180,8 @@ def decode(text: str | bytes) -> messages.Message:
     try:
         message: messages.Message = _decoder.decode(text)
     except msgspec.MsgspecError as error:
+        if _TOO_LONG in str(error):
+            raise MessageError("server-text-too-long", limit=messages.LONGEST_TEXT) from error
         raise MessageError("server-message-unknown", reason=str(error)) from error
     except (RecursionError, UnicodeError) as error:
         raise MessageError("server-message-broken") from error

@@ -19,17 +19,20 @@ async def _open(page: Page, message: messages.Open) -> None:
 
 
 async def _new(page: Page, message: messages.New) -> None:
+    page.new_projects.take()
     project = await to_thread.run_sync(_made, message)
     await page.move_to(await page.sessions.start(project))
 
 
 async def _import(page: Page, message: messages.Import) -> None:
+    page.new_projects.take()
     folder = page.sessions.folder
     project = await to_thread.run_sync(folder.import_file, message.filename, message.text)
     await page.move_to(await page.sessions.start(project))
 
 
 async def _import_original(page: Page, message: messages.ImportOriginal) -> None:
+    page.new_projects.take()
     folder = page.sessions.folder
     project, report = await to_thread.run_sync(
         folder.import_original, message.filename, message.content
@@ -39,6 +42,7 @@ async def _import_original(page: Page, message: messages.ImportOriginal) -> None
 
 
 async def _save_as(page: Page, message: messages.SaveAs) -> None:
+    page.new_projects.take()
     await page.move_to(await page.sessions.start(replace(page.session.project, name=message.name)))
 
 

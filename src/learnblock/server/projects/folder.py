@@ -22,7 +22,7 @@ from learnblock.errors import (
 from learnblock.i18n import Phrase
 from learnblock.language.python.generation import ROBOT_IMPORT
 from learnblock.running import DEFAULT_ROBOT
-from learnblock.server.messages import PastRun, ProjectEntry, Version
+from learnblock.server.messages import LONGEST_TEXT, PastRun, ProjectEntry, Version
 from learnblock.server.projects.history import History, Reason
 from learnblock.server.projects.project_file import (
     ENDING,
@@ -193,13 +193,18 @@ class ProjectFolder:
         stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
         text = text.removeprefix("\ufeff").replace("\r\n", "\n")
         name = self.free_name(stem)
+        if ending in ("bt", "py"):
+            _require_short(text, filename)
         if ending == "bt":
             return Project(name, text)
         if ending == "py":
             return _from_python(name, text)
         if f".{ending}" != ENDING:
             raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("project-type"))])
-        return replace(decode(text.encode("utf-8", "replace"), stem), name=name)
+        project = decode(text.encode("utf-8", "replace"), stem)
+        _require_short(project.blocktext, filename)
+        _require_short(project.python or "", filename)
+        return replace(project, name=name)
 
     def import_original(self, filename: str, data: bytes) -> "tuple[Project, Report]":
         """Make a project of a file of the original LearnBlock, under a free name.
@@ -221,6 +226,7 @@ class ProjectFolder:
             made = importing.import_text(data, filename, skills)
         else:
             raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("import-type"))])
+        _require_short(made.blocktext, filename)
         return Project(self.free_name(stem), made.blocktext, workspace=made.workspace), made.report
 
     def export(self, project: Project, format_: Format) -> tuple[str, str]:
@@ -308,6 +314,17 @@ def _lines(data: bytes, name: str) -> int:
         return decode(data, name).blocktext.count("\n") + 1
     except ProjectError:
         return 0
+
+
+def _require_short(text: str, filename: str) -> None:
+    """Check that a program from a page can be edited there.
+
+    Raises:
+        ProjectError: it is longer than any program that a page may send.
+    """
+    if len(text) > LONGEST_TEXT:
+        message = Phrase("project-program-too-long", size=len(text), limit=LONGEST_TEXT)
+        raise ProjectError(filename, [Diagnostic("too-large", message)])
 
 
 def _plain(wish: str) -> str:
