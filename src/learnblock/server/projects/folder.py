@@ -96,6 +96,10 @@ class ProjectFolder:
         with _reporting(path, "save"):
             save(path, encode(project))
 
+    def file(self, name: str) -> Path:
+        """The path of a project's file, which may not exist."""
+        return self._path(name)
+
     def state(self, name: str) -> FileState | None:
         """The state of a project's file, which differs after any change; None without a file."""
         try:

@@ -32,6 +32,7 @@ class Setting:
         world: the world of a simulated robot.
         start: the pose at which the user placed the robot; None for the world's own start.
         breakpoints: the blocks before which it pauses.
+        network: whether the user's settings allow it the network.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Setting:
     world: str
     start: Pose | None
     breakpoints: tuple[str, ...]
+    network: bool = False
 
 
 class Played(Protocol):
@@ -150,7 +152,7 @@ def prepared(
     run = ProgramRun(
         played.program(setting.name),
         setting.robot,
-        Options(world=setting.world, seed=SEED, start=setting.start),
+        Options(world=setting.world, seed=SEED, start=setting.start, network=setting.network),
         watcher=watcher,
         debugger=Debugger(lines(played, setting.breakpoints), paused=paused),
     )

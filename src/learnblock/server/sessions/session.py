@@ -11,6 +11,7 @@ from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.running import may_use_network
 from learnblock.server import catalog, messages
 from learnblock.server.messages import View
 from learnblock.server.program.document import Document
@@ -50,6 +51,7 @@ class Session:
         self.turn = asyncio.Lock()
         #: The program changes in one thread at a time.
         self._thinking = asyncio.Lock()
+        self._folder = folder
         self.archive = Archive(folder, self)
         self._saves = Saves(self._save())
         self.viewers = Viewers()
@@ -331,7 +333,10 @@ class Session:
         await self.player.set_the_stage(self.robot, self.world)
 
     async def _run(self, played: Played, *, paused: bool) -> None:
-        setting = Setting(self.name, self.robot, self.world, self.player.start, self.breakpoints)
+        network = await to_thread.run_sync(may_use_network, self._folder.file(self.name))
+        setting = Setting(
+            self.name, self.robot, self.world, self.player.start, self.breakpoints, network=network
+        )
         await self.player.run(played, setting, paused=paused)
 
     def _keep_run(self, ended: messages.Ended) -> None:
