@@ -272,12 +272,12 @@ class Display(Device):
 
 
 class Led(Device):
-    """A lamp that is on or off; its key names its position on the robot."""
+    """An LED that is on or off; its key names its position on the robot."""
 
     def __init__(self, set: Callable[[bool], None]) -> None:  # noqa: A002 - the usual word
         super().__init__(set=set)
 
-    def set(self, on: bool) -> None:  # noqa: FBT001 - a lamp is either on or off
+    def set(self, on: bool) -> None:  # noqa: FBT001 - an LED is either on or off
         self.functions["set"](bool(on))
 
 

@@ -67,7 +67,7 @@ class Client(Events):
     sensing_period: ClassVar[float | None] = 0.02
     #: Whether the robot gets the camera that the user's settings add to every robot.
     has_extra_camera: ClassVar[bool] = True
-    #: The simulated robot as which it is drawn, such as ``ebo``; "" for a plain body.
+    #: The simulated robot whose picture is used for it, such as ``ebo``; "" for a plain body.
     model: ClassVar[str] = ""
 
     def __init__(
@@ -131,7 +131,7 @@ class Client(Events):
 
     @classmethod
     def hosted(cls, arguments: Mapping[str, Any], wishes: Mapping[str, Any]) -> Self:
-        """Make the robot for a host that runs the program in another process.
+        """Create the robot in a host that runs the program in a separate process.
 
         Args:
             arguments: the arguments of ``Robot(...)`` in the program.
@@ -155,7 +155,7 @@ class Client(Events):
         return None
 
     def observe(self, witness: Witness) -> None:
-        """Report events in the robot's world to a witness; only simulated robots can."""
+        """Report events in the robot's world to a witness; only simulated robots do this."""
 
     def check_link(self) -> None:
         """Check that the robot can still be reached; called several times a second.
@@ -347,7 +347,7 @@ class Client(Events):
         """Disconnect a half-connected robot without hiding the error that interrupted `connect`."""
         try:
             self.stop()
-        except Exception as another:  # noqa: BLE001 - a `disconnect` may need parts never made
+        except Exception as another:  # noqa: BLE001 - `disconnect` may need missing parts
             error.add_note(f"Disconnecting failed too: {type(another).__name__}: {another}")
 
     def _stop_motors(self) -> None:

@@ -33,5 +33,5 @@ def _may_handle_sigterm() -> bool:
 
 
 def _exit_on_sigterm(number: int, frame: FrameType | None) -> NoReturn:  # noqa: ARG001
-    """End as Python does after an error: `finally` and atexit run, and the robot is stopped."""
+    """Exit as Python does after an error: `finally` and atexit run, and the robot is stopped."""
     raise SystemExit(128 + number)

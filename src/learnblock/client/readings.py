@@ -14,7 +14,7 @@ Read = Callable[[], Any]
 SENSORS = "sensors"
 #: The pace of sensors that are watched but not used by the program.
 WATCHED = "watched"
-#: Seconds between two readings of a watched sensor; the page does not update more often.
+#: Seconds between readings of a watched sensor; the page does not update more often.
 WATCHED_PERIOD = 0.05
 
 

@@ -9,7 +9,7 @@ class Events:
     """Passes on a program's lines, calls and prints.
 
     Args:
-        robot: has the recorder while there is a robot.
+        robot: holds the recorder once the program has created its robot.
         watcher: receives the events.
     """
 

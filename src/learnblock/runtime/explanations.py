@@ -1,4 +1,4 @@
-"""The meaning of Python's frequent errors, for a reader who does not know Python's words."""
+"""The meaning of Python's frequent errors, for readers who do not know Python's terms."""
 
 import re
 from collections.abc import Iterable

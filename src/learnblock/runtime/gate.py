@@ -9,8 +9,8 @@ from learnblock.runtime.messages import Mode
 from learnblock.runtime.turn import Turn
 from learnblock.runtime.wire import Wire
 
-#: Seconds of the wall clock between two polls for messages of the host: the longest delay until a
-#: busy program pauses.
+#: Seconds of the wall clock between two polls for messages from the host: the longest delay until
+#: a busy program pauses.
 LISTENING_PERIOD = 0.01
 
 

@@ -87,7 +87,7 @@ class HostedRobot:
         """Check that a real robot can still be reached.
 
         Raises:
-            RobotConnectionError: it cannot.
+            RobotConnectionError: the robot cannot be reached.
         """
         if self.client and not self.client.stopped:
             self.client.require_link()

@@ -10,10 +10,10 @@ class Limits(msgspec.Struct, frozen=True, array_like=True):
 
     Args:
         memory: bytes of address space; not enforced on systems that cannot limit it.
-        cpu: the limit of processor time, in seconds.
-        output: the limit of printed characters.
-        file_size: the limit of each written file, in bytes.
-        open_files: the limit of simultaneously open files.
+        cpu: the maximum processor time, in seconds.
+        output: the maximum number of printed characters.
+        file_size: the maximum size of each written file, in bytes.
+        open_files: the maximum number of simultaneously open files.
         silence: how long a program may compute before its next call, in seconds of processor time.
         preparation: the same before it creates its robot.
         blocked: how long it may wait for anything but its robot, such as a file, in seconds.

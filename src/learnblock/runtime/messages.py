@@ -55,7 +55,7 @@ class Setup(Message, frozen=True):
     """The program to run; the first message.
 
     Args:
-        source: the program's Python.
+        source: the program's Python code.
         filename: its name in errors.
         folder: where its modules are imported from; "" for nowhere.
         skills: the names of the skills it may use.
@@ -116,7 +116,7 @@ class Failed(Message, frozen=True):
 
 
 class Stop(Message, frozen=True):
-    """The program must end; a possible answer to any request."""
+    """The program must stop; a possible answer to any request."""
 
 
 class Continue(Message, frozen=True):

@@ -56,7 +56,7 @@ class Worker(Protocol):
         """Its exit status (negative: the signal that killed it), or None if it is still running."""
 
     def usage(self, limits: Limits) -> Usage:
-        """Return what it occupies."""
+        """Return the resources it uses."""
 
     def activity(self) -> Activity | None:
         """Return what it has done so far; None if the system does not say."""

@@ -39,7 +39,7 @@ class RemoteRobot(Client):
     """
 
     sensing_period = None
-    # The host has that camera.
+    # The camera that the user's settings add is in the host.
     has_extra_camera = False
 
     def __init__(self, wire: Wire, offer: Connected, skills: Collection[str]) -> None:
@@ -53,7 +53,7 @@ class RemoteRobot(Client):
             self.add(_device(self._wire, index, device), device.key)
 
     def disconnect(self) -> None:
-        # If the host is gone, it has stopped its robot.
+        # A host that has exited has already stopped the robot.
         with suppress(ProgramStopped):
             self._wire.send(Disconnect())
 

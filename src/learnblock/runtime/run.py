@@ -74,7 +74,7 @@ class Run:
         self._conversation: Conversation | None = None
         #: Whether the program has sent anything yet.
         self._has_sent = False
-        #: The devices whose readings the program requested for when it wakes.
+        #: The devices whose readings the program wants when it wakes.
         self._reads: tuple[int, ...] = ()
         self._handlers = self._make_handlers(Events(self.robot, self.watcher))
 

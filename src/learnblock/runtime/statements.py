@@ -26,16 +26,16 @@ class Statements:
         program = _Program(source)
         self._beginnings = program.beginnings
         self._loops_in_a_line = program.loops_in_a_line
-        #: The statement that each frame is in, and the instruction at which it began. By the
+        #: The statement that each frame is in, and the instruction where it began. Keyed by the
         #: frame's id, because a reference would keep its variables.
         self._current: dict[int, tuple[int, int]] = {}
 
     def enter(self, frame: FrameType) -> None:
-        """Begin a frame of the program."""
+        """Record that a frame of the program begins."""
         self._current.pop(id(frame), None)
 
     def resume(self, frame: FrameType) -> None:
-        """Take a frame that is in the middle of a statement."""
+        """Record a frame that is already in the middle of a statement."""
         self._current[id(frame)] = self._beginnings.get(frame.f_lineno, 0), frame.f_lasti
 
     def begun(self, frame: FrameType, line: int) -> int:

@@ -1,4 +1,4 @@
-"""The state of a run, in one word."""
+"""The state of a run."""
 
 import threading
 from collections.abc import Callable

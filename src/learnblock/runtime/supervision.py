@@ -12,7 +12,7 @@ from learnblock.runtime.limits import MEGABYTE, Limits
 
 #: Seconds of the wall clock between two checks.
 PERIOD = 0.05
-#: And between two of what it occupies, which take longer.
+#: Seconds of the wall clock between two checks of resources, which take longer.
 USAGE_PERIOD = 0.1
 
 
@@ -75,10 +75,10 @@ class Supervision:
         )
 
     def check_usage(self, measure: Callable[[Limits], Usage]) -> Ending | None:
-        """Check what the program occupies; return how the run has to end if it is too much.
+        """Check the resources that the program uses; return how the run has to end if too many.
 
         Args:
-            measure: says what it occupies; not called at every check.
+            measure: returns the resources it uses; not called at every check.
         """
         if monotonic() - self._last_usage < USAGE_PERIOD:
             return None

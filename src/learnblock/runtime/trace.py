@@ -76,7 +76,7 @@ class Recorder:
     label: Mapping[str, str] = field(default_factory=dict)
     path: list[tuple[float, Pose]] = field(default_factory=list)
     marks: list[Mark] = field(default_factory=list)
-    #: Skills without effect: (skill, device) -> how often.
+    #: Skills without effect: (skill, device) -> number of calls.
     missed: dict[tuple[str, str], int] = field(default_factory=dict)
     _commands: dict[tuple[str, str, str], list[object]] = field(default_factory=dict)
 

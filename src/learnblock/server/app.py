@@ -102,7 +102,7 @@ def _private(protection: Protection, endpoint: Endpoint) -> Endpoint:
 
 async def _index(static: Path, protection: Protection, request: Request) -> Response:
     response = static_files.index(static)
-    # A name for each port, because cookies don't distinguish the servers of a computer.
+    # One name per port, because cookies don't distinguish between servers on the same computer.
     name = f"{COOKIE}_{request.url.port or 'page'}"
     path = request.url.path
     response.set_cookie(name, protection.token, path=path, httponly=True, samesite="strict")
@@ -118,7 +118,7 @@ async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSoc
     # Always accept, because a browser doesn't tell its page why a handshake failed.
     await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
     if trusted:
-        # When the server ends, it doesn't wait for the remaining messages of a page.
+        # When the server stops, it doesn't wait for a page's remaining messages.
         with suppress(asyncio.CancelledError):
             await (await lobby.get()).serve(socket)
     else:
@@ -126,7 +126,7 @@ async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSoc
 
 
 class _LateLobby:
-    """The lobby; its imports start once the server answers."""
+    """The lobby; its imports start once the server is responding."""
 
     def __init__(self, folder: Path, grace: float, read_only: Phrase | None) -> None:
         self._folder = folder

@@ -28,9 +28,9 @@ DEFAULT_HOST = "127.0.0.1"
 DEFAULT_PORT = 8421
 #: Addresses that mean all network interfaces.
 _EVERYWHERE = {"0.0.0.0", "::"}  # noqa: S104 - only if the user chooses it
-#: Seconds that open pages have to disconnect when the server ends.
+#: Seconds that open pages have to disconnect when the server stops.
 _FAREWELL = 1
-#: Seconds between two looks for a server that wants to take over.
+#: Seconds between two checks for a server that wants to take over.
 _LOOK_FOR_OTHERS = 0.5
 #: Bytes; twice the limit of a message, so that the page receives an error and stays connected.
 _LONGEST_FRAME = 8 * 1024 * 1024
@@ -72,7 +72,7 @@ class Service:
 
 
 def serve(service: Service, *, show: Callable[[str], object] | None = None) -> None:
-    """Serve until Ctrl-C or SIGTERM; then end every program, and save every project.
+    """Serve until Ctrl-C or SIGTERM; then stop every program, and save every project.
 
     Args:
         service: the projects and the address.
@@ -82,13 +82,13 @@ def serve(service: Service, *, show: Callable[[str], object] | None = None) -> N
         LearnBlockError: the address is not free, or the token in the environment is invalid.
     """
     with _server(service, show) as (server, listening), contextlib.suppress(KeyboardInterrupt):
-        # Both are the normal way to end. Uvicorn ends the server, then raises the signal again.
+        # Both are normal ways to stop. Uvicorn stops the server, then raises the signal again.
         signal.signal(signal.SIGTERM, signal.default_int_handler)
         server.run([listening])
 
 
 def show_in_browser(address: str) -> None:
-    """Open the page in the user's browser; if there is none, the address was printed."""
+    """Open the page in the user's browser, if there is one; the address is also printed."""
     with contextlib.suppress(webbrowser.Error):
         webbrowser.open(address)
 
@@ -122,7 +122,7 @@ def serve_in_window(service: Service) -> None:
 
 
 class _Server(uvicorn.Server):
-    """A server that reports when it is ready, and ends when another one wants to take over."""
+    """A server that reports when it is ready, and stops when another one wants to take over."""
 
     def __init__(
         self, config: uvicorn.Config, service: Service, answers: Callable[[], None]

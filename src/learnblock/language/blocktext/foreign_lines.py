@@ -1,8 +1,8 @@
 """Lines that pupils bring from Scratch, MakeCode, Python, C and Spanish, and their Block-Text.
 
-Each rule is a pattern of a line and what to write instead: of the group ``wrong``, or else of the
-whole line. A pattern sees a line without its comment, with spaces in place of the characters of
-texts, and is tried only on a line that cannot be read.
+Each rule is a pattern for a line, and the replacement for the group ``wrong``, or else for the
+whole line. A pattern sees a line without its comment, with spaces in place of the characters in
+strings, and is tried only on a line that cannot be read.
 """
 
 import re
@@ -18,9 +18,9 @@ class Rule(NamedTuple):
     r"""A wrong line.
 
     Args:
-        pattern: of the whole line, or of its beginning.
+        pattern: matches the whole line, or its beginning.
         instead: what to write; ``\1`` is the first group.
-        code: of the message, which has the values ``found`` and ``instead``.
+        code: the code of the message, which has the values ``found`` and ``instead``.
     """
 
     pattern: str

@@ -108,7 +108,7 @@ class Tokens:
         kinds: the kind of each token.
         hoisted: comments inside brackets, by the index of the first token of their statement.
         diagnostics: invalid characters.
-        text: that was read, with plain line ends.
+        text: the text that was read, with plain line ends.
     """
 
     tokens: list[Token] = field(default_factory=list)

@@ -1,4 +1,4 @@
-"""The part of a parser that rewrites a line of another language in place, and says so."""
+"""The part of a parser that rewrites a line from another language in place, and reports it."""
 
 from collections.abc import Iterable
 from functools import cached_property

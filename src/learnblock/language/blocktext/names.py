@@ -87,7 +87,7 @@ _BUILTINS = [
 ]
 _WHEN = "_when"
 _PYTHON = frozenset(keyword.kwlist)
-# The empty name is for ``_``, the loop variable of `repeat`.
+# The empty name is for ``_``, the loop variable in a `repeat` loop.
 RESERVED = (
     _PYTHON
     | {*_BUILTINS, "math", "random", "statistics", "time"}

@@ -1,4 +1,4 @@
-"""Reword a line of another language as Block-Text, so that it can be explained and read."""
+"""Reword a line from another language as Block-Text, so that it can be explained and read."""
 
 import re
 from typing import NamedTuple

@@ -77,7 +77,7 @@ _OPENERS = (
     "deactivate",
     "import",
 )
-# Words that begin a block, in Block-Text or in another language.
+# Words that begin a block, in Block-Text or in a different language.
 _ALL_BLOCK_OPENERS = frozenset(
     (
         *_BLOCK_OPENERS,
@@ -107,7 +107,7 @@ class Slip(Exception):  # noqa: N818 - not an error: it unwinds the parser to th
 
 
 class Rewritten(Slip):
-    """The line of the statement has been rewritten, and is to be read again."""
+    """The statement's line has been rewritten, and has to be read again."""
 
 
 def at(token: Token, code: str, message: Phrase) -> Diagnostic:
@@ -122,7 +122,7 @@ def slip(token: Token, code: str, message: Phrase) -> Slip:
 
 
 def symbol(text: str) -> Phrase:
-    """A symbol or word of the language, as a noun phrase."""
+    """A symbol or reserved word, as a noun phrase."""
     return Phrase("blocktext-token", text=text)
 
 
@@ -169,7 +169,7 @@ def opens_block(word: str) -> bool:
     return word.lower() in _ALL_BLOCK_OPENERS or nearest(word, _OPENERS) in _BLOCK_OPENERS
 
 
-def odd_statement(token: Token, following: Token, third: Token) -> Slip:  # noqa: PLR0911 - one a slip
+def odd_statement(token: Token, following: Token, third: Token) -> Slip:  # noqa: PLR0911 - one per slip
     """A name that begins neither a call nor an assignment."""
     name = token.text
     if name in _OTHER_LANGUAGES:

@@ -30,7 +30,7 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.tree.traversal import expressions, within
 from learnblock.language.workspace.literals import value_of
 
-# Quarter turns, and more of them.
+# Quarter turns and their multiples.
 _ANGLES = frozenset((90, 180, 270, 360))
 _OPEN_ENDED = frozenset(name for name, (_, most) in BUILTINS.items() if most is None)
 
@@ -41,7 +41,7 @@ class CallChecker:
     def __init__(self, findings: Findings) -> None:
         self.findings = findings
         self.report = findings.report
-        self.parameters: frozenset[str] = frozenset()  # those of the function being checked
+        self.parameters: frozenset[str] = frozenset()  # those of the checked function
 
     def own_expressions(self, item: Item) -> None:
         """Check the expressions of a statement, except those in its bodies."""
@@ -120,7 +120,7 @@ class CallChecker:
         return Phrase("check-unknown-skill-near", name=name, near=near)
 
     def meant(self, names: Mapping[str, str], name: str) -> str | None:
-        """The call of a skill of ours for a name of another language."""
+        """Our skill call for a name from another language."""
         call = names.get(name)
         known = call is not None and call.partition("(")[0] in self.findings.skills
         return self.findings.called(call) if call is not None and known else None

@@ -58,7 +58,7 @@ class Findings:
         return f"robot.{skill}" if self.in_python else f"function.{skill}"
 
     def is_of_language(self, name: str) -> bool:
-        """Whether a function is one of the language, which no other one replaces."""
+        """Whether a function is built into the language and not replaced by another one."""
         return name not in self.functions and name not in self.raw_names and not self.imports
 
     def names_in_raw(self) -> set[str]:

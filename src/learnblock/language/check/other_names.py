@@ -51,7 +51,7 @@ FUNCTIONS: Mapping[str, str] = MappingProxyType(
     }
 )
 
-#: Functions of other languages that are skills of ours.
+#: Functions in other languages that are skills here.
 FUNCTIONS_AS_SKILLS: Mapping[str, str] = MappingProxyType(
     {
         **SKILLS,
@@ -59,7 +59,7 @@ FUNCTIONS_AS_SKILLS: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(("decir", "hablar"), 'say_Text("hello")'),
     }
 )
-#: Values of other languages.
+#: Values in other languages.
 VALUES: Mapping[str, str] = MappingProxyType(
     {
         **dict.fromkeys(("true", "TRUE", "verdadero", "Verdadero", "cierto", "yes"), "True"),

@@ -15,9 +15,9 @@ from learnblock.language.python.generation import DEFAULT_ROBOT
 from learnblock.language.tree.nodes import Span
 
 _BUILTINS = frozenset((*dir(builtins), "__file__", "__doc__", "__spec__", "__annotations__"))
-#: With these a program can make names that cannot be found by reading it.
+#: With these, a program can define names that cannot be found by reading the program.
 _DYNAMIC = frozenset(("exec", "eval", "globals", "locals", "vars", "__import__", "setattr"))
-#: What a robot has besides its skills, where a skill has a similar name.
+#: Attributes of a robot that have a name similar to that of a skill.
 _OF_CLIENT = frozenset(("has_extra_camera", "learn", "read", "stop", "time"))
 _DECIMAL = re.compile(r"(\d+),(\d+)")
 
@@ -58,7 +58,7 @@ class _PythonChecker:
             self.skills()
 
     def makes_names(self) -> bool:
-        """Whether the program may set names that cannot be seen."""
+        """Whether the program may define names that cannot be found by reading it."""
         return "*" in self.bound or any(
             isinstance(node, ast.Name) and node.id in _DYNAMIC for node in self.nodes
         )
@@ -121,7 +121,7 @@ class _PythonChecker:
             self.seen.add(node.id)
             self.report(self.unknown(node, owners.get(id(node))), node)
 
-    def unknown(self, node: ast.Name, attribute: str | None) -> Phrase:  # noqa: PLR0911 - one a slip
+    def unknown(self, node: ast.Name, attribute: str | None) -> Phrase:  # noqa: PLR0911 - one per slip
         """The message about a name that the program never sets."""
         name = node.id
         if name == "robot":

@@ -118,7 +118,7 @@ class _TypeChecker:
         return self.types.of(item.target) is Type.LIST and self.types.of(item.value) in TEXTS
 
     def swapped_operator(self, target: Expression, value: Unary) -> None:
-        """Report ``x =+ 1``, with a space where a sign has none."""
+        """Report ``x =+ 1``, with a space between the sign and its number."""
         if value.operator != "not" and value.operand.span.column > value.span.column + 1:
             message = Phrase(
                 "check-swapped-operator",
@@ -221,7 +221,7 @@ class _TypeChecker:
         kinds = (self.types.of(left), self.types.of(right))
         repeatable = TEXTS | {Type.LIST}
         if all(kind in repeatable for kind in kinds):
-            # Text times a number is repeated text.
+            # Multiplying text by a number repeats the text.
             self.number(right if self.types.of(right) in TEXTS else left)
 
     def sign(self, node: Unary) -> None:
@@ -300,7 +300,7 @@ class _TypeChecker:
             self.report(self.advice(node), node)
 
     def advice(self, node: Expression) -> Phrase:
-        """How to make a number of text or a list."""
+        """How to turn text or a list into a number."""
         if self.types.of(node) is Type.LIST:
             return Phrase("check-list-for-number", values=self.spelled(node))
         if isinstance(node, String):

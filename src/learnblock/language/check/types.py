@@ -30,17 +30,17 @@ class Type(IntEnum):
     """A type. Nothing is reported about an unknown one."""
 
     UNKNOWN = auto()
-    UNSET = auto()  # of a variable, as long as the types that it depends on are being worked out
+    UNSET = auto()  # the type of a variable while the types that it depends on are being worked out
     NUMBER = auto()
     TEXT = auto()
     ANSWER = auto()  # a text that `input` returned
     BOOLEAN = auto()
     LIST = auto()
-    NOTHING = auto()  # the value of an action
+    NOTHING = auto()  # the result of a function that returns nothing
 
 
 TEXTS = frozenset((Type.TEXT, Type.ANSWER))
-#: What Python calculates with.
+#: The types that Python can calculate with.
 NUMBERS = frozenset((Type.NUMBER, Type.BOOLEAN))
 
 KNOWN = NUMBERS | TEXTS | {Type.LIST}
@@ -75,7 +75,7 @@ _RESULTS: Mapping[str, Type] = MappingProxyType(
         "elapsedTime": Type.BOOLEAN,
     }
 )
-#: Passes over the assignments; in a longer chain of variables nothing is certain.
+#: The number of passes over the assignments; types in longer chains of variables stay unknown.
 _PASSES = 8
 
 
@@ -87,14 +87,14 @@ class Types:
 
     def __init__(self, findings: Findings) -> None:
         self.findings = findings
-        self.parameters: frozenset[str] = frozenset()  # of the function being checked
+        self.parameters: frozenset[str] = frozenset()  # those of the checked function
         self.hidden = findings.raw_names | _all_parameters(findings)
         self.variables: dict[str, Type] = {}
         if not findings.imports:
             self.work_out()
 
     def work_out(self) -> None:
-        """Repeat until the types of the variables no longer follow from each other."""
+        """Derive the types of the variables from each other until nothing changes."""
         setting = [
             (name, item)
             for item in self.findings.everything
@@ -169,7 +169,7 @@ class Types:
             return Type.TEXT
         if operator == "+" and left is right is Type.LIST:
             return Type.LIST
-        # A sum that cannot be worked out ends the program, so it has no type.
+        # A sum that cannot be worked out stops the program with an error, so it has no type.
         return Type.UNSET if operator in {"+", "-"} and {left, right} <= KNOWN else Type.UNKNOWN
 
 

@@ -4,17 +4,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 
-#: A longer changed part of a text counts as one change, because comparing takes quadratic time.
+#: A longer changed section counts as one change, because comparing takes quadratic time.
 MOST_LINES = 3000
 
 
 @dataclass(frozen=True)
 class Merge:
-    """Two edits in one text.
+    """The result of merging two edits.
 
     Args:
         text: the text with both edits.
-        is_conflict: whether they changed the same line, which then has only the preferred edit.
+        is_conflict: whether both changed the same line, which then has only the preferred edit.
     """
 
     text: str
@@ -71,12 +71,12 @@ class _Meeting:
     sides: tuple[list[_Change], list[_Change]]
 
     def takes(self, change: _Change) -> bool:
-        """Whether a change belongs to it that begins at or after its start."""
+        """Whether a change that begins at or after its start belongs to it."""
         both_insert = self.start == self.end == change.start == change.end
         return both_insert or change.start < self.end
 
     def merged(self, lines: Sequence[str]) -> tuple[list[str], bool]:
-        """The new lines, and whether they lack a change."""
+        """The new lines, and whether a change is missing from them."""
         other, preferred = (self._applied(lines, side) for side in self.sides)
         if not self.sides[0] or other == preferred:
             return preferred, False
@@ -144,7 +144,7 @@ def _split(start: int, old: Sequence[str], new: Sequence[str]) -> Iterator[_Chan
         return
     for at, (before, after) in enumerate(zip(old, new, strict=True), start):
         if before == "":
-            # Two people who begin to write in the same empty line do not change each other's.
+            # Two people who begin to write on the same empty line do not change each other's text.
             yield _Change(at, at, (after,))
             yield _Change(at, at + 1, ())
         else:

@@ -45,7 +45,7 @@ _COMPARE: dict[type[ast.cmpop], str] = {
     ast.In: "in",
     ast.NotIn: "not in",
 }
-# Trees of this height stay within the limit of the parser when they are written as Block-Text.
+# Trees of this height stay within the parser's limit when they are written as Block-Text.
 _MAX_HEIGHT = MAX_HEIGHT - 20
 
 

@@ -1,6 +1,6 @@
 """Lines that pupils bring from Block-Text, Scratch, C and Spanish, and their Python.
 
-As in `learnblock.language.blocktext.foreign_lines`, for the line that Python cannot read.
+Like `learnblock.language.blocktext.foreign_lines`, but for a line that Python cannot read.
 """
 
 from learnblock.language.blocktext.foreign_lines import (

@@ -12,7 +12,7 @@ from learnblock.language.workspace.blocks import Block, FieldValue, Workspace
 from learnblock.language.workspace.notes import writable
 from learnblock.language.workspace.types import MANUALLY_DISABLED, as_name, is_name, is_word
 
-# Nobody reads more problems at once, and no real block has more inputs.
+# No user reads more problems at once, and no real block has more inputs.
 MAX_PROBLEMS = 100
 MAX_INPUTS = 1000
 

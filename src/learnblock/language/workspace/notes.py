@@ -19,7 +19,7 @@ class Notes(Struct, omit_defaults=True):
     Args:
         blank: whether there is a blank line above it.
         above: how many lines of its comment are above it; None for all of them.
-        ends: the parts whose ends have the other lines; an ``if`` has a part for each
+        ends: the parts with a comment line at the end; an ``if`` has a part for each
             condition and one for ``else``, any other block has one.
         number: the spelling of the number.
         quoted: a string that no field can show: as shown, and as written in the program.

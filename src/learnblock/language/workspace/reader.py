@@ -43,7 +43,7 @@ class WorkspaceReader(StatementReader):
     """Reads a workspace.
 
     `entries` are the statements and definitions of the top level in order, each with its block and
-    its hat block, which comments of their own do not have; `program` is the result.
+    its hat block, which separate comments do not have; `program` is the result.
     """
 
     def __init__(

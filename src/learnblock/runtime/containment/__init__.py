@@ -6,5 +6,5 @@
 - `seccomp`, `syscalls`: the system calls it may make, on Linux.
 - `hook`: the same in Python, with messages that a person understands; on every system.
 - `environment`, `scratch`: its variables and its temporary folder, prepared by the host.
-- `survey`: what of this holds on this computer, found by trying.
+- `survey`: which of these work on this computer, found by trying each one.
 """

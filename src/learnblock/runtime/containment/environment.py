@@ -9,7 +9,7 @@ from learnblock.storage.home import home
 _KEPT = frozenset(
     {
         "LANG", "LANGUAGE", "TZ", "LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH", "VIRTUAL_ENV",
-        # Windows starts no program without them.
+        # Windows cannot start programs without these.
         "SYSTEMROOT", "WINDIR", "PATH", "APPDATA", "LOCALAPPDATA",
     }
 )  # fmt: skip
@@ -29,7 +29,7 @@ def environment(scratch: str) -> Mapping[str, str]:
     }
     folders = dict.fromkeys(("HOME", "USERPROFILE", "TMPDIR", "TEMP", "TMP"), scratch)
     ours = {
-        # Python looks for packages there, which is below the user's HOME.
+        # Python looks for the user's packages here; its default depends on HOME, which we change.
         "PYTHONUSERBASE": site.getuserbase(),
         # The order of a set of strings must not differ between two runs.
         "PYTHONHASHSEED": "0",

@@ -10,10 +10,10 @@ from learnblock.runtime.messages import Setup
 
 
 def contain(setup: Setup) -> None:
-    """Contain this process, for good.
+    """Contain this process permanently.
 
     Raises:
-        LearnBlockError: the system did not do what it said it can.
+        LearnBlockError: the system refused something that it claims to support.
     """
     try:
         _contain(setup)
@@ -24,11 +24,11 @@ def contain(setup: Setup) -> None:
 def _contain(setup: Setup) -> None:
     _let_go_of_terminal()
     if not setup.folder:
-        # A program of the page: it has no files but those it makes.
+        # A program from the page has no files except those that it creates.
         os.chdir(os.environ["TMPDIR"])
     if sys.platform == "linux":
         _contain_files(setup)
-    # Before the calls that change limits are refused.
+    # This comes first, because system calls that change limits are refused afterwards.
     resources.limit(setup.limits)
     if sys.platform == "linux":
         _contain_calls(network=setup.network)
@@ -36,14 +36,14 @@ def _contain(setup: Setup) -> None:
 
 
 def _let_go_of_terminal() -> None:
-    """Let go of the host's error output, which may be a terminal in which the user types."""
+    """Close the host's error output, which may be a terminal in which the user types."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, 2)
     os.close(nowhere)
 
 
 def _contain_files(setup: Setup) -> None:
-    # They take time to load, and only Linux has them.
+    # These modules take time to load, and only Linux needs them.
     from learnblock.runtime.containment import kernel, landlock, paths  # noqa: PLC0415
 
     kernel.die_with_parent(signal.SIGKILL)

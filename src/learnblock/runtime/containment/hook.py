@@ -1,6 +1,7 @@
-"""Python's own refusals, in words that a person understands.
+"""Restrictions inside Python, with messages that a person understands.
 
-A program can get around them; the kernel holds where it can. On macOS and Windows they are all.
+A program can get around them, so Linux enforces the same restrictions in the kernel. On macOS and
+Windows nothing else enforces them.
 """
 
 import sys
@@ -9,7 +10,7 @@ from typing import Any
 
 from learnblock.errors import ForbiddenError
 
-#: Audit events (PEP 578) by which a program would start another process or harm ours.
+#: Audit events (PEP 578) of a program that tries to start a process, or to harm one.
 _PROCESSES = frozenset(
     {
         "os.exec",
@@ -25,14 +26,14 @@ _PROCESSES = frozenset(
         "subprocess.Popen",
     }
 )
-#: Those by which it would use the network.
+#: Audit events of a program that tries to use the network.
 _NETWORK = frozenset(
     {"socket.bind", "socket.connect", "socket.getaddrinfo", "socket.gethostbyname"}
 )
 
 
 def install(*, network: bool) -> None:
-    """Refuse processes, and the network unless it is allowed, for good."""
+    """Permanently forbid starting processes, and using the network unless it is allowed."""
     refused = dict.fromkeys(_PROCESSES, "run-no-processes")
     if not network:
         refused |= dict.fromkeys(_NETWORK, "run-no-network")

@@ -34,7 +34,7 @@ def call(number: int, *args: Any) -> int:
 
 
 def give_up_privileges() -> None:
-    """Let no file give this process more rights; Landlock and seccomp ask for it."""
+    """Prevent files from giving this process more rights, as Landlock and seccomp require."""
     prctl(_PR_SET_NO_NEW_PRIVS, 1)
 
 

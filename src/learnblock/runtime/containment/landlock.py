@@ -1,7 +1,7 @@
-"""Landlock: the kernel refuses this process every file but those it names (Linux 5.13 or later).
+"""Landlock: the kernel lets this process access only the files it lists (Linux 5.13 or later).
 
-The numbers are those of <linux/landlock.h>, which never change; each version of the interface adds
-some, so an older kernel contains less.
+The numbers are from <linux/landlock.h> and never change. Each version of the interface adds rights,
+so an older kernel restricts less.
 """
 
 import os
@@ -21,38 +21,38 @@ _WRITE_FILE, _READ_FILE, _READ_DIR = 1 << 1, 1 << 2, 1 << 3
 _REMOVE_DIR, _REMOVE_FILE = 1 << 4, 1 << 5
 _MAKE_DIR, _MAKE_REG = 1 << 7, 1 << 8
 _RENAME_ACROSS, _TRUNCATE = 1 << 13, 1 << 14
-#: Rights on files by the version that brought them; the first one brought thirteen.
+#: File rights by the version that introduced them; the first version introduced thirteen.
 _FILE_RIGHTS = {1: (1 << 13) - 1, 2: _RENAME_ACROSS, 3: _TRUNCATE, 5: 1 << 15}
 #: Binding and connecting TCP sockets; signals and abstract sockets of other processes.
 _NETWORK, _SCOPES = 0b11, 0b11
 
-#: The names in a folder; its files too; changing all of that.
+#: List the names in a folder; also read its files; also change them.
 LIST = _READ_DIR
 READ = _READ_FILE | LIST
 WRITE = (
     READ | _WRITE_FILE | _REMOVE_DIR | _REMOVE_FILE
     | _MAKE_DIR | _MAKE_REG | _RENAME_ACROSS | _TRUNCATE
 )  # fmt: skip
-#: Those of these rights that a file can have; the others are a folder's.
+#: The rights that apply to files; the others apply to folders only.
 _OF_A_FILE = _READ_FILE | _WRITE_FILE | _TRUNCATE
 
 
 @cache
 def version() -> int:
-    """The version of the kernel's Landlock; 0 if it has none, or none for us."""
+    """The version of the kernel's Landlock; 0 if it is missing or cannot be used."""
     try:
         return kernel.call(_CREATE_RULESET, None, 0, _ASK_VERSION)
     except OSError:
-        # Too old, switched off at its start, or hidden by a container.
+        # The kernel is too old, was started without Landlock, or a container hides it.
         return 0
 
 
 def restrict(allowed: Iterable[tuple[str, int]], *, network: bool) -> None:
-    """Refuse this process all files but these, for good; does nothing without Landlock.
+    """Permanently refuse this process all files except these; does nothing without Landlock.
 
     Args:
-        allowed: files, and folders with all they contain, each with the rights to it; those that
-            are missing are skipped.
+        allowed: files, and folders with everything in them, each with its rights; missing ones
+            are skipped.
         network: whether it may use TCP.
     """
     if not version():

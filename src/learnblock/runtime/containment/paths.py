@@ -24,13 +24,13 @@ _NETWORK = (
 
 
 def allowed(project: str, *, network: bool) -> Iterator[tuple[str, int]]:
-    """Files and folders that a program may use, each with the rights to it.
+    """Files and folders that a program may use, each with its rights.
 
     Args:
         project: the folder of the program; "" for none.
         network: whether it may use the network.
     """
-    # The first is the temporary folder that the host has made for it: see `environment`.
+    # TMPDIR is the temporary folder that the host has created for the program: see `environment`.
     for path in (os.environ["TMPDIR"], os.devnull):
         yield path, landlock.WRITE
     for path in (*_SYSTEM, *_SETTINGS, *_installation(project), *_user_code(), *_NETWORK * network):
@@ -46,16 +46,16 @@ def _installation(project: str) -> Iterator[str]:
 
 
 def _user_code() -> Iterator[str]:
-    """What programs import from the user's folder; its settings hold passwords."""
+    """What programs import from the user's folder, but not its settings, which hold passwords."""
     return (str(home() / name) for name in ("skills", "libraries"))
 
 
 def _own_files(project: Path) -> Iterator[tuple[str, int]]:
-    """A project's folder; only the files directly in it if it contains other things as well."""
+    """A project's folder, or only the files directly in it if it also contains other things."""
     if not _is_shared(project):
         yield str(project), landlock.READ
         return
-    # Python looks for modules in a list of their names.
+    # Python lists a folder to find the modules in it.
     yield str(project), landlock.LIST
     for path in project.iterdir():
         if path.is_file() and not path.name.startswith("."):
@@ -63,7 +63,7 @@ def _own_files(project: Path) -> Iterator[tuple[str, int]]:
 
 
 def _is_shared(folder: Path) -> bool:
-    """Whether this folder also contains what does not belong to the program."""
+    """Whether this folder also contains things that do not belong to the program."""
     others = (Path(_users_home()), home(), Path(os.environ["TMPDIR"]))
     return any(other.resolve().is_relative_to(folder) for other in others)
 
@@ -71,5 +71,5 @@ def _is_shared(folder: Path) -> bool:
 def _users_home() -> str:
     import pwd  # noqa: PLC0415 - POSIX only
 
-    # Not the variable: the host has set it to the temporary folder.
+    # Not $HOME, which the host has set to the temporary folder.
     return pwd.getpwuid(os.getuid()).pw_dir

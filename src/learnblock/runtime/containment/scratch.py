@@ -13,12 +13,12 @@ from learnblock.runtime.limits import Limits
 
 
 class Usage(NamedTuple):
-    """What a program occupies.
+    """The disk space, files and threads that a program uses.
 
     Args:
-        disk: bytes, including files that it has deleted but still holds.
-        files: in its temporary folder, with the folders.
-        threads: of its process.
+        disk: bytes, including files that it has deleted but still has open.
+        files: the number of files and folders in its temporary folder.
+        threads: the number of threads in its process.
     """
 
     disk: int = 0
@@ -33,7 +33,7 @@ class Scratch:
         self.path = os.path.realpath(tempfile.mkdtemp(prefix="learnblock-"))
 
     def usage(self, process: int, limits: Limits) -> Usage:
-        """What the program in this process occupies; where it is too much, counting ends early."""
+        """What the program in this process uses; counting stops early if it exceeds a limit."""
         disk, files = _held(process, self.path, limits.file_size), 0
         with suppress(FileNotFoundError, PermissionError):
             for size in _sizes(self.path):
@@ -43,7 +43,7 @@ class Scratch:
         return Usage(disk, files, _threads(process))
 
     def remove(self) -> None:
-        """Delete the folder with all that is in it; a second time does nothing."""
+        """Delete the folder with everything in it; calling it twice is harmless."""
         with suppress(FileNotFoundError):
             try:
                 shutil.rmtree(self.path)
@@ -52,7 +52,7 @@ class Scratch:
 
 
 def _sizes(folder: str) -> Iterator[int]:
-    """The bytes of everything in a folder."""
+    """The size of each file and folder inside a folder, in bytes."""
     waiting = [folder]
     while waiting:
         with suppress(FileNotFoundError), os.scandir(waiting.pop()) as entries:
@@ -64,7 +64,7 @@ def _sizes(folder: str) -> Iterator[int]:
 
 
 def _held(process: int, folder: str, most: int) -> int:
-    """The bytes of files that a program has deleted but still has open or in its memory."""
+    """The bytes in files that a program has deleted but still has open or mapped in memory."""
     held = 0
     with suppress(OSError):
         for entry in os.scandir(f"/proc/{process}/fd"):
@@ -72,7 +72,7 @@ def _held(process: int, folder: str, most: int) -> int:
                 held += _deleted(entry.stat())
         with open(f"/proc/{process}/maps", "rb") as maps:  # noqa: PTH123 - as fast as can be
             mapped = sum(folder.encode() in line for line in maps if line.endswith(b"(deleted)\n"))
-        # Of these only the name is left; none is larger than a file may be.
+        # The sizes of mapped files are unknown, but none exceeds the limit for one file.
         held += mapped * most
     return held
 
@@ -82,12 +82,12 @@ def _deleted(found: os.stat_result) -> int:
 
 
 def _bytes(found: os.stat_result) -> int:
-    # A file with holes occupies less than its size; Windows does not say.
+    # A sparse file occupies less than its size; Windows does not report how much.
     return getattr(found, "st_blocks", -(-found.st_size // 512)) * 512
 
 
 def _threads(process: int) -> int:
-    """The threads of a process, where the system tells."""
+    """The number of threads in a process; 0 if the system does not report it."""
     try:
         return os.stat(f"/proc/{process}/task").st_nlink - 2  # noqa: PTH116 - as above
     except OSError:
@@ -95,7 +95,7 @@ def _threads(process: int) -> int:
 
 
 def _remove_deep(folder: str) -> None:
-    """Remove folders nested deeper than Python's way goes."""
+    """Remove folders that are nested too deeply for `shutil.rmtree`."""
     if os.name == "posix":
-        # What is left then is the system's to clean up, as everything in its temporary folder.
+        # The system cleans up whatever remains, as it does with all temporary files.
         subprocess.run(["rm", "-rf", "--", folder], check=False, stderr=subprocess.DEVNULL)  # noqa: S603, S607

@@ -1,6 +1,6 @@
-"""seccomp: the kernel refuses this process all system calls but those a program needs.
+"""seccomp: the kernel refuses this process all system calls except those that a program needs.
 
-The filter is a program of the kernel's packet filter (classic BPF, <linux/seccomp.h>) that reads a
+The filter is a program for the kernel's packet filter (classic BPF, <linux/seccomp.h>) that reads a
 call's number and arguments. It cannot follow pointers: Landlock decides which files may be opened.
 """
 
@@ -17,10 +17,10 @@ from learnblock.runtime.containment.syscalls import LAST_KNOWN, PROCESSORS, numb
 
 _PR_SET_SECCOMP, _MODE_FILTER = 22, 2
 
-# Instructions of the filter: load a word of the call, mask it, compare it, return.
+# Filter instructions: load a word of the call, mask it, compare it, return.
 _LOAD, _AND, _EQUAL, _GREATER, _RETURN = 0x20, 0x54, 0x15, 0x25, 0x06
 _ALLOW, _KILL, _ERROR = 0x7FFF0000, 0x80000000, 0x00050000
-# Positions in what it reads: the number, the processor, and six arguments of two words each.
+# Offsets of the filter's input: call number, architecture, and six arguments of two words each.
 _NUMBER, _PROCESSOR, _ARGUMENTS = 0, 4, 16
 _ALL = 0xFFFFFFFF
 
@@ -33,9 +33,9 @@ class Condition(NamedTuple):
     """A condition on one word of a call's arguments.
 
     Args:
-        word: its index: the lower half of argument n is word 2 n.
-        values: the word may have one of them,
-        mask: once all other bits are ignored.
+        word: the word's index: the lower half of argument n is word 2 n.
+        values: the allowed values of the masked word.
+        mask: the bits of the word that are compared.
     """
 
     word: int
@@ -66,7 +66,7 @@ def is_supported() -> bool:
 
 
 def restrict(*, network: bool) -> None:
-    """Refuse this process all other system calls, for good; does nothing where unsupported."""
+    """Permanently refuse this process all other system calls; does nothing where unsupported."""
     if not is_supported():
         return
     instructions = b"".join(
@@ -80,7 +80,7 @@ def restrict(*, network: bool) -> None:
 def _filter(processor: str, *, network: bool) -> Iterator[_Instruction]:
     conditions = _conditions(os.getpid(), network=network)
     yield _load(_PROCESSOR)
-    # A call in the manner of another processor has other numbers.
+    # A call made for a different architecture has different numbers.
     yield _Instruction(_EQUAL, 1, 0, PROCESSORS[processor])
     yield _answer(_KILL)
     yield _load(_NUMBER)
@@ -94,9 +94,9 @@ def _filter(processor: str, *, network: bool) -> Iterator[_Instruction]:
 
 
 def _verdict(name: str, conditions: Mapping[str, tuple[Condition, ...]]) -> Iterator[_Instruction]:
-    """Decide about a call: it has to meet all of its conditions."""
+    """Decide about a call: it is allowed if all conditions for it are met."""
     if name == "clone3":
-        # Its flags are behind a pointer; the C library falls back to `clone`.
+        # The flags are behind a pointer; the C library falls back to `clone`.
         yield _answer(_ERROR | errno.ENOSYS)
         return
     for condition in conditions.get(name, ()):
@@ -114,7 +114,7 @@ def _conditions(process: int, *, network: bool) -> dict[str, tuple[Condition, ..
     itself = (Condition(0, (process,)),)
     stream = Condition(2, (1,), mask=0xF)
     found = {
-        # Threads, but no processes.
+        # This creates threads, but not processes.
         "clone": (Condition(0, (_THREAD,), mask=_THREAD | _NEW_NAMESPACES),),
         "kill": itself,
         "tgkill": itself,
@@ -122,26 +122,26 @@ def _conditions(process: int, *, network: bool) -> dict[str, tuple[Condition, ..
         "ioctl": (Condition(2, _IOCTLS),),
         "fcntl": (Condition(2, _FCNTLS),),
         "prctl": (Condition(0, _PRCTLS),),
-        # Its own limits, to read.
+        # A program may read its own limits.
         "prlimit64": (Condition(0, (0,)), Condition(4, (0,)), Condition(5, (0,))),
-        # Pairs of datagram sockets could be sent to others.
+        # A pair of datagram sockets could send to other sockets, so only streams are allowed.
         "socketpair": (Condition(0, (1,)), stream),
-        # Opened to be read, a file could be emptied nevertheless, before Linux 6.2.
+        # Before Linux 6.2, opening a file for reading could still truncate it.
         "open": (Condition(2, _OPENINGS, mask=_OPENING),),
         "openat": (Condition(4, _OPENINGS, mask=_OPENING),),
     }
     if network:
         internet = (Condition(0, (2, 10)), Condition(2, (1, 2), mask=0xF))
         return found | {"socket": internet}
-    # Without an address.
+    # Sending is allowed only without an address.
     return found | {"sendto": (Condition(8, (0,)), Condition(9, (0,)))}
 
 
-#: Inheriting a file or not, blocking or not, bytes to read, and whether it is a terminal.
+#: Set inheritance and blocking, count the bytes to read, and query terminal properties.
 _IOCTLS = (0x5451, 0x5450, 0x5421, 0x541B, 0x5401, 0x5413, 0x802C542A)
-#: Copies, flags, locks and the size of a pipe; not the owner, who would get signals.
+#: Copies, flags, locks and pipe sizes; not the owner, which would receive signals.
 _FCNTLS = (0, 1, 2, 3, 4, 5, 6, 7, 36, 37, 38, 1030, 1031, 1032)
-#: The names of threads and of memory.
+#: Set the names of threads and of memory areas.
 _PRCTLS = (15, 16, 0x53564D41)
 _OPENING = os.O_ACCMODE | os.O_TRUNC if hasattr(os, "O_ACCMODE") else 0
 _OPENINGS = (os.O_RDONLY, os.O_WRONLY, os.O_RDWR, os.O_WRONLY | os.O_TRUNC, os.O_RDWR | os.O_TRUNC)

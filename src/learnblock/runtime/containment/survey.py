@@ -1,4 +1,4 @@
-"""What contains programs on this computer, found by trying: a program makes each attempt itself."""
+"""What contains programs on this computer: a test program tries to break out in several ways."""
 
 import platform
 import sys
@@ -9,10 +9,10 @@ from learnblock.runtime.limits import Limits
 from learnblock.runtime.messages import Printed, Setup
 from learnblock.runtime.process import ProcessWorker
 
-#: Seconds that the attempts may take together.
+#: Timeout in seconds for all attempts together.
 TIMEOUT = 20.0
 
-#: By the code of its name: an attempt that goes around Python's own refusals.
+#: For each phrase code, an attempt that gets around the restrictions inside Python.
 _ATTEMPTS = {
     "doctor-read": "os.listdir('/')",
     "doctor-write": "os.rmdir(tempfile.mkdtemp(dir=os.path.dirname(tempfile.gettempdir())))",
@@ -53,7 +53,7 @@ for code, attempt in {attempts}.items():
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """What came of one attempt.
+    """The result of one attempt.
 
     Args:
         name: what was tried.
@@ -67,7 +67,7 @@ class Finding:
 
 
 def survey() -> tuple[Finding, ...]:
-    """Try out what contains programs here."""
+    """Try out what contains programs on this computer."""
     refused = _refused()
     return tuple(
         Finding(Phrase(code), code in refused, _reason(code, contained=code in refused))

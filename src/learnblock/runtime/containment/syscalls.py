@@ -1,13 +1,13 @@
-"""The system calls that a program needs, with their numbers on each kind of processor.
+"""The system calls that a program needs, with their numbers on each architecture.
 
-Every other call is refused. The numbers are those of <asm/unistd_64.h> and
-<asm-generic/unistd.h>, which never change; "-" is a call that a processor does not have.
+Every other call is refused. The numbers are from <asm/unistd_64.h> and <asm-generic/unistd.h>, and
+never change; "-" means that an architecture does not have the call.
 """
 
-#: The name of a processor, as `os.uname` gives it, and the kernel's number for it.
+#: The name of each architecture, as reported by `os.uname`, and the kernel's number for it.
 PROCESSORS = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
-#: The last call that was known when the lists were made. Of later ones a program is told that they
-#: do not exist, so that its C library does without them.
+#: The last call that was known when the lists were made. Later calls are reported to a program as
+#: missing, so that its C library uses older ones.
 LAST_KNOWN = 462
 
 _ALLOWED = """
@@ -58,7 +58,7 @@ socketpair 53 199, getsockopt 55 209, getsockname 51 204, getpeername 52 205,
 shutdown 48 210
 """
 
-# Only where the user has allowed the network.
+# Only if the user has allowed the network.
 _NETWORK = """
 socket 41 198, connect 42 203, bind 49 200, listen 50 201, accept 43 202, accept4 288 242,
 sendmsg 46 211, sendmmsg 307 269, recvmsg 47 212, recvmmsg 299 243, setsockopt 54 208
@@ -66,7 +66,7 @@ sendmsg 46 211, sendmmsg 307 269, recvmsg 47 212, recvmmsg 299 243, setsockopt 5
 
 
 def numbers(processor: str, *, network: bool) -> dict[str, int]:
-    """The numbers of all allowed calls on this kind of processor, the most frequent first."""
+    """The numbers of all allowed calls on this architecture, the most frequent first."""
     column = 1 + list(PROCESSORS).index(processor)
     lines = (_ALLOWED + _NETWORK * network).splitlines()
     listed = ",".join(line for line in lines if line and not line.startswith("#"))

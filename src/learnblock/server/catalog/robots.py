@@ -14,7 +14,7 @@ def _robot_choice(entry: robots.RobotEntry) -> RobotChoice:
     if entry.simulated is False:
         # The drivers of real robots are slow to load too.
         return RobotChoice(entry.name, entry.name, simulated=False)
-    # The simulator is slow to import, and the server answers before that.
+    # The simulator is slow to import, and the server has to respond before that.
     from learnblock.robots.simulated import SimulatedRobot  # noqa: PLC0415
 
     try:

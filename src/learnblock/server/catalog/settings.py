@@ -24,7 +24,7 @@ _DEVICE = re.compile(r"(?:/dev/[\w-]+(?:/[\w-]+)*|COM\d{1,3})?")
 
 
 def table(robot: str) -> Table[Any]:
-    """The settings of a real robot; of camera recognition for an empty name.
+    """The settings for a real robot; for an empty name, those for camera recognition.
 
     Raises:
         LearnBlockError: there is no such robot, or it is simulated.

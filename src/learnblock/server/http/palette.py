@@ -10,7 +10,7 @@ from starlette.responses import Response
 
 from learnblock.storage.block_files import Version, version
 
-#: The limit of cached languages, because requests may name any number of them.
+#: The maximum number of cached languages, because requests may name any number of them.
 _MOST_LANGUAGES = 16
 _LONGEST_NAME = 20
 

@@ -14,7 +14,7 @@ class TimedRequests(H11Protocol):
     take, so a client that sends half of one would keep its connection forever.
     """
 
-    #: Seconds from the start of the connection, or from the answer before, to a whole request.
+    #: Seconds within which a request must be complete, from the connection or the last response.
     limit = 10.0
 
     def __init__(self, *args: Any, **others: Any) -> None:
@@ -34,7 +34,7 @@ class TimedRequests(H11Protocol):
         self._expect_request()
 
     def handle_websocket_upgrade(self, event: h11.Request) -> None:
-        # From here on the connection is not ours.
+        # From here on, the websocket protocol handles the connection.
         self._expect_nothing()
         super().handle_websocket_upgrade(event)
 

@@ -13,20 +13,20 @@ from learnblock.storage.home import home
 
 VARIABLE = "LEARNBLOCK_TOKEN"
 _TOKEN = re.compile(r"[\w.~-]+", re.ASCII)
-#: Characters; longer than any token that we make.
+#: The maximum number of characters, more than any token that we create has.
 _LONGEST = 200
 
 
 def token(*, new: bool = False) -> str:
-    """The token of the environment, or else the user's own, which stays the same.
+    """The token from the environment, or else the user's own token, which stays the same.
 
-    So a page that is open finds its server again after a restart.
+    An open page can therefore reconnect after the server restarts.
 
     Args:
         new: whether to replace the user's own, which closes every open page for good.
 
     Raises:
-        LearnBlockError: the one in the environment can't be part of an address.
+        LearnBlockError: the token in the environment can't be part of an address.
     """
     chosen = os.environ.get(VARIABLE)
     if chosen is None:
@@ -42,14 +42,14 @@ def _own(*, new: bool) -> str:
     if kept is not None:
         return kept
     made = secrets.token_urlsafe(24)
-    # Where nothing can be saved, the page needs a new address after each restart, and works.
+    # If the token can't be saved, LearnBlock works, but its address changes with each restart.
     with suppress(OSError):
         save(file, made.encode(), private=True)
     return made
 
 
 def _read(file: Path) -> str | None:
-    """Read the token; None if there is none that only its owner knows."""
+    """Read the token; None if there is none, or if other users can read it."""
     try:
         with file.open(encoding="ascii") as opened:
             if os.name == "posix" and stat.S_IMODE(os.fstat(opened.fileno()).st_mode) & 0o077:

@@ -4,11 +4,11 @@ from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
-#: The limit in characters of a program: 6,000 lines. A longer one would keep other pages waiting.
+#: The limit of a program in characters: 6,000 lines. A longer one would keep other pages waiting.
 LONGEST_TEXT = 250_000
-#: That of a file with more than a program in it, such as blocks or a library.
+#: The limit in characters of other files, such as blocks or a library.
 LONGEST_FILE = 1_000_000
-#: The limit of block sets saved in one project.
+#: The maximum number of block sets saved in one project.
 MOST_CARRIED = 8
 
 Notation = Literal["blocktext", "python"]

@@ -12,13 +12,13 @@ class ListBlockSets(Message, frozen=True):
 
 
 class ChooseBlockSet(Message, frozen=True):
-    """Show the blocks of a set, and save the set in the project: `BlocksShown`."""
+    """Show the blocks of a set, and save the set in the project; the reply is `BlocksShown`."""
 
     set: BlockSet
 
 
 class ReadBlockSet(Message, frozen=True):
-    """Ask for the set in a file's text: `BlockSetRead`."""
+    """Ask for the set in a file's text; the reply is `BlockSetRead`."""
 
     filename: Name
     text: Text
@@ -43,7 +43,7 @@ class DeleteBlockSet(Message, frozen=True):
 
 
 class ExportBlockSet(Message, frozen=True):
-    """Ask for a set as a file: `File`."""
+    """Ask for a set as a file; the reply is `File`."""
 
     set: BlockSet
 

@@ -18,7 +18,7 @@ class ListCustomBlocks(Message, frozen=True):
 
 
 class CheckCustomBlock(Message, frozen=True):
-    """Check a block and preview it: `CustomBlockChecked`.
+    """Check a block and preview it; the reply is `CustomBlockChecked`.
 
     Args:
         request: repeated in the answer.
@@ -38,7 +38,7 @@ class CheckCustomBlock(Message, frozen=True):
 
 
 class SaveCustomBlock(Message, frozen=True):
-    """Save a block. Answers `CustomBlockSaved`, or `CustomBlockChecked` with the request 0.
+    """Save a block; the reply is `CustomBlockSaved`, or `CustomBlockChecked` with request 0.
 
     Args:
         name: the new name of its file.
@@ -72,7 +72,7 @@ class TryCustomBlock(Message, frozen=True):
 
 
 class DuplicateCustomBlock(Message, frozen=True):
-    """Copy a block; its functions get free names: `CustomBlockSaved`."""
+    """Copy a block; its functions get free names; the reply is `CustomBlockSaved`."""
 
     name: Name
     new: Name
@@ -85,19 +85,19 @@ class DeleteCustomBlock(Message, frozen=True):
 
 
 class RestoreCustomBlock(Message, frozen=True):
-    """Restore a deleted block: `CustomBlockSaved`."""
+    """Restore a deleted block; the reply is `CustomBlockSaved`."""
 
     name: Name
 
 
 class ExportCustomBlock(Message, frozen=True):
-    """Ask for a block as one file: `File`."""
+    """Ask for a block as one file; the reply is `File`."""
 
     name: Name
 
 
 class ImportCustomBlock(Message, frozen=True):
-    """Add the block in an exported file: `CustomBlockSaved`, or `Failed`.
+    """Add the block in an exported file; the reply is `CustomBlockSaved`, or `Failed`.
 
     Args:
         content: the content of the file.

@@ -12,9 +12,9 @@ from learnblock.server.messages.base import (
     ShortText,
 )
 
-#: The limit of libraries in one import.
+#: The maximum number of libraries in one import.
 MOST_LIBRARIES = 20
-#: The limit of skills in one library.
+#: The maximum number of skills in one library.
 MOST_SKILLS = 200
 
 # From the page.
@@ -35,40 +35,40 @@ class LibraryFile(Struct, frozen=True, omit_defaults=True):
 
 
 class ListLibraries(Message, frozen=True):
-    """Ask which libraries are installed: `Libraries`."""
+    """Ask which libraries are installed; the reply is `Libraries`."""
 
 
 class ListExportable(Message, frozen=True):
-    """Ask for the functions and blocks that a library can contain: `Exportable`."""
+    """Ask for the functions and blocks that a library can contain; the reply is `Exportable`."""
 
 
 class ReadLibraries(Message, frozen=True):
-    """Ask for the libraries in files, and for their problems: `LibrariesRead`."""
+    """Ask for the libraries in files, and for their problems; the reply is `LibrariesRead`."""
 
     files: Annotated[tuple[LibraryFile, ...], Meta(max_length=MOST_LIBRARIES)]
 
 
 class ImportLibraries(Message, frozen=True):
-    """Install libraries, all or none; `replace` equally new versions too. Then `Libraries`."""
+    """Install all of these libraries or none; `replace` also replaces equally new versions."""
 
     files: Annotated[tuple[LibraryFile, ...], Meta(max_length=MOST_LIBRARIES)]
     replace: bool = False
 
 
 class RemoveLibrary(Message, frozen=True):
-    """Remove an installed library: `Libraries`, to every page."""
+    """Remove an installed library; every page receives `Libraries`."""
 
     name: Name
 
 
 class DownloadLibrary(Message, frozen=True):
-    """Ask for an installed library in one file: `LibraryMade`."""
+    """Ask for an installed library in one file; the reply is `LibraryMade`."""
 
     name: Name
 
 
 class MakeLibrary(Message, frozen=True):
-    """Ask for a library of functions of the program and custom blocks: `LibraryMade`.
+    """Ask for a library made from program functions and custom blocks; the reply is `LibraryMade`.
 
     Args:
         name: its name in programs.
@@ -86,7 +86,7 @@ class MakeLibrary(Message, frozen=True):
 
 
 class UseLibrary(Message, frozen=True):
-    """Import into the program an installed library."""
+    """Import an installed library into the program."""
 
     name: Name
 

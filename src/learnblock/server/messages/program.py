@@ -79,7 +79,7 @@ class Format(Message, frozen=True):
 
 
 class Rename(Message, frozen=True):
-    """Rename a variable, a function or a `when` everywhere: `Document`."""
+    """Rename a variable, a function or a `when` everywhere; the reply is `Document`."""
 
     sort: Literal["variable", "function", "when"]
     name: Name
@@ -97,7 +97,7 @@ class Complete(Message, frozen=True):
 
 
 class Describe(Message, frozen=True):
-    """Ask for help on a position of a text, and for its definition: `Description`."""
+    """Ask for help on a position of a text, and for its definition; the reply is `Description`."""
 
     request: int
     notation: Notation

@@ -12,7 +12,7 @@ from learnblock.server.messages.worlds import WorldChoice
 
 
 class Open(Message, frozen=True):
-    """Open a project: `Opened`."""
+    """Open a project; the reply is `Opened`."""
 
     name: Name
 
@@ -42,7 +42,7 @@ class Import(Message, frozen=True):
 
 
 class ImportOriginal(Message, frozen=True):
-    """Import a file of the original LearnBlock and open it; `OriginalImported` follows.
+    """Import a file from the original LearnBlock and open it; `OriginalImported` follows.
 
     Args:
         filename: ends in .blockProject or .lb.
@@ -60,7 +60,7 @@ class SaveAs(Message, frozen=True):
 
 
 class RenameProject(Message, frozen=True):
-    """Rename the open project and its history: `ProjectRenamed` to every page that shows it."""
+    """Rename the open project and its history; its pages receive `ProjectRenamed`."""
 
     name: Name
 
@@ -72,7 +72,7 @@ class Delete(Message, frozen=True):
 
 
 class Export(Message, frozen=True):
-    """Ask for a file of the open project: `File`."""
+    """Ask for a file of the open project; the reply is `File`."""
 
     format: Literal["bt", "py", "learnblock"]
 
@@ -116,10 +116,10 @@ class Welcome(Message, frozen=True):
     """The first message of the server.
 
     Args:
-        version: of LearnBlock.
-        robots: to choose from.
-        worlds: to choose from.
-        examples: to open.
+        version: the version of LearnBlock.
+        robots: the robots to choose from.
+        worlds: the worlds to choose from.
+        examples: the examples to open.
         folder: the projects folder.
         read_only: why nothing may be changed; None if it may.
     """

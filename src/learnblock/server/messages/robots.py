@@ -8,18 +8,18 @@ from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, ShortText
 from learnblock.server.messages.projects import RobotChoice
 
-#: The limit in characters; a description with every kind of device has a tenth of it.
+#: The limit in characters; a description with every kind of device takes a tenth of it.
 LONGEST_DESCRIPTION = 65_536
 
 # From the page.
 
 
 class BeginRobot(Message, frozen=True):
-    """Ask for a template of a description: `RobotBegun`."""
+    """Ask for a description template; the reply is `RobotBegun`."""
 
 
 class MakeRobot(Message, frozen=True):
-    """Generate a robot, its twin and its test from a description: `RobotMade`.
+    """Generate a robot, its twin and its test from a description; the reply is `RobotMade`.
 
     Args:
         name: the id of the robot.
@@ -34,7 +34,7 @@ class MakeRobot(Message, frozen=True):
 
 
 class RobotBegun(Message, frozen=True):
-    """A template of a description."""
+    """A description template."""
 
     description: str
 

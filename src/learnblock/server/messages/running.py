@@ -142,7 +142,7 @@ class Ended(Message, frozen=True):
         block: the block with the error.
         no_effect: skills that had no effect, each with the missing device.
         custom_block: the file name of the custom block with the error, if it was in one.
-        custom_line: the line the line of its source, from 1; 0 if unknown.
+        custom_line: the line of its source, from 1; 0 if unknown.
         tried: whether it was `TryCustomBlock` rather than the program.
     """
 

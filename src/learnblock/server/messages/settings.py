@@ -11,7 +11,7 @@ from learnblock.server.messages.base import Message, ShortText
 
 
 class ReadSettings(Message, frozen=True):
-    """Ask for the settings of a real robot or of camera recognition: `SettingsTable`.
+    """Ask for the settings of a real robot or of camera recognition; the reply is `SettingsTable`.
 
     Args:
         robot: the name of the robot; empty for camera recognition.
@@ -21,7 +21,7 @@ class ReadSettings(Message, frozen=True):
 
 
 class ChangeSettings(Message, frozen=True):
-    """Change settings, all of them or none: `SettingsTable`.
+    """Change settings, all of them or none; the reply is `SettingsTable`.
 
     Args:
         robot: the name of the robot; empty for camera recognition.
@@ -49,7 +49,8 @@ class Setting(Struct, frozen=True, omit_defaults=True):
         description: its purpose; None if the name is enough.
         least: the minimum of a number.
         most: the maximum of a number.
-        choices: the values to choose from, if there are only a few; or a number's word for none.
+        choices: the values to choose from, if there are only a few; for a number, the word that
+            means none.
         secret: whether the page hides the value.
     """
 

@@ -7,27 +7,27 @@ from msgspec import Meta
 from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Message, Name, ShortText, Text
 
-#: The limit of tag names; there are 587 tags, and a tag may have several names.
+#: The maximum number of tag names; there are 587 tags, and a tag may have several names.
 MOST_TAGS = 2000
 
 # From the page.
 
 
 class SaveTags(Message, frozen=True):
-    """Save the tag names: `Tags`, to every page."""
+    """Save the tag names; every page receives `Tags`."""
 
     names: Annotated[dict[ShortText, int], Meta(max_length=MOST_TAGS)]
 
 
 class ReadTags(Message, frozen=True):
-    """Ask for the names in a file's text, TOML or CSV: `TagsRead`."""
+    """Ask for the names in a file's text, TOML or CSV; the reply is `TagsRead`."""
 
     filename: Name
     text: Text
 
 
 class ExportTags(Message, frozen=True):
-    """Ask for the tag names as a file, or for a sheet to print: `File`."""
+    """Ask for the tag names as a file, or for a sheet to print; the reply is `File`."""
 
     format: Literal["toml", "csv", "html"] = "toml"
 

@@ -17,7 +17,7 @@ class ReadWorld(Message, frozen=True):
 
 
 class CheckWorld(Message, frozen=True):
-    """Check a world and preview its lines: `WorldChecked`."""
+    """Check a world and preview its lines; the reply is `WorldChecked`."""
 
     world: dict[str, Any]
 

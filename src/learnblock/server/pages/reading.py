@@ -3,7 +3,7 @@
 from learnblock.errors import LearnBlockError
 from learnblock.server import messages
 
-#: Everything else writes: to the projects, or to the user's folder.
+#: All other messages write, either to the projects or to the user's folder.
 READING = frozenset(
     {
         # Robot, world, breakpoints and block set hold for this session, and are not saved.

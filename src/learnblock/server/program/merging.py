@@ -45,7 +45,7 @@ class Merged:
     Args:
         document: the program.
         alone: the program with the edit, but without what others have changed since.
-        lost: a program of which `document` lacks a change, which must be kept elsewhere.
+        lost: a program with a change that `document` lacks, so it must be kept elsewhere.
     """
 
     document: Document
@@ -60,7 +60,7 @@ def merged(now: Document, edit: Edit, *, keeps_unread: bool = False) -> Merged:
         now: the program as others have left it.
         edit: the edit.
         keeps_unread: whether a text that can't be parsed yet is kept if another view is edited,
-            because somebody else is writing it.
+            because another user is writing it.
     """
     found = _merged(now, edit)
     return _with_unread_text(now, found) if keeps_unread else found
@@ -87,7 +87,7 @@ def _merged(now: Document, edit: Edit) -> Merged:
     found = merge(base, *((theirs, ours) if edit.wins else (ours, theirs)))
     both = _rewritten(alone if edit.view == "blocks" else now, edit, found.text)
     if both.unread and not (_is_unread(alone, edit.view) or _is_unread(now, edit.view)):
-        # Each is a valid program, but together they are none.
+        # Each edit gives a valid program, but both together do not.
         return _preferred(now, alone, edit)
     lost = now if edit.wins else alone
     return Merged(both, alone, lost if found.is_conflict else None)

@@ -47,7 +47,7 @@ _NOT_IN_NAMES = re.compile(r"[^\w .-]+")
 
 @dataclass(frozen=True)
 class FileState:
-    """What tells one version of a file from another without reading it."""
+    """What distinguishes versions of a file without reading them."""
 
     inode: int
     changed: int
@@ -211,7 +211,7 @@ class ProjectFolder:
         return replace(project, name=name)
 
     def import_original(self, filename: str, data: bytes) -> "tuple[Project, Report]":
-        """Make a project of a file of the original LearnBlock, under a free name.
+        """Create a project from a file of the original LearnBlock, under a free name.
 
         Args:
             filename: ends in .blockProject or .lb.

@@ -43,13 +43,13 @@ from learnblock.storage.files import is_device_name
 
 ENDING = ".learnblock"
 VERSION = 1
-#: The limit in bytes; a thousand statements with their blocks have a tenth of it.
+#: The maximum size in bytes; a thousand statements with their blocks take a tenth of it.
 LARGEST = 4 * 1024 * 1024
 LONGEST_NAME = 100
-#: The limit of a program's imports.
+#: The maximum number of imports in a program.
 MOST_LIBRARIES = 1000
 
-# No separators, no first character that makes Unix hide it, no last one that Windows strips.
+# No separators, no first character that hides a file on Unix, no last one that Windows strips.
 _NAME = re.compile(r"[^\W_](?:[\w .-]*[\w-])?")
 
 

@@ -1,4 +1,4 @@
-"""The right to write to a folder of projects, which one server at a time has."""
+"""The right to write to a projects folder, which one server has at a time."""
 
 import os
 import socket
@@ -44,7 +44,7 @@ class Owner(msgspec.Struct, frozen=True):
 
     @property
     def phrase(self) -> Phrase:
-        """Say which process it is."""
+        """Describe the process for a person."""
         since = time.strftime("%Y-%m-%d %H:%M", time.localtime(self.since))
         shown = {"process": str(self.process), "since": since, "address": self.address}
         if self.computer == socket.gethostname():
@@ -53,9 +53,9 @@ class Owner(msgspec.Struct, frozen=True):
 
 
 class Writer:
-    """A claim to a folder of projects.
+    """A claim to a projects folder.
 
-    The system frees the lock of a process however it ends, so a crash leaves no obstacle.
+    The system releases a process's lock however the process ends, so a crash blocks nothing.
 
     Args:
         folder: the folder, which is made if it does not exist.
@@ -81,7 +81,7 @@ class Writer:
         """Try to get the right to write; return whether this server has it.
 
         Args:
-            patience: seconds to wait for another server to end.
+            patience: seconds to wait for another server to exit.
 
         Raises:
             OSError: nothing can be locked in this folder.
@@ -97,7 +97,7 @@ class Writer:
         return True
 
     def take_over(self, patience: float) -> bool:
-        """Ask the other server to end; return whether this one has the right to write then.
+        """Ask the other server to exit; return whether this one then has the right to write.
 
         Args:
             patience: seconds to wait for it.
@@ -112,14 +112,14 @@ class Writer:
             self._request.unlink(missing_ok=True)
 
     def describe(self, address: str) -> None:
-        """Leave a description of this server for others; nothing without the right to write."""
+        """Save a description of this server for others, if it has the right to write."""
         if self._lock.is_locked:
             with suppress(OSError):
                 save(self._description, msgspec.json.encode(Owner.this_process(address)))
 
     @property
     def owner(self) -> Owner | None:
-        """The server that has the right to write, as far as it is known."""
+        """The server that has the right to write; None if unknown."""
         try:
             with self._description.open("rb") as file:
                 return msgspec.json.decode(file.read(_LARGEST), type=Owner)
@@ -129,7 +129,7 @@ class Writer:
 
     @property
     def owner_phrase(self) -> Phrase:
-        """Say which server has the right to write."""
+        """Describe the server that has the right to write."""
         owner = self.owner
         return owner.phrase if owner else Phrase("server-owner-unknown")
 
@@ -139,7 +139,7 @@ class Writer:
         return self._lock.is_locked and self._request.exists()
 
     def release(self) -> None:
-        """Give up the right to write; a second time does nothing."""
+        """Give up the right to write; calling it twice is harmless."""
         if self._lock.is_locked:
             self._description.unlink(missing_ok=True)
             self._lock.release()
@@ -150,7 +150,7 @@ class Access:
     """What a server may do with its folder.
 
     Args:
-        writer: the right to write; None where nothing can be locked.
+        writer: the right to write; None if files in the folder can't be locked.
         read_only: why the server only reads; None if it also writes.
     """
 

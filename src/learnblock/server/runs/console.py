@@ -2,7 +2,7 @@
 
 import threading
 
-#: The limit of characters sent at once and kept for a page that opens later.
+#: The maximum number of characters sent at once and kept for a page that opens later.
 MOST_AT_ONCE = 20_000
 MOST_KEPT = 100_000
 

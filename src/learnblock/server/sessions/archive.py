@@ -18,7 +18,7 @@ from learnblock.server.sessions.saver import Saver
 
 #: Seconds of changes after which a version is saved.
 VERSION_PERIOD = 300.0
-#: Seconds between two looks at whether another program has changed the file.
+#: Seconds between two checks whether another program has changed the file.
 WATCH_PERIOD = 1.0
 
 Value = TypeVar("Value")
@@ -116,7 +116,7 @@ class Archive:
         await asyncio.gather(*self._tasks)
 
     async def _watch(self) -> None:
-        """Save soon after another program has changed the file, which first takes that in."""
+        """Save soon after another program has changed the file; saving first merges that change."""
         while True:
             await asyncio.sleep(WATCH_PERIOD)
             if not await to_thread.run_sync(self._found_outside):
@@ -169,7 +169,7 @@ class Archive:
     async def _tried(
         self, action: Callable[..., Value], *args: object, quietly: bool = False
     ) -> Value | None:
-        """Do something with files in a thread; report a failure unless `quietly`, as None."""
+        """Access files in a thread; on failure, report it unless `quietly`, and return None."""
         try:
             return await to_thread.run_sync(action, *args)
         except (LearnBlockError, OSError) as error:

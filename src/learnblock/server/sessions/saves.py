@@ -1,4 +1,4 @@
-"""What the file of an open project has held, to see what another program has changed in it."""
+"""The past contents of an open project's file, to find what another program has changed in it."""
 
 from collections import Counter, deque
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ MOST_SAVES = 50
 
 @dataclass(frozen=True)
 class Saved:
-    """What the file held after a save.
+    """The content of the file after a save.
 
     Args:
         project: the project.
@@ -28,7 +28,7 @@ class Saves:
     """The last saves of a project.
 
     Args:
-        first: what the file held when the project was opened.
+        first: the content of the file when the project was opened.
     """
 
     def __init__(self, first: Saved) -> None:
@@ -44,11 +44,11 @@ class Saves:
         self._saves.append(saved)
 
     def edited(self, view: View, text: str) -> Saved:
-        """The save that another program has most likely edited: the one least different.
+        """The save that another program has most likely edited: the one that differs least.
 
-        An editor may have read the file some saves ago, and what was saved since is then no change
-        of its author. If the text is exactly that of an earlier save, its author went back to it,
-        so it is an edit of the last one.
+        An editor may have read the file some saves ago; its author has not changed what was saved
+        since. A text that equals an earlier save is an edit of the last save: its author has
+        undone what came after.
 
         Args:
             view: the view in which it was edited.
