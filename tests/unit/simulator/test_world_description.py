@@ -16,6 +16,7 @@ EXPECTED = {
     "labyrinth",
     "line",
     "line-and-box",
+    "red-line",
     "lines",
     "obstacles",
     "tags",
