@@ -1,21 +1,18 @@
 """Worlds as the page edits and draws them: values, pictures, and files in the user's folder."""
 
-import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import msgspec
 
-from learnblock.errors import Diagnostic, WorldError
+from learnblock.errors import WorldError
 from learnblock.i18n import Phrase
 from learnblock.monitor.monitor import Lines
 from learnblock.monitor.pictures import png
-from learnblock.robots.simulated import find_world, own_worlds
+from learnblock.robots.simulated import check_file_name, find_world, own_worlds
 from learnblock.simulator import WorldFile, read_world, write_world
 from learnblock.storage.files import save
-
-_NAME = re.compile(r"\w(?:[\w -]{0,38}\w)?")
 
 
 def world_values(world: WorldFile) -> dict[str, Any]:
@@ -56,21 +53,11 @@ def save_world(name: str, values: Mapping[str, Any]) -> Path:
         WorldError: the world or its name is invalid.
         OSError: the file cannot be written.
     """
-    check_name(name)
+    check_file_name(name)
     text = write_world(world_from_values(values), name)
     path = own_worlds() / f"{name}.toml"
     save(path, text.encode())
     return path
-
-
-def check_name(name: str) -> None:
-    """Check the name of a world's file.
-
-    Raises:
-        WorldError: the name is not allowed.
-    """
-    if not _NAME.fullmatch(name):
-        raise WorldError(name, [Diagnostic("wrong-name", Phrase("world-bad-name", name=name))])
 
 
 def tag_picture(number: int) -> bytes:

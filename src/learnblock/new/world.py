@@ -3,9 +3,8 @@
 from pathlib import Path
 
 from learnblock.errors import NewNameError
-from learnblock.monitor.worlds import check_name
 from learnblock.new.template import fill
-from learnblock.robots.simulated import known_worlds, own_worlds
+from learnblock.robots.simulated import check_file_name, known_worlds, own_worlds
 
 
 def world_files(name: str, folder: Path) -> dict[Path, str]:
@@ -19,7 +18,7 @@ def world_files(name: str, folder: Path) -> dict[Path, str]:
         WorldError: the name is not allowed.
         NewNameError: a world of LearnBlock or a plugin has this name.
     """
-    check_name(name)
+    check_file_name(name)
     if name in known_worlds() and not (own_worlds() / f"{name}.toml").is_file():
         raise NewNameError("new-world-exists", name=name)
     title = name.replace("_", " ").replace("-", " ").capitalize()

@@ -22,6 +22,17 @@ world-picture-too-many-pixels = The floor picture '{ $picture }' has { $width } 
 world-picture-damaged = The floor picture '{ $picture }' is damaged.
 world-bad-name = A world cannot be called '{ $name }'. Use up to 40 letters, digits, hyphens, underscores and spaces.
 
+# Worlds as files to share. $limit is in MB.
+world-file-type = LearnBlock can't open this type of file as a world. Choose a .toml or .zip file.
+world-file-too-large = A world can have at most { $limit } MB, with its floor picture.
+world-zip-damaged = This .zip file is damaged. Export the world again.
+world-zip-too-many = This .zip file has more than { $most } files. Export the world again, or choose another file.
+world-zip-contents =
+    { $count ->
+        [0] There is no world in this .zip file. A world is a .toml file.
+       *[other] There are { $count } .toml files in this .zip file. Import one world at a time.
+    }
+
 # Files of simulated robots.
 
 world-disc-without-radius = A disc needs a 'radius'.

@@ -22,6 +22,17 @@ world-picture-too-many-pixels = La imagen del suelo '{ $picture }' tiene { $widt
 world-picture-damaged = La imagen del suelo '{ $picture }' está dañada.
 world-bad-name = Un mundo no puede llamarse '{ $name }'. Usa hasta 40 letras, cifras, guiones, guiones bajos y espacios.
 
+# Worlds as files to share. $limit is in MB.
+world-file-type = LearnBlock no puede abrir este tipo de archivo como mundo. Elige un archivo .toml o .zip.
+world-file-too-large = Un mundo puede ocupar como máximo { $limit } MB, incluida la imagen del suelo.
+world-zip-damaged = Este archivo .zip está dañado. Vuelve a exportar el mundo.
+world-zip-too-many = Este archivo .zip tiene más de { $most } archivos. Vuelve a exportar el mundo o elige otro archivo.
+world-zip-contents =
+    { $count ->
+        [0] En este archivo .zip no hay ningún mundo. Un mundo es un archivo .toml.
+       *[other] En este archivo .zip hay { $count } archivos .toml. Importa los mundos de uno en uno.
+    }
+
 # Archivos de robots simulados.
 
 world-disc-without-radius = Un disco necesita un 'radius'.

@@ -4,12 +4,19 @@ from learnblock.robots.simulated.drawing import draw
 from learnblock.robots.simulated.options import pace_factor
 from learnblock.robots.simulated.robot import SimulatedRobot, goal_of
 from learnblock.robots.simulated.simulation import STEPS_PER_POSE, Simulation
-from learnblock.robots.simulated.worlds import find_world, known_worlds, own_worlds, worlds
+from learnblock.robots.simulated.worlds import (
+    check_file_name,
+    find_world,
+    known_worlds,
+    own_worlds,
+    worlds,
+)
 
 __all__ = [
     "STEPS_PER_POSE",
     "SimulatedRobot",
     "Simulation",
+    "check_file_name",
     "draw",
     "find_world",
     "goal_of",

@@ -1,11 +1,16 @@
 """All worlds: built in, in the user's folder and from plugins."""
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from learnblock.errors import UnknownNameError
+from learnblock.errors import Diagnostic, UnknownNameError, WorldError
+from learnblock.i18n import Phrase
 from learnblock.simulator import WorldDescription, load_world, world_names
+from learnblock.storage.files import is_device_name
 from learnblock.storage.home import home
+
+_NAME = re.compile(r"\w(?:[\w -]{0,38}\w)?")
 
 
 def find_world(name_or_path: str) -> WorldDescription:
@@ -36,6 +41,16 @@ def known_worlds() -> tuple[str, ...]:
 def own_worlds() -> Path:
     """The folder of the user's worlds, which may not exist."""
     return home() / "worlds"
+
+
+def check_file_name(name: str) -> None:
+    """Check the name of a world's file.
+
+    Raises:
+        WorldError: the name is not allowed.
+    """
+    if not _NAME.fullmatch(name) or is_device_name(name):
+        raise WorldError(name, [Diagnostic("wrong-name", Phrase("world-bad-name", name=name))])
 
 
 def _plugin_worlds() -> Iterator[Path]:

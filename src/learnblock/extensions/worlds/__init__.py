@@ -1,0 +1,21 @@
+"""The user's own worlds: shared as one file, imported, renamed and deleted."""
+
+from learnblock.extensions.worlds.archive import ENDINGS, pack, unpack
+from learnblock.extensions.worlds.folder import delete, find, install, own_names, rename, restore
+from learnblock.extensions.worlds.packed_world import PackedWorld, is_same, plain_name, staged
+
+__all__ = [
+    "ENDINGS",
+    "PackedWorld",
+    "delete",
+    "find",
+    "install",
+    "is_same",
+    "own_names",
+    "pack",
+    "plain_name",
+    "rename",
+    "restore",
+    "staged",
+    "unpack",
+]
