@@ -40,7 +40,7 @@ async function use(preferred: ReadonlySignal<string>): Promise<void> {
   const code = preferred.value;
   const wanted = languages.includes(code) ? code : ENGLISH;
   await Promise.all([load(ENGLISH), load(wanted)]);
-  // The user may have chosen another language meanwhile.
+  // The user may have chosen a different language meanwhile.
   if (preferred.peek() === code) used.value = wanted;
 }
 

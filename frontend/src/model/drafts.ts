@@ -27,7 +27,7 @@ export interface Drafts {
 
 /** Keeps drafts in the browser's database. Without one, as in some private windows, it keeps nothing. */
 export class BrowserDrafts implements Drafts {
-  /** Tells the drafts of this page from those that another page of the same project may be writing. */
+  /** Distinguishes this page's drafts from those of another page that shows the same project. */
   private readonly page = crypto.getRandomValues(new Uint32Array(2)).join("-");
   private readonly writing = new Throttle(PERIOD);
   private readonly locks = navigator.locks as LockManager | undefined;

@@ -55,7 +55,7 @@ export class Program {
   readonly state = signal<ProgramState>(EMPTY);
   /** Whether the server has saved every edit. Until then, they are kept as drafts. */
   readonly saved = signal(true);
-  /** How often edits were found that an earlier page had left unsaved. */
+  /** How many times this page has found edits that an earlier page had left unsaved. */
   readonly recovered = signal(0);
   /** Why the program can't be changed here; null if it can. */
   readonly readOnly = signal<Phrase | null>(null);
@@ -222,7 +222,7 @@ export class Program {
     this.drafts.keep(name, this.unsaved.drafts);
   }
 
-  /** Handle an opened project: another one, or the same one after a reconnection. */
+  /** Handle an opened project: a different one, or the same one after reconnecting. */
   private opened(name: string): void {
     this.isNew = name !== this.project;
     const unsaved = this.isNew ? [] : this.unsaved.drafts;

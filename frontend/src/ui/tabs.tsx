@@ -7,7 +7,7 @@ import "./tabs.css";
 export interface Tab<Name extends string> {
   readonly name: Name;
   readonly text: string;
-  /** A number on the tab, such as that of the problems; 0 is not shown. */
+  /** A number on the tab, such as the number of problems; 0 is not shown. */
   readonly count?: number;
   /** Whether the number counts something serious. */
   readonly serious?: boolean;

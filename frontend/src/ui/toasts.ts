@@ -35,7 +35,7 @@ export class Toasts {
     this.show(toast);
     const end = effect(() => {
       if (!fixed() && this.shown.value.includes(toast)) return;
-      // After this turn: an effect that is still being created has no end.
+      // After this turn, because an effect cannot be stopped while it is being created.
       queueMicrotask(() => {
         end();
         this.dismiss(toast);

@@ -102,7 +102,7 @@ def own() -> tuple[tuple[BlockSet, ...], tuple[BlockSetError, ...]]:
 
 
 def read(file: Path) -> BlockSet:
-    """The set in a file.
+    """Read the set in a file.
 
     Raises:
         BlockSetError: it is invalid.

@@ -1,4 +1,4 @@
-"""The colours of calls: those of the tab with such functions."""
+"""The colours of calls: each call has the colour of the tab with its function."""
 
 from collections.abc import Mapping
 from types import MappingProxyType

@@ -21,13 +21,13 @@ from learnblock.errors import LearnBlockError
 from learnblock.robots.real import RealRobot
 from learnblock.robots.settings import RobotSettings
 
-#: Seconds for which to retry a robot that does not answer, and seconds between attempts.
+#: Seconds for which to retry a robot that does not respond, and seconds between attempts.
 #: It must not retry longer, because another program may be using the robot by then.
 TRIES_FOR, PAUSE = 5.0, 0.1
 
 
 class Guardian:
-    """A process that stops the robot's motors when this process ends for any reason.
+    """A process that stops the robot's motors when this process exits for any reason.
 
     Args:
         robot: the class whose `halt` stops the motors.
@@ -56,7 +56,7 @@ class Guardian:
         self._pipe.close()
 
     def leave_in_charge(self) -> None:
-        """Let the guardian stop the motors; it retries for some seconds and then ends."""
+        """Let the guardian stop the motors; it retries for some seconds and then exits."""
         self._pipe.close()
         threading.Thread(target=self._process.wait, name="guardian", daemon=True).start()
 

@@ -11,8 +11,8 @@ import { Editor } from "./editor";
 import "./editor.css";
 
 /**
- * @param name of the block, updated when it is saved under another one; empty for a new block.
- * @param line of its source to show, from 1; 0 for none.
+ * @param name The block's name, updated when the block is renamed; empty for a new block.
+ * @param line The line of its source to show, from 1; 0 for none.
  */
 export function createCustomBlockEditor(page: Page, all: CustomBlocks, name: Signal<string>, line: number): Island {
   const dom = document.createElement("div");

@@ -59,7 +59,7 @@ export class Commands {
     if (thing) this.draft.change(replaced(world, ref, turned(thing, degrees)), `turn ${key(ref)}`);
   }
 
-  /** Move by steps of the grid, or of another length in mm. */
+  /** Move by grid steps, or by a different distance in mm. */
   nudge(east: number, north: number, step = GRID): void {
     const { world, ref } = this.selection();
     const thing = world && ref && moved(world, ref, east * step, north * step);

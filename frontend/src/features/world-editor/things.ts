@@ -46,7 +46,7 @@ function withList(world: WorldValues, sort: Sort, list: readonly Thing[]): World
   return { ...world, [sort]: list };
 }
 
-/** The world with another object instead of an object. */
+/** The world with one object replaced by another. */
 export function replaced(world: WorldValues, ref: Ref, thing: Thing): WorldValues {
   const list = listOf(world, ref.sort).map((old, i) => (i === ref.index ? thing : old));
   return withList(world, ref.sort, list);

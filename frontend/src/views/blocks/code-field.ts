@@ -7,7 +7,7 @@ const LINE_HEIGHT = 18;
 const PADDING = 8;
 const SHORTEST = 60;
 
-/** Shows its lines and edits them in a text area; Enter starts a new line, Ctrl+Enter ends editing. */
+/** Shows lines and edits them in a text area; Enter starts a new line, Ctrl+Enter stops editing. */
 class FieldCode extends Blockly.FieldTextInput {
   private lines: SVGGElement | null = null;
 

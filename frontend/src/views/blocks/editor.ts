@@ -17,7 +17,7 @@ import { Sight } from "./sight";
 import { Sync } from "./sync";
 import { themeOf } from "./themes";
 
-/** The state that an editor hands to its successor in another language. */
+/** The state that an editor passes to the editor that replaces it in a different language. */
 interface View {
   readonly workspace: Workspace;
   /** The palette's open tab, by its name. */

@@ -106,7 +106,7 @@ class Blocks implements BlocksIsland {
     try {
       const palette = await fetchPalette(code);
       this.whenStill(() => {
-        // Another language may have been chosen meanwhile, or the page left.
+        // The user may have chosen a different language or left the page meanwhile.
         if (this.asked === asked) this.install(palette);
       });
     } catch (error) {

@@ -2,7 +2,7 @@
 
 import * as Blockly from "blockly/core";
 
-/** Blocks of Blockly that are in another tab than theirs. */
+/** Blockly's blocks that are in a different tab than usual. */
 const STYLES: Readonly<Record<string, string>> = {
   controls_if: "loop_blocks",
   controls_if_if: "loop_blocks",

@@ -98,7 +98,7 @@ class Console implements ConsoleIsland {
     try {
       await navigator.clipboard.writeText(this.lines.text());
     } catch {
-      // The clipboard is not available over plain HTTP from another computer: select the text instead.
+      // Over plain HTTP from another computer there is no clipboard: select the text instead.
       getSelection()?.selectAllChildren(this.lines.dom);
     }
   }

@@ -42,7 +42,7 @@ export class Lines {
     this.append([line]);
   }
 
-  /** Say the page's own lines in another language. */
+  /** Translate the page's own lines into a different language. */
   translate(): void {
     for (const [line, words] of this.own) line.textContent = words();
   }

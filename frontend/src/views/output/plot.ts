@@ -71,7 +71,7 @@ export class Plot {
 
   constructor(readonly dom: HTMLElement) {}
 
-  /** Replace the plot for other sensors, colours or another language. */
+  /** Replace the plot when the sensors, colours or language change. */
   choose(sensors: readonly Sensor[]): void {
     this.plot?.destroy();
     this.plot = null;

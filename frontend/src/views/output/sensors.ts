@@ -119,7 +119,7 @@ class Sensors implements SensorsIsland {
     return this.known.value.filter((sensor) => this.chosen.value.has(sensorId(sensor)));
   }
 
-  /** Recreate the plot for other sensors, another language or another theme. */
+  /** Recreate the plot when the sensors, language or theme change. */
   private followPlot(): void {
     void [this.known.value, this.chosen.value, language.value, preferences.value.theme, this.visibility.visible.value];
     this.replot();

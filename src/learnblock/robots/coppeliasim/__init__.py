@@ -111,7 +111,7 @@ class Robot(RealRobot[Settings]):
 
 
 def _relieve(guardian: Guardian, remote: Remote) -> None:
-    """End the guardian, unless the motors could not be stopped."""
+    """Stop the guardian, unless the motors could not be stopped."""
     if remote.is_lost:
         guardian.leave_in_charge()
     else:

@@ -30,7 +30,7 @@ class Heartbeat:
             raise RobotConnectionError(phrase.code, **phrase.values)
 
     def stop(self) -> None:
-        """End the thread."""
+        """Stop the thread."""
         self._stopped.set()
         self._thread.join()
 

@@ -48,7 +48,7 @@ class Remote:
         """Connect, and load the list of its functions.
 
         Raises:
-            RobotConnectionError: CoppeliaSim does not answer, or is too old.
+            RobotConnectionError: CoppeliaSim does not respond, or is too old.
         """
         self._sim = self._asked(lambda: self._client.require("sim"))
 
@@ -98,7 +98,7 @@ class Remote:
             self._client.context.term()
 
     def _prepare_socket(self, zmq: ModuleType) -> None:
-        """Set time limits: without them the client waits forever if nothing answers."""
+        """Set timeouts: without them the client waits forever if nothing responds."""
         options = {
             zmq.LINGER: 0,
             zmq.RCVTIMEO: round(1000 * self._timeout / ATTEMPTS),

@@ -46,7 +46,7 @@ class Simulation:
         """Check that the simulation has not been stopped; it may be paused.
 
         Raises:
-            RobotConnectionError: it is stopped, or CoppeliaSim does not answer.
+            RobotConnectionError: it is stopped, or CoppeliaSim does not respond.
         """
         if self._state() == STOPPED:
             raise RobotConnectionError("coppeliasim-stopped", place=self._remote.place)

@@ -69,7 +69,7 @@ class Robot(RealRobot[CozmoSettings]):
         chosen: settings that override those of the user's file; see `CozmoSettings`.
 
     Raises:
-        RobotConnectionError: Cozmo does not answer.
+        RobotConnectionError: Cozmo does not respond.
     """
 
     settings_type = CozmoSettings

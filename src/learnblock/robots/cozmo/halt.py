@@ -37,7 +37,7 @@ def halt(address: str, port: int, timeout: float) -> None:
         timeout: how long to wait for an answer, in seconds.
 
     Raises:
-        RobotConnectionError: the robot does not answer.
+        RobotConnectionError: the robot does not respond.
     """
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as wire:
         wire.connect(resolved(address, port))

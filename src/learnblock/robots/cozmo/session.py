@@ -43,7 +43,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         odometry: the robot's pose.
 
     Raises:
-        RobotConnectionError: no robot answers there.
+        RobotConnectionError: no robot responds at this address.
     """
 
     conn: Link
@@ -81,7 +81,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         self.del_all_handlers()
 
     def check(self) -> None:
-        """Check that the robot still answers.
+        """Check that the robot is still responding.
 
         Raises:
             RobotConnectionError: it has been silent for too long.

@@ -18,7 +18,7 @@ class AgentLink(Link):
         on_state: called with each new state.
 
     Raises:
-        RobotNotFoundError: no agent answers there.
+        RobotNotFoundError: no agent responds at this address.
         RobotConnectionError: the agent has a different secret or another client.
     """
 

@@ -12,7 +12,7 @@ from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.wires import open_wire
 
-#: Milliseconds that a motor runs without another command: the firmware has no watchdog, but it has
+#: Milliseconds that a motor runs without a new command: the firmware has no watchdog, but it has
 #: timed commands.
 RUN = 300
 #: For each kind of sensor: its type, its mode, and the factor of its value.

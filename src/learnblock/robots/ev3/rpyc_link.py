@@ -20,7 +20,7 @@ from learnblock.robots.real import require
 
 #: The maximum number of bytes of a message: an answer, or the traceback of an error.
 LARGEST = 1 << 20
-#: Seconds within which the slow processor must import python-ev3dev2 and finds its devices.
+#: Seconds within which the slow processor must import python-ev3dev2 and find its devices.
 BEGINNING = 20.0
 #: The code that starts answering on the brick, unless another program is being served. The file
 #: lock ends with the process, and is released when the program has stopped sending.
@@ -59,7 +59,7 @@ class RpycLink(Link):
         on_state: called with each new state.
 
     Raises:
-        RobotNotFoundError: no rpyc server answers there.
+        RobotNotFoundError: no rpyc server responds at this address.
         MissingPackageError: rpyc is not installed on this computer.
         RobotConnectionError: the brick has another client, or lacks a motor or python-ev3dev2.
     """
