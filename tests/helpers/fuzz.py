@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+import carried_files
 import coppeliasim_answers
 import cozmo_wires
 import custom_block_files as block_files
@@ -100,6 +101,8 @@ def targets(folder: Path) -> tuple[Target, ...]:
         Target("library's functions", library_files.read_functions, (library_files.FUNCTIONS,)),
         Target("library's Python", library_files.read_python, (library_files.PYTHON,)),
         Target("library in one file", library_files.read_archive, library_files.archives()),
+        Target("world in one file", carried_files.read_world, carried_files.world_texts()),
+        Target("carrying project", carried_files.read_project, carried_files.project_texts()),
         Target("source of blocks", block_files.read_source, (block_files.SOURCE,)),
         Target("chosen for blocks", block_files.read_configuration, (block_files.WORDS,)),
         Target("exported block", block_files.read_package, (block_files.PACKAGE,)),

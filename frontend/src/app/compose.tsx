@@ -8,6 +8,7 @@ import { Libraries, LibrariesProvider } from "../features/libraries/libraries";
 import { RobotMaker, RobotMakerProvider } from "../features/new-robot/robot-maker";
 import { RobotSettings, RobotSettingsProvider } from "../features/robot-settings/robot-settings";
 import { TagDictionary, TagDictionaryProvider } from "../features/tags/tag-dictionary";
+import { Worlds, WorldsProvider } from "../features/worlds/worlds";
 import { Announcer } from "../model/announcer";
 import type { Context } from "../model/context";
 import { Controls } from "../model/controls";
@@ -31,6 +32,7 @@ interface Stores {
   readonly robotMaker: RobotMaker;
   readonly robotSettings: RobotSettings;
   readonly tags: TagDictionary;
+  readonly worlds: Worlds;
 }
 
 export interface Composition {
@@ -40,11 +42,12 @@ export interface Composition {
 
 export function compose(): Composition {
   const connection = new Connection(socketAddress(), takeToken());
-  const stores = makeStores(connection);
-  return { page: makePage(connection, stores), stores };
+  const toasts = new Toasts();
+  const stores = makeStores(connection, toasts);
+  return { page: makePage(connection, toasts, stores), stores };
 }
 
-function makeStores(connection: Connection): Stores {
+function makeStores(connection: Connection, toasts: Toasts): Stores {
   return {
     blockSets: new BlockSets(connection),
     customBlocks: new CustomBlocks(connection),
@@ -52,15 +55,15 @@ function makeStores(connection: Connection): Stores {
     robotMaker: new RobotMaker(connection),
     robotSettings: new RobotSettings(connection),
     tags: new TagDictionary(connection),
+    worlds: new Worlds(connection, toasts),
   };
 }
 
-function makePage(connection: Connection, { blockSets, customBlocks, tags }: Stores): Page {
+function makePage(connection: Connection, toasts: Toasts, { blockSets, customBlocks, tags }: Stores): Page {
   const program = new Program(connection, new BrowserDrafts());
   const running = new Running(connection);
   const views = new Views();
   const dialogs = new Dialogs();
-  const toasts = new Toasts();
   const context: Context = {
     connection,
     program,
@@ -94,7 +97,9 @@ export function Providers({ of: { page, stores }, children }: { of: Composition;
           <LibrariesProvider value={stores.libraries}>
             <RobotMakerProvider value={stores.robotMaker}>
               <RobotSettingsProvider value={stores.robotSettings}>
-                <TagDictionaryProvider value={stores.tags}>{children}</TagDictionaryProvider>
+                <TagDictionaryProvider value={stores.tags}>
+                  <WorldsProvider value={stores.worlds}>{children}</WorldsProvider>
+                </TagDictionaryProvider>
               </RobotSettingsProvider>
             </RobotMakerProvider>
           </LibrariesProvider>

@@ -3,20 +3,22 @@ import { useEffect } from "preact/hooks";
 import { type CustomBlocks, useCustomBlocks } from "../features/custom-blocks/custom-blocks";
 import { EXPORTED } from "../features/custom-blocks/dialogs";
 import { ENDING, type Libraries, useLibraries } from "../features/libraries/libraries";
+import { useWorlds, WORLD_FILES, type Worlds } from "../features/worlds/worlds";
 import { t } from "../i18n";
 import { type Page, usePage } from "../model/page";
 
-/** Accepts files dropped anywhere on the page: a project, a custom block, or libraries. */
+/** Accepts files dropped anywhere on the page: a project, a world, a custom block, or libraries. */
 export function DropPlace() {
   const page = usePage();
   const libraries = useLibraries();
   const customBlocks = useCustomBlocks();
+  const worlds = useWorlds();
   const over = useSignal(false);
   useEffect(
     () =>
       catchFiles(
         (on) => (over.value = on),
-        (files) => void take({ ...page, libraries, customBlocks }, files),
+        (files) => void take({ ...page, libraries, customBlocks, worlds }, files),
       ),
     [],
   );
@@ -26,9 +28,13 @@ export function DropPlace() {
 interface Takers extends Page {
   readonly libraries: Libraries;
   readonly customBlocks: CustomBlocks;
+  readonly worlds: Worlds;
 }
 
-async function take({ customBlocks, dialogs, libraries, project }: Takers, files: readonly File[]): Promise<void> {
+async function take(
+  { customBlocks, dialogs, libraries, project, worlds }: Takers,
+  files: readonly File[],
+): Promise<void> {
   const packed = files.filter((one) => one.name.endsWith(ENDING));
   if (packed.length) {
     dialogs.show("libraries");
@@ -36,6 +42,7 @@ async function take({ customBlocks, dialogs, libraries, project }: Takers, files
   }
   const [file] = files;
   if (!file) return;
+  if (WORLD_FILES.some((ending) => file.name.endsWith(ending))) return worlds.import(file);
   if (!file.name.endsWith(EXPORTED)) return project.import(file);
   dialogs.show("customBlocks");
   return customBlocks.import(file);

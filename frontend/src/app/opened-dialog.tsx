@@ -7,11 +7,13 @@ import { LibrariesDialog } from "../features/libraries/dialog";
 import { NewRobotDialog } from "../features/new-robot/dialog";
 import { HistoryDialog } from "../features/projects/history";
 import { ImportedDialog } from "../features/projects/imported";
+import { OfferedDialog } from "../features/projects/offered";
 import { OpenDialog } from "../features/projects/open";
 import { DeleteDialog, NewDialog, RenameDialog, SaveAsDialog } from "../features/projects/save-and-delete";
 import { PerceptionDialog, RobotSettingsDialog } from "../features/robot-settings/dialogs";
 import { SettingsDialog, ShortcutsDialog } from "../features/settings/dialogs";
 import { TagsDialog } from "../features/tags/dialog";
+import { RenameWorldDialog } from "../features/worlds/rename";
 import { t } from "../i18n";
 import { usePage } from "../model/page";
 import { Dialog } from "../ui/dialog";
@@ -27,6 +29,7 @@ const DIALOGS = {
   shortcuts: ShortcutsDialog,
   settings: SettingsDialog,
   worldEditor: WorldEditorDialog,
+  renameWorld: RenameWorldDialog,
   blockSets: BlockSetsDialog,
   tags: TagsDialog,
   robotSettings: RobotSettingsDialog,
@@ -40,7 +43,9 @@ export function OpenedDialog() {
   const { dialogs, project } = usePage();
   const name = dialogs.open.value;
   const report = project.imported.value;
-  if (name === null) return report && <ImportedDialog report={report} />;
+  const offered = project.offered.value;
+  if (name === null && report) return <ImportedDialog report={report} />;
+  if (name === null) return offered && project.reviewing.value && <OfferedDialog offered={offered} />;
   if (typeof name === "object" && "customBlock" in name)
     return <CustomBlockDialog key={name.customBlock} name={name} />;
   if (typeof name === "object") return <DeleteDialog name={name.delete} />;
@@ -49,10 +54,14 @@ export function OpenedDialog() {
 }
 
 function WorldEditorDialog() {
-  const { context, dialogs } = usePage();
+  const { context, dialogs, project } = usePage();
   const load = async () => {
     const { createWorldEditor } = await import("../features/world-editor");
-    return createWorldEditor(context, () => dialogs.close());
+    return createWorldEditor(
+      context,
+      () => dialogs.close(),
+      (name) => project.freeWorldTitle(name),
+    );
   };
   return (
     <Dialog title={t("page-bar-edit-world")} close={() => dialogs.close()} size="whole">

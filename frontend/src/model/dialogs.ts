@@ -12,6 +12,7 @@ export type DialogName =
   | "shortcuts"
   | "settings"
   | "worldEditor"
+  | "renameWorld"
   | "blockSets"
   | "tags"
   | "robotSettings"

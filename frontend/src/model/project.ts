@@ -5,6 +5,7 @@ import { type Phrase, say, t, translated } from "../i18n";
 import { addressedProject, nameProject, renameProject } from "../protocol/address";
 import type { Connection } from "../protocol/connection";
 import type {
+  CodeOffered,
   Conflict,
   Export,
   History,
@@ -22,6 +23,8 @@ import { robotTitle } from "./robots";
 const FIRST_EXAMPLE = "square";
 /** The server's limit. */
 const LARGEST_FILE = 1_000_000;
+/** Its limit of a project with everything that it needs. */
+const LARGEST_PROJECT = 3_500_000;
 const LONGEST_NAME = 100;
 /** The files that the page opens. */
 export const IMPORTED = [".learnblock", ".bt", ".py", ".blockProject", ".lb"];
@@ -37,6 +40,10 @@ export class Project {
   readonly history = signal<History | null>(null);
   /** What the last import changed, until the user has read it. */
   readonly imported = signal<OriginalImported | null>(null);
+  /** The code that the project brings and the user has not installed. */
+  readonly offered = signal<CodeOffered | null>(null);
+  /** Whether the user is reading that code. */
+  readonly reviewing = signal(false);
   /** Whether to choose a project when the list arrives. */
   private choosing = false;
   /** The project to delete once another one is open. */
@@ -58,6 +65,8 @@ export class Project {
       if (report.changed.length + report.missing.length) this.imported.value = report;
     });
     connection.on("File", ({ filename, text }) => saveFile(filename, text, "text/plain"));
+    connection.on("CodeOffered", (offered) => this.offer(offered));
+    connection.on("Noted", ({ message }) => this.toasts.note(say(message)));
     connection.on("Conflict", (conflict) => this.tellConflict(conflict));
     connection.on("TakenIn", () => {
       // A page that only reads follows the other one all the time.
@@ -129,7 +138,7 @@ export class Project {
     if (!IMPORTED.some((ending) => file.name.endsWith(ending))) {
       return this.toasts.error(t("page-project-wrong-file", { name: file.name }));
     }
-    if (file.size > LARGEST_FILE) {
+    if (file.size > (file.name.endsWith(".learnblock") ? LARGEST_PROJECT : LARGEST_FILE)) {
       return this.toasts.error(t("page-project-large-file", { name: file.name }));
     }
     this.program.flush();
@@ -139,6 +148,11 @@ export class Project {
     }
     const filename = file.name.slice(-LONGEST_NAME);
     this.connection.send({ kind: "ImportOriginal", filename, content: await inBase64(file) });
+  }
+
+  /** Install the code that the project brings. */
+  installOffered(): void {
+    this.connection.send({ kind: "InstallOffered" });
   }
 
   /** A robot's display name. */
@@ -153,6 +167,15 @@ export class Project {
     return world?.own ? world.title : translated(`page-catalog-world-${name}`, world?.title ?? name);
   }
 
+  /** A title for a copy of a world that no world has yet. */
+  freeWorldTitle(name: string): string {
+    const taken = new Set(this.worlds.value.flatMap((one) => [one.name, this.worldTitle(one.name)]));
+    const title = this.worldTitle(name);
+    let number = 2;
+    while (taken.has(`${title} ${number}`)) number++;
+    return `${title} ${number}`;
+  }
+
   /** Handle a new connection, the first one or a reconnection. */
   private begin(welcome: Welcome): void {
     this.welcome.value = welcome;
@@ -162,6 +185,21 @@ export class Project {
     if (name) return this.open(name);
     this.choosing = true;
     this.list();
+  }
+
+  private offer(offered: CodeOffered): void {
+    const names = [...(offered.blocks ?? []), ...(offered.libraries ?? [])].map((one) => one.name);
+    if (names.length === 0) {
+      if (this.offered.value) this.toasts.note(t("page-project-offered-done"));
+      this.offered.value = null;
+      return;
+    }
+    this.offered.value = offered;
+    this.toasts.show({
+      sort: "note",
+      text: t("page-project-offered", { names: names.join(", ") }),
+      action: { text: t("page-project-offered-review"), run: () => (this.reviewing.value = true) },
+    });
   }
 
   private listed(projects: readonly ProjectEntry[]): void {
@@ -174,6 +212,8 @@ export class Project {
   }
 
   private opened(name: string): void {
+    this.offered.value = null;
+    this.reviewing.value = false;
     this.name.value = name;
     nameProject(name);
     if (this.doomed && this.doomed !== name) this.connection.send({ kind: "Delete", name: this.doomed });

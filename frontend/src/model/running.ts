@@ -43,7 +43,9 @@ export class Running {
       this.breakpoints.value = new Set(settings.breakpoints);
     });
     connection.on("RunState", (state) => {
-      if (state.state === "starting") this.variables.value = this.ended.value = this.line.value = null;
+      // It is idle again once the user has chosen another world.
+      if (state.state === "starting" || state.state === "idle")
+        this.variables.value = this.ended.value = this.line.value = null;
       this.state.value = state;
     });
     connection.on("Telemetry", (telemetry) => (this.telemetry.value = telemetry));

@@ -113,6 +113,12 @@ export interface ChooseWorld {
   name: string;
 }
 
+export interface CodeOffered {
+  kind: "CodeOffered";
+  blocks?: OfferedCode[];
+  libraries?: OfferedCode[];
+}
+
 export interface Complete {
   kind: "Complete";
   request: number;
@@ -200,6 +206,11 @@ export interface DeleteBlockSet {
 
 export interface DeleteCustomBlock {
   kind: "DeleteCustomBlock";
+  name: string;
+}
+
+export interface DeleteWorld {
+  kind: "DeleteWorld";
   name: string;
 }
 
@@ -317,6 +328,11 @@ export interface ExportTags {
   format?: "csv" | "html" | "toml";
 }
 
+export interface ExportWorld {
+  kind: "ExportWorld";
+  name: string;
+}
+
 export interface Exportable {
   kind: "Exportable";
   functions: ExportableFunction[];
@@ -388,6 +404,12 @@ export interface ImportOriginal {
   content: string;
 }
 
+export interface ImportWorld {
+  kind: "ImportWorld";
+  filename: string;
+  content: string;
+}
+
 export interface Input {
   block?: Block | null;
   shadow?: Block | null;
@@ -397,6 +419,10 @@ export interface Input {
 export interface InputWanted {
   kind: "InputWanted";
   prompt: string;
+}
+
+export interface InstallOffered {
+  kind: "InstallOffered";
 }
 
 export interface InstalledLibrary {
@@ -482,6 +508,17 @@ export interface New {
   kind: "New";
   name?: string;
   example?: string | null;
+}
+
+export interface Noted {
+  kind: "Noted";
+  message: Phrase;
+}
+
+export interface OfferedCode {
+  name: string;
+  source: string;
+  replaces: boolean;
 }
 
 export interface Open {
@@ -626,6 +663,12 @@ export interface RenameProject {
   name: string;
 }
 
+export interface RenameWorld {
+  kind: "RenameWorld";
+  name: string;
+  title: string;
+}
+
 export interface ResetWorld {
   kind: "ResetWorld";
 }
@@ -637,6 +680,11 @@ export interface Restore {
 
 export interface RestoreCustomBlock {
   kind: "RestoreCustomBlock";
+  name: string;
+}
+
+export interface RestoreWorld {
+  kind: "RestoreWorld";
   name: string;
 }
 
@@ -930,6 +978,18 @@ export interface WorldChoice {
   own: boolean;
 }
 
+export interface WorldDeleted {
+  kind: "WorldDeleted";
+  name: string;
+  title: string;
+}
+
+export interface WorldExported {
+  kind: "WorldExported";
+  filename: string;
+  content: string;
+}
+
 export interface WorldToEdit {
   kind: "WorldToEdit";
   name: string;
@@ -948,6 +1008,12 @@ export type FromPage =
   | New
   | Import
   | ImportOriginal
+  | InstallOffered
+  | ImportWorld
+  | ExportWorld
+  | RenameWorld
+  | DeleteWorld
+  | RestoreWorld
   | SaveAs
   | RenameProject
   | Delete
@@ -1043,6 +1109,10 @@ export type ToPage =
   | Scene
   | WorldToEdit
   | WorldChecked
+  | WorldExported
+  | WorldDeleted
+  | CodeOffered
+  | Noted
   | CustomBlocks
   | CustomBlockChecked
   | CustomBlockSaved

@@ -26,6 +26,11 @@ export async function inBase64(file: File): Promise<string> {
   return btoa(letters.join(""));
 }
 
+/** The bytes in base64. */
+export function bytesOf(content: string): Uint8Array<ArrayBuffer> {
+  return Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0));
+}
+
 function ask(endings: string, multiple: boolean, take: (files: readonly File[]) => void): void {
   const input = document.createElement("input");
   input.type = "file";

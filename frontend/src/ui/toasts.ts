@@ -9,7 +9,7 @@ export interface Toast {
 }
 
 const MOST = 4;
-/** Errors stay until the user dismisses them or they are fixed. */
+/** Errors stay until the user dismisses them or they are fixed; so do notes with an action. */
 const NOTE_STAYS = 6000;
 
 export class Toasts {
@@ -18,7 +18,7 @@ export class Toasts {
   show(toast: Toast): void {
     const others = this.shown.value.filter((one) => one.text !== toast.text);
     this.shown.value = [...others, toast].slice(-MOST);
-    if (toast.sort === "note") setTimeout(() => this.dismiss(toast), NOTE_STAYS);
+    if (toast.sort === "note" && !toast.action) setTimeout(() => this.dismiss(toast), NOTE_STAYS);
   }
 
   note(text: string): void {

@@ -64,3 +64,11 @@ test("a project that opens brings its robot, world and breakpoints", () => {
   expect([...run.breakpoints.value]).toEqual(["b2"]);
   expect(run.active.value).toBe(false);
 });
+
+test("another world clears the variables and the end of the run before", () => {
+  const [run, connection] = running();
+  connection.tell({ kind: "Ended", ended: "finished" });
+  connection.tell({ kind: "Variables" });
+  connection.tell({ kind: "RunState", state: "idle" });
+  expect([run.ended.value, run.variables.value, run.state.value.state]).toEqual([null, null, "idle"]);
+});

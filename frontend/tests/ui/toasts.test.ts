@@ -41,3 +41,11 @@ test("an error that can be fixed goes once it is fixed, and no other does", asyn
   await Promise.resolve();
   expect(texts(toasts)).toEqual(["disk full"]);
 });
+
+test("a note with an action stays until the user dismisses it", () => {
+  const toasts = new Toasts();
+  toasts.show({ sort: "note", text: "deleted", action: { text: "Restore", run: () => {} } });
+  toasts.note("saved");
+  vi.runAllTimers();
+  expect(texts(toasts)).toEqual(["deleted"]);
+});

@@ -40,7 +40,7 @@ COMMANDS = {
     "open": Place("page", "open_command", "Open a program (.learnblock, .bt or .py) in the page"),
     "perception": Place("perception", "perception_group", "Show or change camera recognition"),
     "robots": Place("robots", "robots_group", "List robots; configure, find or test real ones"),
-    "run": Place("programs", "run", "Run a program (.bt or .py) on a robot"),
+    "run": Place("programs", "run", "Run a program (.bt, .py or .learnblock) on a robot"),
     "sets": Place("sets", "sets_command", "List the block sets"),
     "skills": Place("listing", "skills", "List the skills, or describe one"),
     "tags": Place("tags", "tags_group", "List, change, import, export or print tag names"),

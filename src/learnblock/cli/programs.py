@@ -45,7 +45,7 @@ _ROBOT = click.option("--robot", metavar="NAME", help="The robot: see learnblock
 @click.option("--allow-network", is_flag=True, help="Let the program use the network.")
 @json_option
 def run(file: Path, as_json: bool, **choices: Any) -> None:  # noqa: FBT001 - a flag of click
-    """Run a program (.bt or .py) on a robot.
+    """Run a program (.bt, .py or .learnblock) on a robot.
 
     \b
     learnblock run examples/square.bt --robot sim-ev3 --picture square.png
@@ -150,10 +150,11 @@ def convert(file: Path, notation: str, robot: str | None, as_json: bool) -> None
 def _diagnose(file: Path, robot: str | None) -> tuple[list[Diagnostic], str]:
     """A program's diagnostics, and its text for the caret."""
     from learnblock import robots, running  # noqa: PLC0415
+    from learnblock.cli.project_files import read  # noqa: PLC0415
 
     entry = robots.find(robot) if robot else None
     try:
-        source = running.read(file)
+        source = read(file)
     except FileError as error:
         return list(error.diagnostics), error.source
     return running.check(source, entry), source.text

@@ -3,17 +3,18 @@
 import signal
 import sys
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import ExitStack, contextmanager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 from time import monotonic
 from types import FrameType
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import click
 
 from learnblock import running
 from learnblock.cli.console import ExitCode, located, print_json, say, text
+from learnblock.cli.project_files import ProgramFile, opened
 from learnblock.client import Goal
 from learnblock.devices import DEFAULT_KEY
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
@@ -47,6 +48,24 @@ _EXIT_CODES = {
 def run_and_report(
     file: Path,
     *,
+    as_json: bool,
+    **choices: Any,
+) -> int:
+    """Run a program, print the report, and return the exit code."""
+    with ExitStack() as stack:
+        try:
+            found = stack.enter_context(opened(file))
+        except FileError as error:
+            if as_json:
+                print_json(_refused_report(str(file), error.diagnostics))
+            raise
+        return _run_found(found, file, as_json=as_json, **choices)
+
+
+def _run_found(
+    found: ProgramFile,
+    file: Path,
+    *,
     robot: str | None,
     world: str | None,
     seed: int | None,
@@ -58,14 +77,11 @@ def run_and_report(
     allow_network: bool,
     as_json: bool,
 ) -> int:
-    """Run a program, print the report, and return the exit code."""
-    try:
-        source = running.read(file)
-    except FileError as error:
-        if as_json:
-            print_json(_refused_report(str(file), error.diagnostics))
-        raise
-    entry = running.choose_robot(source, robot)
+    source = found.source
+    entry = running.choose_robot(source, robot or found.robot)
+    if world is None and entry.load().lockstep:
+        # A real robot is in the world where it is.
+        world = found.world
     if _refused(source, entry, anyway=anyway, as_json=as_json):
         return ExitCode.MISTAKES
     if picture and picture.suffix not in {".png", ".svg"}:
@@ -73,11 +89,10 @@ def run_and_report(
     network = allow_network or running.may_use_network(file)
     options = Options(world, seed, pace, _time_limit(pace, seconds), network=network)
     entry.load().check_wishes(options.wishes)
+    program = replace(running.program(source, entry), tags=found.tags)
     with _opened(trace) as trace_file:
         watcher = _Collector() if as_json else _Terminal()
-        session = ProgramRun(
-            running.program(source, entry), entry, options, trace=trace_file, watcher=watcher
-        )
+        session = ProgramRun(program, entry, options, trace=trace_file, watcher=watcher)
         watcher.session = session
         report = _run(session)
         watcher.clear()

@@ -7,6 +7,7 @@ Each line names one tag:
 """
 
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 
@@ -23,6 +24,20 @@ LONGEST_NAME = 100
 LARGEST = 256 * 1024
 
 
+#: The numbers that the running program uses instead of the user's.
+_preferred: dict[str, int] = {}
+
+
+@contextmanager
+def preferring(names: Mapping[str, int]) -> Iterator[None]:
+    """Let this process look up these names before the user's."""
+    _preferred.update(names)
+    try:
+        yield
+    finally:
+        _preferred.clear()
+
+
 def tag_id(tag: int | str) -> int:
     """Find the number of a tag by its number or by its name in the dictionary.
 
@@ -33,6 +48,8 @@ def tag_id(tag: int | str) -> int:
     """
     number = _whole(tag)
     if number is None:
+        if str(tag) in _preferred:
+            return _preferred[str(tag)]
         names = tag_names()
         if str(tag) not in names:
             raise UnknownNameError("tag", str(tag), names)

@@ -5,7 +5,7 @@ from learnblock.running.network import may_use_network
 from learnblock.running.preparing import DEFAULT_ROBOT, check, choose_robot, program
 from learnblock.running.program_run import Options, ProgramRun
 from learnblock.running.report import Report
-from learnblock.running.source import Source, read, read_text
+from learnblock.running.source import Source, read, read_text, source_of
 
 __all__ = [
     "DEFAULT_ROBOT",
@@ -20,4 +20,5 @@ __all__ = [
     "program",
     "read",
     "read_text",
+    "source_of",
 ]

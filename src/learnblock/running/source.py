@@ -26,15 +26,13 @@ class Source:
         path: the path as the user gave it.
         text: its content.
         tree: the program as a tree.
+        is_python: whether the text is Python.
     """
 
     path: Path
     text: str
     tree: Tree
-
-    @property
-    def is_python(self) -> bool:
-        return self.path.suffix == ".py"
+    is_python: bool = False
 
     @property
     def imports(self) -> frozenset[str]:
@@ -66,9 +64,17 @@ def read(path: Path) -> Source:
     if path.suffix not in {".bt", ".py"}:
         problem = Diagnostic("unknown-notation", Phrase("run-unknown-file-type"))
         raise ProgramError(name, [problem])
-    text = read_text(path)
-    notation = language.from_python if path.suffix == ".py" else language.parse
-    return Source(path, text, notation(text, name))
+    return source_of(path, read_text(path), is_python=path.suffix == ".py")
+
+
+def source_of(path: Path, text: str, *, is_python: bool) -> Source:
+    """Read the text of a program.
+
+    Raises:
+        ProgramError: it is invalid; the error lists every mistake found.
+    """
+    notation = language.from_python if is_python else language.parse
+    return Source(path, text, notation(text, str(path)), is_python)
 
 
 def read_text(path: Path) -> str:

@@ -7,7 +7,7 @@ import signal
 import socket
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from functools import partial
 from types import CodeType, FrameType, SimpleNamespace, TracebackType
 from typing import Any, NoReturn
@@ -87,6 +87,12 @@ def _ended(link: Link[FromHost], fence: Callable[[Setup], None] | None) -> Ended
         return Ended(Fault(error.phrase, ()))
 
 
+def _preferring(tags: dict[str, int]) -> AbstractContextManager[None]:
+    from learnblock.perception import tag_names  # noqa: PLC0415 - few projects have their own tags
+
+    return tag_names.preferring(tags)
+
+
 class _Program:
     """A running program."""
 
@@ -121,6 +127,8 @@ class _Program:
         }
         if self._owns_process:
             self._cleanup.enter_context(self._own_process(namespace))
+        if self._setup.tags:
+            self._cleanup.enter_context(_preferring(self._setup.tags))
         self._cleanup.callback(self._output.finish)
         self._cleanup.callback(self._stop_robot)
         self._code = code

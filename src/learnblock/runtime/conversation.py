@@ -40,6 +40,7 @@ class Conversation:
                 debug=self._control,
                 limits=limits,
                 network=network,
+                tags=dict(program.tags),
             )
         )
 

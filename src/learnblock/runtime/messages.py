@@ -62,6 +62,8 @@ class Setup(Message, frozen=True):
         robots: the modules besides ours from which it may import a ``Robot``.
         debug: where it should pause at first; None without a debugger.
         limits: the resources that it may use.
+        network: whether it may use the network.
+        tags: the numbers of tags, by name, that it uses instead of the user's.
     """
 
     source: str
@@ -72,6 +74,7 @@ class Setup(Message, frozen=True):
     debug: Control | None
     limits: Limits
     network: bool = False
+    tags: dict[str, int] = {}
 
 
 class DeviceOffer(msgspec.Struct, frozen=True, array_like=True):

@@ -3,7 +3,8 @@
 import ast
 import hashlib
 import re
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from learnblock.language.python.source_map import SourceMap
@@ -21,6 +22,7 @@ class Program:
         written: the source as its author wrote it, in either notation.
         source_map: from lines of `python` to lines of `written`; None where both are the same.
         folder: where its modules are imported from; "" for nowhere.
+        tags: the numbers of tags, by name, that it uses instead of the user's.
     """
 
     name: str
@@ -28,6 +30,7 @@ class Program:
     written: str
     source_map: SourceMap | None = None
     folder: str = ""
+    tags: Mapping[str, int] = field(default_factory=dict)
 
     @cached_property
     def identity(self) -> str:

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from contextlib import suppress
 from pathlib import Path
 from types import ModuleType
 
@@ -14,6 +15,20 @@ def home() -> Path:
     from platformdirs import user_config_path  # noqa: PLC0415 - most programs never need it
 
     return user_config_path("learnblock", appauthor=False)
+
+
+def home_id() -> str:
+    """A random word that tells this folder from others; empty if it can't be saved."""
+    from uuid import uuid4  # noqa: PLC0415 - most programs never need it
+
+    from learnblock.storage.files import save  # noqa: PLC0415 - as above
+
+    file = home() / "home-id"
+    with suppress(OSError, UnicodeDecodeError):
+        if not file.exists():
+            save(file, uuid4().hex.encode())
+        return file.read_text("ascii").strip()[:100]
+    return ""
 
 
 def import_file(path: Path) -> ModuleType:

@@ -1,5 +1,6 @@
 /** The world with the robot, its camera and manual control. */
 
+import { WorldMenu } from "../../features/worlds/menu";
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
 import { arrange, preferences } from "../../model/preferences";
@@ -53,6 +54,7 @@ function Head() {
         onClick={() => arrange({ camera: !camera })}
       />
       <IconButton icon="drive" word="page-shell-drive" pressed={drive} onClick={() => arrange({ drive: !drive })} />
+      {!active.value && !scene.value?.real && <WorldMenu />}
     </div>
   );
 }

@@ -4,7 +4,7 @@ import { signal } from "@preact/signals";
 import { type Phrase, t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
 import type { Exportable, FromPage, InstalledLibrary, LibraryRead, MakeLibrary } from "../../protocol/messages";
-import { inBase64, saveFile } from "../../ui/files";
+import { bytesOf, inBase64, saveFile } from "../../ui/files";
 import { provided } from "../../ui/provided";
 import { fileOf, type Incoming, looked, renamed } from "./incoming";
 
@@ -131,7 +131,7 @@ export class Libraries {
   }
 
   private made(filename: string, content: string): void {
-    saveFile(filename, bytes(content), "application/zip");
+    saveFile(filename, bytesOf(content), "application/zip");
     this.done(t("page-libraries-made", { filename }));
   }
 
@@ -148,8 +148,4 @@ export const [LibrariesProvider, useLibraries] = provided<Libraries>("Libraries"
 
 async function incoming(file: File): Promise<Incoming> {
   return { filename: file.name.slice(-100), content: await inBase64(file), renamings: [], read: null };
-}
-
-function bytes(content: string): Uint8Array<ArrayBuffer> {
-  return Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0));
 }

@@ -40,6 +40,7 @@ export class Editor implements Island {
   constructor(
     private readonly context: Context,
     onClose: () => void,
+    private readonly freeTitle: (name: string) => string,
   ) {
     const { connection } = context;
     this.checking = new Checking(this.draft, connection);
@@ -105,7 +106,8 @@ export class Editor implements Island {
     const left = unsaved(name);
     this.opened = { name, world: values };
     this.draft.open(values);
-    this.saving.propose(save_as, save_as === name);
+    if (save_as === name) this.saving.propose(values.title || name, name);
+    else this.saving.propose(this.freeTitle(name));
     if (left) this.goOn(left);
     this.plan.fit();
   }

@@ -77,9 +77,9 @@ export class Properties implements Island {
   }
 
   private ofWorld(world: WorldValues): HTMLElement[] {
-    const { title, ambient_light, floor } = world;
-    const own = form("world", { title, ambient_light }, (name, update) => {
-      this.changeWorld(name, (now) => ({ ...now, [name]: update(now[name as "title"]) }));
+    const { ambient_light, floor } = world;
+    const own = form("world", { ambient_light }, (name, update) => {
+      this.changeWorld(name, (now) => ({ ...now, [name]: update(now[name as "ambient_light"]) }));
     });
     const ground = form("floor", { ...floor }, (name, update) => {
       this.changeWorld(name, (now) => ({

@@ -6,6 +6,9 @@ import type { Connection } from "../../protocol/connection";
 import type { Island } from "../../ui/island";
 import type { Draft } from "./drafts";
 
+/** The server's limit. */
+const LONGEST = 40;
+
 type Outcome = { readonly word: string; readonly name: string } | { readonly text: string };
 
 export class Saving implements Island {
@@ -16,8 +19,8 @@ export class Saving implements Island {
   private readonly status = document.createElement("span");
   private readonly outcome = signal<Outcome | null>(null);
   private saving = "";
-  /** The world that may be replaced without a question. */
-  private own = "";
+  /** The user's world that is edited: what its field says, and the name of its file. */
+  private own = { title: "", name: "" };
   private readonly endings: (() => void)[];
 
   /**
@@ -40,10 +43,10 @@ export class Saving implements Island {
     ];
   }
 
-  /** Propose a name: the name of the edited world, if it belongs to the user. */
-  propose(name: string, own: boolean): void {
-    this.name.value = name;
-    this.own = own ? name : "";
+  /** Propose a title for the world; `own` is the file's name if the world belongs to the user. */
+  propose(title: string, own = ""): void {
+    this.name.value = title;
+    this.own = own ? { title, name: own } : { title: "", name: "" };
     this.outcome.value = null;
   }
 
@@ -60,8 +63,8 @@ export class Saving implements Island {
   private build(): void {
     this.dom.className = "editor-saving";
     this.name.required = true;
-    this.name.maxLength = 40;
-    this.name.pattern = "[\\p{L}\\p{N}_]([\\p{L}\\p{N}_ \\-]*[\\p{L}\\p{N}_])?";
+    this.name.maxLength = LONGEST;
+    this.name.pattern = ".*[\\p{L}\\p{N}_].*";
     this.status.role = "status";
     this.label.append(document.createElement("span"), this.name);
     this.dom.append(this.label, this.button, this.status);
@@ -87,16 +90,20 @@ export class Saving implements Island {
   private save(): void {
     const world = this.draft.world.peek();
     if (!world || this.problems.peek().length) return;
-    this.saving = this.name.value;
-    const replace = this.saving === this.own;
-    const sent = this.connection.send({ kind: "SaveWorld", name: this.saving, world: { ...world }, replace });
+    const title = this.name.value.trim();
+    const replace = title === this.own.title;
+    this.saving = replace ? this.own.name : fileName(title);
+    // The list of worlds shows what the user has typed here.
+    const titled = { ...world, title };
+    const sent = this.connection.send({ kind: "SaveWorld", name: this.saving, world: titled, replace });
     if (!sent) this.refused(t("page-editor-offline"));
   }
 
   private saved(): void {
     if (!this.saving) return;
-    this.outcome.value = { word: "page-editor-saved", name: this.saving };
-    this.own = this.saving;
+    const title = this.name.value.trim();
+    this.outcome.value = { word: "page-editor-saved", name: title };
+    this.own = { title, name: this.saving };
     this.done(this.saving);
     this.saving = "";
   }
@@ -104,8 +111,17 @@ export class Saving implements Island {
   private refused(text: string): void {
     if (!this.saving) return;
     // Saving under that name a second time, after the warning, replaces the world.
-    this.own = this.saving;
+    this.own = { title: this.name.value.trim(), name: this.saving };
     this.saving = "";
     this.outcome.value = { text };
   }
+}
+
+/** The name of the file of a world with this title, as the server allows it. */
+export function fileName(title: string): string {
+  const plain = title
+    .normalize("NFC")
+    .replace(/[^\p{L}\p{N}_-]+/gu, " ")
+    .slice(0, LONGEST);
+  return plain.replace(/^[ -]+|[ -]+$/g, "");
 }

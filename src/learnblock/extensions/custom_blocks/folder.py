@@ -119,10 +119,13 @@ def export(name: str) -> tuple[str, str]:
     Raises:
         UnknownNameError: there is no such block.
         BlockConfigurationError: its configuration is invalid.
+        ProgramError: its source is too large.
+        OSError: it can't be read.
     """
-    block = find(name)
-    packed = package.pack(Package(block.name, block.source, block.configuration))
-    return block.name + package.ENDING, packed
+    source = _existing(name)
+    configuration = _chosen(_configuration(source))
+    packed = package.pack(Package(name, skill_files.read(source), configuration))
+    return name + package.ENDING, packed
 
 
 def import_file(text: str, *, replace: bool = False) -> CustomBlock:

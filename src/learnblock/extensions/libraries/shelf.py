@@ -106,6 +106,21 @@ def remove(name: str) -> None:
     present.rename(trash)
 
 
+def keep(name: str) -> None:
+    """Copy a library that is installed into the trash, before it is replaced.
+
+    Raises:
+        OSError: it cannot be copied.
+    """
+    library = readable().get(name)
+    if library is None:
+        return
+    trash = folder() / ".trash" / name
+    trash.parent.mkdir(exist_ok=True)
+    _delete(trash)
+    write(library, trash)
+
+
 def _folder_of(name: str) -> Path:
     found = installed_libraries.installed()
     if name not in found:

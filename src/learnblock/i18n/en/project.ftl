@@ -59,3 +59,18 @@ project-world-replaced = { $problem } The project now uses the world '{ $world }
 project-blocks-replaced = { $problem } The project now shows all blocks.
 project-library-missing = This program was made with version { $version } of the library '{ $library }', which is not installed. Import the library.
 project-library-older = This program was made with version { $version } of the library '{ $library }', but version { $installed } is installed. Import the newer version.
+
+## What a file carries
+
+# $example is JSON; $last is the highest number of a tag.
+project-expects-tags = It must give the number of each tag, from 0 to { $last }, such as { $example }.
+project-expects-carried = Remove 'carried' from the file to open the program alone.
+project-world-added = This project brought its world '{ $world }'. It is now one of your worlds.
+project-world-renamed = You already have another world '{ $world }', so the one of this project is now called '{ $here }'.
+# $problem is a sentence.
+project-world-damaged = The world '{ $world }' in this project's file can't be used: { $problem }
+# $names is a list of names.
+project-tags-added = This project brought tag names: { $names }. They are now among your tag names.
+project-tag-differs = In this project, the tag '{ $name }' has the number { $number }; in your tag names it has { $here }. The project uses { $number }. To change that, edit your tag names.
+# $limit is in bytes.
+project-carries-less = The downloaded file lacks the project's world, or its blocks and libraries, because it would be larger than { $limit } bytes. Export them separately.

@@ -140,6 +140,6 @@ run-no-debugger = This run cannot be paused because it was started without a deb
 
 # A program's file.
 
-run-unknown-file-type = LearnBlock can run .bt files (Block-Text) and .py files (Python) only.
+run-unknown-file-type = LearnBlock can run .bt files (Block-Text), .py files (Python) and .learnblock files (projects) only.
 # $byte is a number such as 0xe9.
 run-not-utf-8 = Byte { $byte } is not UTF-8. Save the file as UTF-8.

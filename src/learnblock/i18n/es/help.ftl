@@ -190,7 +190,7 @@ help-robots-test = Prueba todos los dispositivos de un robot, uno tras otro.
 help-robots-test-with-yes = No pregunta; el robot se mueve enseguida.
 help-robots-setup = Prepara un robot: copia nuestro agente a un EV3 o nuestros scripts a una escena.
 
-help-run = Ejecuta un programa (.bt o .py) en un robot.
+help-run = Ejecuta un programa (.bt, .py o .learnblock) en un robot.
 help-run-with-robot = { help-check-with-robot }
 help-run-with-world = { help-emulate-with-world }
 help-run-with-seed = Semilla de todo el ruido; la misma semilla da la misma ejecución.

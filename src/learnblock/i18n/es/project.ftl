@@ -51,3 +51,18 @@ project-world-replaced = { $problem } El proyecto usa ahora el mundo '{ $world }
 project-blocks-replaced = { $problem } El proyecto muestra ahora todos los bloques.
 project-library-missing = Este programa se hizo con la versión { $version } de la biblioteca '{ $library }', que no está instalada. Importa la biblioteca.
 project-library-older = Este programa se hizo con la versión { $version } de la biblioteca '{ $library }', pero está instalada la versión { $installed }. Importa la versión más nueva.
+
+## Lo que lleva un archivo
+
+# $example es JSON; $last es el número más alto de una etiqueta.
+project-expects-tags = Debe dar el número de cada etiqueta, de 0 a { $last }, como { $example }.
+project-expects-carried = Quita 'carried' del archivo para abrir solo el programa.
+project-world-added = Este proyecto traía su mundo '{ $world }'. Ahora es uno de tus mundos.
+project-world-renamed = Ya tienes otro mundo '{ $world }', así que el de este proyecto se llama ahora '{ $here }'.
+# $problem es una frase.
+project-world-damaged = El mundo '{ $world }' del archivo de este proyecto no se puede usar: { $problem }
+# $names es una lista de nombres.
+project-tags-added = Este proyecto traía nombres de etiquetas: { $names }. Ahora están entre tus nombres de etiquetas.
+project-tag-differs = En este proyecto, la etiqueta '{ $name }' tiene el número { $number }; en tus nombres de etiquetas tiene el { $here }. El proyecto usa el { $number }. Para cambiarlo, edita tus nombres de etiquetas.
+# $limit está en bytes.
+project-carries-less = Al archivo descargado le falta el mundo del proyecto, o sus bloques y bibliotecas, porque ocuparía más de { $limit } bytes. Expórtalos por separado.

@@ -139,6 +139,6 @@ run-no-debugger = Esta ejecución no se puede pausar porque se inició sin depur
 
 # El archivo de un programa.
 
-run-unknown-file-type = LearnBlock solo puede ejecutar archivos .bt (Block-Text) y .py (Python).
+run-unknown-file-type = LearnBlock solo puede ejecutar archivos .bt (Block-Text), .py (Python) y .learnblock (proyectos).
 # $byte es un número como 0xe9.
 run-not-utf-8 = El byte { $byte } no es UTF-8. Guarda el archivo como UTF-8.

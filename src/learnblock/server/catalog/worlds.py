@@ -45,4 +45,4 @@ def _world_choices() -> Iterator[WorldChoice]:
             world = simulated.find_world(name)
         except WorldError:
             continue
-        yield WorldChoice(name, world.title, own=(own / f"{name}.toml").is_file())
+        yield WorldChoice(name, world.title or name, own=(own / f"{name}.toml").is_file())

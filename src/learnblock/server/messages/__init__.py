@@ -6,6 +6,7 @@ Each message is a JSON object with a `kind`; only camera frames are binary (see 
 """
 
 from learnblock.server.messages.base import (
+    LONGEST_CONTENT,
     LONGEST_TEXT,
     MOST_CARRIED,
     Coordinate,
@@ -28,6 +29,12 @@ from learnblock.server.messages.block_sets import (
     ListBlockSets,
     ReadBlockSet,
     SaveBlockSet,
+)
+from learnblock.server.messages.carrying import (
+    CodeOffered,
+    InstallOffered,
+    Noted,
+    OfferedCode,
 )
 from learnblock.server.messages.custom_blocks import (
     MOST_ARGUMENTS,
@@ -169,11 +176,18 @@ from learnblock.server.messages.tags import (
 )
 from learnblock.server.messages.worlds import (
     CheckWorld,
+    DeleteWorld,
+    ExportWorld,
+    ImportWorld,
     ReadWorld,
+    RenameWorld,
+    RestoreWorld,
     SaveWorld,
     Scene,
     WorldChecked,
     WorldChoice,
+    WorldDeleted,
+    WorldExported,
     Worlds,
     WorldToEdit,
 )
@@ -183,6 +197,12 @@ FromPage = (
     | New
     | Import
     | ImportOriginal
+    | InstallOffered
+    | ImportWorld
+    | ExportWorld
+    | RenameWorld
+    | DeleteWorld
+    | RestoreWorld
     | SaveAs
     | RenameProject
     | Delete
@@ -279,6 +299,10 @@ ToPage = (
     | Scene
     | WorldToEdit
     | WorldChecked
+    | WorldExported
+    | WorldDeleted
+    | CodeOffered
+    | Noted
     | CustomBlocks
     | CustomBlockChecked
     | CustomBlockSaved
@@ -299,6 +323,7 @@ ToPage = (
 )
 
 __all__ = [
+    "LONGEST_CONTENT",
     "LONGEST_TEXT",
     "MOST_ARGUMENTS",
     "MOST_BREAKPOINTS",
@@ -318,6 +343,7 @@ __all__ = [
     "ChooseBlockSet",
     "ChooseRobot",
     "ChooseWorld",
+    "CodeOffered",
     "Complete",
     "Completion",
     "Completions",
@@ -332,6 +358,7 @@ __all__ = [
     "Delete",
     "DeleteBlockSet",
     "DeleteCustomBlock",
+    "DeleteWorld",
     "Describe",
     "Description",
     "Document",
@@ -346,6 +373,7 @@ __all__ = [
     "ExportBlockSet",
     "ExportCustomBlock",
     "ExportTags",
+    "ExportWorld",
     "Exportable",
     "ExportableBlocks",
     "ExportableFunction",
@@ -360,7 +388,9 @@ __all__ = [
     "ImportCustomBlock",
     "ImportLibraries",
     "ImportOriginal",
+    "ImportWorld",
     "InputWanted",
+    "InstallOffered",
     "InstalledLibrary",
     "Libraries",
     "LibrariesRead",
@@ -379,6 +409,8 @@ __all__ = [
     "Name",
     "New",
     "Notation",
+    "Noted",
+    "OfferedCode",
     "Open",
     "Opened",
     "OriginalImported",
@@ -403,9 +435,11 @@ __all__ = [
     "RemoveLibrary",
     "Rename",
     "RenameProject",
+    "RenameWorld",
     "ResetWorld",
     "Restore",
     "RestoreCustomBlock",
+    "RestoreWorld",
     "Resume",
     "Robot",
     "RobotBegun",
@@ -454,6 +488,8 @@ __all__ = [
     "WhenNow",
     "WorldChecked",
     "WorldChoice",
+    "WorldDeleted",
+    "WorldExported",
     "WorldToEdit",
     "Worlds",
 ]

@@ -8,6 +8,8 @@ from msgspec import Meta, Struct
 LONGEST_TEXT = 250_000
 #: The limit in characters of other files, such as blocks or a library.
 LONGEST_FILE = 1_000_000
+#: That of a file with a picture in it: a world, or a project with its world.
+LONGEST_CONTENT = 3_500_000
 #: The maximum number of block sets saved in one project.
 MOST_CARRIED = 8
 

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import LONGEST_FILE, FileText, Message, Name
+from learnblock.server.messages.base import LONGEST_CONTENT, LONGEST_FILE, Message, Name
 from learnblock.server.messages.worlds import WorldChoice
 
 # From the page.
@@ -38,7 +38,7 @@ class Import(Message, frozen=True):
     """
 
     filename: Name
-    text: FileText
+    text: Annotated[str, Meta(max_length=LONGEST_CONTENT)]
 
 
 class ImportOriginal(Message, frozen=True):

@@ -1,11 +1,11 @@
 """Messages about worlds: their appearance, and editing them."""
 
-from typing import Any
+from typing import Annotated, Any
 
-from msgspec import Struct
+from msgspec import Meta, Struct
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import Message, Name
+from learnblock.server.messages.base import LONGEST_CONTENT, Message, Name
 
 # From the page.
 
@@ -36,6 +36,43 @@ class SaveWorld(Message, frozen=True):
     replace: bool = False
 
 
+class ImportWorld(Message, frozen=True):
+    """Save the world in a file under its name or a free one, and choose it.
+
+    Args:
+        filename: ends in .toml or .zip.
+        content: its bytes in base64.
+    """
+
+    filename: Name
+    content: Annotated[bytes, Meta(max_length=LONGEST_CONTENT)]
+
+
+class ExportWorld(Message, frozen=True):
+    """Ask for a world as a file: `WorldExported`."""
+
+    name: Name
+
+
+class RenameWorld(Message, frozen=True):
+    """Give one of the user's worlds another title: `Worlds`."""
+
+    name: Name
+    title: Name
+
+
+class DeleteWorld(Message, frozen=True):
+    """Move one of the user's worlds into the trash: `Worlds` and `WorldDeleted`."""
+
+    name: Name
+
+
+class RestoreWorld(Message, frozen=True):
+    """Take a world out of the trash, and choose it: `Worlds`."""
+
+    name: Name
+
+
 # To the page.
 
 
@@ -48,9 +85,23 @@ class WorldChoice(Struct, frozen=True):
 
 
 class Worlds(Message, frozen=True):
-    """All worlds, after one was saved."""
+    """All worlds, after one of them has changed."""
 
     worlds: tuple[WorldChoice, ...]
+
+
+class WorldExported(Message, frozen=True):
+    """A world as a file: its TOML, or a zip with its floor picture too."""
+
+    filename: str
+    content: bytes
+
+
+class WorldDeleted(Message, frozen=True):
+    """A world is in the trash, from which `RestoreWorld` takes it."""
+
+    name: str
+    title: str
 
 
 class Scene(Message, frozen=True):

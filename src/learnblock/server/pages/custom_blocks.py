@@ -16,7 +16,7 @@ async def _list(page: Page, _: messages.ListCustomBlocks) -> None:
     if await to_thread.run_sync(page.sessions.block_files.have_changed):
         await _renew(page)
         return
-    page.send(await to_thread.run_sync(_all))
+    page.send(await to_thread.run_sync(listed))
 
 
 async def _check(page: Page, message: messages.CheckCustomBlock) -> None:
@@ -72,7 +72,7 @@ async def _have_changed(page: Page, saved: str = "") -> None:
 
 
 async def _renew(page: Page) -> None:
-    blocks = await to_thread.run_sync(_all)
+    blocks = await to_thread.run_sync(listed)
     await page.sessions.renew_blocks(page.session)
     page.sessions.send(blocks)
 
@@ -80,7 +80,8 @@ async def _renew(page: Page) -> None:
 # These are slow and run in a thread.
 
 
-def _all() -> messages.CustomBlocks:
+def listed() -> messages.CustomBlocks:
+    """All custom blocks."""
     return messages.CustomBlocks(tuple(map(_custom_block, custom_blocks.load_all())))
 
 

@@ -19,7 +19,7 @@ from learnblock.server.pages.page import Handler, Page
 
 
 async def _list(page: Page, _: messages.ListLibraries) -> None:
-    page.send(await to_thread.run_sync(_all))
+    page.send(await to_thread.run_sync(listed))
 
 
 async def _list_exportable(page: Page, _: messages.ListExportable) -> None:
@@ -64,13 +64,14 @@ async def _use(page: Page, message: messages.UseLibrary) -> None:
 async def _changing(page: Page, change: Callable[[], None]) -> None:
     await to_thread.run_sync(change)
     await page.sessions.renew_blocks(page.session)
-    page.sessions.send(await to_thread.run_sync(_all))
+    page.sessions.send(await to_thread.run_sync(listed))
 
 
 # Answers.
 
 
-def _all() -> messages.Libraries:
+def listed() -> messages.Libraries:
+    """All installed libraries."""
     return messages.Libraries(tuple(map(_shelved, libraries.shelved())))
 
 

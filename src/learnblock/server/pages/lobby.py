@@ -10,6 +10,7 @@ from learnblock.server import catalog
 from learnblock.server.pages import (
     asking,
     block_sets,
+    carrying,
     controlling,
     custom_blocks,
     editing,
@@ -36,6 +37,7 @@ HANDLERS = {
     **tags.HANDLERS,
     **settings.HANDLERS,
     **libraries.HANDLERS,
+    **carrying.HANDLERS,
     **custom_blocks.HANDLERS,
     **robot_making.HANDLERS,
 }

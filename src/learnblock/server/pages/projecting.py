@@ -6,9 +6,11 @@ from dataclasses import replace
 from anyio import to_thread
 
 from learnblock import running
+from learnblock.i18n import Phrase
 from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handler, Page
-from learnblock.server.projects.project_file import Project
+from learnblock.server.projects.packing import fits
+from learnblock.server.projects.project_file import LARGEST, Project
 from learnblock.server.sessions.prepared import DEFAULT_WORLD
 
 _EMPTY = "main:\n    pass\nend\n"
@@ -29,6 +31,7 @@ async def _import(page: Page, message: messages.Import) -> None:
     folder = page.sessions.folder
     project = await to_thread.run_sync(folder.import_file, message.filename, message.text)
     await page.move_to(await page.sessions.start(project))
+    page.session.archive.changed()
 
 
 async def _import_original(page: Page, message: messages.ImportOriginal) -> None:
@@ -44,6 +47,8 @@ async def _import_original(page: Page, message: messages.ImportOriginal) -> None
 async def _save_as(page: Page, message: messages.SaveAs) -> None:
     page.new_projects.take()
     await page.move_to(await page.sessions.start(replace(page.session.project, name=message.name)))
+    # The file of the copy does not carry anything yet.
+    page.session.archive.changed()
 
 
 async def _rename(page: Page, message: messages.RenameProject) -> None:
@@ -59,6 +64,8 @@ async def _export(page: Page, message: messages.Export) -> None:
     folder, project = page.sessions.folder, page.session.project
     filename, text = await to_thread.run_sync(folder.export, project, message.format)
     page.send(messages.File(filename, text))
+    if message.format == "learnblock" and not await to_thread.run_sync(fits, project):
+        page.send(messages.Failed(Phrase("project-carries-less", limit=LARGEST)))
 
 
 async def _list(page: Page, _: messages.ListProjects) -> None:

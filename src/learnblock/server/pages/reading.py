@@ -13,7 +13,7 @@ READING = frozenset(
         messages.Run, messages.Stop, messages.Pause, messages.Resume, messages.Step,
         messages.SetSpeed, messages.Answer, messages.ResetWorld, messages.PlaceRobot,
         messages.Drive, messages.WatchCamera, messages.TryCustomBlock,
-        messages.ReadWorld, messages.CheckWorld,
+        messages.ReadWorld, messages.CheckWorld, messages.ExportWorld,
         messages.ListCustomBlocks, messages.CheckCustomBlock, messages.ExportCustomBlock,
         messages.ListBlockSets, messages.ReadBlockSet, messages.ExportBlockSet,
         messages.ReadSettings, messages.ReadTags, messages.ExportTags,

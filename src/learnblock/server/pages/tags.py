@@ -10,7 +10,9 @@ from learnblock.server.pages.page import Handler, Page
 
 
 async def _save(page: Page, message: messages.SaveTags) -> None:
+    before = dict((await to_thread.run_sync(catalog.tag_dictionary)).names)
     await to_thread.run_sync(tag_names.save_names, message.names)
+    page.sessions.tags_changed(before, message.names)
     page.sessions.send(await to_thread.run_sync(catalog.tag_dictionary))
 
 

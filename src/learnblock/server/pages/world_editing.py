@@ -6,7 +6,7 @@ from typing import Any
 
 from anyio import to_thread
 
-from learnblock.errors import LearnBlockError, WorldError
+from learnblock.errors import LearnBlockError, UnknownNameError, WorldError
 from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handler, Page
 
@@ -27,8 +27,68 @@ async def _save(page: Page, message: messages.SaveWorld) -> None:
     if wrong:
         page.send(wrong)
         return
-    session.viewers.send(messages.Worlds(await to_thread.run_sync(catalog.world_choices)))
+    await _have_changed(page)
     await session.choose_world(message.name)
+
+
+async def _import(page: Page, message: messages.ImportWorld) -> None:
+    def install() -> str:
+        from learnblock.extensions import worlds  # noqa: PLC0415
+
+        return worlds.install(worlds.unpack(message.filename, message.content))
+
+    name = await to_thread.run_sync(install)
+    await _have_changed(page)
+    await page.session.choose_world(name)
+
+
+async def _export(page: Page, message: messages.ExportWorld) -> None:
+    def pack() -> tuple[str, bytes]:
+        from learnblock.extensions import worlds  # noqa: PLC0415
+
+        return worlds.pack(worlds.find(message.name))
+
+    page.send(messages.WorldExported(*await to_thread.run_sync(pack)))
+
+
+async def _rename(page: Page, message: messages.RenameWorld) -> None:
+    def rename() -> None:
+        from learnblock.extensions import worlds  # noqa: PLC0415
+
+        worlds.rename(message.name, message.title)
+
+    await to_thread.run_sync(rename)
+    await _have_changed(page)
+
+
+async def _delete(page: Page, message: messages.DeleteWorld) -> None:
+    title = await to_thread.run_sync(_title, message.name)
+    await page.sessions.leave_world(page.session, message.name)
+
+    def delete() -> None:
+        from learnblock.extensions import worlds  # noqa: PLC0415
+
+        worlds.delete(message.name)
+
+    await to_thread.run_sync(delete)
+    await _have_changed(page)
+    page.send(messages.WorldDeleted(message.name, title))
+
+
+async def _restore(page: Page, message: messages.RestoreWorld) -> None:
+    def restore() -> None:
+        from learnblock.extensions import worlds  # noqa: PLC0415
+
+        worlds.restore(message.name)
+
+    await to_thread.run_sync(restore)
+    await _have_changed(page)
+    await page.session.choose_world(message.name)
+
+
+async def _have_changed(page: Page) -> None:
+    """Send every page of every project the worlds."""
+    page.sessions.send(messages.Worlds(await to_thread.run_sync(catalog.world_choices)))
 
 
 # The simulator is slow to import, and the server answers before that.
@@ -56,9 +116,23 @@ def _save_as(name: str) -> str:
 
 
 def _is_own(name: str) -> bool:
-    from learnblock.robots.simulated import own_worlds  # noqa: PLC0415
+    from learnblock.extensions import worlds  # noqa: PLC0415
 
-    return name in {file.stem for file in own_worlds().glob("*.toml")}
+    return name in worlds.own_names()
+
+
+def _title(name: str) -> str:
+    """The title of one of the user's worlds.
+
+    Raises:
+        UnknownNameError: there is no such world.
+    """
+    from learnblock.extensions import worlds  # noqa: PLC0415
+
+    if name not in worlds.own_names():
+        raise UnknownNameError("world", name, worlds.own_names())
+    titles = {one.name: one.title for one in catalog.world_choices()}
+    return titles.get(name, name)
 
 
 def _checked(values: dict[str, Any]) -> messages.WorldChecked:
@@ -86,4 +160,9 @@ HANDLERS: Mapping[type, Handler] = {
     messages.ReadWorld: _read,
     messages.CheckWorld: _check,
     messages.SaveWorld: _save,
+    messages.ImportWorld: _import,
+    messages.ExportWorld: _export,
+    messages.RenameWorld: _rename,
+    messages.DeleteWorld: _delete,
+    messages.RestoreWorld: _restore,
 }

@@ -24,6 +24,7 @@ from learnblock.language.python.generation import ROBOT_IMPORT
 from learnblock.running import DEFAULT_ROBOT
 from learnblock.server.messages import LONGEST_TEXT, PastRun, ProjectEntry, Version
 from learnblock.server.projects.history import History, Reason
+from learnblock.server.projects.packing import encode_whole
 from learnblock.server.projects.project_file import (
     ENDING,
     LARGEST,
@@ -99,6 +100,17 @@ class ProjectFolder:
     def file(self, name: str) -> Path:
         """The path of a project's file, which may not exist."""
         return self._path(name)
+
+    def write_whole(self, project: Project) -> None:
+        """Save a project with everything of the user's that it needs, completely or not at all.
+
+        Raises:
+            ProjectError: it can't be saved; the file is unchanged.
+        """
+        self._require_writing()
+        path = self._path(project.name)
+        with _reporting(path, "save"):
+            save(path, encode_whole(project))
 
     def state(self, name: str) -> FileState | None:
         """The state of a project's file, which differs after any change; None without a file."""
@@ -245,7 +257,7 @@ class ProjectFolder:
         elif format_ == "py":
             text = project.python if project.python is not None else _python(project)
         else:
-            text = encode(project).decode()
+            text = encode_whole(project, leaves=True).decode()
         return f"{project.name}.{format_}", text
 
     # History.

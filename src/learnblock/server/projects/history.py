@@ -3,7 +3,7 @@
 import re
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal, cast
 
@@ -11,6 +11,7 @@ import msgspec
 
 from learnblock.errors import UnknownNameError
 from learnblock.server.messages import PastRun, Version
+from learnblock.server.projects.carried import NOTHING
 from learnblock.server.projects.project_file import ENDING, LARGEST, Project, decode, encode
 from learnblock.storage.files import save
 
@@ -45,7 +46,9 @@ class History:
             ProjectError: it can't be written as a file.
             OSError: the folder can't be written to.
         """
-        return self.keep_file(encode(project), reason, project.blocktext.count("\n") + 1)
+        # Only the program of a version is restored.
+        data = encode(replace(project, carried=NOTHING))
+        return self.keep_file(data, reason, project.blocktext.count("\n") + 1)
 
     def keep_file(self, data: bytes, reason: Reason, lines: int) -> str:
         """Save a project's file as a version, even a damaged one, as `keep` does.

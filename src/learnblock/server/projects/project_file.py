@@ -15,7 +15,10 @@
 
 Texts are lists of lines. ``python`` is present only if its author wrote it by hand, ``workspace``
 has the positions of the blocks, ``breakpoints`` has ids of blocks, ``shown`` and ``block_sets``
-choose blocks in the palette, and ``libraries`` has the versions with which the program was made.
+choose blocks in the palette, ``libraries`` has the versions with which the program was made, and
+``tags`` the numbers of tags that differ from the user's. ``carried`` (see `carried`) has what the
+program needs of its author's own things; a file with it has version 2, so that older versions of
+LearnBlock ask for a newer one.
 """
 
 import codecs
@@ -35,14 +38,18 @@ from learnblock.errors import Diagnostic, ProjectError
 from learnblock.extensions.libraries import Name, Version
 from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
+from learnblock.perception.tag_names import LAST_TAG
 from learnblock.running import DEFAULT_ROBOT
 from learnblock.server.messages import MOST_BREAKPOINTS, MOST_CARRIED, Id
+from learnblock.server.projects.carried import NOTHING, Carried, CarriedWorld, Code, TagNames
 from learnblock.storage.file_phrases import place as phrase_of_place
 from learnblock.storage.file_phrases import unknown_key
 from learnblock.storage.files import is_device_name
 
 ENDING = ".learnblock"
 VERSION = 1
+#: The version of a file that carries something.
+CARRYING_VERSION = 2
 #: The maximum size in bytes; a thousand statements with their blocks take a tenth of it.
 LARGEST = 4 * 1024 * 1024
 LONGEST_NAME = 100
@@ -68,6 +75,8 @@ class Project:
         shown: the name of the block set that the palette shows.
         block_sets: the block sets that are saved in the project.
         libraries: the versions with which the program was made, by name.
+        tags: the numbers of tags, by name, that this project uses instead of the user's.
+        carried: the author's own things that the program needs.
     """
 
     name: str
@@ -80,6 +89,8 @@ class Project:
     shown: str = EVERYTHING
     block_sets: tuple[BlockSet, ...] = ()
     libraries: Mapping[str, str] = dataclasses.field(default_factory=dict)
+    tags: Mapping[str, int] = dataclasses.field(default_factory=dict)
+    carried: Carried = NOTHING
 
 
 Choice = Annotated[str, Meta(max_length=LONGEST_NAME)]
@@ -98,6 +109,8 @@ class _File(Struct, forbid_unknown_fields=True):
     shown: Choice = EVERYTHING
     block_sets: Annotated[tuple[BlockSet, ...], Meta(max_length=MOST_CARRIED)] = ()
     libraries: Annotated[dict[Name, Version], Meta(max_length=MOST_LIBRARIES)] = {}
+    tags: TagNames = {}
+    carried: Carried = NOTHING
     python: list[str] | None = None
     workspace: Workspace | None = None
 
@@ -185,6 +198,8 @@ def _project(file: _File, name: str) -> Project:
         shown=file.shown,
         block_sets=file.block_sets,
         libraries=file.libraries,
+        tags=file.tags,
+        carried=file.carried,
     )
 
 
@@ -203,11 +218,11 @@ def _text(data: bytes, filename: str) -> str:
 def _check_version(version: object, filename: str) -> None:
     if version is None:
         _refuse(filename, "no-project", Phrase("project-none", start=_START))
-    if version != VERSION or isinstance(version, bool):
+    if version not in (VERSION, CARRYING_VERSION) or isinstance(version, bool):
         _refuse(
             filename,
             "unknown-version",
-            Phrase("project-version", version=f"{version!r:.40}", known=str(VERSION)),
+            Phrase("project-version", version=f"{version!r:.40}", known=str(CARRYING_VERSION)),
         )
 
 
@@ -238,8 +253,18 @@ _EXPECTED = {
     "shown": Phrase("project-expects-shown"),
     "block_sets": Phrase("project-expects-block-sets", limit=MOST_CARRIED),
     "libraries": Phrase("project-expects-libraries", example='{"dance": "1.2.0"}'),
+    "tags": Phrase("project-expects-tags", example='{"door": 12}', last=LAST_TAG),
+    "carried": Phrase("project-expects-carried"),
     "workspace": Phrase("project-expects-workspace"),
 }
+#: The positions of a file with keys of their own.
+_PARTS: tuple[tuple[str, type[Struct]], ...] = (
+    (r"block_sets.*\.(?:show|hide)", BlockNames),
+    (r"block_sets.*", BlockSet),
+    (r"carried\.world", CarriedWorld),
+    (r"carried\.(?:code|offered)", Code),
+    (r"carried", Carried),
+)
 
 
 def _explained(refusal: str, text: str) -> Diagnostic:
@@ -269,10 +294,8 @@ def _wrong_value(place: str, key: str, text: str) -> Phrase:
 
 def _known(place: str) -> tuple[str, ...]:
     """The keys that are allowed at a position."""
-    if not place.startswith("block_sets"):
-        return _File.__struct_fields__
-    kind = BlockNames if place.endswith((".show", ".hide")) else BlockSet
-    return kind.__struct_fields__
+    found = (kind for pattern, kind in _PARTS if re.fullmatch(pattern, place))
+    return next(found, _File).__struct_fields__
 
 
 def _shown(place: str, text: str) -> str | None:
@@ -320,7 +343,8 @@ _SPREAD = 3
 
 def _values(project: Project) -> dict[str, Any]:
     """The file's values; blocks stay Structs, because only `msgspec` can encode deep ones."""
-    values: dict[str, Any] = {"learnblock": VERSION, "robot": project.robot}
+    version = CARRYING_VERSION if project.carried or project.tags else VERSION
+    values: dict[str, Any] = {"learnblock": version, "robot": project.robot}
     values["world"] = project.world
     values["breakpoints"] = list(project.breakpoints)
     if project.shown != EVERYTHING:
@@ -329,6 +353,10 @@ def _values(project: Project) -> dict[str, Any]:
         values["block_sets"] = msgspec.to_builtins(project.block_sets)
     if project.libraries:
         values["libraries"] = dict(project.libraries)
+    if project.tags:
+        values["tags"] = dict(project.tags)
+    if project.carried:
+        values["carried"] = msgspec.to_builtins(project.carried)
     values["blocktext"] = project.blocktext.split("\n")
     if project.python is not None:
         values["python"] = project.python.split("\n")
@@ -344,8 +372,13 @@ def _written(value: Any, depth: int = _SPREAD, indent: str = "") -> str:
     inner = indent + "  "
     if isinstance(value, dict):
         opening, closing = "{}"
-        parts = [f'"{key}": {_written(one, depth - 1, inner)}' for key, one in value.items()]
+        items = value.items()
+        parts = [f"{_key(key)}: {_written(one, depth - 1, inner)}" for key, one in items]
     else:
         opening, closing = "[]"
         parts = [_written(one, depth - 1, inner) for one in value]
     return f"{opening}\n{inner}" + f",\n{inner}".join(parts) + f"\n{indent}{closing}"
+
+
+def _key(key: str) -> str:
+    return msgspec.json.encode(key).decode()

@@ -103,6 +103,11 @@ class Player:
         self.viewers.send(self._scene)
         self._reporter.greet()
 
+    def forget(self) -> None:
+        """Forget the result and the variables of the last run, which was in another world."""
+        self._variables = self._ended = None
+        self._enter("idle")
+
     def place(self, x: float, y: float, heading: float) -> None:
         """Place the robot; the next run starts there.
 

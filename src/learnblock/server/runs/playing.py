@@ -2,8 +2,8 @@
 
 import asyncio
 import threading
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -33,6 +33,7 @@ class Setting:
         start: the pose at which the user placed the robot; None for the world's own start.
         breakpoints: the blocks before which it pauses.
         network: whether the user's settings allow it the network.
+        tags: the numbers of tags that the project uses instead of the user's.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Setting:
     start: Pose | None
     breakpoints: tuple[str, ...]
     network: bool = False
+    tags: Mapping[str, int] = field(default_factory=dict)
 
 
 class Played(Protocol):
@@ -150,7 +152,7 @@ def prepared(
     """
     watcher = RunWatcher(audience, console)
     run = ProgramRun(
-        played.program(setting.name),
+        replace(played.program(setting.name), tags=setting.tags),
         setting.robot,
         Options(world=setting.world, seed=SEED, start=setting.start, network=setting.network),
         watcher=watcher,

@@ -145,7 +145,7 @@ class Archive:
         return True
 
     def _save(self, project: Project) -> FileState | None:
-        self._folder.write(project)
+        self._folder.write_whole(project)
         return self._folder.state(self._project.name)
 
     async def _take_in(self) -> None:

@@ -1,6 +1,6 @@
 """The versions of libraries with which a project was made, and the installed ones."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from learnblock.extensions import libraries
@@ -31,9 +31,15 @@ class LibraryVersions:
         known = {**self.made_with, **self.installed}
         return {name: known[name] for name in sorted(imported(program)) if name in known}
 
-    def remarks(self) -> Iterator[Phrase]:
-        """List the libraries that are missing or older than when the project was made."""
+    def remarks(self, offered: Collection[str] = ()) -> Iterator[Phrase]:
+        """List the libraries that are missing or older than when the project was made.
+
+        Args:
+            offered: the libraries that the project brings, which need no remark.
+        """
         for name, version in self.made_with.items():
+            if name in offered:
+                continue
             there = self.installed.get(name)
             if there is None:
                 yield Phrase("project-library-missing", library=name, version=version)

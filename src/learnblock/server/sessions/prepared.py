@@ -1,6 +1,7 @@
 """Projects that have been read and can be opened."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 from learnblock import robots, running
 from learnblock.blocks.known import all_configurations
@@ -8,8 +9,11 @@ from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.robots import RobotEntry
 from learnblock.server import catalog
+from learnblock.server.messages import WorldChoice
 from learnblock.server.program.document import Document
+from learnblock.server.projects.carried import Code
 from learnblock.server.projects.project_file import Project
+from learnblock.server.projects.unpacking import unpacked
 from learnblock.server.sessions.library_versions import LibraryVersions
 from learnblock.server.sessions.shown_blocks import ShownBlocks
 
@@ -29,7 +33,11 @@ class Prepared:
         shown_blocks: the block set of the palette.
         libraries: the versions with which it was made.
         breakpoints: the ids of blocks.
+        tags: the numbers of tags that it uses instead of the user's.
+        offered: the code that it carries and the user has not installed.
         remarks: the differences from the saved project, with reasons.
+        notes: what has been added to the user's things.
+        worlds: all worlds if one has been added; else none.
     """
 
     name: str
@@ -39,11 +47,17 @@ class Prepared:
     shown_blocks: ShownBlocks
     libraries: LibraryVersions
     breakpoints: tuple[str, ...] = ()
+    tags: Mapping[str, int] = field(default_factory=dict)
+    offered: Code = field(default_factory=Code)
     remarks: tuple[Phrase, ...] = ()
+    notes: tuple[Phrase, ...] = ()
+    worlds: tuple[WorldChoice, ...] = ()
 
 
 def prepare(project: Project) -> Prepared:
-    """Read a project's program, and find its robot and world; this is slow."""
+    """Unpack and read a project, and find its robot and world; this is slow."""
+    unpacking = unpacked(project)
+    project = unpacking.project
     robot, no_robot = _robot(project.robot)
     world, no_world = _world(project.world, robot)
     document = Document.from_text(
@@ -56,6 +70,7 @@ def prepare(project: Project) -> Prepared:
     )
     shown_blocks, no_set = _shown_blocks(project)
     libraries = LibraryVersions(project.libraries)
+    on_libraries = libraries.remarks(project.carried.offered.libraries)
     return Prepared(
         name=project.name,
         document=document.settled(),
@@ -64,7 +79,11 @@ def prepare(project: Project) -> Prepared:
         shown_blocks=shown_blocks,
         libraries=libraries,
         breakpoints=tuple(project.breakpoints),
-        remarks=(*no_robot, *no_world, *no_set, *libraries.remarks()),
+        tags=project.tags,
+        offered=project.carried.offered,
+        remarks=(*unpacking.remarks, *no_robot, *no_world, *no_set, *on_libraries),
+        notes=unpacking.notes,
+        worlds=catalog.world_choices() if unpacking.adds_world else (),
     )
 
 

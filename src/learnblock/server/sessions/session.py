@@ -17,14 +17,16 @@ from learnblock.server.messages import View
 from learnblock.server.program.document import Document
 from learnblock.server.program.merging import Content, Edit, Merged, base_of
 from learnblock.server.program.shared import SharedProgram
+from learnblock.server.projects.carried import Carried, Code
 from learnblock.server.projects.folder import ProjectFolder
+from learnblock.server.projects.offering import offer, without
 from learnblock.server.projects.project_file import Project
 from learnblock.server.runs.player import Player
 from learnblock.server.runs.playing import Played, Setting
 from learnblock.server.runs.trial import Trial
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions.archive import Archive
-from learnblock.server.sessions.prepared import Prepared, loaded, prepare
+from learnblock.server.sessions.prepared import DEFAULT_WORLD, Prepared, loaded, prepare
 from learnblock.server.sessions.saves import Saved, Saves
 
 Result = TypeVar("Result")
@@ -47,6 +49,8 @@ class Session:
         self.breakpoints = prepared.breakpoints
         self.shown_blocks = prepared.shown_blocks
         self.libraries = prepared.libraries
+        self.tags = prepared.tags
+        self.offered = prepared.offered
         self.program = SharedProgram(prepared.document)
         self.turn = asyncio.Lock()
         #: The program changes in one thread at a time.
@@ -56,6 +60,8 @@ class Session:
         self._saves = Saves(self._save())
         self.viewers = Viewers()
         self._remarks = prepared.remarks
+        self._notes = prepared.notes
+        self._new_worlds = prepared.worlds
         self._last_run = (0.0, "")
         self.player = Player(self.viewers, self._keep_run)
 
@@ -81,6 +87,8 @@ class Session:
             shown=self.shown_blocks.name,
             block_sets=self.shown_blocks.carried,
             libraries=self.libraries.used(document.good.tree),
+            tags=self.tags,
+            carried=Carried(offered=self.offered),
         )
 
     async def close(self) -> None:
@@ -110,12 +118,21 @@ class Session:
     def join(self, page: Viewer) -> None:
         """Send a page the whole project, and all changes from now on."""
         self.viewers.add(page)
+        if self._new_worlds:
+            page.send(messages.Worlds(self._new_worlds))
+            self._new_worlds = ()
         page.send(messages.Opened(self.name, self.robot.name, self.world, self.breakpoints))
         page.send(self.shown_blocks.message())
         page.send(catalog.tag_dictionary())
         page.send(self.program.update(page.shown))
         for remark in self._remarks:
             page.send(messages.Failed(remark))
+        for note in self._notes:
+            page.send(messages.Noted(note))
+        # Those who come later have not seen anything change.
+        self._notes = ()
+        if self.offered:
+            page.send(offer(self.offered))
         self.player.join(page)
 
     def leave(self, page: Viewer) -> None:
@@ -266,6 +283,19 @@ class Session:
         """Tell every page what went wrong."""
         self.viewers.send(messages.Failed(message))
 
+    def installed(self, code: Code) -> None:
+        """Record that offered code has been installed."""
+        self.offered = without(self.offered, code)
+        self.viewers.send(offer(self.offered))
+        self.archive.changed()
+
+    def tags_changed(self, before: Mapping[str, int], after: Mapping[str, int]) -> None:
+        """Use the user's numbers of tags where the user has just changed them."""
+        own = self.tags.items()
+        self.tags = {name: tag for name, tag in own if before.get(name) == after.get(name)}
+        if own != self.tags.items():
+            self.archive.changed()
+
     # Settings.
 
     async def choose_robot(self, name: str) -> None:
@@ -291,8 +321,21 @@ class Session:
         """
         await to_thread.run_sync(catalog.check_world_name, name)
         await self.player.set_the_stage(self.robot, name)
+        if name != self.world:
+            self.player.forget()
         self.world = name
         self._send_settings()
+
+    async def leave_world(self, name: str) -> None:
+        """Choose the robot's usual world if the current one is this one.
+
+        Raises:
+            LearnBlockError: a program is running.
+        """
+        if self.world != name:
+            return
+        usual = await to_thread.run_sync(catalog.usual_world, self.robot)
+        await self.choose_world(DEFAULT_WORLD if usual in (None, name) else usual)
 
     def set_breakpoints(self, blocks: tuple[str, ...]) -> None:
         """Set the blocks before which the program pauses."""
@@ -335,7 +378,13 @@ class Session:
     async def _run(self, played: Played, *, paused: bool) -> None:
         network = await to_thread.run_sync(may_use_network, self._folder.file(self.name))
         setting = Setting(
-            self.name, self.robot, self.world, self.player.start, self.breakpoints, network=network
+            self.name,
+            self.robot,
+            self.world,
+            self.player.start,
+            self.breakpoints,
+            network=network,
+            tags=self.tags,
         )
         await self.player.run(played, setting, paused=paused)
 

@@ -1,8 +1,10 @@
 """The sessions: one for each open project."""
 
 import asyncio
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Coroutine, Mapping
+from contextlib import suppress
 from dataclasses import replace
+from typing import Any
 
 from anyio import to_thread
 
@@ -92,6 +94,26 @@ class Sessions:
         for session in self._open.values():
             session.viewers.send(message)
 
+    def tags_changed(self, before: Mapping[str, int], after: Mapping[str, int]) -> None:
+        """Use the user's tag names in every project where the user has just changed them."""
+        for session in self._open.values():
+            session.tags_changed(before, after)
+
+    async def leave_world(self, own: Session, name: str) -> None:
+        """Choose the usual world in every project that is in a world which is to be deleted.
+
+        Args:
+            own: the session whose turn it is; it must be able to leave.
+            name: the name of the world.
+
+        Raises:
+            LearnBlockError: a program is running in it.
+        """
+        await own.leave_world(name)
+        for session in self._open.values():
+            if session is not own and session.world == name:
+                self._later(_leave_world(session, name))
+
     async def renew_blocks(self, own: Session | None) -> None:
         """Read every program with changed skills, and notify every page.
 
@@ -103,9 +125,7 @@ class Sessions:
             await own.know(configurations)
         for session in self._open.values():
             if session is not own:
-                task = asyncio.create_task(_renew(session, configurations))
-                self._renewing.add(task)
-                task.add_done_callback(self._renewing.discard)
+                self._later(_renew(session, configurations))
         self.send(PaletteChanged())
 
     async def close(self) -> None:
@@ -125,6 +145,11 @@ class Sessions:
                 await session.set_the_stage()
                 self._open[name] = session
             return self._open[name]
+
+    def _later(self, change: Coroutine[Any, Any, None]) -> None:
+        task = asyncio.create_task(change)
+        self._renewing.add(task)
+        task.add_done_callback(self._renewing.discard)
 
     def _written(self, project: Project) -> Project:
         named = replace(project, name=self.folder.free_name(project.name))
@@ -147,6 +172,13 @@ class Sessions:
         """Cancel closing a project."""
         if ending := self._ending.pop(name, None):
             ending.cancel()
+
+
+async def _leave_world(session: Session, name: str) -> None:
+    async with session.turn:
+        # A program that still runs there has loaded its world already.
+        with suppress(LearnBlockError):
+            await session.leave_world(name)
 
 
 async def _renew(session: Session, configurations: Mapping[str, BlockConfiguration]) -> None:

@@ -174,9 +174,9 @@ def assert_read_or_refused(data):
     ("values", "code", "words"),
     [
         (
-            {"learnblock": 2},
+            {"learnblock": 3},
             "unknown-version",
-            "reads version 1. Open it with a newer",
+            "reads version 2. Open it with a newer",
         ),
         ({"learnblock": None}, "no-project", "not a LearnBlock project"),
         ({"robot": 7}, "wrong-value", "'robot' is 7. It must be the name"),

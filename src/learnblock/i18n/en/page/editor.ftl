@@ -83,7 +83,6 @@ page-editor-key-floor-size = Floor size (mm)
 page-editor-key-floor-colour = Floor colour
 page-editor-key-picture = Floor picture (PNG file in the world's folder)
 page-editor-key-border = Height of the outer wall (mm, 0: none)
-page-editor-key-title = Title
 page-editor-key-ambient-light = Ambient light (0 to 1023)
 page-editor-key-brightness = Brightness below the lamp (0 to 1023)
 page-editor-key-emotion = Emotion

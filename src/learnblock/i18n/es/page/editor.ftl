@@ -83,7 +83,6 @@ page-editor-key-floor-size = Tamaño del suelo (mm)
 page-editor-key-floor-colour = Color del suelo
 page-editor-key-picture = Imagen del suelo (archivo PNG en la carpeta del mundo)
 page-editor-key-border = Altura del muro exterior (mm, 0: ninguno)
-page-editor-key-title = Título
 page-editor-key-ambient-light = Luz ambiental (de 0 a 1023)
 page-editor-key-brightness = Brillo bajo la lámpara (de 0 a 1023)
 page-editor-key-emotion = Emoción

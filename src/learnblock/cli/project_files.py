@@ -1,0 +1,94 @@
+"""Programs and projects that the command line reads; reading them changes nothing of the user's."""
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from learnblock import running
+from learnblock.cli.console import say
+from learnblock.running import Source
+
+if TYPE_CHECKING:
+    from learnblock.server.projects.folder import Project
+
+ENDING = ".learnblock"
+
+
+@dataclass(frozen=True)
+class ProgramFile:
+    """A program, and what its project says about its run.
+
+    Args:
+        source: the program.
+        robot: the name of the robot; None for a program without a project.
+        world: the name of the world, or the path of the world that the project brings.
+        tags: the numbers of tags that it uses instead of the user's.
+    """
+
+    source: Source
+    robot: str | None = None
+    world: str | None = None
+    tags: Mapping[str, int] = field(default_factory=dict)
+
+
+@contextmanager
+def opened(path: Path) -> Iterator[ProgramFile]:
+    """Read a program or a project, whose world exists until the end.
+
+    Raises:
+        FileError: it is invalid.
+        OSError: it can't be read.
+    """
+    if path.suffix != ENDING:
+        yield ProgramFile(running.read(path))
+        return
+    from learnblock.server.projects import unpacking  # noqa: PLC0415 - programs need none of it
+
+    project = _project(path)
+    if offered := unpacking.offered_code(project):
+        names = (*offered.blocks, *offered.libraries)
+        say("cli-project-code", err=True, file=str(path), names=names)
+    source = _source(path, project)
+    with _world(project) as world:
+        yield ProgramFile(source, project.robot, world, unpacking.tags_used(project))
+
+
+def read(path: Path) -> Source:
+    """Read the program of a file, which may be a project.
+
+    Raises:
+        FileError: it is invalid.
+        OSError: it can't be read.
+    """
+    with opened(path) as found:
+        return found.source
+
+
+def _project(path: Path) -> "Project":
+    from learnblock.server.projects.project_file import LARGEST, decode  # noqa: PLC0415 - as above
+
+    with path.open("rb") as file:
+        return decode(file.read(LARGEST + 1), path.stem)
+
+
+def _source(path: Path, project: "Project") -> Source:
+    is_python = project.python is not None
+    text = project.blocktext if project.python is None else project.python
+    return running.source_of(path, text, is_python=is_python)
+
+
+@contextmanager
+def _world(project: "Project") -> Iterator[str | None]:
+    from learnblock.extensions import worlds  # noqa: PLC0415 - as above
+    from learnblock.server.projects.unpacking import is_at_home  # noqa: PLC0415 - as above
+
+    carried = project.carried.world
+    is_newer_here = is_at_home(project) and project.world in worlds.own_names()
+    if carried is None or carried.name != project.world or is_newer_here:
+        yield project.world or None
+        return
+    packed = worlds.PackedWorld(carried.name, "\n".join(carried.file), carried.picture)
+    with worlds.staged(packed) as file:
+        yield str(file)
