@@ -111,7 +111,7 @@ def component_command(
     layout: str,
     drawn: bool,  # noqa: FBT001 - a flag of click
 ) -> None:
-    """Serve a LearnBlock detector to RoboComp.
+    """Serve a detector to RoboComp.
 
     RoboComp's components call it over Ice. Press Ctrl-C to stop.
 
