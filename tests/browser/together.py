@@ -3,8 +3,9 @@
     uv run python tests/browser/together.py --edits 3000 --seed 1
 
 Each page types its own words, letter by letter and anywhere in the program, with up to half a
-second of delay each way and cuts of the connection; the editor inserts lines in the project's file.
-At the end, pages and file must hold the same program, with each word in it or in the history.
+second of delay each way and cuts of the connection, and rests after a word until it is saved; the
+editor inserts lines in the project's file. At the end, pages and file must hold the same program,
+with each word in it or in the history.
 """
 
 import argparse
@@ -32,6 +33,8 @@ PAGES = "abc"
 #: Of so many words, the connection is cut once, and the editor on disk writes once.
 CUT = 12
 WRITTEN = 8
+#: How often a word is typed in a line of its own; two in one line may be a conflict.
+IN_NEW_LINE = 0.9
 START = "main:\n    pass\nend\n"
 
 
@@ -54,7 +57,7 @@ class Outcome:
     @property
     def lost(self):
         """The words that are nowhere."""
-        everything = set(re.findall(r"\w+", "\n".join([*self.texts, *self.history])))
+        everything = "\n".join([*self.texts, *self.history])
         return [word for word in self.words if word not in everything]
 
     @property
@@ -86,13 +89,31 @@ class Writer:
         self.line = line
         self.name = name
         self.words = []
+        #: The keys of the current word that are not typed yet, the next one last.
         self._left = []
 
     def type(self, chance):
-        """Type the next letter; at the end of a word, begin another line anywhere."""
+        """Type the next letter; after a word, begin another one elsewhere."""
         if not self._left:
             self._begin(chance)
-        self.pupil.page.keyboard.press(self._left.pop())
+        elif self.words[-1] and self.words[-1] not in self.text():
+            # Somebody else's change of its line has won: what is typed now would be another word.
+            self._left.clear()
+            return
+        key = self._left.pop()
+        self.pupil.page.keyboard.press(key)
+        if re.match(r"\w$", key):
+            self.words[-1] += key
+
+    def rests(self):
+        """Whether it has typed a word that is not saved."""
+        saved = self.pupil.page.locator("header .saved")
+        return bool(self.words) and not self._left and saved.text_content() != "Saved"
+
+    def finish(self, chance):
+        """Type the rest of the word."""
+        while self._left:
+            self.type(chance)
 
     def text(self):
         """The whole text of the page, also what is scrolled out of sight."""
@@ -100,23 +121,19 @@ class Writer:
             "content => content.cmTile.view.state.doc.toString()"
         )
 
-    def finish(self):
-        """Type the rest of the word."""
-        while self._left:
-            self.pupil.page.keyboard.press(self._left.pop())
-
     def _begin(self, chance):
-        word = f"{self.name}{len(self.words)}{self.name}"
-        self.words.append(word)
+        """Go to the end of any line, and mostly begin a new one."""
         self.pupil.editor("blocktext").focus()
         keyboard = self.pupil.page.keyboard
         keyboard.press("Control+Home")
         for _ in range(chance.randrange(12)):
             keyboard.press("ArrowDown")
-        keyboard.press("Home")
-        comment = ["#", " "] if chance.random() < 0.5 else []
-        ending = [] if comment else list(" = 1")
-        self._left = [*comment, *word, *ending, "Enter"][::-1]
+        keyboard.press("End")
+        if chance.random() < IN_NEW_LINE:
+            keyboard.press("Enter")
+        word = f"{self.name}{len(self.words):03}word"
+        self._left = ["#", " ", *word][::-1]
+        self.words.append("")
 
 
 class Editor:
@@ -133,7 +150,7 @@ class Editor:
     def write(self, chance):
         """Insert a line."""
         project = json.loads(self._file.read_text("utf-8"))
-        word = f"d{len(self.words)}d"
+        word = f"d{len(self.words):03}word"
         at = chance.randrange(len(project["blocktext"]))
         project["blocktext"].insert(at, f"# {word}")
         new = self._file.with_suffix(".new")
@@ -154,14 +171,18 @@ def drill(browser, folder, chance, edits):
         editor = Editor(folder / "projects" / "program.learnblock")
         made = 0
         while made < edits:
-            chance.choice(writers).type(chance)
+            writer = chance.choice(writers)
+            if writer.rests():
+                writer.pupil.page.wait_for_timeout(10)
+                continue
+            writer.type(chance)
             made += 1
             if chance.randrange(CUT * 6) == 0:
                 chance.choice(writers).line.cut()
             if chance.randrange(WRITTEN * 6) == 0:
                 editor.write(chance)
         for writer in writers:
-            writer.finish()
+            writer.finish(chance)
         texts = _settled(writers, editor)
         words = [word for one in (*writers, editor) for word in one.words]
         return Outcome(tuple(words), made, texts, tuple(_history(folder)))

@@ -6,7 +6,7 @@ import type { Phrase } from "../i18n";
 import type { Connection } from "../protocol/connection";
 import type { Document, Notation, Place, Problem, View, Workspace } from "../protocol/messages";
 import type { Drafts } from "./drafts";
-import { type Content, type Draft, Unsaved } from "./unsaved";
+import { type Content, type Repeated, repeated, Unsaved } from "./unsaved";
 
 /** What the three views show. */
 interface Shown {
@@ -44,6 +44,11 @@ function field(view: View): Notation | "workspace" {
   return view === "blocks" ? "workspace" : view;
 }
 
+/** The whole program in the server's first answer. */
+function shownIn({ blocktext, python, workspace }: Document): Shown {
+  return { blocktext: blocktext ?? "", python: python ?? "", workspace: workspace ?? EMPTY.workspace };
+}
+
 /**
  * The program shared by the three views.
  *
@@ -67,6 +72,8 @@ export class Program {
   private shown: Shown = EMPTY;
   /** The revision that the views show but for the user's edits; null until the server has answered. */
   private revision: number | null = null;
+  /** Whether the server has told what it has since the project was opened. */
+  private greeted = false;
   private edits = 0;
   private answered = 0;
   /** The number of the last edit of each view. */
@@ -132,25 +139,29 @@ export class Program {
   }
 
   private edit(view: View, content: Content): void {
-    this.send({ view, base: this.shown[field(view)], content });
+    const before = this.shown[field(view)];
+    this.count(view, content);
+    this.unsaved.add(this.edits, view, content, before);
     this.keepDrafts();
+    if (this.revision !== null) this.send(view, content, this.revision);
+    else if (this.greeted) this.sendWithBase({ view, content, base: before });
   }
 
-  /** Send an edit; before the server has answered with a revision, together with what it is based on. */
-  private send(draft: Draft): void {
-    const { view, base, content } = draft;
+  private count(view: View, content: Content): void {
     this.shown = { ...this.shown, [field(view)]: content };
     this.latest = { ...this.latest, [field(view)]: content };
     this.edits += 1;
     this.edited.set(view, this.edits);
-    this.unsaved.add(this.edits, view, content, base);
-    if (this.revision === null) return this.repeat(draft);
-    const made = { edit: this.edits, revision: this.revision };
+  }
+
+  private send(view: View, content: Content, revision: number): void {
+    const made = { edit: this.edits, revision };
     if (typeof content !== "string") this.connection.send({ kind: "EditBlocks", ...made, workspace: content });
     else if (view !== "blocks") this.connection.send({ kind: "EditText", ...made, notation: view, text: content });
   }
 
-  private repeat({ view, base, content }: Draft): void {
+  /** Send an edit of a view that does not show any revision of the server, with what was edited. */
+  private sendWithBase({ view, content, base }: Repeated): void {
     const edit = this.edits;
     if (typeof content !== "string" && typeof base !== "string") {
       this.connection.send({ kind: "RecoverBlocks", edit, workspace: content, base });
@@ -160,6 +171,7 @@ export class Program {
   }
 
   private receive(document: Document): void {
+    if (!this.greeted) this.greet(document);
     this.answered = Math.max(this.answered, document.edit);
     this.latest = {
       ...this.contents(document),
@@ -171,6 +183,21 @@ export class Program {
       canRedo: document.can_redo ?? false,
     };
     if (this.settled) this.show(document.revision);
+  }
+
+  /** The server tells what it has: repeat what the page has edited since. */
+  private greet(document: Document): void {
+    this.greeted = true;
+    this.edits = 0;
+    const now = shownIn(document);
+    const { drafts } = this.unsaved;
+    this.unsaved.clear();
+    for (const draft of drafts) {
+      const edit = repeated(draft, now[field(draft.view)]);
+      this.count(edit.view, edit.content);
+      this.unsaved.add(this.edits, edit.view, edit.content, edit.base);
+      this.sendWithBase(edit);
+    }
   }
 
   private show(revision: number): void {
@@ -225,17 +252,17 @@ export class Program {
   /** Handle an opened project: a different one, or the same one after reconnecting. */
   private opened(name: string): void {
     this.isNew = name !== this.project;
-    const unsaved = this.isNew ? [] : this.unsaved.drafts;
-    if (this.isNew) this.pending.clear();
     this.project = name;
     this.edits = this.answered = 0;
     this.revision = null;
+    this.greeted = false;
     this.edited.clear();
     this.recovering.clear();
-    this.unsaved.clear();
     this.latest = EMPTY;
-    for (const draft of unsaved) this.send(draft);
-    this.saved.value = unsaved.length === 0;
+    if (!this.isNew) return;
+    this.pending.clear();
+    this.unsaved.clear();
+    this.saved.value = true;
   }
 
   /** Repeat the edits that other pages of this project have left unsaved. */
@@ -248,7 +275,7 @@ export class Program {
     for (const { drafts, forget } of left) {
       for (const draft of drafts) {
         this.edits += 1;
-        this.repeat(draft);
+        this.sendWithBase(repeated(draft, this.shown[field(draft.view)]));
       }
       this.recovering.set(this.edits, forget);
     }

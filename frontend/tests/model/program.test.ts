@@ -44,8 +44,14 @@ function opened(name = "square", earlier: readonly Draft[] = []): [Program, Fake
   const connection = new FakeConnection();
   const drafts = new FakeDrafts(earlier);
   const program = new Program(connection.real, drafts);
-  connection.tell({ kind: "Opened", name });
+  reopen(connection, name);
   return [program, connection, drafts];
+}
+
+/** The server opens a project, and tells what it has. */
+function reopen(connection: FakeConnection, name: string, content: object = {}): void {
+  connection.tell({ kind: "Opened", name });
+  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python", ...content });
 }
 
 function drawFrame(): void {
@@ -54,7 +60,6 @@ function drawFrame(): void {
 
 test("edits of one frame are sent as one, the last", () => {
   const [program, connection] = opened();
-  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python" });
   for (const text of ["a", "ab", "abc"]) program.editedText("blocktext", () => text);
   drawFrame();
   expect(connection.sent).toEqual([{ kind: "EditText", edit: 1, revision: 1, notation: "blocktext", text: "abc" }]);
@@ -75,7 +80,7 @@ test("an undo sends what was edited before it", () => {
   const [program, connection] = opened();
   program.editedText("python", () => "x = 1");
   program.undo();
-  expect(connection.sent.map(({ kind }) => kind)).toEqual(["RecoverText", "Undo"]);
+  expect(connection.sent.map(({ kind }) => kind)).toEqual(["EditText", "Undo"]);
 });
 
 test("a document that answers an earlier edit is not shown", () => {
@@ -114,7 +119,7 @@ test("an edit is a draft until the server has saved it", () => {
   program.editedText("python", () => "x = 1");
   drawFrame();
   expect(program.saved.value).toBe(false);
-  expect(drafts.kept).toEqual([{ view: "python", base: "", content: "x = 1" }]);
+  expect(drafts.kept).toEqual([{ view: "python", steps: ["", "x = 1"] }]);
   connection.tell({ kind: "Saved", edit: 1 });
   expect(program.saved.value).toBe(true);
   expect(drafts.kept).toEqual([]);
@@ -127,7 +132,7 @@ test("saving an earlier edit leaves a later one as a draft of it", () => {
     drawFrame();
   }
   connection.tell({ kind: "Saved", edit: 1 });
-  expect(drafts.kept).toEqual([{ view: "python", base: "x = 1", content: "x = 2" }]);
+  expect(drafts.kept).toEqual([{ view: "python", steps: ["x = 1", "x = 2"] }]);
 });
 
 test("an edit names the revision that the views show", () => {
@@ -143,32 +148,48 @@ test("an edit names the revision that the views show", () => {
 
 test("an unsaved edit of each view is sent again when the same project opens after a lost connection", () => {
   const [program, connection] = opened("square");
-  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python", python: "x = 0" });
+  connection.tell({ kind: "Document", edit: 0, revision: 2, origin: "python", python: "x = 0" });
   program.editedText("python", () => "x = 1");
   program.editedText("blocktext", () => "y = 1");
   drawFrame();
-  connection.tell({ kind: "Opened", name: "square" });
+  reopen(connection, "square", { python: "x = 0" });
   expect(connection.sent.slice(2)).toEqual([
     { kind: "RecoverText", edit: 1, notation: "python", text: "x = 1", base: "x = 0" },
     { kind: "RecoverText", edit: 2, notation: "blocktext", text: "y = 1", base: "" },
   ]);
 });
 
-test("what is typed before the project is back is based on what was sent again", () => {
+test("an edit is repeated on the last one that the server has received, saved or not", () => {
+  const [program, connection] = opened("square");
+  for (const text of ["x = 1", "x = 12", "x = 123"]) {
+    program.editedText("python", () => text);
+    drawFrame();
+  }
+  reopen(connection, "square", { python: "x = 12\ny = 1" });
+  expect(connection.sent.at(-1)).toMatchObject({ kind: "RecoverText", base: "x = 12", text: "x = 123" });
+});
+
+test("what is typed while the project comes back is sent once and in order", () => {
   const [program, connection] = opened("square");
   program.editedText("python", () => "x = 1");
   drawFrame();
   connection.tell({ kind: "Opened", name: "square" });
   program.editedText("python", () => "x = 12");
   drawFrame();
-  expect(connection.sent.at(-1)).toMatchObject({ kind: "RecoverText", edit: 2, base: "x = 1", text: "x = 12" });
+  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python" });
+  program.editedText("python", () => "x = 123");
+  drawFrame();
+  expect(connection.sent.slice(1)).toEqual([
+    { kind: "RecoverText", edit: 1, notation: "python", text: "x = 12", base: "" },
+    { kind: "RecoverText", edit: 2, notation: "python", text: "x = 123", base: "x = 12" },
+  ]);
 });
 
 test("an unsaved edit is not carried into another project", () => {
   const [program, connection] = opened("square");
   program.editedText("python", () => "x = 1");
   drawFrame();
-  connection.tell({ kind: "Opened", name: "dance" });
+  reopen(connection, "dance");
   expect(connection.sent).toHaveLength(1);
   expect(program.saved.value).toBe(true);
 });
@@ -178,14 +199,13 @@ test("an edit that was undone is not sent again", () => {
   program.editedText("python", () => "x = 1");
   drawFrame();
   connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "python", python: "" });
-  connection.tell({ kind: "Opened", name: "square" });
+  reopen(connection, "square");
   expect(connection.sent.at(-1)).toMatchObject({ kind: "RecoverText", text: "", base: "" });
 });
 
 test("what an earlier page has left unsaved is repeated, and forgotten once it is saved", async () => {
-  const draft: Draft = { view: "python", base: "x = 0", content: "x = 1" };
+  const draft: Draft = { view: "python", steps: ["x = 0", "x = 1"] };
   const [program, connection, drafts] = opened("square", [draft]);
-  connection.tell({ kind: "Document", edit: 0, revision: 1, origin: "python", python: "x = 0" });
   await vi.waitFor(() => expect(program.recovered.value).toBe(1));
   expect(connection.sent).toEqual([{ kind: "RecoverText", edit: 1, notation: "python", text: "x = 1", base: "x = 0" }]);
   connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "python", python: "x = 1" });

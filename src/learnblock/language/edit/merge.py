@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from difflib import SequenceMatcher
 
-#: A longer changed section counts as one change, because comparing takes quadratic time.
-MOST_LINES = 3000
+#: The most pairs of lines to compare, which takes half a second; a longer changed section counts as
+#: one change.
+MOST_PAIRS = 250_000
 
 
 @dataclass(frozen=True)
@@ -121,16 +121,41 @@ def _changes(old: Sequence[str], text: str) -> list[_Change]:
     new = text.split("\n")
     start = _common(old, new, min(len(old), len(new)))
     tail = _common(old[::-1], new[::-1], min(len(old), len(new)) - start)
-    end, new_end = len(old) - tail, len(new) - tail
-    if max(end, new_end) - start > MOST_LINES:
-        return [_Change(start, end, tuple(new[start:new_end]))]
-    matcher = SequenceMatcher(None, old[start:end], new[start:new_end])
-    return [
-        change
-        for tag, a, b, c, d in matcher.get_opcodes()
-        if tag != "equal"
-        for change in _split(start + a, old[start + a : start + b], new[start + c : start + d])
-    ]
+    old, new = old[start : len(old) - tail], new[start : len(new) - tail]
+    if len(old) * len(new) > MOST_PAIRS:
+        return [_Change(start, start + len(old), tuple(new))]
+    changes: list[_Change] = []
+    before, new_before = 0, 0
+    for at, new_at in (*_kept(old, new), (len(old), len(new))):
+        if before < at or new_before < new_at:
+            changes += _split(start + before, old[before:at], new[new_before:new_at])
+        before, new_before = at + 1, new_at + 1
+    return changes
+
+
+def _kept(old: Sequence[str], new: Sequence[str]) -> list[tuple[int, int]]:
+    """The lines that both texts have, as pairs of indices in order; as many characters as possible.
+
+    Characters are counted, not lines, because two lines ``end`` are hardly ever the same one.
+    """
+    most = [[0] * (len(new) + 1) for _ in range(len(old) + 1)]
+    for at in reversed(range(len(old))):
+        row, below, line = most[at], most[at + 1], old[at]
+        for new_at in reversed(range(len(new))):
+            row[new_at] = max(below[new_at], row[new_at + 1])
+            if line == new[new_at]:
+                row[new_at] = max(row[new_at], below[new_at + 1] + 1 + len(line))
+    kept: list[tuple[int, int]] = []
+    at = new_at = 0
+    while at < len(old) and new_at < len(new):
+        if most[at][new_at] == most[at + 1][new_at]:
+            at += 1
+        elif most[at][new_at] == most[at][new_at + 1]:
+            new_at += 1
+        else:
+            kept.append((at, new_at))
+            at, new_at = at + 1, new_at + 1
+    return kept
 
 
 def _common(one: Sequence[str], other: Sequence[str], most: int) -> int:

@@ -18,6 +18,7 @@ from learnblock.storage.files import save
 Reason = Literal["run", "time", "restored", "outside", "conflict"]
 
 MOST_VERSIONS = 100
+_NOWHERE_ELSE: tuple[Reason, ...] = ("conflict", "outside")
 MOST_RUNS = 200
 
 #: The time in milliseconds since 1970, the reason for the version, its number of lines.
@@ -120,7 +121,7 @@ class History:
     def _thin_out(self) -> None:
         kept = list(self.versions())
         while len(kept) > MOST_VERSIONS:
-            least = kept.pop(_least_missed([version.time for version in kept]))
+            least = kept.pop(_least_missed(kept))
             self._path(least.id).unlink(missing_ok=True)
 
 
@@ -132,13 +133,16 @@ def _version(id_: str) -> Version | None:
     return Version(id=id_, time=int(found[1]) / 1000, reason=reason, lines=int(found[3]))
 
 
-def _least_missed(times: list[float]) -> int:
+def _least_missed(versions: list[Version]) -> int:
     """Choose the version whose removal leaves the smallest gap for its age.
 
-    The first and the last version stay. Recent versions are thus dense, and old ones sparse.
+    The first and the last version stay. Recent versions are thus dense, and old ones sparse. What
+    a conflict has kept out of the program goes last, because it is nowhere else.
     """
+    times = [version.time for version in versions]
 
-    def gap(index: int) -> float:
-        return (times[index - 1] - times[index + 1]) / (times[0] - times[index] + 1)
+    def gap(index: int) -> tuple[bool, float]:
+        size = (times[index - 1] - times[index + 1]) / (times[0] - times[index] + 1)
+        return versions[index].reason in _NOWHERE_ELSE, size
 
     return min(range(1, len(times) - 1), key=gap)

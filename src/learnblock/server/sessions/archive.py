@@ -36,8 +36,11 @@ class Archived(Protocol):
     def saving(self) -> Callable[[], None]:
         """Called before each save; the result is called after success."""
 
-    async def take_in(self, outside: Project, version: str) -> None:
-        """Merge the project as another program has saved it, which is kept as a version."""
+    async def take_in(self, outside: Project) -> bool:
+        """Merge the project as another program has saved it; return whether a change is lost."""
+
+    def kept_outside(self, version: str) -> None:
+        """Called with the version of what another program has saved if that could not be merged."""
 
     def failed(self, error: Phrase) -> None:
         """Called with the reason why something could not be saved."""
@@ -153,13 +156,12 @@ class Archive:
         state = await to_thread.run_sync(self._found_outside)
         if state is None:
             return
-        version: str | None = ""
-        if not self._folder.read_only:
-            version = await self._tried(self._folder.keep_file, self._project.name)
         outside = await self._tried(self._folder.read, self._project.name)
         self._on_disk = state
-        if outside and version is not None:
-            await self._project.take_in(outside, version)
+        is_lost = outside is None or await self._project.take_in(outside)
+        if is_lost and not self._folder.read_only:
+            version = await self._tried(self._folder.keep_file, self._project.name)
+            self._project.kept_outside(version or "")
 
     def _found_outside(self) -> FileState | None:
         """The state of the file if another program has changed it."""

@@ -234,12 +234,11 @@ class Session:
 
         return saved
 
-    async def take_in(self, outside: Project, version: str) -> None:
+    async def take_in(self, outside: Project) -> bool:
         """Merge the project as another program has saved it; what was changed here wins.
 
-        Args:
-            outside: the project.
-            version: the version of it that is kept.
+        Returns:
+            Whether the project lacks a change of the other program.
         """
         await self.archive.keep_version("time")
         prepared = await to_thread.run_sync(prepare, outside)
@@ -256,10 +255,14 @@ class Session:
                 return False
             return self.program.merge(edit).lost is not None
 
-        if await self._think(merge):
-            self.viewers.send(messages.Conflict(version, "file"))
-        else:
+        is_lost = await self._think(merge)
+        if not is_lost:
             self.viewers.send(messages.TakenIn())
+        return is_lost
+
+    def kept_outside(self, version: str) -> None:
+        """Tell every page in which version the change of another program is that is not here."""
+        self.viewers.send(messages.Conflict(version, "file"))
 
     async def _take_in_settings(self, saved: Project, outside: Project, found: Prepared) -> None:
         """Choose what another program has chosen, unless the running program forbids it."""

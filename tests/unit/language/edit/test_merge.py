@@ -41,12 +41,18 @@ def test_of_two_edits_of_one_line_the_preferred_one_wins_and_is_called_a_conflic
     assert merge("a\nb", "a 1\nb", "a 2\nb") == Merge("a 2\nb", is_conflict=True)
 
 
+def test_a_short_line_that_occurs_twice_does_not_mislead():
+    base, now = "a\n# \n# long", "a\n# b\n# long\n# "
+    assert merge(base, now, "a\n# \n# longer") == Merge("a\n# b\n# longer\n# ")
+
+
 def test_a_line_inserted_into_lines_that_are_deleted_is_a_conflict():
     assert merge("a\nb\nc\nd", "a\nb\nx\nc\nd", "a\nd") == Merge("a\nd", is_conflict=True)
 
 
 def test_a_change_too_long_to_compare_is_one_change():
-    base = "\n".join(f"line {number}" for number in range(merging.MOST_LINES + 10))
+    base = "\n".join(f"line {number}" for number in range(600))
+    assert 600 * 600 > merging.MOST_PAIRS
     other = base.replace("line 5\n", "line five\n")
     preferred = "first\n" + base + "\nlast"
     assert merge(base, other, preferred) == Merge(preferred, is_conflict=True)

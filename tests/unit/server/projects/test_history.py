@@ -72,8 +72,17 @@ def test_old_versions_are_thinned_out_except_the_first_and_the_last(history, clo
     assert len(versions) == MOST_VERSIONS
     assert history.read(versions[-1].id).blocktext == "x = 0"
     assert history.read(versions[0].id).blocktext == f"x = {MOST_VERSIONS + 59}"
+
     gaps = [one.time - other.time for one, other in pairwise(versions)]
     assert max(gaps[:20]) < max(gaps[-20:])
+
+
+def test_versions_of_conflicts_stay_longest(history, clock):
+    for number in range(MOST_VERSIONS + 60):
+        clock.time += 60
+        history.keep(project(f"x = {number}"), "conflict" if number in (20, 21, 22) else "run")
+    kept = [version.reason for version in history.versions()]
+    assert (len(kept), kept.count("conflict")) == (MOST_VERSIONS, 3)
 
 
 def test_a_version_that_is_not_kept_is_refused(history):
