@@ -1,7 +1,9 @@
 """The meaning of Python's frequent errors, for readers who do not know Python's terms."""
 
 import re
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Mapping
+from traceback import walk_tb
 
 from learnblock.i18n import Phrase, Value
 
@@ -16,8 +18,12 @@ _MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
     (IndexError, r".*index out of range", "run-means-index"),
     (KeyError, r"(?P<key>.+)", "run-means-key"),
     (ModuleNotFoundError, r"No module named '(?P<module>.+)'.*", "run-means-module"),
-    (ImportError, r"cannot import name '(?P<name>\w+)'.*", "run-means-import"),
-    (FileNotFoundError, r".*", "run-means-file"),
+    (
+        ImportError,
+        r"cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'.*",
+        "run-means-attribute-of-module",
+    ),
+    (FileNotFoundError, r".*?: (?P<file>.+)", "run-means-file"),
     (
         UnboundLocalError,
         r".*local variable '(?P<name>\w+)'.*",
@@ -28,6 +34,11 @@ _MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
         AttributeError,
         r"'NoneType' object has no attribute '(?P<name>\w+)'.*",
         "run-means-attribute-of-nothing",
+    ),
+    (
+        AttributeError,
+        r"'str' object has no attribute '(?P<name>append|extend|insert)'.*",
+        "run-means-attribute-of-text",
     ),
     (AttributeError, r"'Robot' object has no attribute '(?P<name>\w+)'.*", "run-means-skill"),
     (
@@ -74,8 +85,19 @@ _MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
     (TypeError, r"'(?P<type>\w+)' object is not callable", "run-means-call"),
     (TypeError, r"'(?P<type>\w+)' object is not subscriptable", "run-means-items"),
     (TypeError, r"'(?P<type>\w+)' object is not iterable", "run-means-iteration"),
+    (TypeError, r"object of type '(?:int|float)' has no len\(\)", "run-means-length-of-number"),
     (TypeError, r"object of type '(?P<type>\w+)' has no len\(\)", "run-means-length"),
+    (
+        TypeError,
+        r"(?:list|string|tuple) indices must be integers.* not '?str'?",
+        "run-means-position-in-quotes",
+    ),
     (TypeError, r"(?:list|string|tuple) indices must be integers.*", "run-means-position"),
+    (
+        TypeError,
+        r"'str' object does not support item assignment",
+        "run-means-letter-assignment",
+    ),
     (
         TypeError,
         r"'(?P<type>\w+)' object does not support item assignment",
@@ -88,7 +110,7 @@ _MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
     ),
     (
         TypeError,
-        r"(?:\w+\.)*(?P<function>\w+)\(\) takes .* but (?P<given>\d+) w.* given",
+        r"(?:\w+\.)*(?P<function>\w+)\(\) takes (?:from \d+ to )?(?P<most>\d+) .* but (?P<given>\d+) w.* given",
         "run-means-too-many-arguments",
     ),
     (
@@ -121,10 +143,24 @@ def explanation(error: Exception, text: str) -> Phrase | None:
     """
     for kind, pattern, code in _MEANINGS:
         if isinstance(error, kind) and (found := re.fullmatch(pattern, text, re.DOTALL)):
-            return Phrase(code, **dict(_values(found.groupdict().items())))
+            return Phrase(code, **_values(error, found.groupdict()))
     return None
 
 
-def _values(groups: Iterable[tuple[str, str]]) -> Iterable[tuple[str, Value]]:
-    for name, text in groups:
-        yield name, Phrase("run-type", type=text) if name.endswith("type") else text
+def _values(error: Exception, groups: Mapping[str, str]) -> dict[str, Value]:
+    if isinstance(error, RecursionError):
+        return {"function": _most_frequent(error)}
+    if "most" in groups:
+        # A method counts the robot as one value more on both sides.
+        excess = int(groups["given"]) - int(groups["most"])
+        return {"function": groups["function"], "excess": excess}
+    return {
+        name: Phrase("run-type", type=text) if name.endswith("type") else text
+        for name, text in groups.items()
+    }
+
+
+def _most_frequent(error: Exception) -> str:
+    """The name of the function that was running most often when an error was raised."""
+    names = Counter(frame.f_code.co_name for frame, _ in walk_tb(error.__traceback__))
+    return next((name for name, _ in names.most_common(1)), "")

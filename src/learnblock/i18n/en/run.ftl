@@ -61,24 +61,24 @@ run-type = { $type ->
    *[other] { $type }
 }
 run-means-zero-division = A number was divided by 0. Check the divisor first: 'if x != 0:'.
-run-means-recursion = A function calls itself without end. Give it a condition under which it stops.
+run-means-recursion = '{ $function }' calls itself without end. Call it only while something holds, as in 'if n > 0:'.
 run-means-memory = The program used up its memory. Does a list or a text grow in a loop without end?
 run-means-overflow = A number became too large. Check the calculation in this line.
 run-means-empty = The list is empty, so nothing can be taken from it. Check 'len(...) > 0' first.
-run-means-index = There is no item at this position. The first is 0, and the last is one less than the length.
+run-means-index = There is no item at this position. Positions go from 0 to one less than the length; '[-1]' is the last item.
 run-means-key = There is no entry { $key }. Check its spelling, or add it first.
 run-means-module = There is no module '{ $module }'. Check its name, or put its file next to the program.
-run-means-import = There is no '{ $name }' to import from there. Check its spelling.
-run-means-file = There is no such file. Check its name and folder.
+run-means-file = There is no file { $file }. Check its name and folder.
 run-means-local = '{ $name }' is set inside this function, but read before that. Write 'global { $name }' at its beginning, or set it first.
 run-means-name = '{ $name }' has no value yet. Set it above this line, or check its spelling.
-run-means-attribute-of-nothing = There is no value in front of '.{ $name }', only None. Check where it should come from.
+run-means-attribute-of-nothing = There is no value in front of '.{ $name }', only None. Check first: 'if x != None:'.
+run-means-attribute-of-text = Text has no '{ $name }', only a list has. Join text with '+': '"a" + "b"'.
 run-means-skill = The robot has no skill '{ $name }'. Check its spelling.
 run-means-attribute = '{ $name }' does not exist for { $type }. Check its spelling, and the value before the dot.
 run-means-attribute-of-module = The module '{ $module }' has no '{ $name }'. Check its spelling.
 run-means-join = Only text can be added to text, not { $type }. Write 'str(...)' around the other value.
 run-means-join-list = Only a list can be added to a list, not { $type }. Use 'append' to add one item.
-run-means-nothing = One side of '{ $operator }' has no value (None). Check where it comes from: a missing sensor, or a function without 'return'?
+run-means-nothing = One side of '{ $operator }' has no value (None): a sensor gave no answer, or a function has no 'return'. Check first: 'if x != None:'.
 run-means-operands = '{ $operator }' does not work with { $type } and { $other_type }. Convert one with 'int(...)', 'float(...)' or 'str(...)'.
 run-means-multiply = A text or a list can only be multiplied by a whole number. Write 'int(...)' around the other value.
 run-means-whole-number = A whole number is needed here, not { $type }. Write 'int(...)' around it.
@@ -86,18 +86,24 @@ run-means-number = A number is needed here, not { $type }. Write 'float(...)' ar
 run-means-call = This is { $type }, not a function. Remove the brackets after it, or rename the variable.
 run-means-items = This is { $type }, so it has no items. Use a list or a text before '['.
 run-means-iteration = A loop needs a list or a text, not { $type }. Write 'range(...)' around a number.
-run-means-length = 'len' needs a list or a text, not { $type }.
+run-means-length = 'len' needs a list or a text, not { $type }. Put one of them in the brackets.
+run-means-length-of-number = 'len' needs a list or a text, not a number. Write 'len(str(...))' to count its digits.
 run-means-position = A position is a whole number, counted from 0. Write 'int(...)' around it.
+run-means-position-in-quotes = The position in '[...]' is text here. Write it without quotes, or 'int(...)' around it.
 run-means-item-assignment = A part of { $type } can't be set. Make a new value instead.
+run-means-letter-assignment = A letter of a text can't be changed. Make a new text, such as 'name = "a" + "na"'.
 run-means-missing-argument = '{ $function }' needs more values: { $names }. Write them in the brackets.
-run-means-too-many-arguments = '{ $function }' got { $given } values, which is too many. Remove some from the brackets.
+run-means-too-many-arguments = { $excess ->
+    [one] '{ $function }' got 1 value too many. Remove 1 from the brackets.
+   *[other] '{ $function }' got { $excess } values too many. Remove { $excess } from the brackets.
+}
 run-means-unknown-argument = '{ $function }' has no argument '{ $name }'. Check its spelling.
 run-means-int = { $text } is not a whole number, so 'int' can't read it. Check the text, or what was typed in.
 run-means-float = { $text } is not a number, so 'float' can't read it. Check the text, and write a point, not a comma.
-run-means-domain = This can't be calculated, such as the square root of a negative number. Check the value first.
+run-means-domain = This can't be calculated: a negative number has no square root, and 0 has no logarithm. Check first: 'if x > 0:'.
 run-means-range = The first number is larger than the last. Swap them.
 run-means-not-in-list = The list does not contain this value. Check with 'in' first.
-run-means-separator = The text between the parts is empty. Write at least one character, such as " ".
+run-means-separator = 'split' needs the text at which to cut, such as ",". Write 'list(...)' around a text to get its letters.
 run-means-unpack = The number of names before '=' differs from the number of values after it.
 
 # $type and $failed are Python's names of errors.

@@ -60,24 +60,24 @@ run-type = { $type ->
    *[other] { $type }
 }
 run-means-zero-division = Se ha dividido un número entre 0. Comprueba antes el divisor: 'if x != 0:'.
-run-means-recursion = Una función se llama a sí misma sin fin. Pon una condición con la que pare.
+run-means-recursion = '{ $function }' se llama a sí misma sin fin. Llámala solo mientras se cumpla algo, como en 'if n > 0:'.
 run-means-memory = El programa ha gastado toda su memoria. ¿Crece una lista o un texto en un bucle sin fin?
 run-means-overflow = Un número se ha hecho demasiado grande. Revisa la cuenta de esta línea.
 run-means-empty = La lista está vacía, así que no se puede sacar nada de ella. Comprueba antes 'len(...) > 0'.
-run-means-index = No hay ningún elemento en esa posición. La primera es 0, y la última es la longitud menos uno.
+run-means-index = No hay ningún elemento en esa posición. Las posiciones van de 0 a la longitud menos uno; '[-1]' es el último elemento.
 run-means-key = No hay ninguna entrada { $key }. Revisa cómo se escribe, o añádela antes.
 run-means-module = No hay ningún módulo '{ $module }'. Revisa su nombre, o pon su archivo junto al programa.
-run-means-import = Ahí no hay ningún '{ $name }' que importar. Revisa cómo se escribe.
-run-means-file = Ese archivo no existe. Revisa su nombre y su carpeta.
+run-means-file = No hay ningún archivo { $file }. Revisa su nombre y su carpeta.
 run-means-local = '{ $name }' recibe un valor dentro de esta función, pero se lee antes. Escribe 'global { $name }' al principio de la función, o dale antes un valor.
 run-means-name = '{ $name }' no tiene valor todavía. Dale uno más arriba, o revisa cómo se escribe.
-run-means-attribute-of-nothing = Delante de '.{ $name }' no hay ningún valor, solo None. Mira de dónde debería venir.
+run-means-attribute-of-nothing = Delante de '.{ $name }' no hay ningún valor, solo None. Compruébalo antes: 'if x != None:'.
+run-means-attribute-of-text = Un texto no tiene '{ $name }', solo las listas. Une los textos con '+': '"a" + "b"'.
 run-means-skill = El robot no tiene la habilidad '{ $name }'. Revisa cómo se escribe.
 run-means-attribute = '{ $name }' no existe para { $type }. Revisa cómo se escribe y el valor que hay delante del punto.
 run-means-attribute-of-module = El módulo '{ $module }' no tiene '{ $name }'. Revisa cómo se escribe.
 run-means-join = A un texto solo se le puede sumar otro texto, no { $type }. Pon 'str(...)' alrededor del otro valor.
 run-means-join-list = A una lista solo se le puede sumar otra lista, no { $type }. Usa 'append' para añadir un elemento.
-run-means-nothing = Un lado de '{ $operator }' no tiene valor (None). Mira de dónde viene: ¿falta un sensor, o una función no tiene 'return'?
+run-means-nothing = Un lado de '{ $operator }' no tiene valor (None): un sensor no ha respondido, o a una función le falta 'return'. Compruébalo antes: 'if x != None:'.
 run-means-operands = '{ $operator }' no funciona con { $type } y { $other_type }. Convierte uno con 'int(...)', 'float(...)' o 'str(...)'.
 run-means-multiply = Un texto o una lista solo se puede multiplicar por un número entero. Pon 'int(...)' alrededor del otro valor.
 run-means-whole-number = Aquí hace falta un número entero, no { $type }. Pon 'int(...)' alrededor.
@@ -85,18 +85,24 @@ run-means-number = Aquí hace falta un número, no { $type }. Pon 'float(...)' a
 run-means-call = Esto es { $type }, no una función a la que llamar. Quita los paréntesis que siguen, o cambia el nombre de la variable.
 run-means-items = Esto es { $type }, así que no tiene elementos. Usa una lista o un texto antes de '['.
 run-means-iteration = Un bucle necesita una lista o un texto, no { $type }. Pon 'range(...)' alrededor de un número.
-run-means-length = 'len' necesita una lista o un texto, no { $type }.
+run-means-length = 'len' necesita una lista o un texto, no { $type }. Pon uno de los dos entre los paréntesis.
+run-means-length-of-number = 'len' necesita una lista o un texto, no un número. Escribe 'len(str(...))' para contar sus cifras.
 run-means-position = Una posición es un número entero que se cuenta desde 0. Pon 'int(...)' alrededor.
+run-means-position-in-quotes = La posición entre '[...]' es un texto. Escríbela sin comillas, o pon 'int(...)' alrededor.
 run-means-item-assignment = No se puede cambiar una parte de { $type }. Crea un valor nuevo.
+run-means-letter-assignment = No se puede cambiar una letra de un texto. Crea un texto nuevo, como 'name = "a" + "na"'.
 run-means-missing-argument = A '{ $function }' le faltan valores: { $names }. Escríbelos entre los paréntesis.
-run-means-too-many-arguments = '{ $function }' ha recibido { $given } valores, y son demasiados. Quita alguno de los paréntesis.
+run-means-too-many-arguments = { $excess ->
+    [one] '{ $function }' ha recibido 1 valor de más. Quita 1 de los paréntesis.
+   *[other] '{ $function }' ha recibido { $excess } valores de más. Quita { $excess } de los paréntesis.
+}
 run-means-unknown-argument = '{ $function }' no tiene ningún argumento '{ $name }'. Revisa cómo se escribe.
 run-means-int = { $text } no es un número entero, y 'int' no puede leerlo. Revisa el texto, o lo que se ha escrito al preguntar.
 run-means-float = { $text } no es un número, y 'float' no puede leerlo. Revisa el texto, y usa un punto en lugar de una coma.
-run-means-domain = Esto no se puede calcular, como la raíz cuadrada de un número negativo. Comprueba antes el valor.
+run-means-domain = Esto no se puede calcular: un número negativo no tiene raíz cuadrada, y 0 no tiene logaritmo. Compruébalo antes: 'if x > 0:'.
 run-means-range = El primer número es mayor que el último. Cámbialos de orden.
 run-means-not-in-list = La lista no contiene ese valor. Compruébalo antes con 'in'.
-run-means-separator = El texto que separa las partes está vacío. Escribe al menos un carácter, como " ".
+run-means-separator = 'split' necesita el texto por el que cortar, como ",". Pon 'list(...)' alrededor de un texto para sacar sus letras.
 run-means-unpack = Antes de '=' no hay tantos nombres como valores hay después.
 
 # $type y $failed son nombres de errores de Python.
