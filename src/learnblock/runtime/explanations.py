@@ -110,7 +110,8 @@ _MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
     ),
     (
         TypeError,
-        r"(?:\w+\.)*(?P<function>\w+)\(\) takes (?:from \d+ to )?(?P<most>\d+) .* but (?P<given>\d+) w.* given",
+        r"(?:\w+\.)*(?P<function>\w+)\(\) takes (?:from \d+ to )?(?P<most>\d+) .*"
+        r" but (?P<given>\d+) w.* given",
         "run-means-too-many-arguments",
     ),
     (

@@ -1,6 +1,7 @@
 """The slips that pupils make, and what is said about them, in tests/cases/slips.
 
-Each case has the program and its golden messages: severity, line and words.
+Each case has the program and its golden messages: severity, line and words; some have the program
+as the messages advise to write it.
 """
 
 import tomllib
@@ -19,10 +20,12 @@ SLIPS = {
     for name, slip in tomllib.loads(file.read_text(encoding="utf-8")).items()
 }
 
+MENDED = {name: slip for name, slip in SLIPS.items() if "mended" in slip}
 
-def diagnosed(slip):
+
+def diagnosed(slip, version="program"):
     """The diagnostics of `learnblock check` without a robot."""
-    text, is_python = slip["program"], slip.get("notation") == "python"
+    text, is_python = slip[version], slip.get("notation") == "python"
     try:
         tree = from_python(text) if is_python else parse(text)
     except FileError as error:
@@ -51,6 +54,11 @@ def test_a_slip_is_marked_in_its_line(slip):
         line = lines[diagnostic.line - 1]
         end = diagnostic.end_column or diagnostic.column
         assert 1 <= diagnostic.column <= end <= len(line) + 2
+
+
+@pytest.mark.parametrize("slip", MENDED.values(), ids=MENDED)
+def test_a_program_that_follows_the_advice_has_no_slip(slip):
+    assert [] == diagnosed(slip, "mended")
 
 
 def test_there_are_more_than_a_hundred_and_seventy_slips():

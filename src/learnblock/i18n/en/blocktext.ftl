@@ -52,8 +52,9 @@ blocktext-declaration = Block-Text has no '{ $word }'. Write only the name, '=' 
 blocktext-loop = Block-Text has no 'loop'. Write 'repeat 10:' or 'while True:'.
 blocktext-foreach = Block-Text has no 'foreach'. Write 'for x in values:'.
 blocktext-from = Block-Text has no 'from'. Write 'import "name"' to import a library.
+blocktext-python-statement = Block-Text has no '{ $word }'. Write 'python:' above this line and 'end' below it.
+blocktext-python-block = Block-Text has no '{ $word }'. Write 'python:' above it and keep the 'end' below; in between write Python, with 'robot.' instead of 'function.'.
 # $word: a word of Python, such as class
-blocktext-python-only = Block-Text has no '{ $word }'. Use a 'python:' block.
 blocktext-global = Remove 'global': all variables are global.
 blocktext-is = Write '==' to compare. Block-Text has no 'is'.
 
@@ -119,14 +120,20 @@ blocktext-stray-end = This 'end' closes nothing. Remove it, or check the block a
 blocktext-stray-branch = This '{ $word }' has no 'if'. Remove it, or check the 'end' lines above.
 # $word: elif or else
 blocktext-after-else = This '{ $word }' comes after 'else'. Move 'else' to the end.
+blocktext-else-with-condition = 'else' has no condition. Write '{ $instead }' instead of '{ $found }'.
 blocktext-nested = '{ $word }' can't be inside '{ $opener }'. Move it to the top level.
 blocktext-too-many-blocks = More than { $limit } blocks are nested here. Move some of them into a function.
 blocktext-for-equals = Write 'for { $name } from 1 to 10:', without '='.
 
 ## Lines of other languages. $found: a part of the line, $instead: what to write instead
 
-blocktext-comment = A comment begins with '#'. Write '#' instead of '{ $found }'.
+blocktext-comment = A comment begins with '#'. Write '{ $instead }' instead of '{ $found }'.
 blocktext-endless = Block-Text has no '{ $found }'. Write 'while True:' to repeat forever, or 'repeat 10:' to repeat a number of times.
+blocktext-repeat-number = 'repeat' needs a number. Write 'repeat 10:', or 'while True:' to repeat forever.
+blocktext-function-for-def = 'function.' uses a skill of the robot. Write '{ $header }' to make your own function.
+blocktext-drive = Block-Text has no '{ $found }'. '{ $instead }' drives at 40 mm/s until the next command. To stop after 2 seconds, write 'function.sleep(2)' and 'function.stop_bot()' below it.
+blocktext-steps = The robot has no steps. '{ $instead }' drives at 40 mm/s until the next command. To stop after 2 seconds, write 'function.sleep(2)' and 'function.stop_bot()' below it.
+blocktext-stop-all = Block-Text has no '{ $found }'. Write '{ $instead }' to stop the wheels, or 'break' to leave a loop.
 blocktext-no-event = Block-Text has no event '{ $found }'. Write a condition of the robot, as in 'when seen = function.is_any_tag():'.
 blocktext-when-needs-name = A 'when' needs a name before its condition. Write '{ $instead }'.
 blocktext-declared = A variable needs no type and no 'var'. Write '{ $instead }' instead of '{ $found }'.
@@ -135,12 +142,17 @@ blocktext-name-with-hyphen = A name has no '-', which subtracts. Write '{ $inste
 blocktext-name-with-digit = A name can't begin with a digit. Write '{ $instead }' instead of '{ $found }'.
 blocktext-decimal-comma = Numbers have a decimal point. Write '{ $instead }' instead of '{ $found }'.
 blocktext-sum-as-target = Only one variable can be on the left of '='. Write the sum on the right.
+blocktext-two-targets = A line sets only one variable. Write '{ $instead }', and '{ $second }' on the next line.
 blocktext-unit = Write numbers without a unit: '{ $instead }' instead of '{ $found }'.
 blocktext-text-in-quotes = Text needs quotes. Write '{ $instead }' instead of '{ $found }'.
-blocktext-straight-quotes = Text needs straight double quotes. Write '{ $instead }' instead of '{ $found }'.
+blocktext-straight-quotes = Text needs straight quotes. Write { $instead } instead of { $found }.
+blocktext-two-quotes = Two ' next to each other do not make one ". Write { $instead } instead of { $found }.
 blocktext-multiply = Write '*' to multiply: '{ $instead }' instead of '{ $found }'.
 blocktext-name-again = Each side of 'and' and 'or' needs its own variable. Write '{ $instead }' instead of '{ $found }'.
 blocktext-python-file = This line is Python. Remove it, or give the file a name that ends in '.py'.
 blocktext-import-not-needed = Remove this line. Block-Text has functions such as 'sqrt(9)', 'random(1, 6)' and 'function.sleep(1)' without an import.
-blocktext-backticks = Block-Text can't read this, but Python can. Write it between backticks: '{ $instead }'.
-blocktext-comma-in-list = Items of a list are separated by commas. Write ',' instead of ';'.
+blocktext-if-in-value = Block-Text has no 'if' inside a value. Write 'if { $condition }:', '{ $yes }', 'else:', '{ $no }', 'end', each on its own line.
+blocktext-lambda = Block-Text has no 'lambda'. Write '{ $header }', 'return { $value }', 'end', each on its own line.
+blocktext-dictionary = Block-Text has no dictionaries such as { $found }, but Python has. Write a backtick before and after it: { $line }
+blocktext-comprehension = Block-Text has no 'for' inside '[...]', but Python has. Write a backtick before and after it: { $line }
+blocktext-comma-in-list = Items of a list are separated by commas. Write '{ $instead }' instead of '{ $found }'.

@@ -13,10 +13,12 @@ check-unknown-function-near = There is no function '{ $name }'. Did you mean '{ 
 check-robot-not-first = 'robot(...)' must come before everything else. Move it to the top.
 check-unknown-skill = There is no skill '{ $name }'. The palette shows all skills.
 check-unknown-skill-near = There is no skill '{ $name }'. Did you mean '{ $near }'?
-# $instead: a call of a skill that exists
-check-unknown-skill-meant = There is no skill '{ $name }'. Write '{ $instead }'.
-check-unknown-function-meant = There is no function '{ $name }'. Write '{ $instead }'.
-check-range = Block-Text has no 'range'. Write 'repeat 4:', or 'for i from 1 to 4:' to count.
+# $advice: one of the two messages below
+check-unknown-skill-meant = There is no skill '{ $name }'. { $advice }
+check-unknown-function-meant = There is no function '{ $name }'. { $advice }
+check-write = Write '{ $instead }'.
+check-keeps-driving = '{ $instead }' drives at 40 mm/s until the next command. To stop after 2 seconds, write '{ $sleep }' and '{ $stop }' below it.
+check-range = Block-Text has no 'range'. Write 'repeat { $count }:', or 'for i from { $first } to { $last }:' to count.
 check-function-as-skill = '{ $name }' is your own function. Call it without 'function.'.
 # $reason: file, line and message
 check-skill-with-error = The skill '{ $name }' can't be used because of an error in its file. { $reason }
@@ -39,8 +41,8 @@ check-no-arguments = '{ $call }' takes no arguments. Leave its brackets empty.
 # $parameters: their names
 check-too-many-arguments = { $most ->
     [0] '{ $call }' takes no arguments. Leave its brackets empty.
-    [one] '{ $call }' takes 1 argument ({ $parameters }), not { $given }.
-   *[other] '{ $call }' takes { $most } arguments ({ $parameters }), not { $given }.
+    [one] '{ $call }' takes only 1 argument ({ $parameters }), not { $given }. Write '{ $instead }'.
+   *[other] '{ $call }' takes only { $most } arguments ({ $parameters }), not { $given }. Write '{ $instead }'.
 }
 check-argument-count = { $count ->
     [0] '{ $call }' takes no arguments. Leave its brackets empty.
@@ -70,11 +72,15 @@ check-whole-number = 'for ... from ... to' counts in whole numbers, not { $numbe
 check-text-for-number = This is text, but it must be a number.
 check-step-zero = With 'step 0' the loop would never end. Write another step.
 
-check-speed-as-angle = '{ $call }' takes a speed: the robot would keep turning at { $speed }°/s. Write '{ $turn }' to turn by { $speed } degrees.
+check-speed-as-angle = '{ $call }' takes a speed: the robot would keep turning at { $speed }°/s. Write '{ $turn }' to turn { $side ->
+    [left] left
+   *[other] right
+} by { $speed } degrees.
 
 ## Types. $value, $values and $item: a part of the program
 
 check-convert-to-number = '{ $value }' is text here, but a number is needed. Write 'int({ $value })'.
+check-words-for-number = '{ $name }' holds text, such as "{ $text }", but a number is needed. Use a variable that holds a number.
 check-number-without-quotes = A number is needed here, not text. Write { $number } without quotes.
 check-list-for-number = '{ $values }' is a list here, but a number is needed. Write '{ $values }[0]' for its first item, or 'len({ $values })' for their number.
 check-join-text = Only text can be added to text. Write 'str({ $value })'.
@@ -97,9 +103,12 @@ check-list-called = '{ $name }' is not a function. Write '{ $name }[{ $value }]'
 check-not-whole = "{ $text }" is not a whole number, so 'int' can't read it. Write digits only, such as "4".
 check-argument-type = { $wanted ->
     [list] '{ $call }' needs a list first, but '{ $value }' is not a list.
-    [text] '{ $call }' needs text first, but '{ $value }' is not text.
-   *[other] '{ $call }' needs text or a list, but '{ $value }' is neither.
+   *[text] '{ $call }' needs text first, but '{ $value }' is not text.
 }
+check-length-of-number = 'len' needs text or a list, but { $value } is a number. Write 'len(str({ $value }))' to count its digits, or put a list in the brackets.
+check-no-length = 'len' needs text or a list, but '{ $value }' is neither. Put one of them in the brackets.
+check-list-first = The list comes first. Write '{ $call }({ $values }, { $item })'.
+check-numbers-of-list = '{ $call }' calculates with the numbers of a list, but { $value } is text. Write '{ $call }([1, 2, 3])'.
 
 ## Devices
 

@@ -7,11 +7,13 @@ python-invalid-syntax = Python does not understand this. Check for typos and for
 python-missing-comma = Python does not understand this. Is a comma missing?
 python-comparison = Write '==' to compare. '=' sets a variable.
 python-expected = Write '{ $symbol }' here.
-python-missing-block = Indent this line. It belongs to the ':' line above.
+python-missing-block = Put { $spaces } spaces at the beginning of this line. It belongs to '{ $header }' above.
+python-no-block = There is nothing inside '{ $header }'. Write a line below it, with { $spaces } spaces at the beginning.
 python-unexpected-indent = Remove the spaces at the beginning of this line. It is indented too far.
 python-uneven-indent = Indent this line exactly like one of the lines above.
 python-tabs-and-spaces = Indent with spaces only. The lines here mix tabs and spaces.
-python-never-closed = This '{ $symbol }' is never closed.
+python-never-closed = This '{ $symbol }' is never closed. Write '{ $closing }' where it ends.
+python-never-closed-in-line = This '{ $symbol }' is never closed. Write '{ $closing }' where it ends: '{ $instead }'.
 python-unmatched = This '{ $symbol }' closes nothing. Remove it, or write the opening bracket.
 python-wrong-bracket = This '{ $closing }' does not match the opening '{ $opening }'.
 python-missing-quote = This text has no closing quote. Write one where the text ends.
@@ -25,6 +27,7 @@ python-call-without-brackets = Write the arguments of '{ $function }' in bracket
 ## Lines of other languages
 
 python-block-text = '{ $found }' is Block-Text, not Python. Give the file a name that ends in '.bt', or write only what is inside the block.
+python-when = '{ $found }' is Block-Text. In Python write '{ $decorator }', below it 'def { $name }():', and 'robot.run()' as the last line.
 python-count = Write '{ $found } += 1' to count.
 python-brace = Remove '{ $found }'. In Python a block ends where its indentation ends.
 
@@ -34,6 +37,7 @@ python-brace = Remove '{ $found }'. In Python a block ends where its indentation
 python-no-robot = The program has no robot. Write 'from learnblock.robots.{ $module } import Robot' and 'robot = Robot()' at the top.
 python-robot-import = 'Robot' can't be imported from there. Write 'from learnblock.robots.{ $module } import Robot'.
 python-robot-not-created = The robot is not created yet. Write 'robot = Robot()'.
+python-robot-lower-case = Write 'Robot()' with a capital 'R': 'robot = Robot()'.
 python-robot-class = Write 'robot.{ $skill }(...)', with a small 'r'.
 python-function = In Python a skill belongs to the robot. Write 'robot.{ $skill }(...)' instead of 'function.{ $skill }(...)'.
 python-end = Python has no 'end'. Remove it: a block ends where its indentation ends.

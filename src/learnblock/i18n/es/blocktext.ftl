@@ -52,8 +52,9 @@ blocktext-declaration = En Block-Text no hay '{ $word }'. Escribe solo el nombre
 blocktext-loop = En Block-Text no hay 'loop'. Escribe 'repeat 10:' o 'while True:'.
 blocktext-foreach = En Block-Text no hay 'foreach'. Escribe 'for x in values:'.
 blocktext-from = En Block-Text no hay 'from'. Escribe 'import "name"' para importar una biblioteca.
+blocktext-python-statement = En Block-Text no hay '{ $word }'. Escribe 'python:' encima de esta línea y 'end' debajo.
+blocktext-python-block = En Block-Text no hay '{ $word }'. Escribe 'python:' encima y deja el 'end' de abajo; entre los dos, escribe Python, con 'robot.' en lugar de 'function.'.
 # $word: a word of Python, such as class
-blocktext-python-only = En Block-Text no hay '{ $word }'. Usa un bloque 'python:'.
 blocktext-global = Quita 'global': todas las variables son globales.
 blocktext-is = Escribe '==' para comparar. En Block-Text no hay 'is'.
 
@@ -119,14 +120,20 @@ blocktext-stray-end = Este 'end' no cierra nada. Quítalo, o revisa el bloque de
 blocktext-stray-branch = A este '{ $word }' le falta su 'if'. Quítalo, o revisa las líneas 'end' de arriba.
 # $word: elif or else
 blocktext-after-else = Este '{ $word }' va después de 'else'. Mueve 'else' al final.
+blocktext-else-with-condition = 'else' no lleva condición. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-nested = '{ $word }' no puede ir dentro de '{ $opener }'. Muévelo fuera de todos los bloques.
 blocktext-too-many-blocks = Aquí hay más de { $limit } bloques unos dentro de otros. Mueve algunos a una función.
 blocktext-for-equals = Escribe 'for { $name } from 1 to 10:', sin '='.
 
 ## Lines of other languages. $found: a part of the line, $instead: what to write instead
 
-blocktext-comment = Un comentario empieza por '#'. Escribe '#' en lugar de '{ $found }'.
+blocktext-comment = Un comentario empieza por '#'. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-endless = En Block-Text no hay '{ $found }'. Escribe 'while True:' para repetir siempre, o 'repeat 10:' para repetir un número de veces.
+blocktext-repeat-number = 'repeat' necesita un número. Escribe 'repeat 10:', o 'while True:' para repetir siempre.
+blocktext-function-for-def = 'function.' usa una habilidad del robot. Escribe '{ $header }' para crear tu propia función.
+blocktext-drive = En Block-Text no hay '{ $found }'. Con '{ $instead }' el robot avanza a 40 mm/s hasta la siguiente orden. Para que pare a los 2 segundos, escribe debajo 'function.sleep(2)' y 'function.stop_bot()'.
+blocktext-steps = El robot no avanza por pasos. Con '{ $instead }' el robot avanza a 40 mm/s hasta la siguiente orden. Para que pare a los 2 segundos, escribe debajo 'function.sleep(2)' y 'function.stop_bot()'.
+blocktext-stop-all = En Block-Text no hay '{ $found }'. Escribe '{ $instead }' para parar las ruedas, o 'break' para salir de un bucle.
 blocktext-no-event = En Block-Text no hay el evento '{ $found }'. Escribe una condición del robot, como en 'when seen = function.is_any_tag():'.
 blocktext-when-needs-name = Un 'when' necesita un nombre antes de su condición. Escribe '{ $instead }'.
 blocktext-declared = Una variable no necesita tipo ni 'var'. Escribe '{ $instead }' en lugar de '{ $found }'.
@@ -135,12 +142,17 @@ blocktext-name-with-hyphen = Un nombre no lleva '-', que resta. Escribe '{ $inst
 blocktext-name-with-digit = Un nombre no puede empezar por una cifra. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-decimal-comma = Los decimales van con punto. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-sum-as-target = A la izquierda de '=' solo puede haber una variable. Escribe la cuenta a la derecha.
+blocktext-two-targets = Una línea da valor a una sola variable. Escribe '{ $instead }' y, en la línea siguiente, '{ $second }'.
 blocktext-unit = Los números van sin unidad: escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-text-in-quotes = Los textos van entre comillas. Escribe '{ $instead }' en lugar de '{ $found }'.
-blocktext-straight-quotes = Los textos van entre comillas dobles rectas. Escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-straight-quotes = Los textos van entre comillas rectas. Escribe { $instead } en lugar de { $found }.
+blocktext-two-quotes = Dos ' seguidas no son lo mismo que una ". Escribe { $instead } en lugar de { $found }.
 blocktext-multiply = Para multiplicar se escribe '*': '{ $instead }' en lugar de '{ $found }'.
 blocktext-name-again = Cada lado de 'and' y 'or' necesita su propia variable. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-python-file = Esta línea es Python. Quítala, o dale al archivo un nombre que termine en '.py'.
 blocktext-import-not-needed = Quita esta línea. Block-Text tiene funciones como 'sqrt(9)', 'random(1, 6)' y 'function.sleep(1)' sin importar nada.
-blocktext-backticks = Block-Text no entiende esto, pero Python sí. Escríbelo entre acentos graves: '{ $instead }'.
-blocktext-comma-in-list = Los elementos de una lista se separan con comas. Escribe ',' en lugar de ';'.
+blocktext-if-in-value = En Block-Text no hay 'if' dentro de un valor. Escribe 'if { $condition }:', '{ $yes }', 'else:', '{ $no }', 'end', cada uno en su propia línea.
+blocktext-lambda = En Block-Text no hay 'lambda'. Escribe '{ $header }', 'return { $value }', 'end', cada uno en su propia línea.
+blocktext-dictionary = En Block-Text no hay diccionarios como { $found }, pero en Python sí. Escribe un acento grave delante y otro detrás: { $line }
+blocktext-comprehension = En Block-Text no hay 'for' dentro de '[...]', pero en Python sí. Escribe un acento grave delante y otro detrás: { $line }
+blocktext-comma-in-list = Los elementos de una lista se separan con comas. Escribe '{ $instead }' en lugar de '{ $found }'.

@@ -13,10 +13,12 @@ check-unknown-function-near = No hay ninguna función '{ $name }'. ¿Querías de
 check-robot-not-first = 'robot(...)' va antes que todo lo demás. Muévelo al principio.
 check-unknown-skill = No hay ninguna habilidad '{ $name }'. En la paleta están todas.
 check-unknown-skill-near = No hay ninguna habilidad '{ $name }'. ¿Querías decir '{ $near }'?
-# $instead: a call of a skill that exists
-check-unknown-skill-meant = No hay ninguna habilidad '{ $name }'. Escribe '{ $instead }'.
-check-unknown-function-meant = No hay ninguna función '{ $name }'. Escribe '{ $instead }'.
-check-range = En Block-Text no hay 'range'. Escribe 'repeat 4:', o 'for i from 1 to 4:' para contar.
+# $advice: one of the two messages below
+check-unknown-skill-meant = No hay ninguna habilidad '{ $name }'. { $advice }
+check-unknown-function-meant = No hay ninguna función '{ $name }'. { $advice }
+check-write = Escribe '{ $instead }'.
+check-keeps-driving = Con '{ $instead }' el robot avanza a 40 mm/s hasta la siguiente orden. Para que pare a los 2 segundos, escribe debajo '{ $sleep }' y '{ $stop }'.
+check-range = En Block-Text no hay 'range'. Escribe 'repeat { $count }:', o 'for i from { $first } to { $last }:' para contar.
 check-function-as-skill = '{ $name }' es una función tuya. Llámala sin 'function.'.
 # $reason: file, line and message
 check-skill-with-error = La habilidad '{ $name }' no se puede usar porque hay un error en su archivo. { $reason }
@@ -39,8 +41,8 @@ check-no-arguments = '{ $call }' no lleva argumentos. Deja sus paréntesis vací
 # $parameters: their names
 check-too-many-arguments = { $most ->
     [0] '{ $call }' no lleva argumentos. Deja sus paréntesis vacíos.
-    [one] '{ $call }' lleva 1 argumento ({ $parameters }), no { $given }.
-   *[other] '{ $call }' lleva { $most } argumentos ({ $parameters }), no { $given }.
+    [one] '{ $call }' lleva solo 1 argumento ({ $parameters }), no { $given }. Escribe '{ $instead }'.
+   *[other] '{ $call }' lleva solo { $most } argumentos ({ $parameters }), no { $given }. Escribe '{ $instead }'.
 }
 check-argument-count = { $count ->
     [0] '{ $call }' no lleva argumentos. Deja sus paréntesis vacíos.
@@ -70,11 +72,15 @@ check-whole-number = 'for ... from ... to' cuenta con números enteros, no con {
 check-text-for-number = Esto es un texto, pero tiene que ser un número.
 check-step-zero = Con 'step 0' el bucle no terminaría nunca. Escribe otro paso.
 
-check-speed-as-angle = '{ $call }' espera una velocidad: el robot seguiría girando a { $speed }°/s. Escribe '{ $turn }' para girar { $speed } grados.
+check-speed-as-angle = '{ $call }' espera una velocidad: el robot seguiría girando a { $speed }°/s. Escribe '{ $turn }' para girar { $speed } grados a la { $side ->
+    [left] izquierda
+   *[other] derecha
+}.
 
 ## Types. $value, $values and $item: a part of the program
 
 check-convert-to-number = '{ $value }' es un texto aquí, pero hace falta un número. Escribe 'int({ $value })'.
+check-words-for-number = '{ $name }' contiene un texto, como "{ $text }", pero hace falta un número. Usa una variable que contenga un número.
 check-number-without-quotes = Aquí hace falta un número, no un texto. Escribe { $number } sin comillas.
 check-list-for-number = '{ $values }' es una lista aquí, pero hace falta un número. Escribe '{ $values }[0]' para su primer elemento, o 'len({ $values })' para saber cuántos tiene.
 check-join-text = A un texto solo se le puede sumar otro texto. Escribe 'str({ $value })'.
@@ -97,9 +103,12 @@ check-list-called = '{ $name }' no es una función. Escribe '{ $name }[{ $value 
 check-not-whole = "{ $text }" no es un número entero, y 'int' no puede leerlo. Escribe solo cifras, como "4".
 check-argument-type = { $wanted ->
     [list] '{ $call }' necesita primero una lista, y '{ $value }' no es una lista.
-    [text] '{ $call }' necesita primero un texto, y '{ $value }' no es un texto.
-   *[other] '{ $call }' necesita un texto o una lista, y '{ $value }' no es ninguno de los dos.
+   *[text] '{ $call }' necesita primero un texto, y '{ $value }' no es un texto.
 }
+check-length-of-number = 'len' necesita un texto o una lista, pero { $value } es un número. Escribe 'len(str({ $value }))' para contar sus cifras, o pon una lista entre los paréntesis.
+check-no-length = 'len' necesita un texto o una lista, y '{ $value }' no es ninguno de los dos. Pon uno de ellos entre los paréntesis.
+check-list-first = La lista va primero. Escribe '{ $call }({ $values }, { $item })'.
+check-numbers-of-list = '{ $call }' calcula con los números de una lista, pero { $value } es un texto. Escribe '{ $call }([1, 2, 3])'.
 
 ## Devices
 

@@ -7,11 +7,13 @@ python-invalid-syntax = Python no entiende esto. Revisa si hay erratas o si falt
 python-missing-comma = Python no entiende esto. ¿Falta una coma?
 python-comparison = Escribe '==' para comparar. '=' da valor a una variable.
 python-expected = Escribe '{ $symbol }' aquí.
-python-missing-block = Añade sangría a esta línea. Pertenece a la línea con ':' de arriba.
+python-missing-block = Pon { $spaces } espacios al principio de esta línea. Pertenece a '{ $header }', más arriba.
+python-no-block = Dentro de '{ $header }' no hay nada. Escribe una línea debajo, con { $spaces } espacios al principio.
 python-unexpected-indent = Quita los espacios del principio de esta línea. Tiene demasiada sangría.
 python-uneven-indent = Pon en esta línea la misma sangría que en una de las líneas de arriba.
 python-tabs-and-spaces = Usa solo espacios para la sangría. Aquí se mezclan tabuladores y espacios.
-python-never-closed = Este '{ $symbol }' no se cierra nunca.
+python-never-closed = Este '{ $symbol }' no se cierra nunca. Escribe '{ $closing }' donde termina.
+python-never-closed-in-line = Este '{ $symbol }' no se cierra nunca. Escribe '{ $closing }' donde termina: '{ $instead }'.
 python-unmatched = Este '{ $symbol }' no cierra nada. Quítalo, o escribe el paréntesis que lo abre.
 python-wrong-bracket = Este '{ $closing }' no corresponde al '{ $opening }' que está abierto.
 python-missing-quote = A este texto le faltan las comillas de cierre. Escríbelas donde termina el texto.
@@ -25,6 +27,7 @@ python-call-without-brackets = Escribe los argumentos de '{ $function }' entre p
 ## Lines of other languages
 
 python-block-text = '{ $found }' es Block-Text, no Python. Dale al archivo un nombre que termine en '.bt', o escribe solo lo que hay dentro del bloque.
+python-when = '{ $found }' es Block-Text. En Python escribe '{ $decorator }', debajo 'def { $name }():' y, en la última línea, 'robot.run()'.
 python-count = Escribe '{ $found } += 1' para contar.
 python-brace = Quita '{ $found }'. En Python un bloque termina donde termina su sangrado.
 
@@ -34,6 +37,7 @@ python-brace = Quita '{ $found }'. En Python un bloque termina donde termina su 
 python-no-robot = El programa no tiene robot. Escribe 'from learnblock.robots.{ $module } import Robot' y 'robot = Robot()' al principio.
 python-robot-import = 'Robot' no se puede importar de ahí. Escribe 'from learnblock.robots.{ $module } import Robot'.
 python-robot-not-created = El robot todavía no está creado. Escribe 'robot = Robot()'.
+python-robot-lower-case = Escribe 'Robot()' con 'R' mayúscula: 'robot = Robot()'.
 python-robot-class = Escribe 'robot.{ $skill }(...)', con 'r' minúscula.
 python-function = En Python las habilidades son del robot. Escribe 'robot.{ $skill }(...)' en lugar de 'function.{ $skill }(...)'.
 python-end = En Python no hay 'end'. Quítalo: un bloque termina donde termina su sangrado.

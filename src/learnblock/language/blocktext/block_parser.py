@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.lexer import Token, Tokens
 from learnblock.language.blocktext.line_rewriter import LineRewriter
-from learnblock.language.blocktext.slips import VALUES, Rewritten, Slip, write_instead
+from learnblock.language.blocktext.slips import Rewritten, Slip, write_instead
 from learnblock.language.blocktext.token_reader import LINE_ENDS, from_to
 from learnblock.language.tree import raw
 from learnblock.language.tree.nodes import Blank, Body, Comment, Raw, Span, Statement
@@ -150,8 +150,8 @@ class BlockParser(LineRewriter):
             self.report("missing-colon", message, place)
         elif self.token.text in {"then", "do"}:
             raise self.slip("missing-colon", write_instead(self.token.text, ":"))
-        elif opener.kind == "else" and kind in VALUES:
-            raise self.slip("else-with-condition", write_instead("else", "elif"), opener)
+        elif opener.kind == "else" and self.line_ends_in_colon():
+            raise self.else_with_condition(opener)
         else:
             raise self.unexpected(Phrase("blocktext-wanted-colon", word=opener.text))
         kind = self.kinds[self.index]
@@ -161,6 +161,13 @@ class BlockParser(LineRewriter):
         if kind == "newline":
             self.index += 1
         return None
+
+    def else_with_condition(self, opener: Token) -> Slip:
+        line = self.code_of(opener.line, self.line_end_index())
+        found = line[opener.column - 1 :].strip()
+        instead = "elif" + found.removeprefix("else")
+        message = Phrase("blocktext-else-with-condition", found=found, instead=instead)
+        return self.slip("else-with-condition", message, opener)
 
     def block(self, opener: Token) -> Body:
         """Read a body and its ``end``."""

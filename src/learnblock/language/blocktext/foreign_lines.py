@@ -6,6 +6,7 @@ strings, and is tried only on a line that cannot be read.
 """
 
 import re
+from collections.abc import Callable, Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -19,13 +20,16 @@ class Rule(NamedTuple):
 
     Args:
         pattern: matches the whole line, or its beginning.
-        instead: what to write; ``\1`` is the first group.
+        instead: what to write; ``\1`` is the first group. Or a function of the groups, of which
+            the first is what was found.
         code: the code of the message, which has the values ``found`` and ``instead``.
+        values: the other values of the message, written like `instead`.
     """
 
     pattern: str
-    instead: str
+    instead: str | Callable[[Sequence[str]], str]
     code: str = WRITE_INSTEAD
+    values: tuple[tuple[str, str], ...] = ()
 
     def match(self, line: str) -> re.Match[str] | None:
         return _compiled(self.pattern).match(line)
@@ -57,7 +61,14 @@ TEXT_WITHOUT_QUOTES = Rule(
     "blocktext-text-in-quotes",
 )
 
-_COMMENTS = (Rule(r"\s*(?P<wrong>//+|--+|/\*+)", "#", "blocktext-comment"),)
+CURLY_QUOTES = Rule(
+    r".*?(?P<wrong>[“”„«]([^“”„«»\"]*)[“”»]|‘([^‘’\"]*)’)", r'"\2\3"', "blocktext-straight-quotes"
+)
+
+_COMMENTS = (
+    Rule(r"\s*(?P<wrong>//+|--+|/\*+)", "#", "blocktext-comment"),
+    Rule(r"\s*(?P<wrong>(.*?)\s*\*/)\s*$", r"# \2", "blocktext-comment"),
+)
 
 _ENDS = (
     at_start(r"fin\s*(?:si|mientras|para|repetir|de\s+\w+)\s*$", "end"),
@@ -71,10 +82,22 @@ _ENDS = (
     Rule(r"\s*(?P<wrong>\})\s*$", "end"),
 )
 
+
+def _counted(groups: Sequence[str]) -> str:
+    """The loop that begins ``for (i = 0; i < 4;`` in C."""
+    _, name, first, end = groups
+    return f"for {name} from {first} to {int(end) - 1 if end.isdecimal() else end + ' - 1'}:"
+
+
+def _with_commas(groups: Sequence[str]) -> str:
+    """A list without its semicolons, except those in texts."""
+    return re.sub(r"(\"[^\"]*\"|'[^']*')|;", lambda part: part[1] or ",", groups[0])
+
+
 _LOOPS = (
     Rule(
         r"\s*for\s*\(?\s*(?:int|let|var)?\s*(\w+)\s*=\s*(\w+)\s*;\s*\w+\s*<\s*(\w+)\s*;.*$",
-        r"for \1 from \2 to \3 - 1:",
+        _counted,
     ),
     Rule(
         r"\s*for\s*\(?\s*(?:int|let|var)?\s*(\w+)\s*=\s*(\w+)\s*;\s*\w+\s*<=\s*(\w+)\s*;.*$",
@@ -93,8 +116,9 @@ _LOOPS = (
         r"while not (\1): function.sleep(0.1) end",
     ),
     Rule(r"\s*(?:until|hasta\s+que|hasta)\s+" + REST, r"while not (\1):"),
+    Rule(r"\s*(?:repeat|repetir|repite)\s*:?\s*$", "while True:", "blocktext-repeat-number"),
     Rule(
-        r"\s*(?:forever|repeat\s+forever|loop|repeat|repetir|por\s+siempre|siempre|do)\s*:?\s*$",
+        r"\s*(?:forever|repeat\s+forever|loop|por\s+siempre|siempre|do)\s*:?\s*$",
         "while True:",
         "blocktext-endless",
     ),
@@ -137,7 +161,12 @@ _DEFINITIONS = (
     Rule(r"\s*(?:def\s+|void\s+|function\s+)?main\s*\(\s*\)\s*[:{]?\s*$", "main:"),
     Rule(rf"\s*(?:def|define|definir|procedure|sub|to)\s+{NAME}\s*:\s*$", r"def \1():"),
     at_start(r"(?:define|definir|funci[oó]n|procedure|func|fn|void)(?=\s+\w)", "def"),
-    Rule(rf"\s*(?P<wrong>function)\s+{NAME}\s*\([^)]*\)\s*[:{{]", "def"),
+    Rule(
+        rf"\s*(?P<wrong>function)\s+{NAME}\s*(\([^)]*\))\s*[:{{]",
+        "def",
+        "blocktext-function-for-def",
+        (("header", r"def \2\3:"),),
+    ),
     Rule(rf"\s*(?:call|run|execute|llamar|ejecutar)\s+{NAME}\s*(?:\(\s*\))?\s*$", r"\1()"),
 )
 
@@ -183,8 +212,14 @@ _ACTIONS = (
     ),
     Rule(r"\s*(?:print|imprimir|escribir|mostrar|echo|show)\s+(\S.*?)\s*$", r"print(\1)"),
     Rule(
-        r"\s*(?:go|move|drive|avanzar|mover|adelante|forward)(?:\s+(?:forwards?|straight|steps|pasos|[\d.]+))*\s*$",
-        "function.move_straight()",
+        r"\s*(?:go|move|drive|avanzar?|mover|adelante|forward)\s+[\d.]+\s+(?:steps?|pasos?)\s*$",
+        "function.move_straight(40)",
+        "blocktext-steps",
+    ),
+    Rule(
+        r"\s*(?:go|move|drive|avanzar?|mover|adelante|forward)(?:\s+(?:forwards?|straight|[\d.]+))*\s*$",
+        "function.move_straight(40)",
+        "blocktext-drive",
     ),
     Rule(
         r"\s*(?:turn|girar)\s+(?:right|(?:a\s+la\s+)?derecha)\s+([\d.]+)\s*(?:degrees?|grados|°)?\s*$",
@@ -197,9 +232,11 @@ _ACTIONS = (
     Rule(r"\s*(?:turn|girar)\s+(right|left)\s*$", r"function.turn_\1()"),
     Rule(r"\s*(?:turn|girar)\s+(-?[\d.]+)\s*(?:degrees?|grados|°)?\s*$", r"function.turn(\1)"),
     Rule(
-        r"\s*(?:stop|parar|detener|alto)(?:\s+(?:all|robot|everything|todo|this\s+script))?\s*$",
+        r"\s*(?:stop|parar|detener)\s+(?:all|everything|todo|this\s+script)\s*$",
         "function.stop_bot()",
+        "blocktext-stop-all",
     ),
+    Rule(r"\s*(?:stop|parar|detener|alto)(?:\s+robot)?\s*$", "function.stop_bot()"),
 )
 
 _ASSIGNMENTS = (
@@ -229,11 +266,20 @@ _ASSIGNMENTS = (
         r"\2.\3",
         "blocktext-decimal-comma",
     ),
+    # The second value does not use the first variable, which would be set by then.
+    Rule(
+        rf"\s*{NAME}\s*,\s*{NAME}\s*=\s*([^\s=,()\[\]][^,()\[\]]*?)\s*,"
+        r"\s*((?:(?!\b\1\b)[^,()\[\]])+?)\s*$",
+        r"\1 = \3",
+        "blocktext-two-targets",
+        (("second", r"\2 = \4"),),
+    ),
     Rule(rf"\s*{NAME}\s*,\s*{NAME}\s*=[^=].*$", r"\1 = 0", "blocktext-second-assignment"),
     Rule(rf"\s*{NAME}\s*[-+*/]\s*\w+\s*=[^=].*$", r"\1 = 0", "blocktext-sum-as-target"),
 )
 
 _CALLS = (
+    Rule(r".*?(?P<wrong>\[[^\[\]]*;[^\[\]]*\])", _with_commas, "blocktext-comma-in-list"),
     Rule(r".*\[[^\]]*(?P<wrong>;)", ",", "blocktext-comma-in-list"),
     Rule(r".*?\b(?P<wrong>function\s*[,:;\s]\s*([^\W\d]\w*))(?=\s*\()", r"function.\2"),
     Rule(r"\s*(?P<wrong>function\.(\w+)\s*[-\s]\s*([^\W\d]\w*))\s*\(", r"function.\2_\3"),
@@ -247,7 +293,7 @@ _CALLS = (
     ),
     TEXT_WITHOUT_QUOTES,
     Rule(r".*?(?P<wrong>´([^´]*)´)", r'"\2"', "blocktext-straight-quotes"),
-    Rule(r".*?(?P<wrong>''\s*([^']+)'')", r'"\2"', "blocktext-straight-quotes"),
+    Rule(r".*?(?P<wrong>''\s*([^']+)'')", r'"\2"', "blocktext-two-quotes"),
 )
 
 OPERATORS = (
@@ -307,7 +353,10 @@ _PYTHON = (
     Rule(r".*?\b(?P<wrong>time\.sleep)(?=\s*\()", "function.sleep"),
     Rule(rf".*?\b(?P<wrong>(?:math|random|statistics)\.({_FUNCTIONS}))(?=\s*\()", r"\2"),
     Rule(r".*?\b(?P<wrong>basic\.show(?:Number|String|Leds|Icon))(?=\s*\()", "print"),
-    Rule(r".*?\b(?P<wrong>basic\.pause\s*\(\s*(\d+)\s*\))", r"function.sleep(\2 / 1000)"),
+    Rule(
+        r".*?\b(?P<wrong>basic\.pause\s*\(\s*(\d+)\s*\))",
+        lambda groups: f"function.sleep({int(groups[2]) / 1000:g})",
+    ),
     Rule(r".*?\b(?P<wrong>(?:console\.log|System\.out\.println))(?=\s*\()", "print"),
     Rule(
         rf".*?\b(?P<wrong>(?:robot|functions|fuction|funtion|Function)\.({NAME}))(?=\s*\()",
@@ -318,18 +367,33 @@ _PYTHON = (
     Rule(rf".*?\b(?P<wrong>([^\W\d]\w*)\.({_METHODS})\s*\(\s*([^\s()][^()]*)\))", r"\3(\2, \4)"),
     Rule(rf".*?\b(?P<wrong>([^\W\d]\w*)\.({_METHODS})\s*\(\s*(?=[^\s)]))", r"\3(\2, "),
     Rule(
-        rf"\s*{NAME}\s*=\s*(?P<wrong>[^=]*\S\s+if\s+.*\s+else\s+\S.*?)\s*$",
+        rf"\s*{NAME}\s*=\s*(?P<wrong>([^=]*?\S)\s+if\s+(.*?\S)\s+else\s+(\S.*?))\s*$",
         r"`\2`",
-        "blocktext-backticks",
+        "blocktext-if-in-value",
+        (("condition", r"\4"), ("yes", r"\1 = \3"), ("no", r"\1 = \5")),
     ),
     Rule(
-        rf"\s*{NAME}\s*=\s*(?P<wrong>(?:lambda\b|\{{|\[.*\sfor\s).*?)\s*$",
+        rf"\s*{NAME}\s*=\s*(?P<wrong>lambda\b\s*([\w\s,]*?)\s*:\s*(\S.*?))\s*$",
         r"`\2`",
-        "blocktext-backticks",
+        "blocktext-lambda",
+        (("header", r"def \1(\3):"), ("value", r"\4")),
+    ),
+    *(
+        Rule(
+            rf"\s*{NAME}\s*=\s*(?P<wrong>{wrong}.*?)\s*$",
+            r"`\2`",
+            code,
+            (("line", r"\1 = `\2`"),),
+        )
+        for wrong, code in (
+            (r"\{", "blocktext-dictionary"),
+            (r"\[.*\sfor\s", "blocktext-comprehension"),
+        )
     ),
 )
 
 RULES = (
+    CURLY_QUOTES,
     *_COMMENTS,
     *_ENDS,
     *_EVENTS,

@@ -1,6 +1,7 @@
 """Reword a line from another language as Block-Text, so that it can be explained and read."""
 
 import re
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from learnblock.i18n import Phrase
@@ -47,16 +48,20 @@ def _applied(rule: Rule, found: re.Match[str], line: str) -> Rewording:
     start, end = (indent, len(line.rstrip()))
     if "wrong" in found.re.groupindex:
         start, end = found.span("wrong")
-    instead = re.sub(r"\\(\d)", lambda group: _group(found, int(group[1]), line), rule.instead)
     wrong = line[start:end]
-    message = Phrase(rule.code, found=wrong.strip(), instead=instead.strip())
+    groups = [wrong, *(line[slice(*span)] for span in found.regs[1:])]
+    instead = _filled(rule.instead, groups)
+    values = {name: _filled(value, groups) for name, value in rule.values}
+    message = Phrase(rule.code, found=wrong.strip(), instead=instead.strip(), **values)
     blanks = len(wrong) - len(wrong.lstrip())
     return Rewording(line[:start] + instead + line[end:], message, start + blanks, end)
 
 
-def _group(found: re.Match[str], number: int, line: str) -> str:
-    start, end = found.span(number)
-    return line[start:end]
+def _filled(template: str | Callable[[Sequence[str]], str], groups: Sequence[str]) -> str:
+    """A template with the groups of a match in place of their numbers."""
+    if callable(template):
+        return template(groups)
+    return re.sub(r"\\(\d)", lambda number: groups[int(number[1])], template)
 
 
 def _blank(text: re.Match[str]) -> str:

@@ -39,7 +39,10 @@ _CHARACTERS: Mapping[str, Phrase] = MappingProxyType(
         "}": _BRACES,
     }
 )
-_PYTHON_ONLY = ("class", "try", "except", "finally", "with", "del", "raise", "assert", "async")
+_PYTHON_STATEMENTS = ("del", "raise", "assert")
+_PYTHON_BLOCKS = ("class", "try", "except", "finally", "with", "async")
+#: They continue a ``try``.
+HANDLERS = frozenset(("except", "finally"))
 _OTHER_LANGUAGES: Mapping[str, Phrase] = MappingProxyType(
     {
         **_replaced({"elseif": "elif", "elsif": "elif", "function": "def", "func": "def"}),
@@ -50,7 +53,8 @@ _OTHER_LANGUAGES: Mapping[str, Phrase] = MappingProxyType(
         "loop": Phrase("blocktext-loop"),
         "foreach": Phrase("blocktext-foreach"),
         "from": Phrase("blocktext-from"),
-        **{word: Phrase("blocktext-python-only", word=word) for word in _PYTHON_ONLY},
+        **{word: Phrase("blocktext-python-statement", word=word) for word in _PYTHON_STATEMENTS},
+        **{word: Phrase("blocktext-python-block", word=word) for word in _PYTHON_BLOCKS},
         "global": Phrase("blocktext-global"),
     }
 )

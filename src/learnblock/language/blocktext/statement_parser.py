@@ -105,7 +105,7 @@ class StatementParser(BlockParser):
         """Read one item of the top level and add it to `items`."""
         raise NotImplementedError
 
-    def name_statement(self, token: Token) -> Statement:
+    def name_statement(self, token: Token) -> Statement | None:
         following = self.kinds[self.index + 1]
         if following in ASSIGNMENTS:
             self.index += 1
@@ -114,6 +114,10 @@ class StatementParser(BlockParser):
             return self.repeat_loop(token)
         if following in {"(", "["}:
             return self.perform(token)
+        if token.text in slips.HANDLERS and any(one.text == "try" for one in self.openers):
+            # What is to be done about it has been said at the `try`.
+            self.skip_line()
+            return None
         slip = slips.odd_statement(token, *self.tokens[self.index + 1 : self.index + 3])
         if self.rewrite_line(self.openers):
             raise slips.Rewritten(slip.diagnostic)
@@ -254,7 +258,7 @@ class StatementParser(BlockParser):
 
 
 # One method for each of `STATEMENT_STARTS`.
-_READERS: dict[str, Callable[[StatementParser, Token], Statement]] = {
+_READERS: dict[str, Callable[[StatementParser, Token], Statement | None]] = {
     "name": StatementParser.name_statement,
     "function": StatementParser.perform,
     "if": StatementParser.if_chain,

@@ -10,7 +10,7 @@ from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.check.findings import Findings, python_error, unknown_when
 from learnblock.language.check.other_names import FUNCTIONS as OTHER_FUNCTIONS
-from learnblock.language.check.other_names import FUNCTIONS_AS_SKILLS, SKILLS
+from learnblock.language.check.other_names import FUNCTIONS_AS_SKILLS, MOVE_STRAIGHT, SKILLS
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.builtins import BUILTINS, FUNCTIONS, TEMPLATES
 from learnblock.language.tree.nodes import (
@@ -57,9 +57,10 @@ class CallChecker:
         elif isinstance(node, Name):
             self.state(node)
         elif isinstance(node, RawExpression):
-            error = python_error(node.text.strip(), "eval")
+            text = node.text.strip()
+            error = python_error(text, "eval")
             if error is not None:
-                self.report("invalid-python", syntax_message(error), node.span)
+                self.report("invalid-python", syntax_message(error, text), node.span)
 
     def state(self, node: Name) -> None:
         """Report ``state_X`` and ``time_X`` of a ``when`` that does not exist."""
@@ -113,7 +114,7 @@ class CallChecker:
         skills = self.findings.skills
         near = todays_name(name, skills)
         if near is None and (meant := self.meant(SKILLS, name)) is not None:
-            return Phrase("check-unknown-skill-meant", name=name, instead=meant)
+            return Phrase("check-unknown-skill-meant", name=name, advice=self.advice(meant))
         near = near or nearest(name, skills)
         if near is None:
             return Phrase("check-unknown-skill", name=name)
@@ -124,6 +125,13 @@ class CallChecker:
         call = names.get(name)
         known = call is not None and call.partition("(")[0] in self.findings.skills
         return self.findings.called(call) if call is not None and known else None
+
+    def advice(self, call: str) -> Phrase:
+        """The advice to write a call, which may need another one that ends what it begins."""
+        if call != self.findings.called(MOVE_STRAIGHT):
+            return Phrase("check-write", instead=call)
+        sleep, stop = self.findings.called("sleep(2)"), self.findings.called("stop_bot()")
+        return Phrase("check-keeps-driving", instead=call, sleep=sleep, stop=stop)
 
     def missing_devices(
         self, node: SkillCall, skill: BlockConfiguration, missing: tuple[str, ...]
@@ -169,8 +177,15 @@ class CallChecker:
                 most=len(parameters),
                 parameters=parameters,
                 given=len(node.arguments),
+                instead=self.without_rest(node, call, len(parameters)),
             )
             self.report("argument-count", message, node.arguments[len(parameters)].span)
+
+    def without_rest(self, node: Call | SkillCall, call: str, most: int) -> str:
+        """A call with its first arguments."""
+        spelled = self.findings.spelled
+        named = [f"{keyword.name}={spelled(keyword.value)}" for keyword in node.keywords]
+        return f"{call}({', '.join([*map(spelled, node.arguments[:most]), *named])})"
 
     def keywords(
         self, node: Call | SkillCall, call: str, given: set[str], known: Iterable[str]
@@ -211,7 +226,10 @@ class CallChecker:
         """Report ``turn_left(90)``, which does not turn by 90 degrees."""
         sign = "-" if call.endswith("_left") else ""
         turn = f"{self.findings.called('turn')}({sign}{angle:g})"
-        message = Phrase("check-speed-as-angle", call=call, speed=f"{angle:g}", turn=turn)
+        side = "left" if sign else "right"
+        message = Phrase(
+            "check-speed-as-angle", call=call, speed=f"{angle:g}", turn=turn, side=side
+        )
         self.report("unusual-value", message, value.span, "warning")
 
     def call(self, node: Call) -> None:
@@ -242,17 +260,17 @@ class CallChecker:
             self.report("unknown-argument", message, node.keywords[0].span)
 
     def unknown_function(self, node: Call) -> None:
-        self.report("unknown-function", self.unknown_function_message(node.name), node.span)
+        unknown_range = node.name == "range" and node.name not in self.findings.skills
+        message = _counting(node) if unknown_range else self.unknown_function_message(node.name)
+        self.report("unknown-function", message, node.span)
 
     def unknown_function_message(self, name: str) -> Phrase:
         if name in self.findings.skills:
             return Phrase("check-skill-as-name", name=name, skill=self.findings.called(name))
         if name == "robot":
             return Phrase("check-robot-not-first")
-        if name == "range":
-            return Phrase("check-range")
         if (instead := self.function_meant(name)) is not None:
-            return Phrase("check-unknown-function-meant", name=name, instead=instead)
+            return Phrase("check-unknown-function-meant", name=name, advice=self.advice(instead))
         near = self.similar_function(name)
         if near is None:
             return Phrase("check-unknown-function", name=name)
@@ -285,6 +303,16 @@ def _constant(node: Expression) -> float | str | None:
             value = value_of(spelled)
             return None if value is None else -value
     return None
+
+
+def _counting(node: Call) -> Phrase:
+    """The message about ``range(4)``, with the loops that it means or an example of them."""
+    spelled = [one.text for one in node.arguments if isinstance(one, Number)]
+    whole = [int(text) for text in spelled if text.isdecimal()]
+    first, end = 0, 4
+    if 1 <= len(whole) == len(node.arguments) <= 2 and [0, *whole][-2] < whole[-1]:
+        first, end = [0, *whole][-2:]
+    return Phrase("check-range", count=str(end - first), first=str(first), last=str(end - 1))
 
 
 def _decimal_comma(arguments: tuple[Expression, ...]) -> tuple[Phrase, Span] | None:

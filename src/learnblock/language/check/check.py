@@ -95,7 +95,7 @@ def _invalid_statements(node: Raw) -> Diagnostic | None:
     if error is None:
         return None
     line = node.span.line + (error.lineno or 1)
-    return Diagnostic("invalid-python", syntax_message(error), line)
+    return Diagnostic("invalid-python", syntax_message(error, node.text), line)
 
 
 class _Checker:

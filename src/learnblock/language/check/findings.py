@@ -9,7 +9,22 @@ from learnblock.blocks.importable import Importable
 from learnblock.errors import Diagnostic, Severity, nearest
 from learnblock.i18n import Phrase
 from learnblock.language.tree import markers
-from learnblock.language.tree.nodes import Body, Def, Import, Program, Raw, Span, When
+from learnblock.language.tree.nodes import (
+    Body,
+    Call,
+    Def,
+    Expression,
+    Import,
+    List,
+    Name,
+    Number,
+    Program,
+    Raw,
+    SkillCall,
+    Span,
+    String,
+    When,
+)
 from learnblock.language.tree.traversal import set_by, statements
 
 
@@ -56,6 +71,23 @@ class Findings:
     def called(self, skill: str) -> str:
         """The name of a skill as its author writes it."""
         return f"robot.{skill}" if self.in_python else f"function.{skill}"
+
+    def spelled(self, node: Expression) -> str:  # noqa: PLR0911 - one for each expression
+        """A short form of an expression, to be quoted."""
+        match node:
+            case Name(name=name):
+                return name
+            case Number(text=text):
+                return text
+            case String(value=value):
+                return f'"{value}"'
+            case Call(name=name):
+                return f"{name}(...)"
+            case SkillCall(name=name):
+                return f"{self.called(name)}(...)"
+            case List():
+                return "[...]"
+        return "..."
 
     def is_of_language(self, name: str) -> bool:
         """Whether a function is built into the language and not replaced by another one."""

@@ -3,12 +3,15 @@
 from collections.abc import Mapping
 from types import MappingProxyType
 
+#: The robot then drives until the next command.
+MOVE_STRAIGHT = "move_straight(40)"
+
 #: Skills that do not exist, and a call that does what was meant.
 SKILLS: Mapping[str, str] = MappingProxyType(
     {
         **dict.fromkeys(
             ("forward", "forwards", "go", "move", "drive", "straight", "run", "advance"),
-            "move_straight()",
+            MOVE_STRAIGHT,
         ),
         **dict.fromkeys(("back", "backward", "backwards", "reverse"), "set_move(-40, 0)"),
         **dict.fromkeys(("left", "rotate_left", "spin_left"), "turn(-90)"),

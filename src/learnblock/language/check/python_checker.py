@@ -65,11 +65,12 @@ class _PythonChecker:
 
     def assignment(self, node: ast.Assign) -> None:
         match node:
-            case ast.Assign(
-                targets=[ast.Name(id="robot")],
-                value=ast.Name(id="Robot") | ast.Call(func=ast.Name(id="robot")),
-            ):
+            case ast.Assign(targets=[ast.Name(id="robot")], value=ast.Name(id="Robot")):
                 self.report(Phrase("python-robot-not-created"), node.value)
+            case ast.Assign(
+                targets=[ast.Name(id="robot")], value=ast.Call(func=ast.Name(id="robot"))
+            ):
+                self.report(Phrase("python-robot-lower-case"), node.value)
             case ast.Assign(value=ast.Tuple(elts=[ast.Constant(), ast.Constant()])):
                 self.decimal_comma(node.value)
 
@@ -143,8 +144,8 @@ class _PythonChecker:
     def similar(self, name: str, *, is_called: bool) -> Phrase:
         sort = "function" if is_called else "name"
         if is_called and name in FUNCTIONS:
-            instead = f"{FUNCTIONS[name]}(...)"
-            return Phrase("check-unknown-function-meant", name=name, instead=instead)
+            advice = Phrase("check-write", instead=f"{FUNCTIONS[name]}(...)")
+            return Phrase("check-unknown-function-meant", name=name, advice=advice)
         public = (one for one in _BUILTINS if is_called and one.islower())
         near = nearest(name, [*self.bound, *public])
         if near is None:

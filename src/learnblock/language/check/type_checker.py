@@ -21,7 +21,6 @@ from learnblock.language.tree.nodes import (
     If,
     Index,
     Item,
-    List,
     Name,
     Number,
     Repeat,
@@ -31,7 +30,7 @@ from learnblock.language.tree.nodes import (
     When,
     While,
 )
-from learnblock.language.tree.traversal import expressions, statements, within
+from learnblock.language.tree.traversal import expressions, set_by, statements, within
 
 #: What each function takes, by argument.
 _TAKES: Mapping[str, tuple[frozenset[Type], ...]] = MappingProxyType(
@@ -66,6 +65,10 @@ _TAKES: Mapping[str, tuple[frozenset[Type], ...]] = MappingProxyType(
         **dict.fromkeys(("upper", "lower", "title", "strip", "find", "replace", "split"), (TEXTS,)),
     }
 )
+#: The functions that take a list and one item.
+_OF_ITEM = frozenset(("append", "remove"))
+#: The functions that calculate with the items of a list.
+_OF_NUMBERS = frozenset(("sum", "mean", "median", "stdev"))
 _EQUALITIES = frozenset(("==", "!="))
 _ORDERS = frozenset(("<", ">", "<=", ">="))
 
@@ -79,6 +82,7 @@ class _TypeChecker:
     def __init__(self, findings: Findings) -> None:
         self.findings = findings
         self.types = Types(findings)
+        self.spelled = findings.spelled
 
     def run(self) -> None:
         items = (*self.findings.program.items, *self.findings.main)
@@ -158,28 +162,30 @@ class _TypeChecker:
     def condition(self, node: Expression) -> None:
         if isinstance(node, Binary) and node.operator in {"and", "or"}:
             self.condition(node.left)
-            self.condition(node.right)
-            self.bare_value(node)
+            if not self.is_bare_value(node):
+                self.condition(node.right)
         elif isinstance(node, String):
             self.report(Phrase("check-text-as-condition"), node, "warning")
         elif self.types.of(node) is Type.NOTHING:
             message = Phrase("check-action-as-condition", call=self.spelled(node))
             self.report(message, node, "warning")
 
-    def bare_value(self, node: Binary) -> None:
-        """Report ``x == 1 or 2``."""
+    def is_bare_value(self, node: Binary) -> bool:
+        """Report ``x == 1 or 2``; whether it is that slip."""
         left = node.left
         while isinstance(left, Binary):
             left = left.right
-        if isinstance(left, Compare) and isinstance(node.right, Number | String):
-            message = Phrase(
-                "check-bare-value",
-                operator=node.operator,
-                variable=self.spelled(left.operands[0]),
-                comparison=left.operators[0],
-                value=self.spelled(node.right),
-            )
-            self.report(message, node.right, "warning")
+        if not (isinstance(left, Compare) and isinstance(node.right, Number | String)):
+            return False
+        message = Phrase(
+            "check-bare-value",
+            operator=node.operator,
+            variable=self.spelled(left.operands[0]),
+            comparison=left.operators[0],
+            value=self.spelled(node.right),
+        )
+        self.report(message, node.right, "warning")
+        return True
 
     # Expressions.
 
@@ -256,8 +262,7 @@ class _TypeChecker:
         elif node.name == "int" and len(node.arguments) == 1:
             self.words_as_number(node.arguments[0])
         elif self.findings.is_of_language(node.name):
-            for takes, value in zip(_TAKES.get(node.name, ()), node.arguments, strict=False):
-                self.argument(node, takes, value)
+            self.arguments(node, _TAKES.get(node.name, ()))
 
     def called_variable(self, node: Call, kind: Type) -> Phrase:
         value = self.spelled(node.arguments[0]) if node.arguments else "0"
@@ -268,18 +273,31 @@ class _TypeChecker:
         if isinstance(value, String) and not _is_whole(value.value.strip()):
             self.report(Phrase("check-not-whole", text=value.value), value)
 
-    def argument(self, node: Call, takes: frozenset[Type], value: Expression) -> None:
+    def arguments(self, node: Call, takes: tuple[frozenset[Type], ...]) -> None:
+        for wanted, value in zip(takes, node.arguments, strict=False):
+            kind = self.types.of(value)
+            if kind not in KNOWN or kind in wanted:
+                continue
+            if wanted is NUMBERS:
+                self.number(value)
+            else:
+                self.report(self.argument(node, wanted, value), value)
+
+    def argument(self, node: Call, wanted: frozenset[Type], value: Expression) -> Phrase:
+        """The message about an argument that should be text or a list."""
+        call, spelled = node.name, self.spelled(value)
         kind = self.types.of(value)
-        if kind not in KNOWN or kind in takes:
-            return
-        if takes is NUMBERS:
-            self.number(value)
-        else:
-            wanted = "list" if takes == {Type.LIST} else "text" if takes == TEXTS else "either"
-            message = Phrase(
-                "check-argument-type", call=node.name, wanted=wanted, value=self.spelled(value)
-            )
-            self.report(message, value)
+        if wanted == TEXTS:
+            return Phrase("check-argument-type", call=call, wanted="text", value=spelled)
+        if wanted != {Type.LIST}:
+            code = "check-length-of-number" if kind is Type.NUMBER else "check-no-length"
+            return Phrase(code, value=spelled)
+        if call in _OF_ITEM and self.types.of(node.arguments[-1]) is Type.LIST:
+            values = self.spelled(node.arguments[-1])
+            return Phrase("check-list-first", call=call, values=values, item=spelled)
+        if call in _OF_NUMBERS and kind in TEXTS:
+            return Phrase("check-numbers-of-list", call=call, value=spelled)
+        return Phrase("check-argument-type", call=call, wanted="list", value=spelled)
 
     def skill(self, node: SkillCall) -> None:
         """Report variables that hold text or a list where the skill expects a number."""
@@ -308,24 +326,22 @@ class _TypeChecker:
             if _is_number(node):
                 return Phrase("check-number-without-quotes", number=number)
             return Phrase("check-text-for-number")
+        if isinstance(node, Name) and (words := self.words(node)) is not None:
+            return Phrase("check-words-for-number", name=node.name, text=words)
         return Phrase("check-convert-to-number", value=self.spelled(node))
 
-    def spelled(self, node: Expression) -> str:  # noqa: PLR0911 - one for each expression
-        """A short form of an expression, to be quoted."""
-        match node:
-            case Name(name=name):
-                return name
-            case Number(text=text):
-                return text
-            case String(value=value):
-                return f'"{value}"'
-            case Call(name=name):
-                return f"{name}(...)"
-            case SkillCall(name=name):
-                return f"{self.findings.called(name)}(...)"
-            case List():
-                return "[...]"
-        return "..."
+    def words(self, node: Name) -> str | None:
+        """A text that a variable holds, if it only ever holds texts that are not numbers."""
+        found: str | None = None
+        for item in self.findings.everything:
+            if set_by(item) != node.name:
+                continue
+            match item:
+                case Assign(operator="=", value=String(value=text)) if not _is_number(item.value):
+                    found = found or text
+                case _:
+                    return None
+        return found
 
 
 _EXPRESSIONS: dict[type, Callable[[_TypeChecker, Any], None]] = {

@@ -4,6 +4,7 @@ Like `learnblock.language.blocktext.foreign_lines`, but for a line that Python c
 """
 
 from learnblock.language.blocktext.foreign_lines import (
+    CURLY_QUOTES,
     KEYWORDS,
     NAME,
     NAME_WITH_SPACE,
@@ -30,6 +31,14 @@ _LOOPS = (
     Rule(r"\s*for\s.*\bin\s+(?P<wrong>range\s+(\w+))\s*:", r"range(\2)"),
 )
 _BLOCK_TEXT = (
+    *(
+        Rule(pattern, "", "python-when", (("decorator", decorator), ("name", r"\1")))
+        for pattern, decorator in (
+            (r"\s*when\s+(start)\s*:\s*$", "@robot.when_start"),
+            (rf"\s*when\s+{NAME}\s*:\s*$", "@robot.when"),
+            (rf"\s*when\s+{NAME}\s*=\s*(\S.*?)\s*:\s*$", r"@robot.when(lambda: \2)"),
+        )
+    ),
     Rule(r"\s*(?:main|when\s+\w.*)\s*:\s*$", "", "python-block-text"),
     Rule(rf"\s*(activate|deactivate)\s+{NAME}\s*$", r"\2.\1()"),
 )
@@ -47,6 +56,7 @@ _BRACES = (
     Rule(r"\s*(?P<wrong>\})\s*$", "", "python-brace"),
 )
 _CALLS = (
+    Rule(r"\s*print\s+([\"'][^\"']*[\"'](?:\s*[,+]\s*\w+)*|\w+)\s*$", r"print(\1)"),
     Rule(r"\s*(?P<wrong>robot\.(\w+)\s+(-?[\d.]+|[\"'][^\"']*[\"']))\s*$", r"robot.\2(\3)"),
     TEXT_WITHOUT_QUOTES,
     Rule(
@@ -58,6 +68,7 @@ _CALLS = (
 )
 
 RULES: tuple[Rule, ...] = (
+    CURLY_QUOTES,
     *_LOOPS,
     *_BLOCK_TEXT,
     *_DEFINITIONS,

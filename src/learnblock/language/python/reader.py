@@ -97,7 +97,7 @@ def _syntax_error(error: SyntaxError, text: str) -> Diagnostic:
         start, end = rewording.start + 1, rewording.end + 1
         return Diagnostic("not-python", rewording.message, line, start, end)
     end = (error.end_offset or 0) if error.end_lineno == error.lineno else 0
-    return Diagnostic("python-syntax", syntax_message(error), line, column, max(end, 0))
+    return Diagnostic("python-syntax", syntax_message(error, text), line, column, max(end, 0))
 
 
 def _read(text: str, tree: ast.Module) -> Program | None:

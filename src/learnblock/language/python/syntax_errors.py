@@ -3,7 +3,9 @@
 Python reports syntax errors only in English, so the frequent ones have our own messages.
 """
 
+import ast
 import re
+import warnings
 
 from learnblock.i18n import Phrase
 
@@ -15,7 +17,7 @@ _MESSAGES = tuple(
         (r"invalid syntax\. Perhaps you forgot a comma\?", "python-missing-comma"),
         (r"invalid syntax\. Maybe you meant '==' or ':=' instead of '='\?", "python-comparison"),
         (r"expected '(?P<symbol>.+)'", "python-expected"),
-        (r"expected an indented block.*", "python-missing-block"),
+        (r"expected an indented block after .* on line (?P<line>\d+)", "python-missing-block"),
         (r"unexpected indent", "python-unexpected-indent"),
         (r"unindent does not match any outer indentation level", "python-uneven-indent"),
         (r"inconsistent use of tabs and spaces in indentation", "python-tabs-and-spaces"),
@@ -42,10 +44,58 @@ _MESSAGES = tuple(
 )
 
 
-def syntax_message(error: SyntaxError) -> Phrase:
-    """The message about a syntax error; Python's if we have none."""
+_INDENTATION = 4
+_LINE_END = re.compile(r"\r\n|\r|\n")
+_CLOSING = {"(": ")", "[": "]", "{": "}"}
+
+
+def syntax_message(error: SyntaxError, text: str) -> Phrase:
+    """The message about a syntax error in a text; Python's if we have none."""
     for pattern, code in _MESSAGES:
         found = pattern.fullmatch(error.msg)
         if found:
-            return Phrase(code, **found.groupdict())
+            return _with_advice(Phrase(code, **found.groupdict()), error, _Lines(text))
     return Phrase("python-syntax", reason=error.msg)
+
+
+class _Lines:
+    """The lines of a text, as Python counts them."""
+
+    def __init__(self, text: str) -> None:
+        self.lines = _LINE_END.split(text)
+
+    def __getitem__(self, number: int) -> str:
+        # An error at the end of the text is below the last line.
+        return self.lines[number - 1] if 0 < number <= len(self.lines) else ""
+
+
+def _with_advice(message: Phrase, error: SyntaxError, lines: _Lines) -> Phrase:
+    """A message with what the lines of the program tell about the way out."""
+    number = error.lineno or 0
+    if message.code == "python-missing-block":
+        header = int(str(message.values["line"]))
+        code = message.code if number > header and lines[number].strip() else "python-no-block"
+        spaces = len(lines[header]) - len(lines[header].lstrip()) + _INDENTATION
+        return Phrase(code, header=lines[header].strip(), spaces=spaces)
+    if message.code == "python-never-closed":
+        return _never_closed(str(message.values["symbol"]), lines[number].strip())
+    return message
+
+
+def _never_closed(symbol: str, line: str) -> Phrase:
+    """The message about a bracket, with the whole line if it is closed at its end."""
+    closing = _CLOSING[symbol]
+    closed = line + closing
+    if not _is_python(closed):
+        return Phrase("python-never-closed", symbol=symbol, closing=closing)
+    return Phrase("python-never-closed-in-line", symbol=symbol, closing=closing, instead=closed)
+
+
+def _is_python(line: str) -> bool:
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ast.parse(line)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return True

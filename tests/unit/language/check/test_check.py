@@ -150,6 +150,7 @@ def test_without_a_robot_no_device_is_missing(found):
                 most=1,
                 parameters=("angle",),
                 given=2,
+                instead="function.turn(1)",
             ),
         ),
         (
