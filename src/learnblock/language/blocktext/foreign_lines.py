@@ -67,7 +67,7 @@ CURLY_QUOTES = Rule(
 
 _COMMENTS = (
     Rule(r"\s*(?P<wrong>//+|--+|/\*+)", "#", "blocktext-comment"),
-    Rule(r"\s*(?P<wrong>(.*?)\s*\*/)\s*$", r"# \2", "blocktext-comment"),
+    Rule(r"\s*(?P<wrong>(?!\s)(.*?)\s*\*/)\s*$", r"# \2", "blocktext-comment"),
 )
 
 _ENDS = (
@@ -269,7 +269,7 @@ _ASSIGNMENTS = (
     # The second value does not use the first variable, which would be set by then.
     Rule(
         rf"\s*{NAME}\s*,\s*{NAME}\s*=\s*([^\s=,()\[\]][^,()\[\]]*?)\s*,"
-        r"\s*((?:(?!\b\1\b)[^,()\[\]])+?)\s*$",
+        r"\s*(?!.*\b\1\b)([^\s,()\[\]][^,()\[\]]*?)\s*$",
         r"\1 = \3",
         "blocktext-two-targets",
         (("second", r"\2 = \4"),),
@@ -373,7 +373,7 @@ _PYTHON = (
         (("condition", r"\4"), ("yes", r"\1 = \3"), ("no", r"\1 = \5")),
     ),
     Rule(
-        rf"\s*{NAME}\s*=\s*(?P<wrong>lambda\b\s*([\w\s,]*?)\s*:\s*(\S.*?))\s*$",
+        rf"\s*{NAME}\s*=\s*(?P<wrong>lambda\b\s*(?!\s)([\w\s,]*?)\s*:\s*(\S.*?))\s*$",
         r"`\2`",
         "blocktext-lambda",
         (("header", r"def \1(\3):"), ("value", r"\4")),

@@ -182,10 +182,8 @@ class CallChecker:
             self.report("argument-count", message, node.arguments[len(parameters)].span)
 
     def without_rest(self, node: Call | SkillCall, call: str, most: int) -> str:
-        """A call with its first arguments."""
-        spelled = self.findings.spelled
-        named = [f"{keyword.name}={spelled(keyword.value)}" for keyword in node.keywords]
-        return f"{call}({', '.join([*map(spelled, node.arguments[:most]), *named])})"
+        """A call with its first arguments, which leave no parameter for a named one."""
+        return f"{call}({', '.join(map(self.findings.spelled, node.arguments[:most]))})"
 
     def keywords(
         self, node: Call | SkillCall, call: str, given: set[str], known: Iterable[str]

@@ -12,6 +12,7 @@ from learnblock.language.tree import markers
 from learnblock.language.tree.nodes import (
     Body,
     Call,
+    Constant,
     Def,
     Expression,
     Import,
@@ -81,6 +82,8 @@ class Findings:
                 return text
             case String(value=value):
                 return f'"{value}"'
+            case Constant(value=value):
+                return str(value)
             case Call(name=name):
                 return f"{name}(...)"
             case SkillCall(name=name):

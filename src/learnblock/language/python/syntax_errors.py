@@ -86,7 +86,7 @@ def _never_closed(symbol: str, line: str) -> Phrase:
     """The message about a bracket, with the whole line if it is closed at its end."""
     closing = _CLOSING[symbol]
     closed = line + closing
-    if not _is_python(closed):
+    if line.endswith(",") or not _is_python(closed):
         return Phrase("python-never-closed", symbol=symbol, closing=closing)
     return Phrase("python-never-closed-in-line", symbol=symbol, closing=closing, instead=closed)
 
