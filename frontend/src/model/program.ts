@@ -89,6 +89,9 @@ export class Program {
     private readonly drafts: Drafts,
   ) {
     connection.on("Welcome", (welcome) => (this.readOnly.value = welcome.read_only ?? null));
+    connection.state.subscribe((state) => {
+      if (state !== "open") this.disconnected();
+    });
     connection.on("Opened", (opened) => this.opened(opened.name));
     connection.on("ProjectRenamed", ({ name }) => this.renamed(name));
     connection.on("Document", (document) => this.receive(document));
@@ -249,13 +252,18 @@ export class Program {
     this.drafts.keep(name, this.unsaved.drafts);
   }
 
+  /** Send nothing until the server has told what it has. */
+  private disconnected(): void {
+    this.revision = null;
+    this.greeted = false;
+  }
+
   /** Handle an opened project: a different one, or the same one after reconnecting. */
   private opened(name: string): void {
     this.isNew = name !== this.project;
     this.project = name;
     this.edits = this.answered = 0;
-    this.revision = null;
-    this.greeted = false;
+    this.disconnected();
     this.edited.clear();
     this.recovering.clear();
     this.latest = EMPTY;

@@ -185,6 +185,19 @@ test("what is typed while the project comes back is sent once and in order", () 
   ]);
 });
 
+test("what is typed between a reconnection and the answer to Open is not sent twice", () => {
+  const [program, connection] = opened("square");
+  connection.state.value = "lost";
+  connection.state.value = "open";
+  program.editedText("python", () => "x = 1");
+  drawFrame();
+  expect(connection.sent).toEqual([]);
+  reopen(connection, "square");
+  expect(connection.sent).toEqual([
+    { kind: "RecoverText", edit: 1, notation: "python", text: "x = 1", base: "" },
+  ]);
+});
+
 test("an unsaved edit is not carried into another project", () => {
   const [program, connection] = opened("square");
   program.editedText("python", () => "x = 1");

@@ -2,6 +2,7 @@
 
 import os
 import re
+from collections.abc import Callable
 from pathlib import Path
 from uuid import uuid4
 
@@ -13,7 +14,13 @@ def is_device_name(name: str) -> bool:
     return bool(_DEVICE.fullmatch(name))
 
 
-def save(path: Path, data: bytes, *, private: bool = False) -> None:
+def save(
+    path: Path,
+    data: bytes,
+    *,
+    private: bool = False,
+    still_wanted: Callable[[], bool] | None = None,
+) -> os.stat_result | None:
     """Write a file so that a crash, even of the machine, leaves either the old file or the new one.
 
     Of several writers at once, in any processes, the last one wins.
@@ -22,6 +29,10 @@ def save(path: Path, data: bytes, *, private: bool = False) -> None:
         path: of the file; missing folders are made.
         data: its whole contents.
         private: whether only its owner may read it.
+        still_wanted: called when everything is written, just before the old file is replaced.
+
+    Returns:
+        The status of the new file; None if it was not wanted any more.
 
     Raises:
         OSError: it cannot be written; the old file is unchanged.
@@ -34,12 +45,17 @@ def save(path: Path, data: bytes, *, private: bool = False) -> None:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
+            status = os.fstat(file.fileno())
+        if still_wanted and not still_wanted():
+            unfinished.unlink()
+            return None
         unfinished.replace(path)
     except BaseException:
         # A full disk must not fill up further with each attempt.
         unfinished.unlink(missing_ok=True)
         raise
     _sync(path.parent)
+    return status
 
 
 def _private(path: str, flags: int) -> int:

@@ -1,5 +1,6 @@
 """The folder of a user's projects."""
 
+import os
 import re
 import time
 import unicodedata
@@ -8,7 +9,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, Self
 
 from learnblock import language, robots
 from learnblock.blocks.known import all_configurations
@@ -46,6 +47,10 @@ Format = Literal["bt", "py", "learnblock"]
 _NOT_IN_NAMES = re.compile(r"[^\w .-]+")
 
 
+class FileChangedError(Exception):
+    """Another program has changed a file since it was read or written last."""
+
+
 @dataclass(frozen=True)
 class FileState:
     """What distinguishes versions of a file without reading them."""
@@ -53,6 +58,11 @@ class FileState:
     inode: int
     changed: int
     size: int
+
+    @classmethod
+    def of(cls, status: os.stat_result) -> Self:
+        """The state of a file with this status."""
+        return cls(status.st_ino, status.st_mtime_ns, status.st_size)
 
 
 @dataclass(frozen=True)
@@ -101,24 +111,38 @@ class ProjectFolder:
         """The path of a project's file, which may not exist."""
         return self._path(name)
 
-    def write_whole(self, project: Project) -> None:
+    def write_whole(self, project: Project, known: FileState | None) -> FileState:
         """Save a project with everything of the user's that it needs, completely or not at all.
 
+        Args:
+            project: the project.
+            known: the state of its file as read or written last.
+
+        Returns:
+            The new state.
+
         Raises:
+            FileChangedError: another program has changed the file, which stays as it is.
             ProjectError: it can't be saved; the file is unchanged.
         """
         self._require_writing()
         path = self._path(project.name)
         with _reporting(path, "save"):
-            save(path, encode_whole(project))
+            status = save(
+                path,
+                encode_whole(project),
+                still_wanted=lambda: self.state(project.name) in (None, known),
+            )
+        if status is None:
+            raise FileChangedError
+        return FileState.of(status)
 
     def state(self, name: str) -> FileState | None:
         """The state of a project's file, which differs after any change; None without a file."""
         try:
-            found = self._path(name).stat()
+            return FileState.of(self._path(name).stat())
         except OSError:
             return None
-        return FileState(found.st_ino, found.st_mtime_ns, found.st_size)
 
     def keep_file(self, name: str) -> str:
         """Save a project's file, as another program has left it, as a version; return its id.

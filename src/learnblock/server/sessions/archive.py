@@ -11,7 +11,7 @@ from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server.messages import PastRun
 from learnblock.server.messages.problems import phrase_of
-from learnblock.server.projects.folder import FileState, ProjectFolder
+from learnblock.server.projects.folder import FileChangedError, FileState, ProjectFolder
 from learnblock.server.projects.history import Reason
 from learnblock.server.projects.project_file import Project
 from learnblock.server.sessions.saver import Saver
@@ -137,7 +137,16 @@ class Archive:
     async def _write(self) -> bool:
         await self._take_in()
         saved = self._project.saving()
-        state = await self._tried(self._save, self._project.project, quietly=self._is_failing)
+        try:
+            state = await self._tried(
+                self._folder.write_whole,
+                self._project.project,
+                self._on_disk,
+                quietly=self._is_failing,
+            )
+        except FileChangedError:
+            # Another program was faster, so take that in first.
+            return await self._write()
         self._is_failing = state is None
         if state is None:
             return False
@@ -146,10 +155,6 @@ class Archive:
         if monotonic() - self._version_kept > VERSION_PERIOD:
             await self.keep_version("time")
         return True
-
-    def _save(self, project: Project) -> FileState | None:
-        self._folder.write_whole(project)
-        return self._folder.state(self._project.name)
 
     async def _take_in(self) -> None:
         """Merge what another program has changed in the file."""

@@ -2,6 +2,7 @@
 
 import json
 
+from learnblock.server.projects import folder
 from pages import english, serving
 
 PROGRAM = "main:\n    function.move_straight(50)\nend\n"
@@ -216,6 +217,24 @@ def test_what_another_program_wrote_is_merged_with_an_edit(page, projects):
     write_outside(file, OTHER)
     page.type(PROGRAM + "# mine\n")
     assert page.hear("Document", blocktext=OTHER + "# mine\n")
+    page.hear("TakenIn")
+    page.hear("Saved")
+    assert text_of(file) == OTHER + "# mine\n"
+
+
+def test_what_another_program_writes_just_before_a_save_stays(page, projects, monkeypatch):
+    page.open(text=PROGRAM)
+    page.hear("Saved")
+    file = projects / "program.learnblock"
+    encode = folder.encode_whole
+
+    def encode_late(project, **options):
+        monkeypatch.setattr(folder, "encode_whole", encode)
+        write_outside(file, OTHER)
+        return encode(project, **options)
+
+    monkeypatch.setattr(folder, "encode_whole", encode_late)
+    page.type(PROGRAM + "# mine\n")
     page.hear("TakenIn")
     page.hear("Saved")
     assert text_of(file) == OTHER + "# mine\n"
