@@ -30,11 +30,11 @@ MARKED = ("wire", "browser")
 
 
 def pytest_xdist_auto_num_workers(config):
-    """One worker more than cores; none for a single file or test, which then starts at once."""
+    """One worker per core; none for a single file or test, which then starts at once."""
     if config.args != config.getini("testpaths"):
         return 0
-    # Many tests wait for a robot or a browser.
-    return (os.cpu_count() or 1) + 1
+    # A browser without a graphics card keeps a core busy, so more workers are no faster.
+    return os.cpu_count() or 1
 
 
 @pytest.hookimpl(tryfirst=True)
