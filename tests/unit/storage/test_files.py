@@ -57,3 +57,16 @@ def test_a_disk_that_is_full_keeps_the_old_file_and_nothing_of_the_new_one(tmp_p
 def test_a_private_file_can_be_read_by_its_owner_only(tmp_path):
     save(tmp_path / "token", b"secret", private=True)
     assert stat.S_IMODE((tmp_path / "token").stat().st_mode) == 0o600
+
+
+def test_a_file_that_is_not_wanted_any_more_leaves_the_old_one(tmp_path):
+    path = tmp_path / "file"
+    path.write_bytes(b"old")
+    assert save(path, b"new", still_wanted=lambda: False) is None
+    assert [one.read_bytes() for one in tmp_path.iterdir()] == [b"old"]
+
+
+def test_saving_tells_the_status_of_the_new_file(tmp_path):
+    path = tmp_path / "file"
+    status = save(path, b"new", still_wanted=lambda: True)
+    assert (status.st_ino, status.st_mtime_ns) == (path.stat().st_ino, path.stat().st_mtime_ns)
