@@ -149,6 +149,8 @@ def answers(pupil, number):
     pupil.page.locator("header .menu > button").first.click()
     # The first item of the menu begins a program, in any language.
     pupil.page.get_by_role("menuitem").first.click()
+    expect(pupil.dialog().get_by_role("textbox")).to_be_focused()
+    pupil.page.keyboard.press("Enter")
     expect(pupil.page.locator("header .project-name")).not_to_have_text(before)
     _show_all(pupil.page)
     # By keyboard: the monkey may have left no space to click.

@@ -71,8 +71,8 @@ test("the drafts of a renamed project move with it, and are sent again under its
   program.editedText("python", () => "x = 1");
   drawFrame();
   connection.tell({ kind: "ProjectRenamed", name: "patrol" });
-  expect([drafts.project, drafts.kept.map(({ content }) => content)]).toEqual(["patrol", ["x = 1"]]);
-  connection.tell({ kind: "Opened", name: "patrol" });
+  expect([drafts.project, drafts.kept.map(({ steps }) => steps)]).toEqual(["patrol", [["", "x = 1"]]]);
+  reopen(connection, "patrol");
   expect(connection.sent.at(-1)).toMatchObject({ kind: "RecoverText", text: "x = 1" });
 });
 
@@ -193,9 +193,7 @@ test("what is typed between a reconnection and the answer to Open is not sent tw
   drawFrame();
   expect(connection.sent).toEqual([]);
   reopen(connection, "square");
-  expect(connection.sent).toEqual([
-    { kind: "RecoverText", edit: 1, notation: "python", text: "x = 1", base: "" },
-  ]);
+  expect(connection.sent).toEqual([{ kind: "RecoverText", edit: 1, notation: "python", text: "x = 1", base: "" }]);
 });
 
 test("an unsaved edit is not carried into another project", () => {
@@ -238,7 +236,7 @@ test("a refused edit does not keep later answers from being shown", () => {
 });
 
 test("a page that only reads sends no edit, and keeps the drafts of earlier pages", async () => {
-  const draft = { view: "python", base: "", content: "x = 1" } as const;
+  const draft: Draft = { view: "python", steps: ["", "x = 1"] };
   const connection = new FakeConnection();
   const drafts = new FakeDrafts([draft]);
   const program = new Program(connection.real, drafts);

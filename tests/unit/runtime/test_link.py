@@ -89,6 +89,7 @@ def values_of(kind):
         messages.Variables: st.builds(messages.Variables, described, described, whens),
         tuple[messages.Any, ...]: st.lists(values, max_size=3).map(tuple),
         dict[str, messages.Any]: st.dictionaries(texts, values, max_size=3),
+        dict[str, int]: st.dictionaries(texts, integers, max_size=3),
         messages.Fault | None: st.none() | st.builds(
             messages.Fault, phrases, st.lists(integers, max_size=3).map(tuple)
         ),
