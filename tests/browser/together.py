@@ -97,7 +97,7 @@ class Writer:
         if not self._left:
             self._begin(chance)
         elif self.words[-1] and self.words[-1] not in self.text():
-            # Somebody else's change of its line has won: what is typed now would be another word.
+            # Another edit of this line has won, so the next letters would form a different word.
             self._left.clear()
             return
         key = self._left.pop()

@@ -28,6 +28,6 @@ def with_learnblock(version: str) -> Path | None:
 
 
 def _works(python: Path) -> bool:
-    # A shim of pyenv stands on the path for versions that are not chosen, too.
+    # pyenv puts a shim on the path even for versions that are not selected.
     done = subprocess.run([python, "-c", ""], capture_output=True, check=False)
     return done.returncode == 0

@@ -70,9 +70,9 @@ export class Program {
   private latest = EMPTY;
   /** What the views show, with the user's own edits. */
   private shown: Shown = EMPTY;
-  /** The revision that the views show but for the user's edits; null until the server has answered. */
+  /** The revision that the views show, apart from the user's edits; null until the server has answered. */
   private revision: number | null = null;
-  /** Whether the server has told what it has since the project was opened. */
+  /** Whether the server has sent the program since the project was opened. */
   private greeted = false;
   private edits = 0;
   private answered = 0;
@@ -188,7 +188,7 @@ export class Program {
     if (this.settled) this.show(document.revision);
   }
 
-  /** The server tells what it has: repeat what the page has edited since. */
+  /** Handle the first document: repeat the edits that the server has not saved. */
   private greet(document: Document): void {
     this.greeted = true;
     this.edits = 0;
@@ -252,7 +252,7 @@ export class Program {
     this.drafts.keep(name, this.unsaved.drafts);
   }
 
-  /** Send nothing until the server has told what it has. */
+  /** Send no edits until the server has sent the program again. */
   private disconnected(): void {
     this.revision = null;
     this.greeted = false;

@@ -52,7 +52,7 @@ test.each([
   ["the server has none of the edits", "a", "a"],
   ["the server has an edit that it has not called saved", "a\nb", "a\nb"],
   ["others have edited other lines", "x\na\nb\ny", "a\nb"],
-  ["somebody else has changed the same line", "z", "a"],
+  ["another user has changed the same line", "z", "a"],
 ])("where %s, the draft repeats an edit of the nearest step", (_, now, base) => {
   const steps = ["a", "a\nb", "a\nbc"];
   expect(repeated({ view: "python", steps }, now)).toEqual({ view: "python", base, content: "a\nbc" });

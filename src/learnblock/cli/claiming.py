@@ -42,7 +42,7 @@ def _access(writer: Writer, folder: Path, take_over: bool) -> Access:  # noqa: F
         if writer.claim():
             return Access(writer)
     except OSError as error:
-        # Some network drives have no locks, and nobody can write to some folders.
+        # Some network drives don't support locks, and some folders are read-only.
         reason = error.strerror or str(error)
         say("server-folder-unlocked", folder=str(folder), reason=reason, err=True)
         return Access()

@@ -1,13 +1,9 @@
 /** Dialogs with one question about the project. */
 
-import { useSignal } from "@preact/signals";
-
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { Actions, Dialog } from "../../ui/dialog";
-
-/** The server's limit. */
-const LONGEST_NAME = 100;
+import { NameForm } from "../../ui/name-form";
 
 export function NewDialog() {
   const { dialogs, project } = usePage();
@@ -17,6 +13,7 @@ export function NewDialog() {
         name={t("page-project-new-name")}
         help={t("page-project-new-help")}
         action={t("page-project-new-now")}
+        close={() => dialogs.close()}
         run={(name) => project.create(name)}
       />
     </Dialog>
@@ -31,6 +28,7 @@ export function SaveAsDialog() {
         name={t("page-project-copy-of", { name: project.name.value })}
         help={t("page-project-save-as-help")}
         action={t("page-project-save-copy")}
+        close={() => dialogs.close()}
         run={(name) => project.saveAs(name)}
       />
     </Dialog>
@@ -45,49 +43,10 @@ export function RenameDialog() {
         name={project.name.value}
         help={t("page-project-rename-help")}
         action={t("page-project-rename-now")}
+        close={() => dialogs.close()}
         run={(name) => project.rename(name)}
       />
     </Dialog>
-  );
-}
-
-interface NameFormProps {
-  readonly name: string;
-  readonly help: string;
-  readonly action: string;
-  readonly run: (name: string) => void;
-}
-
-/** Asks for a project's name, then closes the dialog. */
-function NameForm({ name: first, help, action, run }: NameFormProps) {
-  const { dialogs } = usePage();
-  const name = useSignal(first);
-  const submit = (event: SubmitEvent) => {
-    event.preventDefault();
-    dialogs.close();
-    run(name.value.trim());
-  };
-  return (
-    <form onSubmit={submit}>
-      <label class="field">
-        {t("page-project-name")}
-        <input
-          required
-          autofocus
-          pattern=".*\S.*"
-          maxLength={LONGEST_NAME}
-          value={name.value}
-          onFocus={({ currentTarget }) => currentTarget.select()}
-          onInput={({ currentTarget }) => (name.value = currentTarget.value)}
-        />
-      </label>
-      <p class="dim">{help}</p>
-      <Actions cancel={() => dialogs.close()}>
-        <button type="submit" class="button filled">
-          {action}
-        </button>
-      </Actions>
-    </form>
   );
 }
 

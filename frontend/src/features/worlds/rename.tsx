@@ -1,44 +1,22 @@
-import { useSignal } from "@preact/signals";
-
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
-import { Actions, Dialog } from "../../ui/dialog";
+import { Dialog } from "../../ui/dialog";
+import { NameForm } from "../../ui/name-form";
 import { useWorlds } from "./worlds";
-
-/** The server's limit. */
-const LONGEST_TITLE = 100;
 
 export function RenameWorldDialog() {
   const { context, dialogs, project } = usePage();
   const worlds = useWorlds();
   const name = context.running.world.value;
-  const title = useSignal(project.worldTitle(name));
-  const rename = (event: SubmitEvent) => {
-    event.preventDefault();
-    dialogs.close();
-    worlds.rename(name, title.value.trim());
-  };
   return (
     <Dialog title={t("page-worlds-rename-title")} close={() => dialogs.close()}>
-      <form onSubmit={rename}>
-        <label class="field">
-          {t("page-project-name")}
-          <input
-            required
-            autofocus
-            pattern=".*\S.*"
-            maxLength={LONGEST_TITLE}
-            value={title.value}
-            onInput={({ currentTarget }) => (title.value = currentTarget.value)}
-          />
-        </label>
-        <p class="dim">{t("page-worlds-rename-help", { name })}</p>
-        <Actions cancel={() => dialogs.close()}>
-          <button type="submit" class="button filled">
-            {t("page-worlds-rename-now")}
-          </button>
-        </Actions>
-      </form>
+      <NameForm
+        name={project.worldTitle(name)}
+        help={t("page-worlds-rename-help", { name })}
+        action={t("page-worlds-rename-now")}
+        close={() => dialogs.close()}
+        run={(title) => worlds.rename(name, title)}
+      />
     </Dialog>
   );
 }

@@ -1,6 +1,6 @@
 """The user's own worlds, in the folder ``worlds`` of `home`; deleted ones are in ``.trash``."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from itertools import count
 from pathlib import Path, PurePosixPath
 
@@ -27,7 +27,7 @@ def find(name: str) -> PackedWorld:
         WorldError: it is invalid.
         OSError: it can't be read.
     """
-    _require_known(name)
+    _require(name, known_worlds())
     world = find_world(name)
     text = Path(world.folder, f"{name}.toml").read_text("utf-8-sig")
     return PackedWorld(name, text, picture_of(world))
@@ -88,9 +88,7 @@ def restore(name: str) -> None:
         WorldError: there is now another world with its name.
         OSError: it can't be moved.
     """
-    known = tuple(path.stem for path in _trash(name).parent.glob("*.toml"))
-    if name not in known:
-        raise UnknownNameError("world", name, known)
+    _require(name, [path.stem for path in _trash(name).parent.glob("*.toml")])
     if name in own_names():
         message = Phrase("server-world-exists", name=name)
         raise WorldError(name, [Diagnostic("name-taken", message)])
@@ -98,9 +96,7 @@ def restore(name: str) -> None:
 
 
 def _own(name: str) -> Path:
-    known = own_names()
-    if name not in known:
-        raise UnknownNameError("world", name, known)
+    _require(name, own_names())
     return own_worlds() / f"{name}.toml"
 
 
@@ -108,8 +104,7 @@ def _trash(name: str) -> Path:
     return own_worlds() / ".trash" / f"{name}.toml"
 
 
-def _require_known(name: str) -> None:
-    known = known_worlds()
+def _require(name: str, known: Collection[str]) -> None:
     if name not in known:
         raise UnknownNameError("world", name, known)
 

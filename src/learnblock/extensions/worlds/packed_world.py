@@ -51,7 +51,7 @@ def staged(packed: PackedWorld) -> Iterator[Path]:
 
 
 def is_same(one: WorldDescription, other: WorldDescription) -> bool:
-    """Whether two worlds are the same but for their names and titles."""
+    """Whether two worlds are the same apart from their names and titles."""
     return _bare(one) == _bare(other) and picture_of(one) == picture_of(other)
 
 

@@ -26,7 +26,7 @@ class EditBlocks(Message, frozen=True):
     Args:
         edit: the number of the page's edit; the resulting `Document` has the same number.
         workspace: the workspace after the edit.
-        revision: the revision that the page shows but for its own edits; 0 for the current one.
+        revision: the revision that the page shows, apart from its own edits; 0 for the current one.
     """
 
     edit: int

@@ -38,7 +38,7 @@ class Shown:
 
         Args:
             view: the view that it edits.
-            revision: the revision that it shows, but for its own edits.
+            revision: the revision that it shows, apart from its own edits.
             revisions: those of the program.
         """
         if revision != self._revision:

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
+import msgspec
+
 from learnblock.errors import LearnBlockError, ProjectError
 from learnblock.extensions import custom_blocks, libraries
 from learnblock.perception import tag_names
@@ -30,7 +32,8 @@ def encode_whole(project: Project, *, leaves: bool = False) -> bytes:
         ProjectError: even alone it is larger than a project may be.
     """
     whole = packed(project, "" if leaves else home_id())
-    for one in (whole, replace(whole, carried=_without_world(whole.carried))):
+    without_world = msgspec.structs.replace(whole.carried, world=None)
+    for one in (whole, replace(whole, carried=without_world)):
         with suppress(ProjectError):
             return encode(one)
     return encode(replace(project, carried=NOTHING))
@@ -77,10 +80,6 @@ def library_file(name: str) -> dict[str, list[str]] | None:
     except (LearnBlockError, OSError):
         return None
     return {file: text.split("\n") for file, text in found.files.items()}
-
-
-def _without_world(carried: Carried) -> Carried:
-    return Carried(carried.home, None, carried.tags, carried.code, carried.offered)
 
 
 def _world(name: str) -> CarriedWorld | None:

@@ -33,8 +33,8 @@ class Archived(Protocol):
     def project(self) -> Project:
         """The project in its current state."""
 
-    def saving(self) -> Callable[[], None]:
-        """Called before each save; the result is called after success."""
+    def saving(self) -> tuple[Project, Callable[[], None]]:
+        """The project to save, and what to call after success."""
 
     async def take_in(self, outside: Project) -> bool:
         """Merge the project as another program has saved it; return whether a change is lost."""
@@ -132,17 +132,15 @@ class Archive:
     async def _follow(self) -> None:
         """Show what the server that writes has saved."""
         await self._take_in()
-        self._project.saving()()
+        _, saved = self._project.saving()
+        saved()
 
     async def _write(self) -> bool:
         await self._take_in()
-        saved = self._project.saving()
+        project, saved = self._project.saving()
         try:
             state = await self._tried(
-                self._folder.write_whole,
-                self._project.project,
-                self._on_disk,
-                quietly=self._is_failing,
+                self._folder.write_whole, project, self._on_disk, quietly=self._is_failing
             )
         except FileChangedError:
             # Another program was faster, so take that in first.

@@ -158,7 +158,7 @@ class Session:
         Args:
             page: the page.
             number: the number of its edit.
-            revision: the revision that it shows but for its own edits; 0 for the current one.
+            revision: the revision that it shows, apart from its own edits; 0 for the current one.
             view: the edited view.
             content: the view after the edit.
         """
@@ -222,8 +222,8 @@ class Session:
 
     # The file.
 
-    def saving(self) -> Callable[[], None]:
-        """Record the last edit of each page, to confirm it once it is saved."""
+    def saving(self) -> tuple[Project, Callable[[], None]]:
+        """Return the project, and what confirms the last edit of each page once it is saved."""
         edits = [(page, page.shown.edit) for page in self.viewers]
         save = self._save()
 
@@ -232,7 +232,7 @@ class Session:
             for page, edit in edits:
                 page.send(messages.Saved(edit))
 
-        return saved
+        return save.project, saved
 
     async def take_in(self, outside: Project) -> bool:
         """Merge the project as another program has saved it; what was changed here wins.
@@ -261,7 +261,7 @@ class Session:
         return is_lost
 
     def kept_outside(self, version: str) -> None:
-        """Tell every page in which version the change of another program is that is not here."""
+        """Tell every page which version has another program's change that could not be merged."""
         self.viewers.send(messages.Conflict(version, "file"))
 
     async def _take_in_settings(self, saved: Project, outside: Project, found: Prepared) -> None:

@@ -1,0 +1,50 @@
+import { useSignal } from "@preact/signals";
+
+import { t } from "../i18n";
+import { Actions } from "./dialog";
+
+/** The server's limit. */
+const LONGEST_NAME = 100;
+
+interface NameFormProps {
+  /** The name to begin with. */
+  readonly name: string;
+  readonly help: string;
+  /** The word on the button that takes the name. */
+  readonly action: string;
+  /** Closes the dialog around the form. */
+  readonly close: () => void;
+  readonly run: (name: string) => void;
+}
+
+/** Asks for a name in a dialog, closes it, and passes the name on. */
+export function NameForm({ name: first, help, action, close, run }: NameFormProps) {
+  const name = useSignal(first);
+  const submit = (event: SubmitEvent) => {
+    event.preventDefault();
+    close();
+    run(name.value.trim());
+  };
+  return (
+    <form onSubmit={submit}>
+      <label class="field">
+        {t("page-project-name")}
+        <input
+          required
+          autofocus
+          pattern=".*\S.*"
+          maxLength={LONGEST_NAME}
+          value={name.value}
+          onFocus={({ currentTarget }) => currentTarget.select()}
+          onInput={({ currentTarget }) => (name.value = currentTarget.value)}
+        />
+      </label>
+      <p class="dim">{help}</p>
+      <Actions cancel={close}>
+        <button type="submit" class="button filled">
+          {action}
+        </button>
+      </Actions>
+    </form>
+  );
+}
