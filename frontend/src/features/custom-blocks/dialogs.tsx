@@ -9,6 +9,7 @@ import { usePage } from "../../model/page";
 import type { CustomBlock } from "../../protocol/messages";
 import { IconButton } from "../../ui/button";
 import { Dialog } from "../../ui/dialog";
+import { chooseFile } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { IslandPlace } from "../../ui/island-place";
 import { useCustomBlocks } from "./custom-blocks";
@@ -91,18 +92,13 @@ function Entry({ block: { name, category, blocks, problems } }: { block: CustomB
 
 function ImportButton() {
   const shelf = useCustomBlocks();
-  const choose = () => {
-    const input = document.createElement("input");
-    input.type = "file";
-    input.accept = EXPORTED;
-    input.onchange = () => {
-      const file = input.files?.[0];
-      if (file) void shelf.import(file);
-    };
-    input.click();
-  };
   return (
-    <button type="button" class="button bordered" title={t("page-custom-import-help")} onClick={choose}>
+    <button
+      type="button"
+      class="button bordered"
+      title={t("page-custom-import-help")}
+      onClick={() => chooseFile(EXPORTED, (file) => void shelf.import(file))}
+    >
       {t("page-custom-import")}
     </button>
   );
