@@ -34,6 +34,8 @@ Pose = tuple[float, float, float]
 
 #: The key of a robot's first device of a type.
 DEFAULT_KEY = "ROBOT"
+#: Asks for a robot's first device of a type, whatever its key is.
+FIRST_KEY = "first"
 #: The reading of a distance sensor that sees nothing, in mm.
 NOTHING_SEEN = 2000.0
 

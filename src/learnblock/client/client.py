@@ -14,7 +14,16 @@ from learnblock.client.events import Events
 from learnblock.client.observers import Observer, Outcome, Witness
 from learnblock.client.readings import SENSORS, Glance, PolledReadings, Readings
 from learnblock.client.status import RobotStatus
-from learnblock.devices import DEFAULT_KEY, Base, Camera, Device, Pose, Reading, Sensor
+from learnblock.devices import (
+    DEFAULT_KEY,
+    FIRST_KEY,
+    Base,
+    Camera,
+    Device,
+    Pose,
+    Reading,
+    Sensor,
+)
 from learnblock.errors import (
     KeyTakenError,
     RobotAttributeError,
@@ -210,6 +219,8 @@ class Client(Events):
     def device(self, kind: type[D], key: str = DEFAULT_KEY) -> D | None:
         """The device of this type and key, or None if the robot does not have it.
 
+        The key ``first`` asks for the one that the driver added first.
+
         A missing device is reported to the observer once for each call of a skill.
 
         Raises:
@@ -222,6 +233,9 @@ class Client(Events):
         try:
             return self._devices[kind][key]  # type: ignore[return-value] # filed under its type
         except KeyError:
+            same = self._devices.get(kind)
+            if same and key == FIRST_KEY:
+                return next(iter(same.values()))  # type: ignore[return-value] # as above
             self._note_missing(f"{kind.__name__}:{key}")
             return None
 

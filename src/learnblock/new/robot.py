@@ -139,7 +139,7 @@ def _suitable(plan: RobotPlan) -> list[tuple[str, str]]:
 
 def _can_run(plan: RobotPlan, example: str) -> bool:
     tree = running.read(running.example(example)).tree
-    found = check(tree, builtin(), plan.devices())
+    found = check(tree, builtin(), frozenset(plan.devices()))
     return not any(one.severity == "error" for one in found)
 
 

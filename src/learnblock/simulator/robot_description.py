@@ -226,14 +226,17 @@ class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
         tuple[Output, ...], Meta(max_length=5, description="devices whose commands are only logged")
     ] = ()
 
-    def devices(self) -> frozenset[str]:
-        """Its devices as ``Type:KEY`` strings such as ``JointMotor:CAMERA``."""
-        found = {"Base:ROBOT", *(f"{output}:ROBOT" for output in self.outputs)}
-        found |= {f"Camera:{camera.key}" for camera in self.camera}
-        found |= {f"JointMotor:{joint.key}" for joint in self.joint}
-        found |= {f"{'RGBLed' if led.kind == 'rgb' else 'Led'}:{led.slot}" for led in self.led}
+    def devices(self) -> tuple[str, ...]:
+        """Its devices as ``Type:KEY`` strings such as ``JointMotor:CAMERA``.
+
+        Devices of one type are in the order of the file.
+        """
+        found = ["Base:ROBOT", *(f"{output}:ROBOT" for output in self.outputs)]
+        found += [f"Camera:{camera.key}" for camera in self.camera]
+        found += [f"JointMotor:{joint.key}" for joint in self.joint]
+        found += [f"{'RGBLed' if led.kind == 'rgb' else 'Led'}:{led.slot}" for led in self.led]
         if self.gyroscope:
-            found.add(f"Gyroscope:{self.gyroscope.key}")
+            found.append(f"Gyroscope:{self.gyroscope.key}")
         single = {
             "DistanceSensors": self.distance,
             "GroundSensors": self.ground,
@@ -242,7 +245,7 @@ class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
             "LightSensor": self.light,
             "Display": self.display,
         }
-        return frozenset(found | {f"{device}:ROBOT" for device, part in single.items() if part})
+        return (*found, *(f"{device}:ROBOT" for device, part in single.items() if part))
 
 
 class RobotDescription(RobotFile, kw_only=True, frozen=True, forbid_unknown_fields=True):

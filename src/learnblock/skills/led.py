@@ -2,18 +2,18 @@
 
 from typing import TYPE_CHECKING
 
-from learnblock.devices import Led, RGBLed, number
+from learnblock.devices import FIRST_KEY, Led, RGBLed, number
 
 if TYPE_CHECKING:
     from learnblock.client import Client
 
 
-def led(robot: "Client", intensity: float, slot: str = "Up") -> None:
+def led(robot: "Client", intensity: float, slot: str = FIRST_KEY) -> None:
     """Switch an LED on or off.
 
     Args:
         intensity: 0 switches it off, anything above switches it on.
-        slot: which LED, by its position.
+        slot: which LED, by its position, such as ``Left``; ``first`` is any robot's first.
     """
     on = number("intensity", intensity) > 0
     lamp = robot.device(Led, slot)
@@ -21,14 +21,14 @@ def led(robot: "Client", intensity: float, slot: str = "Up") -> None:
         lamp.set(on)
 
 
-def RGBled(robot: "Client", red: int, green: int, blue: int, slot: str = "Up") -> None:
+def RGBled(robot: "Client", red: int, green: int, blue: int, slot: str = FIRST_KEY) -> None:
     """Set the colour of an LED.
 
     Args:
         red: 0 to 255.
         green: 0 to 255.
         blue: 0 to 255.
-        slot: which LED, by its position.
+        slot: which LED, by its position, such as ``Left``; ``first`` is any robot's first.
     """
     lamp = robot.device(RGBLed, slot)
     if lamp is not None:

@@ -21,7 +21,7 @@ def test_defaults_make_a_robot_that_runs(own_home):
     assert result.exit_code == 0, result.output
     twin = robots.find("sim-my-rover").load().description()
     assert twin.title == "My Rover"
-    assert twin.devices() == {"Base:ROBOT"}
+    assert twin.devices() == ("Base:ROBOT",)
     with robots.connect("sim-my-rover") as robot:
         robot.move_straight(50)
         robot.sleep(1)
@@ -52,7 +52,7 @@ def test_every_device_can_be_answered(own_home):
     assert (twin.distance[0].x, twin.distance[0].y) == (42, 42)
     assert [sensor.side for sensor in twin.ground] == ["left", "right"]
     assert twin.camera[0].joint == "CAMERA"
-    assert {"Led:Rear", "RGBLed:Front", "Display:ROBOT", "Speaker:ROBOT"} <= twin.devices()
+    assert {"Led:Rear", "RGBLed:Front", "Display:ROBOT", "Speaker:ROBOT"} <= set(twin.devices())
     assert robots.find("whole").load().settings_type().baud == 9600
 
 

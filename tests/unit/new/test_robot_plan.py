@@ -21,7 +21,7 @@ def read(tmp_path):
 def test_the_description_in_the_guide_is_valid(read):
     plan = read(guide())
     assert plan.network.port == 4000
-    assert plan.devices() == {"Base:ROBOT", "DistanceSensors:ROBOT"}
+    assert plan.devices() == ("Base:ROBOT", "DistanceSensors:ROBOT")
     assert type(plan.twin) is RobotFile
 
 

@@ -1,5 +1,7 @@
 import pytest
 
+from learnblock import robots
+
 
 @pytest.mark.parametrize(("intensity", "on"), [(0, False), (1, True), (255, True), (-1, False)])
 def test_a_lamp_is_on_above_zero(robot, intensity, on):
@@ -12,6 +14,15 @@ def test_a_lamp_takes_a_colour_within_0_and_255(robot):
     robot.RGBled(300, 12.4, -5, slot="Up")
 
     assert [("RGBLed:Up.set_color", 255, 12, 0)] == robot.commands
+
+
+@pytest.mark.parametrize(("twin", "slot"), [("sim-cozmo", "Center"), ("sim-thymio", "Up")])
+def test_without_a_position_the_first_lamp_takes_the_colour(twin, slot):
+    with robots.find(twin).load()(world="empty") as client:
+        client.RGBled(255, 0, 0)
+        assert {name for name, colour in client.body.leds.items() if colour == (255, 0, 0)} == {
+            slot
+        }
 
 
 def test_lighting_a_missing_lamp_has_no_effect(robot):

@@ -3,8 +3,10 @@
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Literal
 
+from learnblock.devices import FIRST_KEY
 from learnblock.errors import LearnBlockError
 from learnblock.fields import Range
 from learnblock.i18n import Phrase
@@ -82,8 +84,8 @@ class BlockConfiguration:
         shapes: ``blockVertical`` is a statement, ``blockLeft`` and ``blockBoth`` are values.
         languages: the label, by upper-case language code; see `learnblock.blocks.labels`.
         tooltip: a sentence of help, by upper-case language code.
-        needs: the devices that it needs to have an effect: ``Base``, or ``JointMotor:CAMERA`` for
-            the device with that key.
+        needs: the devices that it needs to have an effect: ``Base``, ``JointMotor:CAMERA`` for the
+            device with that key, or ``RGBLed:{slot}`` for the one whose key the parameter gives.
         returns: the kind of a value: ``boolean`` for a question, whose block is hexagonal.
         library: the library that a program must import, if any.
         titles: the name of the tab of a library, by upper-case language code.
@@ -106,10 +108,28 @@ class BlockConfiguration:
         """True for a question or a measure, False for a statement."""
         return "blockVertical" not in self.shapes
 
-    def lacks(self, devices: frozenset[str]) -> tuple[str, ...]:
-        """The needed devices that a robot with `devices` (``Type:KEY`` strings) lacks."""
+    def lacks(
+        self, devices: frozenset[str], given: Mapping[str, str | None] = MappingProxyType({})
+    ) -> tuple[str, ...]:
+        """The needed devices that a robot lacks.
+
+        Args:
+            devices: the robot's, as ``Type:KEY`` strings.
+            given: the text that a call gives for a parameter; None if only the run will tell.
+        """
         types = {device.partition(":")[0] for device in devices}
-        return tuple(need for need in self.needs if need not in devices and need not in types)
+        defaults = {parameter.name: parameter.default for parameter in self.parameters}
+        needs = (_chosen(need, {**defaults, **given}) for need in self.needs)
+        return tuple(need for need in needs if need not in devices and need not in types)
+
+
+def _chosen(need: str, values: Mapping[str, object]) -> str:
+    """A need with the key that a parameter gives; any key will do if that is open."""
+    kind, _, key = need.partition(":")
+    if not key.startswith("{"):
+        return need
+    value = values.get(key.strip("{}"))
+    return kind if value in (None, FIRST_KEY) else f"{kind}:{value}"
 
 
 class Configurations(Mapping[str, BlockConfiguration]):

@@ -51,7 +51,7 @@ _PARAMETER_KEYS = {
 # Reporting more of them at once does not help.
 _MOST_PROBLEMS = 100
 _LANGUAGE = re.compile(r"[A-Z]{2,3}(-[A-Z0-9]{2,8})*")
-_DEVICE = re.compile(r"[A-Za-z]\w*(:\w+)?")
+_DEVICE = re.compile(r"[A-Za-z]\w*(:(\w+|\{\w+\}))?")
 
 
 def read(document: Document) -> tuple[tuple[BlockConfiguration, ...], tuple[Diagnostic, ...]]:

@@ -60,7 +60,7 @@ block-two-shapes = 'shape' of { $where } is both a statement and a value. Write 
 block-not-translations = '{ $key }' of { $where } is { $value }. Write {"{\"EN\": \"...\", \"ES\": \"...\"}"}.
 block-bad-language = { $value } in '{ $key }' of { $where } is not a language. Write a code such as EN, ES or PT-BR.
 block-duplicate-language = The language { $language } appears twice in '{ $key }' of { $where }. Keep one.
-block-bad-need = { $value } in 'needs' of { $where } is not a device. Write a device such as Base, or one with its key, such as JointMotor:CAMERA.
+block-bad-need = { $value } in 'needs' of { $where } is not a device. Write a device such as Base, or one with its key, such as JointMotor:CAMERA or RGBLed:{"{"}slot{"}"}.
 block-not-list = '{ $key }' of { $where } is { $value }. Write a list, such as { $example }.
 block-bad-default = The default { $value } of { $where } does not fit the type { $type }. { $type ->
     [float] Write a number, such as 0.5.

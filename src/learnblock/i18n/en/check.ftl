@@ -116,6 +116,7 @@ check-numbers-of-list = '{ $call }' calculates with the numbers of a list, but {
 check-skill-without-answer = This robot has no { $devices }: it can't answer '{ $skill }'.
 check-skill-without-base = This robot has no { $devices }: it can't do '{ $skill }'.
 check-skill-without-effect = This robot has no { $devices }: '{ $skill }' does nothing.
+check-no-device-of-name = This robot has no { $device } '{ $key }': '{ $skill }' does nothing. Use one of these: { $known }.
 # $kind: the type of the device. $key: the name of one of several such devices, or empty
 check-device = { $kind ->
     [Accelerometer] accelerometer
@@ -131,7 +132,7 @@ check-device = { $kind ->
     [Infrared] infrared receiver
     [JointMotor] { $key ->
         [CAMERA] camera motor
-       *[other] motor { $key }
+       *[other] motor
     }
     [Led] LED
     [LightSensor] light sensor

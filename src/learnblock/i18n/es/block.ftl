@@ -52,7 +52,7 @@ block-two-shapes = En { $where }, 'shape' es a la vez una instrucción y un valo
 block-not-translations = En { $where }, '{ $key }' es { $value }. Escribe {"{\"EN\": \"...\", \"ES\": \"...\"}"}.
 block-bad-language = { $value }, en '{ $key }' para { $where }, no es un idioma. Escribe un código como EN, ES o PT-BR.
 block-duplicate-language = El idioma { $language } aparece dos veces en '{ $key }' para { $where }. Deja uno.
-block-bad-need = { $value }, en 'needs' para { $where }, no es un dispositivo. Escribe uno como Base, o con su clave, como JointMotor:CAMERA.
+block-bad-need = { $value }, en 'needs' para { $where }, no es un dispositivo. Escribe uno como Base, o con su clave, como JointMotor:CAMERA o RGBLed:{"{"}slot{"}"}.
 block-not-list = En { $where }, '{ $key }' es { $value }. Escribe una lista, por ejemplo { $example }.
 block-bad-default = El valor por defecto { $value } para { $where } no encaja en el tipo { $type }. { $type ->
     [float] Escribe un número, por ejemplo 0.5.

@@ -96,7 +96,8 @@ class CallChecker:
         if skill.library and skill.library not in self.findings.imported:
             self.not_imported(node, skill)
         self.arguments(node, skill)
-        if self.findings.devices is not None and (missing := skill.lacks(self.findings.devices)):
+        devices = self.findings.devices
+        if devices is not None and (missing := skill.lacks(devices, _texts(node, skill))):
             self.missing_devices(node, skill, missing)
 
     def not_imported(self, node: SkillCall, skill: BlockConfiguration) -> None:
@@ -139,7 +140,14 @@ class CallChecker:
         devices = tuple(map(_device, missing))
         called = self.findings.called(node.name)
         severity: Severity = "error"
-        if skill.returns_value:
+        kind, _, key = missing[0].partition(":")
+        named = self.keys(kind) if missing[0] not in skill.needs else ()
+        if named:
+            message = Phrase(
+                "check-no-device-of-name", device=_device(kind), key=key, skill=called, known=named
+            )
+            severity = "warning"
+        elif skill.returns_value:
             message = Phrase("check-skill-without-answer", skill=called, devices=devices)
         elif "Base" in missing:
             message = Phrase("check-skill-without-base", skill=called, devices=devices)
@@ -147,6 +155,11 @@ class CallChecker:
             message = Phrase("check-skill-without-effect", skill=called, devices=devices)
             severity = "warning"
         self.report("missing-device", message, node.span, severity)
+
+    def keys(self, kind: str) -> tuple[str, ...]:
+        """The keys of the robot's devices of a type."""
+        devices = (device.partition(":") for device in self.findings.devices or ())
+        return tuple(sorted(key for own, _, key in devices if own == kind))
 
     def arguments(self, node: SkillCall, skill: BlockConfiguration) -> None:
         parameters = skill.parameters
@@ -367,6 +380,16 @@ def _unusual_value(call: str, parameter: Parameter, value: str) -> Phrase:
     return Phrase(
         "check-outside-range", call=call, parameter=name, value=value, least=least, most=most
     )
+
+
+def _texts(node: SkillCall, skill: BlockConfiguration) -> dict[str, str | None]:
+    """The text that a call gives for each parameter; None for what only the run will tell."""
+    names = (parameter.name for parameter in skill.parameters)
+    given = dict(zip(names, node.arguments, strict=False))
+    given |= {keyword.name: keyword.value for keyword in node.keywords}
+    return {
+        name: value.value if isinstance(value, String) else None for name, value in given.items()
+    }
 
 
 def _device(need: str) -> Phrase:

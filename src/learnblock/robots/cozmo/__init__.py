@@ -113,7 +113,8 @@ class Robot(RealRobot[CozmoSettings]):
         self._add_sensors(session)
         self._add_joints(session)
         self._add_stage(session)
-        for slot in units.LIGHTS:
+        # The default LED is the first added, "Center", as on the twin.
+        for slot in sorted(units.LIGHTS):
             self.add(RGBLed(set_color=partial(session.light, slot)), slot)
 
     def disconnect(self) -> None:

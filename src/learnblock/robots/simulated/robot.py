@@ -5,6 +5,7 @@ import os
 import random
 from collections.abc import Callable, Mapping
 from functools import cached_property
+from operator import itemgetter
 from pathlib import Path
 from typing import Any, ClassVar, Self
 
@@ -82,7 +83,7 @@ class SimulatedRobot(Client):
 
     @classmethod
     def device_names(cls) -> frozenset[str]:
-        return cls.description().devices()
+        return frozenset(cls.description().devices())
 
     @classmethod
     def make_simulation(
@@ -140,8 +141,9 @@ class SimulatedRobot(Client):
         )
 
     def connect(self) -> None:
-        for name in sorted(self.body.description.devices()):
-            kind, _, key = name.partition(":")
+        names = (name.partition(":") for name in self.body.description.devices())
+        # The first device of a type, which skills use by default, is the first of the file.
+        for kind, _, key in sorted(names, key=itemgetter(0)):
             self.add(make_device(self.body, kind, key), key)
 
     def disconnect(self) -> None:

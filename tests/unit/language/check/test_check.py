@@ -1,5 +1,7 @@
 import pytest
 
+from learnblock import robots
+from learnblock.blocks import builtin
 from learnblock.blocks.schema.configuration import BlockConfiguration, Configurations, Parameter
 from learnblock.fields import Range
 from learnblock.i18n import Phrase
@@ -37,6 +39,46 @@ def test_a_question_that_can_never_be_answered_is_an_error(found, thymio):
     text = (CASES / "line_follower_ebo" / "program.bt").read_text("utf-8")
     severities = [(line, severity) for line, severity, _ in found(text, thymio)]
     assert [(2, "warning"), (4, "error"), (7, "error"), (10, "error")] == severities
+
+
+def on(robot, text):
+    """Return the severity and message of each diagnostic of a program with the real skills."""
+    devices = robots.find(robot).load().device_names()
+    return [(one.severity, str(one.message)) for one in check(parse(text), builtin(), devices)]
+
+
+@pytest.mark.parametrize("robot", ["sim-cozmo", "sim-thymio"])
+def test_a_skill_uses_the_first_led_of_any_robot(robot):
+    assert [] == on(robot, "function.RGBled(255, 0, 0)")
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (
+            'RGBled(255, 0, 0, "Up")',
+            "This robot has no coloured LED 'Up': 'function.RGBled' does nothing. Use one of "
+            "these: Center, Front, Left, Rear, Right.",
+        ),
+        (
+            'RGBled(255, 0, 0, slot="up")',
+            "This robot has no coloured LED 'up': 'function.RGBled' does nothing. Use one of "
+            "these: Center, Front, Left, Rear, Right.",
+        ),
+        (
+            'setAngleMotor("HEAD", 10)',
+            "This robot has no motor 'HEAD': 'function.setAngleMotor' does nothing. Use one of "
+            "these: ARM, CAMERA.",
+        ),
+    ],
+)
+def test_a_device_whose_name_the_robot_lacks_is_reported_with_those_it_has(call, message):
+    assert [("warning", message)] == on("sim-cozmo", f"function.{call}")
+
+
+def test_a_name_that_only_the_run_will_tell_is_not_reported():
+    text = 'main:\n    side = "Left"\n    function.RGBled(255, 0, 0, side)\nend'
+    assert [] == on("sim-cozmo", text)
 
 
 def test_a_robot_that_cannot_move_is_an_error(found):
