@@ -51,7 +51,7 @@ def test_an_invalid_line_is_underlined_and_listed_and_the_other_views_wait_for_i
 
 def test_a_block_with_an_empty_input_is_marked_until_that_is_undone(pupil):
     first = pupil.blocks("variables_set").first.get_attribute("data-id")
-    pupil.put_below(pupil.take("Control", "controls_if"), first)
+    pupil.put_below(pupil.take("Variables", "variables_set"), first)
     expect(pupil.page.locator(".blocks .lbError")).not_to_have_count(0)
     expect(pupil.page.locator(".stale-note")).to_be_visible()
     expect(pupil.tab("Problems").locator(".problem.error")).not_to_have_count(0)
@@ -59,6 +59,18 @@ def test_a_block_with_an_empty_input_is_marked_until_that_is_undone(pupil):
     pupil.press("Undo")
     expect(pupil.page.locator(".stale-note")).to_have_count(0)
     expect(pupil.page.locator(".blocks .lbError")).to_have_count(0)
+    assert pupil.foreign == []
+
+
+def test_an_empty_if_is_marked_and_the_program_runs(pupil):
+    first = pupil.blocks("variables_set").first.get_attribute("data-id")
+    pupil.put_below(pupil.take("Control", "controls_if"), first)
+    pupil.sees("blocktext", "if False:")
+    expect(pupil.page.locator(".blocks .lbWarning")).to_have_count(1)
+    expect(pupil.tab("Problems").locator(".problem.warning")).to_contain_text("no condition")
+    pupil.picture("empty-if")
+    pupil.press("Run")
+    pupil.state("Ended")
     assert pupil.foreign == []
 
 

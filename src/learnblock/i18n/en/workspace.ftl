@@ -1,6 +1,7 @@
 # Problems of blocks, shown at the block.
 
 workspace-missing-value = This block is missing a value. Plug one in.
+workspace-missing-condition = This block has no condition, which counts as false. Plug one in.
 workspace-missing-variable = This block is missing a variable. Choose one.
 workspace-missing-python = Write a Python expression here.
 workspace-bad-number = This is not a number. Write one, such as 40.

@@ -1,6 +1,7 @@
 # Problems of blocks, shown at the block.
 
 workspace-missing-value = A este bloque le falta un valor. Encaja uno.
+workspace-missing-condition = Este bloque no tiene condición y por eso cuenta como falsa. Encaja una.
 workspace-missing-variable = A este bloque le falta una variable. Elige una.
 workspace-missing-python = Escribe aquí una expresión de Python.
 workspace-bad-number = Esto no es un número. Escribe uno, como 40.

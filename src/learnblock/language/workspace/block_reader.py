@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import TypeVar
 
 from learnblock.blocks import BlockConfiguration
-from learnblock.errors import Diagnostic
+from learnblock.errors import Diagnostic, Severity
 from learnblock.i18n import Phrase
 from learnblock.language.tree.nodes import Expression, Name, Node
 from learnblock.language.tree.traversal import within
@@ -41,9 +41,11 @@ class BlockReader:
         # Keep nodes alive, so that no other node gets the same `id()`.
         self.alive: list[Node] = []
 
-    def report(self, block: Block, code: str, message: Phrase) -> None:
+    def report(
+        self, block: Block, code: str, message: Phrase, severity: Severity = "error"
+    ) -> None:
         if len(self.problems) < MAX_PROBLEMS:
-            self.problems.append((block.id, Diagnostic(code, message)))
+            self.problems.append((block.id, Diagnostic(code, message, severity=severity)))
 
     def note(self, node: Node, block: Block) -> None:
         """Record the block of a node."""

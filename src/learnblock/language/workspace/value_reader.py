@@ -82,7 +82,11 @@ class ValueReader(BlockReader):
         return None if found is None else self.expression(found, block)
 
     def truth(self, block: Block, name: str) -> Expression:
-        return self.value(block, name, Constant(value=False))
+        """The condition in an input; without one it is false, as in Scratch."""
+        if plugged(block, name) is not None:
+            return self.value(block, name)
+        self.report(block, "missing-condition", Phrase("workspace-missing-condition"), "warning")
+        return self.without(block, name, Constant(value=False))
 
     def number(self, block: Block, name: str) -> Expression:
         return self.value(block, name, Number("0"))

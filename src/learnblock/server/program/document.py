@@ -365,10 +365,11 @@ def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace |
             # These blocks are not a program, so lay out new ones.
             workspace = None
         else:
-            if read.program == tree and not read.problems:
+            said = tuple(problem(one, "blocks", block) for block, one in read.problems)
+            if read.program == tree and not any(one.severity == "error" for one in said):
                 blocks = (read.program, read.block_ids, workspace)
                 notations = Notations.of_blocks(*blocks, target).with_blocktext(tree, blocktext)
-                return Document(target, "blocktext", notations)
+                return Document(target, "blocktext", notations, remarks=said)
     notations = Notations.of_blocktext(tree, blocktext, target, workspace)
     return Document(target, "blocktext", notations)
 

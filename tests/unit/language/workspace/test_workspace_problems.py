@@ -48,7 +48,6 @@ def of_x(kind, name, value):
     ("block", "text"),
     [
         (Block("controls_repeat_ext", "b"), "repeat 0:\n    pass\nend\n"),
-        (Block("controls_whileUntil", "b"), "while False:\n    pass\nend\n"),
         (Block("text_print", "b"), 'print("")\n'),
         (of_x("variables_set", "VALUE", None), "x = None\n"),
         (of_x("controls_forEach", "LIST", None), "for x in []:\n    pass\nend\n"),
@@ -58,10 +57,25 @@ def test_an_empty_input_is_a_problem_of_its_block_and_is_replaced(block, text):
     assert (text, [("b", "missing-value")]) == read(block, variables=X)
 
 
+@pytest.mark.parametrize(
+    ("block", "text"),
+    [
+        (Block("controls_if", "b"), "if False:\n    pass\nend\n"),
+        (Block("controls_whileUntil", "b"), "while False:\n    pass\nend\n"),
+        (of_x("variables_set", "VALUE", Input(block=Block("logic_negate", "b"))), "x = not False\n"),
+    ],
+)
+def test_an_empty_condition_is_false_with_a_warning(block, text):
+    assert (text, [("b", "missing-condition")]) == read(block, variables=X)
+    start = Block("lb_start", "start", inputs={"DO": Input(stack=[block])})
+    ((_, problem),) = from_workspace(Workspace([[start]], X), CONFIGURATIONS).problems
+    assert problem.severity == "warning"
+
+
 def test_a_disabled_value_counts_as_missing():
     off = Block("lb_skill_is_any_tag", "off", disabledReasons=["MANUALLY_DISABLED"])
     block = Block("controls_if", "b", inputs={"IF0": Input(block=off)})
-    assert ("if False:\n    pass\nend\n", [("b", "missing-value")]) == read(block)
+    assert ("if False:\n    pass\nend\n", [("b", "missing-condition")]) == read(block)
 
 
 @pytest.mark.parametrize(

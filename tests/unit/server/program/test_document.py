@@ -161,7 +161,7 @@ def test_a_block_moved_while_a_text_has_mistakes_does_not_change_that_text():
 
 def half(one):
     """Return blocks of which one has no value yet."""
-    body = [*one.workspace.stacks[0][0].inputs["DO"].stack, Block("controls_if", "i")]
+    body = [*one.workspace.stacks[0][0].inputs["DO"].stack, Block("controls_repeat_ext", "i")]
     return Workspace(
         [[Block("lb_start", "s", inputs={"DO": Input(stack=body)})]], one.workspace.variables
     )
@@ -179,6 +179,17 @@ def test_a_block_without_its_value_keeps_the_texts():
     assert one.stale == ("blocktext", "python")
     assert [(problem.view, problem.block) for problem in one.problems] == [("blocks", "i")]
     assert one.blocktext == SQUARE
+
+
+def test_an_empty_if_is_false_with_a_warning_also_when_the_project_is_opened_again():
+    stack = [Block("lb_start", "s", inputs={"DO": Input(stack=[Block("controls_if", "i")])})]
+    one = document().with_blocks(Workspace([stack]))
+    again = document(one.blocktext, workspace=one.workspace)
+    for shown in (one, again):
+        shown.require_no_errors()
+        assert shown.blocktext == "if False:\n    pass\nend\n"
+        assert shown.workspace.stacks == [stack]
+        assert [(one.severity, one.block) for one in shown.problems] == [("warning", "i")]
 
 
 def test_an_unknown_name_is_reported_in_both_texts_and_at_its_block():
