@@ -189,7 +189,9 @@ def test_each_block_of_the_toolbox_is_one_that_a_program_can_have():
         if state["type"] in HATS:
             continue
         problems = from_workspace(alone(state), builtin()).problems
-        assert {"missing-value", "missing-condition", "import-name"} >= {problem.code for _, problem in problems}
+        assert {"missing-value", "missing-condition", "import-name"} >= {
+            problem.code for _, problem in problems
+        }
 
 
 def alone(state):

@@ -19,6 +19,7 @@ EXPECTED = {
     "red-line",
     "lines",
     "obstacles",
+    "people",
     "tags",
     "walls",
 }

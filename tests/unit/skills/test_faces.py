@@ -1,5 +1,6 @@
 import pytest
 
+from learnblock import robots
 from learnblock.devices import Emotion
 from learnblock.perception import Face, FaceEmotion
 
@@ -65,3 +66,15 @@ def test_without_an_emotion_detector_no_face_has_an_emotion(robot):
     robot.set_detections("emotions", None)
 
     assert robot.is_any_face_happy() is False
+
+
+@pytest.mark.parametrize("twin", ["sim-ebo", "sim-cozmo"])
+def test_people_are_seen_by_a_robot_that_looks_up(twin):
+    with robots.find(twin).load()(world="people") as robot:
+        robot.look_up()
+        robot.sleep(1)
+        assert robot.is_center_face()
+        assert robot.is_any_face_happy()
+        robot.look_front()
+        robot.sleep(1)
+        assert not robot.is_center_face()

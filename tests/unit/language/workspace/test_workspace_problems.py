@@ -62,7 +62,10 @@ def test_an_empty_input_is_a_problem_of_its_block_and_is_replaced(block, text):
     [
         (Block("controls_if", "b"), "if False:\n    pass\nend\n"),
         (Block("controls_whileUntil", "b"), "while False:\n    pass\nend\n"),
-        (of_x("variables_set", "VALUE", Input(block=Block("logic_negate", "b"))), "x = not False\n"),
+        (
+            of_x("variables_set", "VALUE", Input(block=Block("logic_negate", "b"))),
+            "x = not False\n",
+        ),
     ],
 )
 def test_an_empty_condition_is_false_with_a_warning(block, text):

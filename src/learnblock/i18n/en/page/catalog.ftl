@@ -42,6 +42,7 @@ page-catalog-world-line = Line
 page-catalog-world-lines = Coloured lines
 page-catalog-world-red-line = Red line
 page-catalog-world-obstacles = Obstacles
+page-catalog-world-people = People
 page-catalog-world-tags = Three tags
 page-catalog-world-walls = Walls
 
@@ -49,6 +50,7 @@ page-catalog-world-walls = Walls
 
 page-catalog-name-an-empty-floor = An empty floor
 page-catalog-name-seven-faces-with-different-emotions = Seven faces with different emotions
+page-catalog-name-seven-people-to-look-up-at = Seven people to look up at
 page-catalog-name-labyrinth-find-the-way-to-the-green-corner = Labyrinth: find the way to the green corner
 page-catalog-name-a-black-line-with-a-box-on-it = A black line with a box on it
 page-catalog-name-a-closed-black-line-with-left-and-right-curves = A closed black line with left and right curves

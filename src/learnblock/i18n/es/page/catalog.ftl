@@ -42,6 +42,7 @@ page-catalog-world-line = Línea
 page-catalog-world-lines = Líneas de colores
 page-catalog-world-red-line = Línea roja
 page-catalog-world-obstacles = Obstáculos
+page-catalog-world-people = Personas
 page-catalog-world-tags = Tres etiquetas
 page-catalog-world-walls = Paredes
 
@@ -49,6 +50,7 @@ page-catalog-world-walls = Paredes
 
 page-catalog-name-an-empty-floor = Un suelo vacío
 page-catalog-name-seven-faces-with-different-emotions = Siete caras con emociones distintas
+page-catalog-name-seven-people-to-look-up-at = Siete personas a las que mirar hacia arriba
 page-catalog-name-labyrinth-find-the-way-to-the-green-corner = Laberinto: encuentra el camino hasta la esquina verde
 page-catalog-name-a-black-line-with-a-box-on-it = Una línea negra con una caja encima
 page-catalog-name-a-closed-black-line-with-left-and-right-curves = Una línea negra cerrada con curvas a la izquierda y a la derecha
