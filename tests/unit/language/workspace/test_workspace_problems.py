@@ -63,16 +63,17 @@ def test_an_empty_input_is_a_problem_of_its_block_and_is_replaced(block, text):
         (Block("controls_if", "b"), "if False:\n    pass\nend\n"),
         (Block("controls_whileUntil", "b"), "while False:\n    pass\nend\n"),
         (
-            of_x("variables_set", "VALUE", Input(block=Block("logic_negate", "b"))),
+            of_x("variables_set", "VALUE", plugged("logic_negate")),
             "x = not False\n",
         ),
     ],
 )
 def test_an_empty_condition_is_false_with_a_warning(block, text):
-    assert (text, [("b", "missing-condition")]) == read(block, variables=X)
     start = Block("lb_start", "start", inputs={"DO": Input(stack=[block])})
-    ((_, problem),) = from_workspace(Workspace([[start]], X), CONFIGURATIONS).problems
-    assert problem.severity == "warning"
+    found = from_workspace(Workspace([[start]], X), CONFIGURATIONS)
+    assert format_program(found.program) == text
+    ((_, problem),) = found.problems
+    assert (problem.code, problem.severity) == ("missing-condition", "warning")
 
 
 def test_a_disabled_value_counts_as_missing():
