@@ -43,7 +43,8 @@ def case(name: str) -> str:
     return (CASES / name / "program.bt").read_text(encoding="utf-8")
 
 
-# The paper's tool on a similar machine, in milliseconds: parsing and generating.
+# The last number is the time in ms in which the paper's tool parses and generates on a similar
+# machine.
 PROGRAMS = (
     ("listing 4", case("square_trajectory"), 16.0),
     ("listings 7 and 8", case("reaction_to_tags"), 50.0),

@@ -24,7 +24,7 @@ _FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 @click.group("blocks", invoke_without_command=True)
 @json_option
 @click.pass_context
-def blocks_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+def blocks_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """List, check, export or import custom blocks.
 
     \b
@@ -83,7 +83,7 @@ def export(name: str, file: Path | None) -> None:
 @blocks_group.command("import")
 @click.argument("file", type=_FILE)
 @click.option("--replace", is_flag=True, help="Replace your block of the same name.")
-def import_command(file: Path, replace: bool) -> None:  # noqa: FBT001 - a flag of click
+def import_command(file: Path, replace: bool) -> None:  # noqa: FBT001 - a click flag
     """Import a custom block from an exported file, without running it."""
     from learnblock.extensions import custom_blocks  # noqa: PLC0415
     from learnblock.extensions.custom_blocks.package import LARGEST  # noqa: PLC0415

@@ -37,7 +37,7 @@ def claimed(folder: Path, *, take_over: bool, read_only: bool) -> Iterator[Acces
         yield Access.reading(writer) if read_only else _access(writer, folder, take_over)
 
 
-def _access(writer: Writer, folder: Path, take_over: bool) -> Access:  # noqa: FBT001 - a flag of click
+def _access(writer: Writer, folder: Path, take_over: bool) -> Access:  # noqa: FBT001 - a click flag
     try:
         if writer.claim():
             return Access(writer)

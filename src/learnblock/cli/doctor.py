@@ -7,7 +7,7 @@ from learnblock.cli.console import json_option, print_json, say, text
 
 @click.command("doctor")
 @json_option
-def doctor_command(as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+def doctor_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """Show what contains programs on this computer.
 
     Runs a program that tries to get out, and shows what held it and what did not.

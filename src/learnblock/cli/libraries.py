@@ -29,7 +29,7 @@ def library_group() -> None:
 
 @library_group.command("list")
 @json_option
-def list_command(as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+def list_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """List the installed libraries."""
     from learnblock.extensions.libraries import shelved  # noqa: PLC0415 - `--help` needs none of it
 
@@ -51,7 +51,7 @@ def list_command(as_json: bool) -> None:  # noqa: FBT001 - a flag of click
 @library_group.command()
 @click.argument("name")
 @json_option
-def show(name: str, as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+def show(name: str, as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """Show a library: an installed one, or one in a file or folder."""
     from learnblock.blocks.installed_libraries import installed as names  # noqa: PLC0415
     from learnblock.extensions.libraries import find, installed  # noqa: PLC0415

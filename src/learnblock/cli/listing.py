@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @click.command()
 @json_option
-def worlds(as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+def worlds(as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """List the worlds of the simulator."""
     import msgspec  # noqa: PLC0415 - `--help` needs none of it
 
@@ -40,7 +40,7 @@ def worlds(as_json: bool) -> None:  # noqa: FBT001 - a flag of click
 @click.command()
 @click.argument("name", required=False)
 @json_option
-def skills(name: str | None, as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+def skills(name: str | None, as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """List the skills, or describe one.
 
     Shows what each skill does and the devices it needs.

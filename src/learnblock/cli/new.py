@@ -50,7 +50,7 @@ def robot(
     name: str | None,
     description: Path | None,
     folder: Path | None,
-    force: bool,  # noqa: FBT001 - a flag of click
+    force: bool,  # noqa: FBT001 - a click flag
 ) -> None:
     """Create a robot's client, its twin for the simulator, and a test of both.
 
@@ -76,7 +76,7 @@ def robot(
 @click.argument("name")
 @_FOLDER
 @_FORCE
-def skill(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 - a flag of click
+def skill(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 - a click flag
     """Create a skill with a test.
 
     The skill is a block at once.
@@ -93,7 +93,7 @@ def skill(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 
 @click.argument("name")
 @_FOLDER
 @_FORCE
-def world(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 - a flag of click
+def world(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 - a click flag
     """Create a world for the simulator, with one object of each kind."""
     from learnblock.new.world import world_files  # noqa: PLC0415
     from learnblock.storage.home import home  # noqa: PLC0415

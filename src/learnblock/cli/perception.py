@@ -12,7 +12,7 @@ from learnblock.i18n import Phrase
 @click.group("perception", invoke_without_command=True)
 @json_option
 @click.pass_context
-def perception_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+def perception_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """Show or change camera recognition.
 
     \b
@@ -38,7 +38,7 @@ def perception_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001
 def set_command(
     setting: str,
     value: str | None,
-    default: bool,  # noqa: FBT001 - a flag of click
+    default: bool,  # noqa: FBT001 - a click flag
     yes: bool,  # noqa: FBT001
     as_json: bool,  # noqa: FBT001
 ) -> None:
@@ -109,7 +109,7 @@ def component_command(
     port: int | None,
     host: str,
     layout: str,
-    drawn: bool,  # noqa: FBT001 - a flag of click
+    drawn: bool,  # noqa: FBT001 - a click flag
 ) -> None:
     """Serve a detector to RoboComp.
 

@@ -44,7 +44,7 @@ _ROBOT = click.option("--robot", metavar="NAME", help="The robot: see learnblock
 @click.option("--anyway", is_flag=True, help="Run even if the robot lacks a device it needs.")
 @click.option("--allow-network", is_flag=True, help="Let the program use the network.")
 @json_option
-def run(file: Path, as_json: bool, **choices: Any) -> None:  # noqa: FBT001 - a flag of click
+def run(file: Path, as_json: bool, **choices: Any) -> None:  # noqa: FBT001 - a click flag
     """Run a program (.bt, .py or .learnblock) on a robot.
 
     \b
@@ -95,7 +95,7 @@ def check(files: tuple[Path, ...], robot: str | None, as_json: bool) -> None:  #
 @json_option
 def format_command(
     files: tuple[Path, ...],
-    only_check: bool,  # noqa: FBT001 - a flag of click
+    only_check: bool,  # noqa: FBT001 - a click flag
     to_stdout: bool,  # noqa: FBT001
     as_json: bool,  # noqa: FBT001
 ) -> None:

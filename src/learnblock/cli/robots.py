@@ -30,7 +30,7 @@ _VERDICTS = {
 @click.group("robots", invoke_without_command=True)
 @json_option
 @click.pass_context
-def robots_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+def robots_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """List robots; configure, find or test real ones.
 
     \b
@@ -54,7 +54,7 @@ def set_command(
     name: str,
     setting: str | None,
     value: str | None,
-    default: bool,  # noqa: FBT001 - a flag of click
+    default: bool,  # noqa: FBT001 - a click flag
     as_json: bool,  # noqa: FBT001
 ) -> None:
     """Show or change the settings of a real robot.
@@ -101,7 +101,7 @@ def scan(names: tuple[str, ...], seconds: float, as_json: bool) -> None:  # noqa
 @robots_group.command()
 @_NAME
 @click.option("--yes", is_flag=True, help="Do not ask; the robot drives at once.")
-def test(name: str, yes: bool) -> None:  # noqa: FBT001 - a flag of click
+def test(name: str, yes: bool) -> None:  # noqa: FBT001 - a click flag
     """Test every device of a robot, one after the other."""
     from learnblock.robots import find  # noqa: PLC0415
     from learnblock.testing.trial import try_out  # noqa: PLC0415

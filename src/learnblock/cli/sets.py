@@ -8,7 +8,7 @@ from learnblock.cli.language import language
 
 @click.command("sets")
 @json_option
-def sets_command(as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+def sets_command(as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """List the block sets.
 
     These are the built-in sets and your own sets.

@@ -15,7 +15,7 @@ _FILE = click.argument("file", type=click.Path(path_type=Path, dir_okay=False))
 @click.group("tags", invoke_without_command=True)
 @json_option
 @click.pass_context
-def tags_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a flag of click
+def tags_group(ctx: click.Context, as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """List, change, import, export or print tag names.
 
     \b
@@ -52,7 +52,7 @@ def remove(name: str) -> None:
 @tags_group.command("import")
 @_FILE
 @click.option("--replace", is_flag=True, help="Remove all other names.")
-def import_command(file: Path, replace: bool) -> None:  # noqa: FBT001 - a flag of click
+def import_command(file: Path, replace: bool) -> None:  # noqa: FBT001 - a click flag
     """Import the names in a FILE.
 
     The file is TOML with lines such as ball = 3, or CSV with a name and a number in each line.

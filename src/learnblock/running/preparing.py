@@ -45,7 +45,7 @@ def program(source: Source, robot: RobotEntry) -> Program:
 
 
 def _with_packages(found: Importable, source: Source) -> Importable:
-    """The modules that Python can import: libraries need the name of our package before theirs."""
+    """The modules that Python can import; a library is `learnblock.libraries.NAME` there."""
     plain = source.imports - source.libraries
     packages = {one for one in plain if find_spec(one.partition(".")[0]) is not None}
     return Importable(found.libraries - plain, found.files | packages)

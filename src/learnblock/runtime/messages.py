@@ -15,7 +15,7 @@ from learnblock.runtime.limits import Limits
 
 
 class Message(msgspec.Struct, frozen=True, array_like=True, tag=True):
-    """A message of the link."""
+    """A message between host and program."""
 
 
 # Messages of the host.

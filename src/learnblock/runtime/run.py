@@ -99,7 +99,7 @@ class Run:
         self._conversation = self._begin()
 
     def serve(self) -> None:
-        """Serve the program's requests until it waits for its world's time or ends."""
+        """Serve the program's requests until it ends or waits for simulated time to pass."""
         self.supervision.note_call()
         with self._talking() as conversation:
             while self.wake is None and self.ending is None:

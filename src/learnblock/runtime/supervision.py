@@ -75,7 +75,7 @@ class Supervision:
         )
 
     def check_usage(self, measure: Callable[[Limits], Usage]) -> Ending | None:
-        """Check the resources that the program uses; return how the run has to end if too many.
+        """Check the resources that the program uses; return how the run ends if it uses too many.
 
         Args:
             measure: returns the resources it uses; not called at every check.

@@ -1,4 +1,4 @@
-"""A matrix of 8 by 16 lamps."""
+"""An LED matrix of 8 by 16 LEDs."""
 
 from typing import TYPE_CHECKING
 

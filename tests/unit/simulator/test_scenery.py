@@ -25,7 +25,7 @@ def surfaces(**things: object) -> list[Surface]:
 
 
 def normal(surface: Surface) -> np.ndarray:
-    """Check that the normal points away from the front."""
+    """Return the normal of a surface, on the side of its front."""
     top_left, top_right, _, bottom_left = surface.corners
     return np.cross(bottom_left - top_left, top_right - top_left)
 

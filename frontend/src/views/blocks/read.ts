@@ -1,4 +1,4 @@
-/** Reads Blockly's workspace as a flat one. */
+/** Reads Blockly's workspace as ours, whose stacks are lists of blocks. */
 
 import * as Blockly from "blockly/core";
 

@@ -1,4 +1,4 @@
-/** One colour for each tab of the palette: corrects blocks of Blockly, and colours calls. */
+/** Gives each block the colour of its tab in the palette, also Blockly's own blocks and calls. */
 
 import * as Blockly from "blockly/core";
 

@@ -8,7 +8,7 @@ import { between } from "./scenery/geometry";
 
 export type CameraMode = "orbit" | "follow" | "top";
 
-/** ms of a camera movement. */
+/** The duration of a camera movement in ms. */
 const MOVE = 350;
 const UP = new Vector3(0, 0, 1);
 const FROM_SOUTH = new Vector3(0, -0.8, 1).normalize();

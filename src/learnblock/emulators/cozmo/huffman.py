@@ -37,7 +37,7 @@ def with_one_pair_of_tables(file: bytes, width: int, height: int) -> bytes:
 
 
 def _recoded(bits: str, tables: Mapping[int, Table], units: int) -> Iterator[str]:
-    """The codes of all blocks in the tables for brightness, each with the bits that follow it."""
+    """All blocks coded by the luminance tables: each code with the bits that follow it."""
     codes = {kind: {symbol: code for code, symbol in tables[kind].items()} for kind in (0x00, 0x10)}
     at = 0
     for table in (0, 0, 1, 1) * units:

@@ -29,7 +29,7 @@ _FIRMWARE = {"version": 2381, "build": "DEVELOPMENT"}
 
 
 class Machine:
-    """A Cozmo that drives a twin.
+    """An emulated Cozmo, whose body is a twin.
 
     Args:
         twin: the simulated robot.

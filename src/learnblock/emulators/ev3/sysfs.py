@@ -1,7 +1,7 @@
-"""The kernel files of ev3dev's motors and sensors, connected to a vehicle.
+"""The sysfs files of ev3dev's motors and sensors, connected to a vehicle.
 
 They follow the kernel's documentation (docs.ev3dev.org, "tacho-motor" and "lego-sensor"): a motor
-executes the last value of ``command`` at the ``speed_sp`` of that moment.
+executes the last ``command`` at the ``speed_sp`` that was set when it was written.
 """
 
 import math

@@ -16,10 +16,10 @@ doctor-memory = Use all of the memory
 doctor-variables = See your environment variables
 
 # $version is a number.
-doctor-by-landlock = by Landlock (version { $version }) of the Linux kernel
+doctor-by-landlock = by Landlock (version { $version }) in the Linux kernel
 # $kernel is the version of the kernel.
 doctor-no-landlock = this Linux kernel ({ $kernel }) offers no Landlock, which needs Linux 5.13 or newer and must be enabled
-doctor-by-seccomp = by seccomp of the Linux kernel
+doctor-by-seccomp = by seccomp in the Linux kernel
 # $machine is a kind of processor.
 doctor-no-seccomp = seccomp is missing, or this processor ({ $machine }) is not supported
 doctor-by-limit = limited by the operating system

@@ -40,7 +40,7 @@ import-python-only = '{ $name }' has functions in Python that use the robot of t
 import-no-block = The file describes a block '{ $name }', but has no function for it.
 
 import-not-readable = '{ $name }' can't be read and was left out: { $reason }
-import-not-a-library = The functions can't be a library: { $reason } They are a program instead.
+import-not-a-library = The functions can't be made into a library: { $reason } They were imported as a program instead.
 
 ## Files and folders
 

@@ -54,7 +54,8 @@ from learnblock.language.tree.traversal import statements
 def from_python(text: str, filename: str = "program.py") -> Program:
     """Read a program in Python.
 
-    A file that does not create a robot as generated programs do becomes one block of raw Python.
+    If a file does not create its robot as generated programs do, all of it becomes one block of raw
+    Python.
     `to_python` returns every such file byte for byte.
 
     Raises:

@@ -26,7 +26,7 @@ from learnblock.language.workspace.shapes import Shape
 from learnblock.language.workspace.statement_shapes import StatementShaper
 from learnblock.language.workspace.survey import Survey
 
-# The number of operands of values whose operands may lack their own blocks.
+# How many operands each of these expressions has; an operand may have no block of its own.
 _OPERANDS: Mapping[type[Expression], int] = {Unary: 1, Index: 2}
 # Renaming a function may change one of these into another; the arguments stay the same.
 _CALLS = frozenset(("procedures_callnoreturn", "procedures_callreturn", "lb_call", "lb_call_value"))

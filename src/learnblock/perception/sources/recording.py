@@ -74,7 +74,7 @@ class Recording(Closing):
         return self._capture
 
     def _pass_one(self, capture: cv2.VideoCapture, wanted: int) -> int:
-        """Skip one picture, or decode it if it is the requested one; return that one's number."""
+        """Skip one picture, or decode it if it is requested; return the requested number."""
         if not capture.grab():
             if not self._passed:
                 raise RobotConnectionError("perception-video-unreadable", path=str(self._path))

@@ -25,9 +25,9 @@ class Odometry:
         """Process a report.
 
         Args:
-            origin: the robot's identifier of its origin.
+            origin: the robot's identifier for the origin of its coordinates.
             x: mm ahead of the origin.
-            y: mm to its left.
+            y: mm to the left of the origin.
             angle: radians to the left.
         """
         if origin == self._origin:

@@ -410,7 +410,10 @@ def serve(
 
 
 class Conversation:
-    """A connection, first of an unidentified client, then of the client."""
+    """A connection from a client.
+
+    The client is unidentified until it has proved that it knows the secret.
+    """
 
     def __init__(self, connection: socket.socket) -> None:
         connection.settimeout(0)

@@ -44,7 +44,7 @@ class Lamp:
         self._shown: tuple[int, ...] | None = None
 
     def light(self, red: int, green: int, blue: int) -> None:
-        """Set its colour, 0 to 255 each; nothing is sent if it already has that colour."""
+        """Set its colour, by three values from 0 to 255; nothing is sent if it has it already."""
         self._link.check()
         levels = tuple(map(units.level, (red, green, blue)))
         # A program that sets it a thousand times per second would block the cable.

@@ -41,7 +41,7 @@ def install(*, network: bool) -> None:
 
 
 def _refusing(refused: dict[str, str]) -> Callable[[str, tuple[Any, ...]], None]:
-    def refuse(event: str, args: tuple[Any, ...]) -> None:  # noqa: ARG001 - as Python calls it
+    def refuse(event: str, args: tuple[Any, ...]) -> None:  # noqa: ARG001 - Python sets the parameters
         if event in refused:
             raise ForbiddenError(refused[event], event=event)
 

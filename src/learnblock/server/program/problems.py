@@ -48,7 +48,7 @@ def problem(diagnostic: Diagnostic, view: View, block: str | None = None) -> Pro
 
 
 def owners(extents: Iterable[Extent]) -> list[int | None]:
-    """The index of the innermost statement at each line of a text; line 0 is nowhere."""
+    """The index of the innermost statement at each line of a text; there is none at line 0."""
     extents = list(extents)
     found: list[int | None] = [None] * (max((last for _, last in extents), default=0) + 1)
     for index, (first, last) in enumerate(extents):

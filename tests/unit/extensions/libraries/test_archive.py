@@ -94,7 +94,7 @@ def test_a_link_in_a_folder_is_refused(make, tmp_path):
 
 
 class Functions(Trees):
-    """Return random functions, most of which can be in a library."""
+    """Generates random functions, most of which can be in a library."""
 
     def call(self, depth=2):
         return self.library_call(depth)

@@ -1,4 +1,4 @@
-"""The twins: worlds, seeds and paces from every source, and devices as described."""
+"""The twins: where their world, seed and pace come from, and whether their devices are complete."""
 
 import sys
 from importlib.metadata import EntryPoint

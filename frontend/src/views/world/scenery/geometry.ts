@@ -25,7 +25,7 @@ export function headingOf(x: number, y: number): number {
   return (-Math.atan2(y, x) * 180) / Math.PI;
 }
 
-/** The same direction from -180 (included) to 180. */
+/** The same direction, wrapped to -180 (inclusive) to 180 (exclusive). */
 export function wrapped(heading: number): number {
   return ((((heading + 180) % 360) + 360) % 360) - 180;
 }

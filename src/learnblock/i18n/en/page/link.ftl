@@ -7,7 +7,7 @@ page-link-lost = Connection lost
 # $volts has one decimal.
 page-link-battery = battery { $volts } V
 # The tooltip; $percent of the robot's messages arrive.
-page-link-quality = { $percent } % of the robot's messages arrive.
+page-link-quality = { $percent }% of the robot's messages arrive.
 
 # Read aloud when the link changes.
 page-link-weak-said = The connection to the robot is weak.
