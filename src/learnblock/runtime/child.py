@@ -17,6 +17,7 @@ from learnblock.errors import InputEndedError, LearnBlockError, ProgramStopped
 from learnblock.runtime import remote
 from learnblock.runtime.containment.fence import contain
 from learnblock.runtime.error_phrases import phrase_of
+from learnblock.runtime.failed_code import failed_code
 from learnblock.runtime.gate import Gate, unless_shown
 from learnblock.runtime.lines import (
     LineBudget,
@@ -237,7 +238,8 @@ class _Program:
         return Variables(local, _described(frame.f_globals), whens)
 
     def _fault(self, error: BaseException) -> Fault:
-        return Fault(phrase_of(error), self._lines(error), *own_place(error))
+        failed = failed_code(error, self._setup.filename, self._setup.source)
+        return Fault(phrase_of(error, failed), self._lines(error), *own_place(error))
 
     def _lines(self, error: BaseException) -> tuple[int, ...]:
         if isinstance(error, SyntaxError) and error.filename == self._setup.filename:

@@ -8,6 +8,7 @@ from typing import overload
 from learnblock.errors import LearnBlockError, nearest
 from learnblock.i18n import Phrase, Value
 from learnblock.runtime.explanations import explanation
+from learnblock.runtime.failed_code import UNKNOWN, FailedCode
 from learnblock.runtime.values import encodable, shortened
 
 #: The maximum length of a string in a phrase; longer ones are cut.
@@ -16,8 +17,13 @@ LONGEST_ERROR = 2000
 LARGEST_NUMBER = 2**63 - 1
 
 
-def phrase_of(error: BaseException) -> Phrase:
-    """The phrase for an error: ours can be translated, Python's keep Python's text."""
+def phrase_of(error: BaseException, failed: FailedCode = UNKNOWN) -> Phrase:
+    """The phrase for an error: ours can be translated, Python's keep Python's text.
+
+    Args:
+        error: as it was raised.
+        failed: the code of the program that raised it.
+    """
     if isinstance(error, LearnBlockError):
         return _sendable(error.phrase)
     if isinstance(error, PermissionError) and isinstance(error.filename, str):
@@ -26,27 +32,31 @@ def phrase_of(error: BaseException) -> Phrase:
     try:
         # A syntax error's whole text would repeat the file and the line.
         text = str(error.msg if isinstance(error, SyntaxError) else error)
-    except Exception as failed:  # noqa: BLE001 - a pupil's __str__ may raise any exception
-        failure = type(failed).__name__
+    except Exception as raised:  # noqa: BLE001 - a pupil's __str__ may raise any exception
+        failure = type(raised).__name__
         return _sendable(Phrase("run-error-without-text", type=kind, failed=failure))
     whole = f"{kind}: {text}" if text else kind
-    return _sendable(_explained(error, text, whole))
+    return _sendable(_explained(error, text, whole, failed))
 
 
-def _explained(error: BaseException, text: str, whole: str) -> Phrase:
+def _explained(error: BaseException, text: str, whole: str, failed: FailedCode) -> Phrase:
     """Our words for an error with Python's text below them; only Python's if we have none."""
-    if suggestion := _suggestion(error):
-        return Phrase("run-did-you-mean", error=whole, suggestion=suggestion)
-    meaning = explanation(error, text) if isinstance(error, Exception) else None
+    meaning = _suggestion(error)
+    if meaning is None and isinstance(error, Exception):
+        meaning = explanation(error, text, failed)
     return Phrase(whole) if meaning is None else Phrase("run-means", meaning=meaning, error=whole)
 
 
-def _suggestion(error: BaseException) -> str | None:
+def _suggestion(error: BaseException) -> Phrase | None:
     """The known name that is most similar to the unknown one in an error."""
     if not isinstance(error, NameError | AttributeError) or not isinstance(error.name, str):
         return None
-    known = dir(error.obj) if isinstance(error, AttributeError) else _visible(error.__traceback__)
-    return nearest(error.name, [name for name in known if not name.startswith("_")])
+    if isinstance(error, NameError):
+        code, known = "run-means-name-near", _visible(error.__traceback__)
+    else:
+        code, known = "run-means-attribute-near", dir(error.obj)
+    near = nearest(error.name, [name for name in known if not name.startswith("_")])
+    return None if near is None else Phrase(code, name=error.name, near=near)
 
 
 def _visible(step: TracebackType | None) -> Collection[str]:

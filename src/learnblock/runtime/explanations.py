@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from traceback import walk_tb
 
 from learnblock.i18n import Phrase, Value
+from learnblock.runtime.failed_code import FailedCode
+from learnblock.runtime.own_words import in_own_words
 
 #: A type of error, the pattern of its text, and the code of what it means. The groups of the
 #: pattern are values of the phrase; those named after a type are nouns.
@@ -51,6 +53,11 @@ _MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
         r"module '(?P<module>[\w.]+)' has no attribute '(?P<name>\w+)'.*",
         "run-means-attribute-of-module",
     ),
+    (
+        TypeError,
+        r"can only concatenate str \(not \"(?:int|float)\"\) to str",
+        "run-means-join-number",
+    ),
     (TypeError, r"can only concatenate str \(not \"(?P<type>\w+)\"\) to str", "run-means-join"),
     (
         TypeError,
@@ -62,6 +69,18 @@ _MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
         r"unsupported operand type\(s\) for (?P<operator>\S+?)(?: or \S+)?: .*NoneType.*",
         "run-means-nothing",
     ),
+    (TypeError, r"'(?P<operator>[<>]=?)' not supported .*NoneType.*", "run-means-nothing"),
+    (
+        TypeError,
+        r"unsupported operand type\(s\) for \+=?: '(?:int|float)' and 'str'",
+        "run-means-join-number",
+    ),
+    (
+        TypeError,
+        r"unsupported operand type\(s\) for (?P<operator>\S+?)(?: or \S+)?:"
+        r" '(?:int|float|str)' and '(?:int|float|str)'",
+        "run-means-calculation",
+    ),
     (
         TypeError,
         r"unsupported operand type\(s\) for (?P<operator>\S+?)(?: or \S+)?:"
@@ -71,10 +90,21 @@ _MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
     (
         TypeError,
         r"'(?P<operator>[<>]=?)' not supported between instances of"
-        r" '(?P<type>\w+)' and '(?P<other_type>\w+)'",
-        "run-means-operands",
+        r" '(?:str' and '(?:int|float)|(?:int|float)' and 'str)'",
+        "run-means-comparison-with-text",
     ),
-    (TypeError, r"can't multiply sequence by non-int .*", "run-means-multiply"),
+    (
+        TypeError,
+        r"'(?P<operator>[<>]=?)' not supported between instances of"
+        r" '(?P<type>\w+)' and '(?P<other_type>\w+)'",
+        "run-means-comparison",
+    ),
+    (TypeError, r"can't multiply sequence by non-int of type 'float'", "run-means-multiply"),
+    (
+        TypeError,
+        r"can't multiply sequence by non-int of type '(?P<type>\w+)'",
+        "run-means-multiply-by-other",
+    ),
     (
         TypeError,
         r"'(?P<type>\w+)' object cannot be interpreted as an integer",
@@ -121,30 +151,56 @@ _MEANINGS: tuple[tuple[type[Exception], str, str], ...] = (
     ),
     (
         ValueError,
+        r"invalid literal for int\(\) with base 10: (?P<text>'[-+]?\d*\.\d+')",
+        "run-means-int-of-decimal",
+    ),
+    (
+        ValueError,
         r"invalid literal for int\(\) with base 10: (?P<text>.+)",
         "run-means-int",
     ),
     (ValueError, r"could not convert string to float: (?P<text>.+)", "run-means-float"),
     (ValueError, r"math domain error|expected a .*input.*", "run-means-domain"),
+    (
+        ValueError,
+        r"(?:no )?(?P<function>max|min|f?mean|median|mode)\b.* (?:empty|at least one)\b.*",
+        "run-means-empty-without",
+    ),
     (ValueError, r".*empty (?:sequence|iterable)|.*argument is empty", "run-means-empty"),
-    (ValueError, r".*at least (?:one|two) data points?.*", "run-means-empty"),
+    (ValueError, r".*at least one data point.*", "run-means-empty"),
+    (ValueError, r".*at least two data points.*", "run-means-two-items"),
     (ValueError, r"empty range .*", "run-means-range"),
     (ValueError, r".*(?:is )?not in list", "run-means-not-in-list"),
     (ValueError, r"empty separator", "run-means-separator"),
-    (ValueError, r"(?:not enough|too many) values to unpack.*", "run-means-unpack"),
+    (
+        ValueError,
+        r"not enough values to unpack \(expected (?P<before>\d+), got (?P<after>\d+)\)",
+        "run-means-unpack-few",
+    ),
+    (
+        ValueError,
+        r"too many values to unpack \(expected (?P<before>\d+).*\)",
+        "run-means-unpack-many",
+    ),
+    (ValueError, r"not enough values to unpack.*", "run-means-unpack"),
 )
 
+#: The groups of the patterns that are numbers.
+_COUNTS = frozenset(("before", "after"))
 
-def explanation(error: Exception, text: str) -> Phrase | None:
+
+def explanation(error: Exception, text: str, failed: FailedCode) -> Phrase | None:
     """What an error of a program means and what to do; None if it is not a frequent one.
 
     Args:
         error: as it was raised.
         text: its message.
+        failed: the code that raised it.
     """
     for kind, pattern, code in _MEANINGS:
         if isinstance(error, kind) and (found := re.fullmatch(pattern, text, re.DOTALL)):
-            return Phrase(code, **_values(error, found.groupdict()))
+            meaning = Phrase(code, **_values(error, found.groupdict()))
+            return in_own_words(meaning, failed)
     return None
 
 
@@ -155,10 +211,13 @@ def _values(error: Exception, groups: Mapping[str, str]) -> dict[str, Value]:
         # A method counts the robot as one value more on both sides.
         excess = int(groups["given"]) - int(groups["most"])
         return {"function": groups["function"], "excess": excess}
-    return {
-        name: Phrase("run-type", type=text) if name.endswith("type") else text
-        for name, text in groups.items()
-    }
+    return {name: _value(name, text) for name, text in groups.items()}
+
+
+def _value(name: str, text: str) -> Value:
+    if name in _COUNTS:
+        return int(text)
+    return Phrase("run-type", type=text) if name.endswith("type") else text
 
 
 def _most_frequent(error: Exception) -> str:

@@ -69,9 +69,9 @@ ENDINGS = {
         "robt",
         How.ERROR,
         Phrase(
-            "run-did-you-mean",
+            "run-means",
+            meaning=Phrase("run-means-name-near", name="robt", near="robot"),
             error="NameError: name 'robt' is not defined",
-            suggestion="robot",
         ),
         6,
     ),

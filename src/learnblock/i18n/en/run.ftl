@@ -38,8 +38,6 @@ run-killed = The operating system ended the program with signal { $signal }.
 
 # Mistakes in a program.
 
-# $error is Python's own message, such as: NameError: name 'robt' is not defined
-run-did-you-mean = { $error }. Did you mean '{ $suggestion }'?
 # What Python's errors mean. $meaning is one of the messages below; $error is Python's own message.
 
 run-means =
@@ -60,27 +58,45 @@ run-type = { $type ->
     [NoneType] nothing (None)
    *[other] { $type }
 }
-run-means-zero-division = A number was divided by 0. Check the divisor first: 'if x != 0:'.
-run-means-recursion = '{ $function }' calls itself without end. Call it only while something holds, as in 'if n > 0:'.
+run-means-zero-division = A number was divided by 0. Make sure that the number after '{ $operator }' is not 0.
+run-means-recursion = '{ $function }' calls itself again and again and never stops. Put the call inside an 'if' that is false at some time. To repeat something, use a loop.
 run-means-memory = The program used up its memory. Does a list or a text grow in a loop without end?
 run-means-overflow = A number became too large. Check the calculation in this line.
-run-means-empty = The list is empty, so nothing can be taken from it. Check 'len(...) > 0' first.
+run-means-empty = The list is empty, so nothing can be taken from it. Check 'len({ $list }) > 0' first.
+run-means-empty-without = { $function ->
+    [max] The list is empty, so it has no largest item. Check 'len({ $list }) > 0' first.
+    [min] The list is empty, so it has no smallest item. Check 'len({ $list }) > 0' first.
+    [median] The list is empty, so it has no median. Check 'len({ $list }) > 0' first.
+    [mode] The list is empty, so it has no mode. Check 'len({ $list }) > 0' first.
+   *[other] The list is empty, so it has no mean. Check 'len({ $list }) > 0' first.
+}
+run-means-two-items = The list has fewer than 2 items, which is too few for this. Check 'len({ $list }) > 1' first.
 run-means-index = There is no item at this position. Positions go from 0 to one less than the length; '[-1]' is the last item.
 run-means-key = There is no entry { $key }. Check its spelling, or add it first.
 run-means-module = There is no module '{ $module }'. Check its name, or put its file next to the program.
 run-means-file = There is no file { $file }. Check its name and folder.
-run-means-local = '{ $name }' is set inside this function, but read before that. Write 'global { $name }' at its beginning, or set it first.
+run-means-local = '{ $name }' is used in this function before it is set. Set it above this line.
+run-means-global = Inside '{ $function }', Python thinks that '{ $name }' is a new variable. Write 'global { $name }' as the first line in '{ $function }'.
 run-means-name = '{ $name }' has no value yet. Set it above this line, or check its spelling.
-run-means-attribute-of-nothing = There is no value in front of '.{ $name }', only None. Check first: 'if x != None:'.
+run-means-name-near = '{ $name }' has no value. Did you mean '{ $near }'?
+run-means-attribute-of-nothing = There is no value in front of '.{ $name }', only None. Store it in a variable, and check that it is not None before this line.
+run-means-attribute-of-nothing-in-variable = '{ $variable }' has no value (None), so it has no '.{ $name }'. Check first: 'if { $variable } != None:'.
 run-means-attribute-of-text = Text has no '{ $name }', only a list has. Join text with '+': '"a" + "b"'.
 run-means-skill = The robot has no skill '{ $name }'. Check its spelling.
 run-means-attribute = '{ $name }' does not exist for { $type }. Check its spelling, and the value before the dot.
+run-means-attribute-near = There is no '{ $name }' after this dot. Did you mean '{ $near }'?
 run-means-attribute-of-module = The module '{ $module }' has no '{ $name }'. Check its spelling.
 run-means-join = Only text can be added to text, not { $type }. Write 'str(...)' around the other value.
+run-means-join-number = Only text can be added to text, not a number. Write 'str(...)' around the number.
 run-means-join-list = Only a list can be added to a list, not { $type }. Use 'append' to add one item.
-run-means-nothing = One side of '{ $operator }' has no value (None): a sensor gave no answer, or a function has no 'return'. Check first: 'if x != None:'.
-run-means-operands = '{ $operator }' does not work with { $type } and { $other_type }. Convert one with 'int(...)', 'float(...)' or 'str(...)'.
+run-means-nothing = One side of '{ $operator }' has no value (None): a sensor gave no answer, or a function has no 'return'. Store it in a variable, and check that it is not None before this line.
+run-means-nothing-in-variable = '{ $variable }' has no value (None): a sensor gave no answer, or a function has no 'return'. Check first: 'if { $variable } != None:'.
+run-means-operands = '{ $operator }' does not work with { $type } and { $other_type }. Use a number on each side.
+run-means-calculation = '{ $operator }' can't calculate with text. Write 'int(...)' around the text, or 'float(...)' if it has a decimal point.
+run-means-comparison = '{ $operator }' can't compare { $type } with { $other_type }. Compare two numbers or two texts.
+run-means-comparison-with-text = '{ $operator }' can't compare text with a number. Write 'int(...)' around the text, or 'float(...)' if it has a decimal point.
 run-means-multiply = A text or a list can only be multiplied by a whole number. Write 'int(...)' around the other value.
+run-means-multiply-by-other = Text or a list can't be multiplied by { $type }. One side of '*' must be a whole number, such as '"a" * 3'.
 run-means-whole-number = A whole number is needed here, not { $type }. Write 'int(...)' around it.
 run-means-number = A number is needed here, not { $type }. Write 'float(...)' around it.
 run-means-call = This is { $type }, not a function. Remove the brackets after it, or rename the variable.
@@ -98,13 +114,24 @@ run-means-too-many-arguments = { $excess ->
    *[other] '{ $function }' got { $excess } values too many. Remove { $excess } from the brackets.
 }
 run-means-unknown-argument = '{ $function }' has no argument '{ $name }'. Check its spelling.
+run-means-unknown-argument-of = '{ $function }' has no argument '{ $name }'. Its arguments are: { $known }.
+run-means-no-arguments = '{ $function }' has no arguments. Write '{ $function }()', with nothing in its brackets.
 run-means-int = { $text } is not a whole number, so 'int' can't read it. Check the text, or what was typed in.
+run-means-int-of-decimal = { $text } is not a whole number, so 'int' can't read it. Write 'float(...)' for numbers with a decimal point.
 run-means-float = { $text } is not a number, so 'float' can't read it. Check the text, and write a point, not a comma.
-run-means-domain = This can't be calculated: a negative number has no square root, and 0 has no logarithm. Check first: 'if x > 0:'.
+run-means-domain = This can't be calculated with the number in the brackets. Check it, with 'print' above this line.
+run-means-root = A negative number has no square root. Make sure that the number in the brackets is 0 or more.
+run-means-logarithm = 0 and negative numbers have no logarithm. Make sure that the number in the brackets is more than 0.
 run-means-range = The first number is larger than the last. Swap them.
 run-means-not-in-list = The list does not contain this value. Check with 'in' first.
+run-means-not-in-this-list = The list does not contain this value. Check first: 'if { $value } in { $list }:'.
 run-means-separator = 'split' needs the text at which to cut, such as ",". Write 'list(...)' around a text to get its letters.
 run-means-unpack = The number of names before '=' differs from the number of values after it.
+run-means-unpack-few = { $after ->
+    [one] There are { $before } names before '=', but only 1 value after it. Write one value for each name.
+   *[other] There are { $before } names before '=', but only { $after } values after it. Write one value for each name.
+}
+run-means-unpack-many = There are only { $before } names before '=', but more values after it. Write one name for each value.
 
 # $type and $failed are Python's names of errors.
 run-error-without-text = The error { $type } has no readable message: its __str__ raised { $failed }.

@@ -37,8 +37,6 @@ run-killed = El sistema operativo ha terminado el programa con la señal { $sign
 
 # Errores en un programa.
 
-# $error es el mensaje de Python, por ejemplo: NameError: name 'robt' is not defined
-run-did-you-mean = { $error }. ¿Querías decir '{ $suggestion }'?
 # What Python's errors mean. $meaning is one of the messages below; $error is Python's own message.
 
 run-means =
@@ -59,27 +57,45 @@ run-type = { $type ->
     [NoneType] nada (None)
    *[other] { $type }
 }
-run-means-zero-division = Se ha dividido un número entre 0. Comprueba antes el divisor: 'if x != 0:'.
-run-means-recursion = '{ $function }' se llama a sí misma sin fin. Llámala solo mientras se cumpla algo, como en 'if n > 0:'.
+run-means-zero-division = Se ha dividido un número entre 0. Asegúrate de que el número que sigue a '{ $operator }' no sea 0.
+run-means-recursion = '{ $function }' se llama a sí misma una y otra vez y no para nunca. Pon la llamada dentro de un 'if' que alguna vez sea falso. Para repetir algo, usa un bucle.
 run-means-memory = El programa ha gastado toda su memoria. ¿Crece una lista o un texto en un bucle sin fin?
 run-means-overflow = Un número se ha hecho demasiado grande. Revisa la cuenta de esta línea.
-run-means-empty = La lista está vacía, así que no se puede sacar nada de ella. Comprueba antes 'len(...) > 0'.
+run-means-empty = La lista está vacía, así que no se puede sacar nada de ella. Comprueba antes 'len({ $list }) > 0'.
+run-means-empty-without = { $function ->
+    [max] La lista está vacía, así que no tiene un elemento mayor. Comprueba antes 'len({ $list }) > 0'.
+    [min] La lista está vacía, así que no tiene un elemento menor. Comprueba antes 'len({ $list }) > 0'.
+    [median] La lista está vacía, así que no tiene mediana. Comprueba antes 'len({ $list }) > 0'.
+    [mode] La lista está vacía, así que no tiene moda. Comprueba antes 'len({ $list }) > 0'.
+   *[other] La lista está vacía, así que no tiene media. Comprueba antes 'len({ $list }) > 0'.
+}
+run-means-two-items = La lista tiene menos de 2 elementos, y para esto son muy pocos. Comprueba antes 'len({ $list }) > 1'.
 run-means-index = No hay ningún elemento en esa posición. Las posiciones van de 0 a la longitud menos uno; '[-1]' es el último elemento.
 run-means-key = No hay ninguna entrada { $key }. Revisa cómo se escribe, o añádela antes.
 run-means-module = No hay ningún módulo '{ $module }'. Revisa su nombre, o pon su archivo junto al programa.
 run-means-file = No hay ningún archivo { $file }. Revisa su nombre y su carpeta.
-run-means-local = '{ $name }' recibe un valor dentro de esta función, pero se lee antes. Escribe 'global { $name }' al principio de la función, o dale antes un valor.
+run-means-local = '{ $name }' se usa en esta función antes de darle un valor. Dale uno más arriba.
+run-means-global = Dentro de '{ $function }', Python cree que '{ $name }' es una variable nueva. Escribe 'global { $name }' en la primera línea de '{ $function }'.
 run-means-name = '{ $name }' no tiene valor todavía. Dale uno más arriba, o revisa cómo se escribe.
-run-means-attribute-of-nothing = Delante de '.{ $name }' no hay ningún valor, solo None. Compruébalo antes: 'if x != None:'.
+run-means-name-near = '{ $name }' no tiene valor. ¿Querías decir '{ $near }'?
+run-means-attribute-of-nothing = Delante de '.{ $name }' no hay ningún valor, solo None. Guárdalo en una variable y comprueba antes de esta línea que no sea None.
+run-means-attribute-of-nothing-in-variable = '{ $variable }' no tiene valor (None), así que no tiene '.{ $name }'. Compruébalo antes: 'if { $variable } != None:'.
 run-means-attribute-of-text = Un texto no tiene '{ $name }', solo las listas. Une los textos con '+': '"a" + "b"'.
 run-means-skill = El robot no tiene la habilidad '{ $name }'. Revisa cómo se escribe.
 run-means-attribute = '{ $name }' no existe para { $type }. Revisa cómo se escribe y el valor que hay delante del punto.
+run-means-attribute-near = Después de este punto no hay ningún '{ $name }'. ¿Querías decir '{ $near }'?
 run-means-attribute-of-module = El módulo '{ $module }' no tiene '{ $name }'. Revisa cómo se escribe.
 run-means-join = A un texto solo se le puede sumar otro texto, no { $type }. Pon 'str(...)' alrededor del otro valor.
+run-means-join-number = A un texto solo se le puede sumar otro texto, no un número. Pon 'str(...)' alrededor del número.
 run-means-join-list = A una lista solo se le puede sumar otra lista, no { $type }. Usa 'append' para añadir un elemento.
-run-means-nothing = Un lado de '{ $operator }' no tiene valor (None): un sensor no ha respondido, o a una función le falta 'return'. Compruébalo antes: 'if x != None:'.
-run-means-operands = '{ $operator }' no funciona con { $type } y { $other_type }. Convierte uno con 'int(...)', 'float(...)' o 'str(...)'.
+run-means-nothing = Un lado de '{ $operator }' no tiene valor (None): un sensor no ha respondido, o a una función le falta 'return'. Guárdalo en una variable y comprueba antes de esta línea que no sea None.
+run-means-nothing-in-variable = '{ $variable }' no tiene valor (None): un sensor no ha respondido, o a una función le falta 'return'. Compruébalo antes: 'if { $variable } != None:'.
+run-means-operands = '{ $operator }' no funciona con { $type } y { $other_type }. Usa un número a cada lado.
+run-means-calculation = '{ $operator }' no puede calcular con un texto. Pon 'int(...)' alrededor del texto, o 'float(...)' si lleva un punto decimal.
+run-means-comparison = '{ $operator }' no puede comparar { $type } con { $other_type }. Compara dos números o dos textos.
+run-means-comparison-with-text = '{ $operator }' no puede comparar un texto con un número. Pon 'int(...)' alrededor del texto, o 'float(...)' si lleva un punto decimal.
 run-means-multiply = Un texto o una lista solo se puede multiplicar por un número entero. Pon 'int(...)' alrededor del otro valor.
+run-means-multiply-by-other = Un texto o una lista no se puede multiplicar por { $type }. Un lado de '*' tiene que ser un número entero, como en '"a" * 3'.
 run-means-whole-number = Aquí hace falta un número entero, no { $type }. Pon 'int(...)' alrededor.
 run-means-number = Aquí hace falta un número, no { $type }. Pon 'float(...)' alrededor.
 run-means-call = Esto es { $type }, no una función a la que llamar. Quita los paréntesis que siguen, o cambia el nombre de la variable.
@@ -97,13 +113,24 @@ run-means-too-many-arguments = { $excess ->
    *[other] '{ $function }' ha recibido { $excess } valores de más. Quita { $excess } de los paréntesis.
 }
 run-means-unknown-argument = '{ $function }' no tiene ningún argumento '{ $name }'. Revisa cómo se escribe.
+run-means-unknown-argument-of = '{ $function }' no tiene ningún argumento '{ $name }'. Sus argumentos son: { $known }.
+run-means-no-arguments = '{ $function }' no tiene argumentos. Escribe '{ $function }()', sin nada entre los paréntesis.
 run-means-int = { $text } no es un número entero, y 'int' no puede leerlo. Revisa el texto, o lo que se ha escrito al preguntar.
+run-means-int-of-decimal = { $text } no es un número entero, y 'int' no puede leerlo. Escribe 'float(...)' para los números con punto decimal.
 run-means-float = { $text } no es un número, y 'float' no puede leerlo. Revisa el texto, y usa un punto en lugar de una coma.
-run-means-domain = Esto no se puede calcular: un número negativo no tiene raíz cuadrada, y 0 no tiene logaritmo. Compruébalo antes: 'if x > 0:'.
+run-means-domain = Esto no se puede calcular con el número que hay entre los paréntesis. Míralo con un 'print' encima de esta línea.
+run-means-root = Un número negativo no tiene raíz cuadrada. Asegúrate de que el número entre los paréntesis sea 0 o más.
+run-means-logarithm = Ni 0 ni los números negativos tienen logaritmo. Asegúrate de que el número entre los paréntesis sea mayor que 0.
 run-means-range = El primer número es mayor que el último. Cámbialos de orden.
 run-means-not-in-list = La lista no contiene ese valor. Compruébalo antes con 'in'.
+run-means-not-in-this-list = La lista no contiene ese valor. Compruébalo antes: 'if { $value } in { $list }:'.
 run-means-separator = 'split' necesita el texto por el que cortar, como ",". Pon 'list(...)' alrededor de un texto para sacar sus letras.
 run-means-unpack = Antes de '=' no hay tantos nombres como valores hay después.
+run-means-unpack-few = { $after ->
+    [one] Hay { $before } nombres antes de '=', pero solo 1 valor después. Escribe un valor para cada nombre.
+   *[other] Hay { $before } nombres antes de '=', pero solo { $after } valores después. Escribe un valor para cada nombre.
+}
+run-means-unpack-many = Hay solo { $before } nombres antes de '=', pero más valores después. Escribe un nombre para cada valor.
 
 # $type y $failed son nombres de errores de Python.
 run-error-without-text = El error { $type } no tiene un mensaje legible: su __str__ ha fallado con { $failed }.
