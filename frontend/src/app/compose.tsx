@@ -3,6 +3,7 @@
 import type { ComponentChildren } from "preact";
 
 import { BlockSets, BlockSetsProvider } from "../features/block-sets/block-sets";
+import { Containment, ContainmentProvider } from "../features/containment/containment";
 import { CustomBlocks, CustomBlocksProvider } from "../features/custom-blocks/custom-blocks";
 import { Libraries, LibrariesProvider } from "../features/libraries/libraries";
 import { RobotMaker, RobotMakerProvider } from "../features/new-robot/robot-maker";
@@ -27,6 +28,7 @@ import { Toasts } from "../ui/toasts";
 /** The state of each feature; it listens to the server from the start. */
 interface Stores {
   readonly blockSets: BlockSets;
+  readonly containment: Containment;
   readonly customBlocks: CustomBlocks;
   readonly libraries: Libraries;
   readonly robotMaker: RobotMaker;
@@ -43,13 +45,15 @@ export interface Composition {
 export function compose(): Composition {
   const connection = new Connection(socketAddress(), takeToken());
   const toasts = new Toasts();
-  const stores = makeStores(connection, toasts);
-  return { page: makePage(connection, toasts, stores), stores };
+  const dialogs = new Dialogs();
+  const stores = makeStores(connection, toasts, dialogs);
+  return { page: makePage(connection, toasts, dialogs, stores), stores };
 }
 
-function makeStores(connection: Connection, toasts: Toasts): Stores {
+function makeStores(connection: Connection, toasts: Toasts, dialogs: Dialogs): Stores {
   return {
     blockSets: new BlockSets(connection),
+    containment: new Containment(connection, toasts, () => dialogs.show("containment")),
     customBlocks: new CustomBlocks(connection),
     libraries: new Libraries(connection),
     robotMaker: new RobotMaker(connection),
@@ -59,11 +63,11 @@ function makeStores(connection: Connection, toasts: Toasts): Stores {
   };
 }
 
-function makePage(connection: Connection, toasts: Toasts, { blockSets, customBlocks, tags }: Stores): Page {
+function makePage(connection: Connection, toasts: Toasts, dialogs: Dialogs, stores: Stores): Page {
+  const { blockSets, customBlocks, tags } = stores;
   const program = new Program(connection, new BrowserDrafts());
   const running = new Running(connection);
   const views = new Views();
-  const dialogs = new Dialogs();
   const context: Context = {
     connection,
     program,
@@ -93,17 +97,19 @@ export function Providers({ of: { page, stores }, children }: { of: Composition;
   return (
     <PageProvider value={page}>
       <BlockSetsProvider value={stores.blockSets}>
-        <CustomBlocksProvider value={stores.customBlocks}>
-          <LibrariesProvider value={stores.libraries}>
-            <RobotMakerProvider value={stores.robotMaker}>
-              <RobotSettingsProvider value={stores.robotSettings}>
-                <TagDictionaryProvider value={stores.tags}>
-                  <WorldsProvider value={stores.worlds}>{children}</WorldsProvider>
-                </TagDictionaryProvider>
-              </RobotSettingsProvider>
-            </RobotMakerProvider>
-          </LibrariesProvider>
-        </CustomBlocksProvider>
+        <ContainmentProvider value={stores.containment}>
+          <CustomBlocksProvider value={stores.customBlocks}>
+            <LibrariesProvider value={stores.libraries}>
+              <RobotMakerProvider value={stores.robotMaker}>
+                <RobotSettingsProvider value={stores.robotSettings}>
+                  <TagDictionaryProvider value={stores.tags}>
+                    <WorldsProvider value={stores.worlds}>{children}</WorldsProvider>
+                  </TagDictionaryProvider>
+                </RobotSettingsProvider>
+              </RobotMakerProvider>
+            </LibrariesProvider>
+          </CustomBlocksProvider>
+        </ContainmentProvider>
       </BlockSetsProvider>
     </PageProvider>
   );

@@ -1,6 +1,7 @@
 /** The dialog that is open, if any. */
 
 import { BlockSetsDialog } from "../features/block-sets/dialog";
+import { ContainmentDialog } from "../features/containment/dialog";
 import { CustomBlockDialog, CustomBlocksDialog } from "../features/custom-blocks/dialogs";
 import { ExamplesDialog } from "../features/examples/dialog";
 import { LibrariesDialog } from "../features/libraries/dialog";
@@ -37,6 +38,7 @@ const DIALOGS = {
   newRobot: NewRobotDialog,
   customBlocks: CustomBlocksDialog,
   libraries: LibrariesDialog,
+  containment: ContainmentDialog,
 } as const;
 
 export function OpenedDialog() {

@@ -20,6 +20,7 @@ export type DialogName =
   | "newRobot"
   | "customBlocks"
   | "libraries"
+  | "containment"
   | { readonly delete: string }
   | CustomBlockDialogName;
 

@@ -6,6 +6,12 @@ export type Notation = "blocktext" | "python";
 
 export type View = "blocks" | "blocktext" | "python";
 
+export interface AllowNetwork {
+  kind: "AllowNetwork";
+  allowed: boolean;
+  key: string;
+}
+
 export interface Answer {
   kind: "Answer";
   text: string;
@@ -148,6 +154,11 @@ export interface Conflict {
   kind: "Conflict";
   version: string;
   by: "before" | "file" | "page";
+}
+
+export interface Containment {
+  kind: "Containment";
+  findings: Finding[];
 }
 
 export interface CustomBlock {
@@ -363,6 +374,12 @@ export interface File {
   text: string;
 }
 
+export interface Finding {
+  name: Phrase;
+  contained: boolean;
+  reason: Phrase;
+}
+
 export interface Format {
   kind: "Format";
 }
@@ -504,6 +521,13 @@ export interface MakeRobot {
   description: string;
 }
 
+export interface Network {
+  kind: "Network";
+  allowed: boolean;
+  key?: string;
+  reason?: Phrase | null;
+}
+
 export interface New {
   kind: "New";
   name?: string;
@@ -606,9 +630,17 @@ export interface ReadBlockSet {
   text: string;
 }
 
+export interface ReadContainment {
+  kind: "ReadContainment";
+}
+
 export interface ReadLibraries {
   kind: "ReadLibraries";
   files: LibraryFile[];
+}
+
+export interface ReadNetwork {
+  kind: "ReadNetwork";
 }
 
 export interface ReadSettings {
@@ -953,6 +985,7 @@ export interface Welcome {
   examples: ExampleChoice[];
   folder: string;
   read_only?: Phrase | null;
+  warns?: boolean;
 }
 
 export interface WhenNow {
@@ -1063,6 +1096,9 @@ export type FromPage =
   | SaveBlockSet
   | DeleteBlockSet
   | ExportBlockSet
+  | ReadContainment
+  | ReadNetwork
+  | AllowNetwork
   | ReadSettings
   | ChangeSettings
   | SaveTags
@@ -1120,6 +1156,8 @@ export type ToPage =
   | BlockSets
   | BlocksShown
   | BlockSetRead
+  | Containment
+  | Network
   | SettingsTable
   | Tags
   | TagsRead

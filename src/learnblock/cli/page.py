@@ -95,8 +95,7 @@ def _project(folder: Path, file: Path, *, read_only: bool) -> str:
         project = _original(projects, file)
     else:
         project = projects.import_file(file.name, running.read_text(file))
-    projects.write(project)
-    return project.name
+    return projects.add(project).name
 
 
 def _original(projects: "ProjectFolder", file: Path) -> "Project":

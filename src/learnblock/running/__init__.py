@@ -1,7 +1,13 @@
 """Running a program from its file to its report, for the command line and the page."""
 
 from learnblock.running.examples import example
-from learnblock.running.network import may_use_network
+from learnblock.running.network import (
+    allow_network,
+    folder_on_network,
+    forbid_network,
+    may_use_network,
+    move_network,
+)
 from learnblock.running.preparing import DEFAULT_ROBOT, check, choose_robot, program
 from learnblock.running.program_run import Options, ProgramRun
 from learnblock.running.report import Report
@@ -13,10 +19,14 @@ __all__ = [
     "ProgramRun",
     "Report",
     "Source",
+    "allow_network",
     "check",
     "choose_robot",
     "example",
+    "folder_on_network",
+    "forbid_network",
     "may_use_network",
+    "move_network",
     "program",
     "read",
     "read_text",

@@ -50,6 +50,7 @@ def create_app(
     static: Path = static_files.BUILT,
     grace: float = GRACE,
     read_only: Phrase | None = None,
+    for_others: bool = False,
 ) -> Starlette:
     """Create the server as an ASGI application.
 
@@ -63,9 +64,10 @@ def create_app(
         static: the folder of the built page.
         grace: seconds for which a project stays open without a page.
         read_only: why nothing may be written; None if it may.
+        for_others: whether other computers can connect.
     """
     protection = Protection.of(token, hosts, origins)
-    lobby = _LateLobby(folder, grace, read_only)
+    lobby = _LateLobby(folder, grace, read_only, for_others=for_others)
     routes = _routes(protection, static, lobby)
     base = "/" + base_url.strip("/")
     if base != "/":
@@ -120,7 +122,7 @@ async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSoc
     if trusted:
         # When the server stops, it doesn't wait for a page's remaining messages.
         with suppress(asyncio.CancelledError):
-            await (await lobby.get()).serve(socket)
+            await (await lobby.get()).serve(socket, is_local=protection.is_local(socket))
     else:
         await socket.close(FORBIDDEN, "the token is wrong")
 
@@ -128,7 +130,10 @@ async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSoc
 class _LateLobby:
     """The lobby; its imports start once the server is responding."""
 
-    def __init__(self, folder: Path, grace: float, read_only: Phrase | None) -> None:
+    def __init__(
+        self, folder: Path, grace: float, read_only: Phrase | None, *, for_others: bool
+    ) -> None:
+        self._for_others = for_others
         self._folder = folder
         self._grace = grace
         self._read_only = read_only
@@ -149,4 +154,4 @@ class _LateLobby:
     def _made(self) -> "Lobby":
         from learnblock.server.pages.lobby import Lobby  # noqa: PLC0415
 
-        return Lobby(self._folder, self._grace, self._read_only)
+        return Lobby(self._folder, self._grace, self._read_only, for_others=self._for_others)

@@ -20,6 +20,7 @@ import uvicorn
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server.app import create_app
+from learnblock.server.http.protection import is_loopback
 from learnblock.server.http.requests import TimedRequests
 from learnblock.server.http.token import token as the_token
 from learnblock.server.projects.writer import Access
@@ -69,6 +70,11 @@ class Service:
         """The allowed names of the server."""
         own = "*" if self.host in _EVERYWHERE else self.host
         return (own, socket.gethostname(), *self.allowed_hosts)
+
+    @property
+    def is_for_others(self) -> bool:
+        """Whether other computers can connect, directly or through a proxy."""
+        return bool(self.unix_socket or self.allowed_hosts) or not is_loopback(self.host)
 
 
 def serve(service: Service, *, show: Callable[[str], object] | None = None) -> None:
@@ -168,6 +174,7 @@ def _server(
         origins=service.allowed_hosts,
         base_url=service.base_url,
         read_only=service.access.read_only,
+        for_others=service.is_for_others,
     )
     with _listening(service) as listening:
 
@@ -179,11 +186,21 @@ def _server(
             service.announce(Phrase("server-started", address=address))
             if service.access.read_only:
                 service.announce(service.access.read_only)
+            if service.is_for_others:
+                threading.Thread(target=_warn, args=(service,), name="survey").start()
             if show:
                 threading.Thread(target=show, args=(address,), daemon=True).start()
 
         _collect_rarely()
         yield _Server(_config(app), service, answers), listening
+
+
+def _warn(service: Service) -> None:
+    """Say what does not contain the programs that users of other computers will run here."""
+    from learnblock.runtime.containment.survey import survey  # noqa: PLC0415 - for a class only
+
+    if free := tuple(finding.name for finding in survey() if not finding.contained):
+        service.announce(Phrase("server-not-contained", free=free))
 
 
 def _collect_rarely() -> None:

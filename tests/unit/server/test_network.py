@@ -12,8 +12,8 @@ socket.socket().close()
 
 @pytest.mark.parametrize(("allowed", "ended"), [("online", "finished"), ("other", "error")])
 def test_only_a_project_named_in_the_settings_may_use_it(page, projects, own_home, allowed, ended):
-    named = [str(projects / f"{allowed}.learnblock")]
-    (own_home / "settings.toml").write_text(f"[network]\nallowed = {named}\n", "utf-8")
     page.say("Import", filename="online.py", text=PROGRAM)
     page.hear("Document")
+    named = [str(projects / f"{allowed}.learnblock")]
+    (own_home / "settings.toml").write_text(f"[network]\nallowed = {named}\n", "utf-8")
     assert page.run()["ended"] == ended

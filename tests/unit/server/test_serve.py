@@ -14,7 +14,7 @@ import pytest
 from websockets.sync.client import connect, unix_connect
 
 from learnblock.errors import LearnBlockError
-from learnblock.server.serve import Service, _bound, _listening, serve
+from learnblock.server.serve import Service, _bound, _listening, _warn, serve
 from pages import TOKEN, Visitor
 
 RUNNING = "main:\n    while True:\n        function.sleep(0.1)\n    end\nend\n"
@@ -164,6 +164,30 @@ def test_if_the_default_port_is_taken_another_one_is_used(tmp_path, monkeypatch)
         monkeypatch.setattr("learnblock.server.serve.DEFAULT_PORT", port)
         with _listening(Service(tmp_path)) as listening:
             assert listening.getsockname()[1] not in {0, port}
+
+
+@pytest.mark.parametrize(
+    "options",
+    [{"host": "10.0.0.5"}, {"allowed_hosts": ("robots.school",)}, {"unix_socket": Path("socket")}],
+    ids=["host", "allowed-host", "unix-socket"],
+)
+def test_what_does_not_contain_programs_is_printed_if_others_can_connect(
+    tmp_path, monkeypatch, options
+):
+    service = Service(tmp_path, announce=(said := []).append, **options)
+    assert service.is_for_others
+    monkeypatch.setattr("learnblock.runtime.containment.survey._refused", frozenset)
+    _warn(service)
+    assert "Use the network, Start other programs" in str(said[0])
+
+
+def test_nothing_is_printed_if_all_is_contained(tmp_path, monkeypatch):
+    monkeypatch.setattr("learnblock.runtime.containment.survey.survey", tuple)
+    _warn(Service(tmp_path, announce=pytest.fail))
+
+
+def test_by_default_no_other_computer_can_connect(tmp_path):
+    assert not Service(tmp_path).is_for_others
 
 
 def test_a_token_that_no_browser_can_send_is_refused(tmp_path, monkeypatch):

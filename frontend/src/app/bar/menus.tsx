@@ -34,6 +34,7 @@ export function HelpMenu() {
     { text: t("page-robots-robots-menu"), run: () => dialogs.show("robotSettings") },
     { text: t("page-newrobot-menu"), run: () => dialogs.show("newRobot") },
     { text: t("page-robots-perception-menu"), run: () => dialogs.show("perception") },
+    { text: t("page-containment-menu"), run: () => dialogs.show("containment") },
   ];
   return <Menu label={t("page-bar-help")} icon="help" items={items} side="right" />;
 }

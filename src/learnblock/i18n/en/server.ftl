@@ -14,6 +14,11 @@ server-already-listening = Another LearnBlock is listening at { $path }.
 server-token-wrong = { $variable } can only contain letters, digits, '-', '_', '.' and '~'.
 server-no-window = A window needs pywebview. Run pip install 'learnblock-studio[window]', or leave out --window and use the browser.
 
+# $free lists what programs can do, such as "Use the network, Start other programs".
+server-not-contained =
+    Other computers can use this page, and on this computer nothing contains all that their programs do: { $free }.
+    Run only programs that you trust. The reasons: learnblock doctor, or "What programs may do" in the page's help menu.
+
 ## One writer per folder
 
 # $process is a number, $since a date and time, $address the address of its page.
@@ -60,6 +65,14 @@ server-message-broken = This message is nested too deeply, or is not text.
 # $problem is a sentence.
 server-block-set-file = The file '{ $name }' is not a block set. { $problem }
 server-world-exists = You already have a world '{ $name }'. Choose another name, or save again to replace it.
+
+## Programs that may use the network
+
+server-network-only-here = Only a page on the computer that runs LearnBlock can change this. Behind a proxy, use settings.toml.
+# $folder is the path of a folder.
+server-network-by-folder = settings.toml allows the network to all programs in { $folder }.
+server-network-in-use = A program that may use the network is running. Stop it first.
+server-network-ask-again = This page can't change which programs may use the network. Open the dialog again.
 
 ## For contributors: learnblock dev
 

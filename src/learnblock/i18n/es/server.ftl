@@ -11,6 +11,10 @@ server-already-listening = Otro LearnBlock está escuchando en { $path }.
 server-token-wrong = { $variable } solo puede contener letras, cifras, '-', '_', '.' y '~'.
 server-no-window = Una ventana necesita pywebview. Ejecuta pip install 'learnblock-studio[window]', o quita --window y usa el navegador.
 
+server-not-contained =
+    Otros ordenadores pueden usar esta página, y en este ordenador nada aísla del todo sus programas: { $free }.
+    Ejecuta solo programas de confianza. Los motivos: learnblock doctor, o "Qué pueden hacer los programas" en el menú de ayuda de la página.
+
 ## One writer per folder
 
 server-owner = el proceso { $process }, desde { $since }, en { $address }
@@ -48,6 +52,13 @@ server-too-many-projects = Esta página acaba de crear { $count } proyectos. Esp
 server-message-broken = Este mensaje tiene demasiados niveles, o no es texto.
 server-block-set-file = El archivo '{ $name }' no es un conjunto de bloques. { $problem }
 server-world-exists = Ya tienes un mundo '{ $name }'. Elige otro nombre, o guarda otra vez para sustituirlo.
+
+## Programs that may use the network
+
+server-network-only-here = Solo se puede cambiar desde una página abierta en el ordenador que ejecuta LearnBlock. Detrás de un proxy, usa settings.toml.
+server-network-by-folder = settings.toml permite usar la red a todos los programas de { $folder }.
+server-network-in-use = Está en marcha un programa que puede usar la red. Páralo primero.
+server-network-ask-again = Esta página no puede cambiar qué programas usan la red. Vuelve a abrir el diálogo.
 
 ## For contributors: learnblock dev
 

@@ -2,7 +2,8 @@
 
 import platform
 import sys
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from learnblock.i18n import Phrase
 from learnblock.runtime.limits import Limits
@@ -51,8 +52,7 @@ for code, attempt in {attempts}.items():
 """
 
 
-@dataclass(frozen=True, slots=True)
-class Finding:
+class Finding(Struct, frozen=True):
     """The result of one attempt.
 
     Args:

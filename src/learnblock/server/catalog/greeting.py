@@ -9,12 +9,13 @@ from learnblock.server.catalog.worlds import world_choices
 from learnblock.server.messages import Welcome
 
 
-def welcome(folder: str, read_only: Phrase | None = None) -> Welcome:
+def welcome(folder: str, read_only: Phrase | None = None, *, warns: bool = False) -> Welcome:
     """Create the first message to a page.
 
     Args:
         folder: the projects folder.
         read_only: why nothing may be written; None if it may.
+        warns: whether the page says what does not contain programs.
     """
     return Welcome(
         version=version("learnblock-studio"),
@@ -23,4 +24,5 @@ def welcome(folder: str, read_only: Phrase | None = None) -> Welcome:
         examples=tuple(example_choices().values()),
         folder=folder,
         read_only=read_only,
+        warns=warns,
     )

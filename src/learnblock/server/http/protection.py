@@ -30,6 +30,8 @@ _CONTENT = (
     " img-src 'self' blob: data:; media-src 'self' blob: data:; font-src 'self' data:;"
     " object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
 )
+#: What proxies add to requests.
+_PASSED_ON = {"forwarded", "via", "x-forwarded-for", "x-real-ip"}
 _HEADERS = {
     "content-security-policy": _CONTENT,
     "x-content-type-options": "nosniff",
@@ -75,6 +77,15 @@ class Protection:
         cookies = (value for name, value in request.cookies.items() if name.startswith(COOKIE))
         return any(map(self.knows, (request.query_params.get("token"), *cookies)))
 
+    def is_local(self, request: HTTPConnection) -> bool:
+        """Whether a request comes from a user at this computer, as far as the server can tell.
+
+        A proxy passes on the requests of other computers as its own, so behind one no request does.
+        """
+        is_passed_on = bool(self.origins or _PASSED_ON & set(request.headers))
+        client = request.client
+        return client is not None and not is_passed_on and is_loopback(client.host)
+
     def _is_host(self, host: str) -> bool:
         name = _name(host)
         return name in self.hosts - {"*"} or ("*" in self.hosts and _is_number(name))
@@ -85,6 +96,11 @@ class Protection:
             return True
         asking = origin.lower().partition("://")[2]
         return bool(asking) and (asking == host or asking in self.origins)
+
+
+def is_loopback(host: str) -> bool:
+    """Whether only this computer itself can connect to or from an address."""
+    return host == "localhost" or (_is_number(host) and ipaddress.ip_address(host).is_loopback)
 
 
 def offered_token(subprotocols: Iterable[str]) -> str | None:

@@ -36,6 +36,13 @@ from learnblock.server.messages.carrying import (
     Noted,
     OfferedCode,
 )
+from learnblock.server.messages.containment import (
+    AllowNetwork,
+    Containment,
+    Network,
+    ReadContainment,
+    ReadNetwork,
+)
 from learnblock.server.messages.custom_blocks import (
     MOST_ARGUMENTS,
     CheckCustomBlock,
@@ -252,6 +259,9 @@ FromPage = (
     | SaveBlockSet
     | DeleteBlockSet
     | ExportBlockSet
+    | ReadContainment
+    | ReadNetwork
+    | AllowNetwork
     | ReadSettings
     | ChangeSettings
     | SaveTags
@@ -310,6 +320,8 @@ ToPage = (
     | BlockSets
     | BlocksShown
     | BlockSetRead
+    | Containment
+    | Network
     | SettingsTable
     | Tags
     | TagsRead
@@ -331,6 +343,7 @@ __all__ = [
     "MOST_LIBRARIES",
     "MOST_SKILLS",
     "MOST_TAGS",
+    "AllowNetwork",
     "Answer",
     "BeginRobot",
     "BlockSetRead",
@@ -348,6 +361,7 @@ __all__ = [
     "Completion",
     "Completions",
     "Conflict",
+    "Containment",
     "Coordinate",
     "CustomBlock",
     "CustomBlockChecked",
@@ -407,6 +421,7 @@ __all__ = [
     "MakeRobot",
     "Message",
     "Name",
+    "Network",
     "New",
     "Notation",
     "Noted",
@@ -425,7 +440,9 @@ __all__ = [
     "ProjectRenamed",
     "Projects",
     "ReadBlockSet",
+    "ReadContainment",
     "ReadLibraries",
+    "ReadNetwork",
     "ReadSettings",
     "ReadTags",
     "ReadWorld",

@@ -122,6 +122,8 @@ class Welcome(Message, frozen=True):
         examples: the examples to open.
         folder: the projects folder.
         read_only: why nothing may be changed; None if it may.
+        warns: whether the page says by itself what does not contain programs: once for a server
+            that other computers can use, to a user at the server's own.
     """
 
     version: str
@@ -130,6 +132,7 @@ class Welcome(Message, frozen=True):
     examples: tuple[ExampleChoice, ...]
     folder: str
     read_only: Phrase | None = None
+    warns: bool = False
 
 
 class ProjectEntry(Struct, frozen=True):

@@ -1,5 +1,6 @@
 """The entry point of pages, which greets them and connects them to their projects."""
 
+from functools import partial
 from pathlib import Path
 
 from anyio import to_thread
@@ -11,6 +12,7 @@ from learnblock.server.pages import (
     asking,
     block_sets,
     carrying,
+    containment,
     controlling,
     custom_blocks,
     editing,
@@ -38,6 +40,7 @@ HANDLERS = {
     **settings.HANDLERS,
     **libraries.HANDLERS,
     **carrying.HANDLERS,
+    **containment.HANDLERS,
     **custom_blocks.HANDLERS,
     **robot_making.HANDLERS,
 }
@@ -50,17 +53,34 @@ class Lobby:
         folder: the projects folder.
         grace: seconds for which a project stays open without a page.
         read_only: why nothing may be written; None if it may.
+        for_others: whether other computers can connect.
     """
 
-    def __init__(self, folder: Path, grace: float, read_only: Phrase | None = None) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        grace: float,
+        read_only: Phrase | None = None,
+        *,
+        for_others: bool = False,
+    ) -> None:
         self._folder = folder
         self._read_only = read_only
+        self._should_warn = for_others
         self._sessions = Sessions(ProjectFolder(folder, read_only=read_only is not None), grace)
 
-    async def serve(self, socket: WebSocket) -> None:
-        """Serve a page until it has disconnected."""
-        page = Page(socket, self._sessions, HANDLERS)
-        page.send(await to_thread.run_sync(catalog.welcome, str(self._folder), self._read_only))
+    async def serve(self, socket: WebSocket, *, is_local: bool = False) -> None:
+        """Serve a page until it has disconnected.
+
+        Args:
+            socket: the page's websocket.
+            is_local: whether its user is at this computer.
+        """
+        page = Page(socket, self._sessions, HANDLERS, is_local=is_local)
+        warns = self._should_warn and is_local
+        self._should_warn = self._should_warn and not warns
+        welcome = partial(catalog.welcome, str(self._folder), self._read_only, warns=warns)
+        page.send(await to_thread.run_sync(welcome))
         await page.serve()
 
     async def close(self) -> None:

@@ -50,12 +50,21 @@ class Page:
         socket: the accepted websocket.
         sessions: the open projects.
         handlers: a handler for each kind of message.
+        is_local: whether its user is at the server's computer.
     """
 
     def __init__(
-        self, socket: WebSocket, sessions: "Sessions", handlers: Mapping[type, Handler]
+        self,
+        socket: WebSocket,
+        sessions: "Sessions",
+        handlers: Mapping[type, Handler],
+        *,
+        is_local: bool = False,
     ) -> None:
         self.sessions = sessions
+        self.is_local = is_local
+        #: What this page needs to allow its project the network; empty if it can't.
+        self.network_key = ""
         self.shown = Shown()
         self.watching = False
         self.new_projects = Quota(_MOST_PROJECTS, _PERIOD)
@@ -95,6 +104,7 @@ class Page:
         """Show a project, instead of the previous one."""
         self.leave()
         self.shown = Shown()
+        self.network_key = ""
         self._session = session
         session.join(self)
 

@@ -16,6 +16,7 @@ READING = frozenset(
         messages.ReadWorld, messages.CheckWorld, messages.ExportWorld,
         messages.ListCustomBlocks, messages.CheckCustomBlock, messages.ExportCustomBlock,
         messages.ListBlockSets, messages.ReadBlockSet, messages.ExportBlockSet,
+        messages.ReadContainment, messages.ReadNetwork,
         messages.ReadSettings, messages.ReadTags, messages.ExportTags,
         messages.ListLibraries, messages.ListExportable, messages.ReadLibraries,
         messages.DownloadLibrary, messages.MakeLibrary, messages.BeginRobot,

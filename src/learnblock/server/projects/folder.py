@@ -18,11 +18,12 @@ from learnblock.errors import (
     LearnBlockError,
     ProgramError,
     ProjectError,
+    SettingsError,
     UnknownNameError,
 )
 from learnblock.i18n import Phrase
 from learnblock.language.python.generation import ROBOT_IMPORT
-from learnblock.running import DEFAULT_ROBOT
+from learnblock.running import DEFAULT_ROBOT, forbid_network, move_network
 from learnblock.server.messages import LONGEST_TEXT, PastRun, ProjectEntry, Version
 from learnblock.server.projects.history import History, Reason
 from learnblock.server.projects.packing import encode_whole
@@ -107,6 +108,21 @@ class ProjectFolder:
         with _reporting(path, "save"):
             save(path, encode(project))
 
+    def add(self, project: Project) -> Project:
+        """Save a new project under a free name, and return it with that name.
+
+        Raises:
+            ProjectError: it can't be saved.
+        """
+        self._require_writing()
+        named = replace(project, name=self.free_name(project.name))
+        # A file with this name that was deleted by hand may have been allowed the network. While
+        # the settings have a mistake, no program is.
+        with suppress(SettingsError):
+            forbid_network(self._path(named.name))
+        self.write(named)
+        return named
+
     def file(self, name: str) -> Path:
         """The path of a project's file, which may not exist."""
         return self._path(name)
@@ -167,9 +183,12 @@ class ProjectFolder:
     def rename(self, name: str, wish: str) -> None:
         """Rename a project's file and its history, both or neither.
 
+        It keeps its permission to use the network.
+
         Raises:
             UnknownNameError: it does not exist.
             ProjectError: the new name is invalid or taken, or the file can't be renamed.
+            SettingsError: the user's settings have a mistake.
         """
         self._require_writing()
         path, target = self._path(name), self._path(wish)
@@ -183,8 +202,9 @@ class ProjectFolder:
         with _reporting(path, "rename"):
             path.rename(target)
             try:
+                move_network(path, target)
                 self._move_history(name, wish)
-            except OSError:
+            except (OSError, SettingsError):
                 target.rename(path)
                 raise
 
@@ -199,14 +219,18 @@ class ProjectFolder:
     def delete(self, name: str) -> None:
         """Move a project and its history into the trash folder, ``.trash``.
 
+        A later project with this name may not use the network, even if this one may.
+
         Raises:
             UnknownNameError: it does not exist.
             ProjectError: it can't be moved.
+            SettingsError: the user's settings have a mistake.
         """
         self._require_writing()
         path = self._path(name)
         if not path.is_file():
             raise UnknownNameError("project", name, self._names())
+        forbid_network(path)
         with _reporting(path, "delete"):
             trash = self._new_trash(path.stem)
             path.replace(trash / path.name)

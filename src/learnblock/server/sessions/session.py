@@ -63,6 +63,7 @@ class Session:
         self._notes = prepared.notes
         self._new_worlds = prepared.worlds
         self._last_run = (0.0, "")
+        self._network = False
         self.player = Player(self.viewers, self._keep_run)
 
     @property
@@ -358,6 +359,11 @@ class Session:
 
     # Running.
 
+    @property
+    def uses_network(self) -> bool:
+        """Whether a program is running that may use the network."""
+        return self._network and self.player.active
+
     async def run(self, *, paused: bool) -> None:
         """Run the program from the start, and save a version of it.
 
@@ -379,14 +385,14 @@ class Session:
         await self.player.set_the_stage(self.robot, self.world)
 
     async def _run(self, played: Played, *, paused: bool) -> None:
-        network = await to_thread.run_sync(may_use_network, self._folder.file(self.name))
+        self._network = await to_thread.run_sync(may_use_network, self._folder.file(self.name))
         setting = Setting(
             self.name,
             self.robot,
             self.world,
             self.player.start,
             self.breakpoints,
-            network=network,
+            network=self._network,
             tags=self.tags,
         )
         await self.player.run(played, setting, paused=paused)

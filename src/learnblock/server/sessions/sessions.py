@@ -3,7 +3,6 @@
 import asyncio
 from collections.abc import Callable, Coroutine, Mapping
 from contextlib import suppress
-from dataclasses import replace
 from typing import Any
 
 from anyio import to_thread
@@ -16,6 +15,7 @@ from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.project_file import Project, checked_name
 from learnblock.server.sessions.prepared import prepare
 from learnblock.server.sessions.session import Session
+from learnblock.server.sessions.survey import Survey
 from learnblock.storage.block_files import BlockFiles
 
 
@@ -36,6 +36,7 @@ class Sessions:
         self._renewing: set[asyncio.Task[None]] = set()
         #: Notices changes that the user makes by hand.
         self.block_files = BlockFiles()
+        self.survey = Survey()
         #: Lets two pages that open the same project at once share it.
         self._opening = asyncio.Lock()
 
@@ -52,7 +53,7 @@ class Sessions:
     async def start(self, project: Project) -> Session:
         """Save a new project under a free name, and open it."""
         async with self._opening:
-            project = await to_thread.run_sync(self._written, project)
+            project = await to_thread.run_sync(self.folder.add, project)
         return await self._opened(project.name, lambda: project)
 
     async def rename(self, session: Session, name: str) -> None:
@@ -88,6 +89,11 @@ class Sessions:
         """Record that a page has left; after the last one, the project is closed with a delay."""
         if not session.viewers and session.name not in self._ending:
             self._ending[session.name] = asyncio.create_task(self._end_later(session))
+
+    @property
+    def uses_network(self) -> bool:
+        """Whether a program is running that may use the network."""
+        return any(session.uses_network for session in self._open.values())
 
     def send(self, message: Message) -> None:
         """Send a message to every page of every project."""
@@ -151,11 +157,6 @@ class Sessions:
         self._renewing.add(task)
         task.add_done_callback(self._renewing.discard)
 
-    def _written(self, project: Project) -> Project:
-        named = replace(project, name=self.folder.free_name(project.name))
-        self.folder.write(named)
-        return named
-
     async def _end_later(self, session: Session) -> None:
         await asyncio.sleep(self._grace)
         async with self._opening:
@@ -165,6 +166,8 @@ class Sessions:
 
     async def _close(self, session: Session) -> None:
         self._keep_open(session.name)
+        # Until then, `uses_network` takes its program into account.
+        await session.player.stop()
         del self._open[session.name]
         await session.close()
 

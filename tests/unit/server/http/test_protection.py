@@ -4,9 +4,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from starlette.datastructures import Headers
+from starlette.requests import HTTPConnection
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
-from learnblock.server.http.protection import LOCAL_HOSTS, Protection, offered_token
+from learnblock.server.http.protection import (
+    LOCAL_HOSTS,
+    Protection,
+    is_loopback,
+    offered_token,
+)
 from pages import TOKEN
 
 PROTECTION = Protection.of(TOKEN, ["robots.school", "*"], ["robots.school"])
@@ -135,3 +141,46 @@ def test_nothing_may_be_fetched_from_other_servers(server):
     assert "http" not in headers["Content-Security-Policy"]
     assert headers["X-Content-Type-Options"] == "nosniff"
     assert headers["Referrer-Policy"] == "no-referrer"
+
+
+# Users at this computer.
+
+ALONE = Protection.of(TOKEN)
+
+
+def is_local(protection, client, **headers):
+    encoded = [(name.encode(), value.encode()) for name, value in headers.items()]
+    return protection.is_local(
+        HTTPConnection({"type": "websocket", "client": client, "headers": encoded})
+    )
+
+
+@pytest.mark.parametrize("address", ["127.0.0.1", "127.3.2.1", "::1"])
+def test_a_request_from_the_computer_itself_is_local(address):
+    assert is_local(ALONE, (address, 4711))
+
+
+@pytest.mark.parametrize(
+    "client", [("192.168.1.20", 80), ("10.0.0.1", 80), ("fe80::1", 80), ("", 0), ("x", 0), None]
+)
+def test_all_other_requests_are_not(client):
+    assert not is_local(ALONE, client)
+
+
+@pytest.mark.parametrize("header", ["forwarded", "via", "x-forwarded-for", "x-real-ip"])
+def test_nor_is_one_that_a_proxy_passes_on(header):
+    assert not is_local(ALONE, ("127.0.0.1", 4711), **{header: "127.0.0.1"})
+
+
+def test_no_request_is_local_to_a_server_that_has_names_for_a_proxy():
+    assert not is_local(PROTECTION, ("127.0.0.1", 4711))
+
+
+@pytest.mark.parametrize("host", ["localhost", "127.0.0.1", "::1"])
+def test_only_this_computer_reaches_its_own_addresses(host):
+    assert is_loopback(host)
+
+
+@pytest.mark.parametrize("host", ["::", "192.168.1.5", "robots.school", ""])
+def test_others_reach_the_rest(host):
+    assert not is_loopback(host)

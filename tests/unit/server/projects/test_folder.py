@@ -7,8 +7,15 @@ from hypothesis import strategies as st
 
 from learnblock.blocks import builtin
 from learnblock.blocks.block_sets import BlockNames, BlockSet
-from learnblock.errors import LearnBlockError, ProgramError, ProjectError, UnknownNameError
+from learnblock.errors import (
+    LearnBlockError,
+    ProgramError,
+    ProjectError,
+    SettingsError,
+    UnknownNameError,
+)
 from learnblock.language.workspace.blocks import Block, BlockComment, Input, Variable, Workspace
+from learnblock.running import allow_network, may_use_network
 from learnblock.server.messages import PastRun
 from learnblock.server.program.document import Document
 from learnblock.server.projects.folder import ProjectFolder
@@ -483,3 +490,57 @@ def test_any_text_is_imported_or_refused(tmp_path_factory, text, filename):
         return
     folder.write(project)
     assert folder.read(project.name) == project
+
+
+# The permission to use the network.
+
+
+@pytest.fixture
+def online(folder, tmp_path, monkeypatch):
+    """A project that may use the network."""
+    monkeypatch.setenv("LEARNBLOCK_HOME", str(tmp_path / "home"))
+    folder.write(Project("online", "x = 1\n"))
+    allow_network(folder.file("online"))
+    return folder
+
+
+def test_it_follows_a_renamed_project(online):
+    online.rename("online", "weather")
+    assert may_use_network(online.file("weather"))
+    online.write(Project("online", ""))
+    assert not may_use_network(online.file("online"))
+
+
+def test_a_project_does_not_take_it_over_with_the_name(online):
+    online.file("online").unlink()
+    online.write(Project("other", ""))
+    online.rename("other", "online")
+    assert not may_use_network(online.file("online"))
+
+
+@pytest.mark.parametrize("by_hand", [True, False])
+def test_a_new_project_does_not_inherit_it(online, by_hand):
+    online.file("online").unlink() if by_hand else online.delete("online")
+    assert online.add(Project("online", "")).name == "online"
+    assert not may_use_network(online.file("online"))
+
+
+def test_a_new_project_beside_it_gets_another_name_and_no_permission(online):
+    assert online.add(Project("online", "")).name == "online 2"
+    assert not may_use_network(online.file("online 2"))
+    assert may_use_network(online.file("online"))
+
+
+@pytest.mark.parametrize(
+    "change", [lambda it: it.delete("online"), lambda it: it.rename("online", "b")]
+)
+def test_with_a_mistake_in_the_settings_the_project_stays(online, tmp_path, change):
+    (tmp_path / "home" / "settings.toml").write_text("[network]\nallowed = 3\n")
+    with pytest.raises(SettingsError):
+        change(online)
+    assert [one.name for one in online.entries()] == ["online"]
+
+
+def test_with_a_mistake_in_the_settings_projects_can_still_be_created(online, tmp_path):
+    (tmp_path / "home" / "settings.toml").write_text("[network]\nallowed = 3\n")
+    assert online.add(Project("new", "")).name == "new"

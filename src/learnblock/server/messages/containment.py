@@ -1,0 +1,52 @@
+"""Messages about what programs may do on the server's computer."""
+
+from learnblock.i18n import Phrase
+from learnblock.runtime.containment.survey import Finding
+from learnblock.server.messages.base import Message, ShortText
+
+# From the page.
+
+
+class ReadContainment(Message, frozen=True):
+    """Ask what contains programs; the reply is `Containment`."""
+
+
+class ReadNetwork(Message, frozen=True):
+    """Ask whether the project's programs may use the network; the reply is `Network`."""
+
+
+class AllowNetwork(Message, frozen=True):
+    """Allow the project's programs the network from the next run on, or forbid it.
+
+    The reply is `Network`.
+
+    Args:
+        allowed: whether they may use it.
+        key: that of the last `Network`.
+    """
+
+    allowed: bool
+    key: ShortText
+
+
+# To the page.
+
+
+class Containment(Message, frozen=True):
+    """What programs have tried on the server's computer, and what has refused it."""
+
+    findings: tuple[Finding, ...]
+
+
+class Network(Message, frozen=True):
+    """Whether the project's programs may use the network.
+
+    Args:
+        allowed: whether they may.
+        key: what this page needs to change it; empty if it can't.
+        reason: why it can't.
+    """
+
+    allowed: bool
+    key: str = ""
+    reason: Phrase | None = None

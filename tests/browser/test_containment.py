@@ -1,0 +1,102 @@
+"""What programs may do, on the page."""
+
+import tomllib
+
+import pytest
+from playwright.sync_api import expect
+
+from browser.conftest import Server
+from browser.test_accessibility import axe, faults  # noqa: F401 - a fixture
+
+#: Lets the survey of the server find that nothing contains programs, as on another system.
+UNCONTAINED = """\
+from learnblock.runtime.containment import survey
+
+survey._refused = frozenset
+"""
+NETWORK = 'Programs of the project "weather" may use the network'
+
+
+@pytest.fixture
+def class_server(tmp_path, monkeypatch):
+    """A server that other computers can use, on a computer that contains nothing."""
+    (tmp_path / "sitecustomize.py").write_text(UNCONTAINED)
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    server = Server(tmp_path / "home", "--host=0.0.0.0")
+    server.address = f"http://127.0.0.1:{server.port}/?{server.address.partition('?')[2]}"
+    yield server
+    server.stop()
+
+
+def show(pupil, menu="Help and settings", command="What programs may do…"):
+    pupil.page.get_by_role("button", name=menu).click()
+    pupil.page.get_by_role("menuitem", name=command).click()
+    expect(pupil.dialog().get_by_role("row")).to_have_count(8)
+
+
+def test_the_dialog_lists_each_attempt_with_its_result_and_reason(sit_down, own_server, axe):  # noqa: F811
+    pupil = sit_down(own_server)
+    show(pupil)
+    row = pupil.dialog().get_by_role("row", name="See your environment variables")
+    expect(row).to_contain_text("Refused")
+    expect(row).to_contain_text("programs get a clean environment")
+    pupil.picture("dialog")
+    assert faults(pupil, axe, "dialog[open]") == []
+
+
+def test_a_user_at_the_server_allows_a_project_the_network_and_forbids_it(sit_down, own_server):
+    pupil = sit_down(own_server)
+    pupil.begin("weather")
+    show(pupil)
+    box = pupil.dialog().get_by_role("checkbox", name=NETWORK)
+    expect(box).not_to_be_checked()
+    box.check()
+    file = own_server.home / "projects" / "weather.learnblock"
+    expect(box).to_be_enabled()
+    assert settings(own_server) == {"network": {"allowed": [str(file)]}}
+    pupil.page.keyboard.press("Escape")
+    show(pupil)
+    expect(box).to_be_checked()
+    box.uncheck()
+    pupil.page.keyboard.press("Escape")
+    show(pupil)
+    expect(box).not_to_be_checked()
+    assert settings(own_server) == {"network": {}}
+
+
+def test_a_page_elsewhere_sees_the_setting_and_cannot_change_it(sit_down, own_server):
+    pupil = sit_down(own_server, extra_http_headers={"X-Forwarded-For": "192.168.1.20"})
+    pupil.begin("weather")
+    show(pupil)
+    expect(pupil.dialog().get_by_role("checkbox", name=NETWORK)).to_be_disabled()
+    expect(pupil.dialog()).to_contain_text("Only a page on the computer that runs LearnBlock")
+
+
+def test_it_speaks_spanish(sit_down, own_server):
+    pupil = sit_down(own_server, language="es")
+    show(pupil, "Ayuda y ajustes", "Qué pueden hacer los programas…")
+    row = pupil.dialog().get_by_role("row", name="Ver tus variables de entorno")
+    expect(row).to_contain_text("Impedido")
+    expect(pupil.dialog()).to_contain_text("pueden usar la red")
+    pupil.picture("dialog")
+
+
+def test_a_teacher_who_starts_a_class_is_warned_once(sit_down, class_server, axe):  # noqa: F811
+    printed = [class_server.process.stdout.readline() for _ in range(3)]
+    assert "Use the network" in "".join(printed)
+    pupil = sit_down(class_server)
+    warning = pupil.expect_note("programs can get past LearnBlock's limits")
+    pupil.picture("warning")
+    warning.get_by_role("button", name="Show details").click()
+    row = pupil.dialog().get_by_role("row", name="Start other programs")
+    expect(row).to_contain_text("Allowed")
+    pupil.picture("dialog")
+    assert faults(pupil, axe, "dialog[open]") == []
+    pupil.page.keyboard.press("Escape")
+    pupil.page.reload()
+    show(pupil)
+    expect(warning).to_have_count(0)
+
+
+def settings(server):
+    return tomllib.loads((server.home / "settings.toml").read_text("utf-8"))
