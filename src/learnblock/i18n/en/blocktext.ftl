@@ -67,6 +67,7 @@ blocktext-missing-comma = Write ',' between '{ $first }' and '{ $second }'.
 blocktext-without-space = Write '{ $operator }' without a space.
 blocktext-slice = Write 'sublist(values, from, to)' for part of a list.
 blocktext-unclosed-bracket = This '{ $opening }' is never closed. Write '{ $closing }' where it ends.
+blocktext-unclosed-bracket-in-line = This '{ $opening }' is never closed. Write '{ $closing }' at the end of the line: '{ $instead }'.
 blocktext-too-deep = This is nested too deeply. Store part of it in a variable.
 blocktext-number-too-long = A number with { $digits } digits is too long. It must have fewer than { $limit }.
 blocktext-bad-number = '{ $text }' is not a number. Write one such as 40 or 0.5.
@@ -81,6 +82,7 @@ blocktext-triple-quote = Write one quote on each side of the text. Use '\n' for 
 blocktext-join-texts = Use '+' to join two pieces of text.
 # $prefix: a letter such as f
 blocktext-string-prefix = Block-Text has no '{ $prefix }' before quotes. Join text with '+' and 'str(...)'.
+blocktext-f-string = Block-Text has no 'f' before quotes. Write '{ $instead }' instead of '{ $found }'.
 # $escape: such as \u
 blocktext-escape-without-number = '{ $escape }' must be followed by the number of a character. Write '\\' for a backslash.
 blocktext-no-character-number = There is no character with the number { $number }. Write '\\' for a backslash.
@@ -135,14 +137,16 @@ blocktext-drive = Block-Text has no '{ $found }'. '{ $instead }' drives at 40 mm
 blocktext-steps = The robot has no steps. '{ $instead }' drives at 40 mm/s until the next command. To stop after 2 seconds, write 'function.sleep(2)' and 'function.stop_bot()' below it.
 blocktext-stop-all = Block-Text has no '{ $found }'. Write '{ $instead }' to stop the wheels, or 'break' to leave a loop.
 blocktext-no-event = Block-Text has no event '{ $found }'. Write a condition of the robot, as in 'when seen = function.is_any_tag():'.
+blocktext-broadcast = Write '{ $instead }' instead of '{ $found }', and a 'when { $name }:' block. To run it only once, put 'deactivate { $name }' as its last line.
 blocktext-when-needs-name = A 'when' needs a name before its condition. Write '{ $instead }'.
 blocktext-declared = A variable needs no type and no 'var'. Write '{ $instead }' instead of '{ $found }'.
 blocktext-name-with-space = A name is one word. Write '{ $instead }' instead of '{ $found }'.
 blocktext-name-with-hyphen = A name has no '-', which subtracts. Write '{ $instead }' instead of '{ $found }'.
 blocktext-name-with-digit = A name can't begin with a digit. Write '{ $instead }' instead of '{ $found }'.
 blocktext-decimal-comma = Numbers have a decimal point. Write '{ $instead }' instead of '{ $found }'.
-blocktext-sum-as-target = Only one variable can be on the left of '='. Write the sum on the right.
+blocktext-sum-as-target = '=' sets the variable on its left, so only one name can be there. Write '{ $name } = ...'. To compare, write 'if { $sum } == { $value }:'.
 blocktext-two-targets = A line sets only one variable. Write '{ $instead }', and '{ $second }' on the next line.
+blocktext-swap = A line sets only one variable. To swap, write 'old = { $first }', '{ $first } = { $second }', '{ $second } = old', each on its own line.
 blocktext-unit = Write numbers without a unit: '{ $instead }' instead of '{ $found }'.
 blocktext-text-in-quotes = Text needs quotes. Write '{ $instead }' instead of '{ $found }'.
 blocktext-straight-quotes = Text needs straight quotes. Write { $instead } instead of { $found }.

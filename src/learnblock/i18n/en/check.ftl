@@ -88,7 +88,7 @@ check-append = Only a list can be added to a list. Write 'append({ $values }, { 
 check-append-python = Only a list can be added to a list. Write '{ $values }.append({ $item })' to add one item.
 # $advice: one of the messages above
 check-never-equal = Text never equals a number. { $advice }
-check-repeat-whole-number = 'repeat' needs a whole number, not { $number }.
+check-repeat-whole-number = 'repeat' needs a whole number, not { $number }. Write 'repeat { $less }:' or 'repeat { $more }:'.
 check-for-number = '{ $value }' is a number, not a list. Write 'for { $name } from 1 to { $value }:' to count.
 check-for-number-python = '{ $value }' is a number, not a list. Write 'for { $name } in range({ $value }):' to count.
 check-text-as-condition = Text in quotes is always true. Remove the quotes if it is a condition.

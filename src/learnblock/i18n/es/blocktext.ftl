@@ -67,6 +67,7 @@ blocktext-missing-comma = Escribe ',' entre '{ $first }' y '{ $second }'.
 blocktext-without-space = Escribe '{ $operator }' sin espacio.
 blocktext-slice = Escribe 'sublist(values, from, to)' para una parte de una lista.
 blocktext-unclosed-bracket = Este '{ $opening }' no se cierra. Escribe '{ $closing }' donde termina.
+blocktext-unclosed-bracket-in-line = Este '{ $opening }' no se cierra nunca. Escribe '{ $closing }' al final de la línea: '{ $instead }'.
 blocktext-too-deep = Aquí hay demasiadas cosas unas dentro de otras. Guarda una parte en una variable.
 blocktext-number-too-long = Un número de { $digits } cifras es demasiado largo. Debe tener menos de { $limit }.
 blocktext-bad-number = '{ $text }' no es un número. Escribe uno, como 40 o 0.5.
@@ -81,6 +82,7 @@ blocktext-triple-quote = Escribe una sola comilla a cada lado del texto. Usa '\n
 blocktext-join-texts = Une dos textos con '+'.
 # $prefix: a letter such as f
 blocktext-string-prefix = En Block-Text no hay '{ $prefix }' delante de un texto. Une textos con '+' y 'str(...)'.
+blocktext-f-string = En Block-Text no hay 'f' antes de las comillas. Escribe '{ $instead }' en lugar de '{ $found }'.
 # $escape: such as \u
 blocktext-escape-without-number = Después de '{ $escape }' va el número de un carácter. Para una barra inversa, escribe '\\'.
 blocktext-no-character-number = No hay ningún carácter con el número { $number }. Para una barra inversa, escribe '\\'.
@@ -135,14 +137,16 @@ blocktext-drive = En Block-Text no hay '{ $found }'. Con '{ $instead }' el robot
 blocktext-steps = El robot no avanza por pasos. Con '{ $instead }' el robot avanza a 40 mm/s hasta la siguiente orden. Para que pare a los 2 segundos, escribe debajo 'function.sleep(2)' y 'function.stop_bot()'.
 blocktext-stop-all = En Block-Text no hay '{ $found }'. Escribe '{ $instead }' para parar las ruedas, o 'break' para salir de un bucle.
 blocktext-no-event = En Block-Text no hay el evento '{ $found }'. Escribe una condición del robot, como en 'when seen = function.is_any_tag():'.
+blocktext-broadcast = Escribe '{ $instead }' en lugar de '{ $found }', y un bloque 'when { $name }:'. Para que se ejecute una sola vez, pon 'deactivate { $name }' en su última línea.
 blocktext-when-needs-name = Un 'when' necesita un nombre antes de su condición. Escribe '{ $instead }'.
 blocktext-declared = Una variable no necesita tipo ni 'var'. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-name-with-space = Un nombre es una sola palabra. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-name-with-hyphen = Un nombre no lleva '-', que resta. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-name-with-digit = Un nombre no puede empezar por una cifra. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-decimal-comma = Los decimales van con punto. Escribe '{ $instead }' en lugar de '{ $found }'.
-blocktext-sum-as-target = A la izquierda de '=' solo puede haber una variable. Escribe la cuenta a la derecha.
+blocktext-sum-as-target = '=' da valor a la variable de su izquierda, así que ahí solo puede haber un nombre. Escribe '{ $name } = ...'. Para comparar, escribe 'if { $sum } == { $value }:'.
 blocktext-two-targets = Una línea da valor a una sola variable. Escribe '{ $instead }' y, en la línea siguiente, '{ $second }'.
+blocktext-swap = Una línea da valor a una sola variable. Para intercambiarlas, escribe 'old = { $first }', '{ $first } = { $second }', '{ $second } = old', cada una en su propia línea.
 blocktext-unit = Los números van sin unidad: escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-text-in-quotes = Los textos van entre comillas. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-straight-quotes = Los textos van entre comillas rectas. Escribe { $instead } en lugar de { $found }.

@@ -88,7 +88,7 @@ check-append = A una lista solo se le puede sumar otra lista. Escribe 'append({ 
 check-append-python = A una lista solo se le puede sumar otra lista. Escribe '{ $values }.append({ $item })' para añadir un elemento.
 # $advice: one of the messages above
 check-never-equal = Un texto nunca es igual a un número. { $advice }
-check-repeat-whole-number = 'repeat' necesita un número entero, no { $number }.
+check-repeat-whole-number = 'repeat' necesita un número entero, no { $number }. Escribe 'repeat { $less }:' o 'repeat { $more }:'.
 check-for-number = '{ $value }' es un número, no una lista. Escribe 'for { $name } from 1 to { $value }:' para contar.
 check-for-number-python = '{ $value }' es un número, no una lista. Escribe 'for { $name } in range({ $value }):' para contar.
 check-text-as-condition = Un texto entre comillas siempre es verdadero. Quita las comillas si es una condición.

@@ -61,6 +61,7 @@ NUMBER = re.compile(
     r"|[0-9](?:_?[0-9])*\.(?:[eE][-+]?[0-9](?:_?[0-9])*)?"
     r"|[0-9](?:_?[0-9])*[eE][-+]?[0-9](?:_?[0-9])*"
 )
+_CLOSING = {"(": ")", "[": "]"}
 _AFTER_NAME = frozenset((".", "string"))
 _SQUARE_BRACKET = symbol("]")
 _DOT_AND_SKILL = Phrase("blocktext-wanted-dot-and-skill")
@@ -257,10 +258,28 @@ class ExpressionParser(TokenReader):
         return False
 
     def unclosed_bracket(self, opening: Token, closing: str, otherwise: Slip) -> Slip:
-        if self.kinds[self.index] in {"newline", "comment", "eof", ":"}:
-            message = Phrase("blocktext-unclosed-bracket", opening=opening.text, closing=closing)
-            return self.slip("unclosed-bracket", message, opening)
-        return otherwise
+        kind = self.kinds[self.index]
+        if kind not in {"newline", "comment", "eof", ":"}:
+            return otherwise
+        values = {"opening": opening.text, "closing": closing}
+        message = Phrase("blocktext-unclosed-bracket", **values)
+        if kind != ":" and self.before.line == opening.line:
+            line, values["closing"] = self.closed_line()
+            message = Phrase("blocktext-unclosed-bracket-in-line", **values, instead=line)
+        return self.slip("unclosed-bracket", message, opening)
+
+    def closed_line(self) -> tuple[str, str]:
+        """The line before this token with its brackets closed, and those that were missing."""
+        last, missing, start = self.before, "", self.index
+        while start and self.tokens[start - 1].line == last.line:
+            start -= 1
+        for kind in self.kinds[start : self.index]:
+            if kind in _CLOSING:
+                missing = _CLOSING[kind] + missing
+            elif kind == missing[:1]:
+                missing = missing[1:]
+        written = self.lines[last.line - 1][: last.column - 1] + last.text
+        return written.strip() + missing, missing
 
     def parenthesized(self, token: Token) -> Expression:
         self.index += 1

@@ -65,6 +65,20 @@ CURLY_QUOTES = Rule(
     r".*?(?P<wrong>[“”„«]([^“”„«»\"]*)[“”»]|‘([^‘’\"]*)’)", r'"\2\3"', "blocktext-straight-quotes"
 )
 
+
+def _joined_texts(groups: Sequence[str]) -> str:
+    """An f-string as a sum of texts; unchanged if it is more than text and plain values."""
+    quote, body = groups[2][0], groups[2][1:-1]
+    parts = re.split(r"\{([^{}:!=\"']+)\}", body)
+    if any(brace in text for text in parts[::2] for brace in "{}"):
+        return groups[0]
+    parts[::2] = [f"{quote}{text}{quote}" if text else "" for text in parts[::2]]
+    parts[1::2] = [f"str({value.strip()})" for value in parts[1::2]]
+    return " + ".join(filter(None, parts)) or quote * 2
+
+
+_F_STRING = Rule(r".*?(?P<wrong>(?<!\w)f(\"[^\"]*\"|'[^']*'))", _joined_texts, "blocktext-f-string")
+
 _COMMENTS = (
     Rule(r"\s*(?P<wrong>//+|--+|/\*+)", "#", "blocktext-comment"),
     Rule(r"\s*(?P<wrong>(?!\s)(.*?)\s*\*/)\s*$", r"# \2", "blocktext-comment"),
@@ -92,6 +106,18 @@ def _counted(groups: Sequence[str]) -> str:
 def _with_commas(groups: Sequence[str]) -> str:
     """A list without its semicolons, except those in texts."""
     return re.sub(r"(\"[^\"]*\"|'[^']*')|;", lambda part: part[1] or ",", groups[0])
+
+
+#: An item of a list: a number, a text or a variable.
+_ITEM = (
+    r"(?:-?\d[\d.]*|(?!(?:and|or|not|in|is|if|else|for)\b)[^\W\d]\w*"
+    r"|\"(?:[^\"\\]|\\.)*\"|'(?:[^'\\]|\\.)*')"
+)
+
+
+def _with_missing_commas(groups: Sequence[str]) -> str:
+    """A list with a comma after each item."""
+    return f"[{', '.join(re.findall(_ITEM, groups[0]))}]"
 
 
 _LOOPS = (
@@ -143,7 +169,12 @@ _EVENTS = (
     ),
     Rule(r"\s*(?:al|cuando)\s+.*bandera.*$", "main:"),
     Rule(rf"\s*(?:when\s+i\s+receive|cuando\s+reciba)\s+{NAME}\s*:?\s*$", r"when \1:"),
-    Rule(rf"\s*(?:broadcast|enviar)\s+{NAME}\s*$", r"activate \1"),
+    Rule(
+        rf"\s*(?:broadcast|enviar)\s+{NAME}\s*$",
+        r"activate \1",
+        "blocktext-broadcast",
+        (("name", r"\1"),),
+    ),
     Rule(
         r"\s*(?:when|on|al)\s+(?:.*\s)?(?:key|button|tecla|bot[oó]n)\b.*$",
         "when pressed:",
@@ -274,13 +305,35 @@ _ASSIGNMENTS = (
         "blocktext-two-targets",
         (("second", r"\2 = \4"),),
     ),
+    Rule(
+        rf"\s*{NAME}\s*,\s*{NAME}\s*=\s*\2\s*,\s*\1\s*$",
+        r"\1 = \2",
+        "blocktext-swap",
+        (("first", r"\1"), ("second", r"\2")),
+    ),
     Rule(rf"\s*{NAME}\s*,\s*{NAME}\s*=[^=].*$", r"\1 = 0", "blocktext-second-assignment"),
-    Rule(rf"\s*{NAME}\s*[-+*/]\s*\w+\s*=[^=].*$", r"\1 = 0", "blocktext-sum-as-target"),
+    Rule(
+        rf"\s*{NAME}\s*=\s*{NAME}\s*=\s*([^\s=<>][^=]*?)\s*$",
+        r"\2 = \3",
+        "blocktext-two-targets",
+        (("second", r"\1 = \2"),),
+    ),
+    Rule(
+        rf"\s*({NAME}\s*[-+*/]\s*\w+)\s*=\s*([^\s=<>][^=]*?)\s*$",
+        r"\2 = 0",
+        "blocktext-sum-as-target",
+        (("name", r"\2"), ("sum", r"\1"), ("value", r"\3")),
+    ),
 )
 
 _CALLS = (
     Rule(r".*?(?P<wrong>\[[^\[\]]*;[^\[\]]*\])", _with_commas, "blocktext-comma-in-list"),
     Rule(r".*\[[^\]]*(?P<wrong>;)", ",", "blocktext-comma-in-list"),
+    Rule(
+        rf".*?(?P<wrong>\[\s*{_ITEM}(?:\s*,\s*{_ITEM})*\s+{_ITEM}(?:\s*[\s,]\s*{_ITEM})*\s*\])",
+        _with_missing_commas,
+        "blocktext-comma-in-list",
+    ),
     Rule(r".*?\b(?P<wrong>function\s*[,:;\s]\s*([^\W\d]\w*))(?=\s*\()", r"function.\2"),
     Rule(r"\s*(?P<wrong>function\.(\w+)\s*[-\s]\s*([^\W\d]\w*))\s*\(", r"function.\2_\3"),
     Rule(r"\s*(?P<wrong>function\.(\w+)\s*\[([^\]]*)\])\s*$", r"function.\2(\3)"),
@@ -394,6 +447,7 @@ _PYTHON = (
 
 RULES = (
     CURLY_QUOTES,
+    _F_STRING,
     *_COMMENTS,
     *_ENDS,
     *_EVENTS,

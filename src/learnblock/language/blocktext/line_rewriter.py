@@ -1,11 +1,10 @@
 """The part of a parser that rewrites a line from another language in place, and reports it."""
 
 from collections.abc import Iterable
-from functools import cached_property
 
 from learnblock.errors import Diagnostic
 from learnblock.language.blocktext.expression_parser import ExpressionParser
-from learnblock.language.blocktext.lexer import LINE_END, Token, Tokens, tokenize
+from learnblock.language.blocktext.lexer import Token, Tokens, tokenize
 from learnblock.language.blocktext.rewording import Rewording, reworded
 from learnblock.language.blocktext.token_reader import LINE_ENDS
 
@@ -22,10 +21,6 @@ class LineRewriter(ExpressionParser):
         super().__init__(tokens)
         self.rewritten: dict[int, str] = {}  # what the lines should be, by their number
         self.compared = 0
-
-    @cached_property
-    def lines(self) -> list[str]:
-        return LINE_END.split(self.text)
 
     def line_start(self) -> int:
         """The index of the first token of this line."""

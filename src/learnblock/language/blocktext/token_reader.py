@@ -1,8 +1,10 @@
 """The part of a parser that walks through the list of tokens."""
 
+from functools import cached_property
+
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import slips
-from learnblock.language.blocktext.lexer import Token, Tokens
+from learnblock.language.blocktext.lexer import LINE_END, Token, Tokens
 from learnblock.language.blocktext.slips import Slip
 from learnblock.language.tree.nodes import Span
 
@@ -21,6 +23,10 @@ class TokenReader:
         self.diagnostics = tokens.diagnostics
         self.text = tokens.text
         self.index = 0
+
+    @cached_property
+    def lines(self) -> list[str]:
+        return LINE_END.split(self.text)
 
     @property
     def token(self) -> Token:

@@ -78,6 +78,10 @@ def check_types(findings: Findings) -> None:
     _TypeChecker(findings).run()
 
 
+#: The most times that the advice names; a number such as 1e400 is larger than any whole number.
+_MOST_REPEATS = 10**9
+
+
 class _TypeChecker:
     def __init__(self, findings: Findings) -> None:
         self.findings = findings
@@ -140,7 +144,13 @@ class _TypeChecker:
     def repeat(self, item: Repeat) -> None:
         self.number(item.count)
         if isinstance(item.count, Number) and not _is_whole(item.count.text):
-            message = Phrase("check-repeat-whole-number", number=item.count.text)
+            less = int(min(max(float(item.count.text), 1), _MOST_REPEATS))
+            message = Phrase(
+                "check-repeat-whole-number",
+                number=item.count.text,
+                less=str(less),
+                more=str(less + 1),
+            )
             self.report(message, item.count)
 
     def range(self, item: ForRange) -> None:
