@@ -64,6 +64,18 @@ def test_a_user_at_the_server_allows_a_project_the_network_and_forbids_it(sit_do
     assert settings(own_server) == {"network": {}}
 
 
+def test_a_refused_change_is_explained_and_not_shown_as_made(sit_down, own_server):
+    pupil = sit_down(own_server)
+    pupil.begin("weather")
+    show(pupil)
+    box = pupil.dialog().get_by_role("checkbox", name=NETWORK)
+    expect(box).to_be_enabled()
+    (own_server.home / "settings.toml").write_text("[network]\nallowed = 3\n")
+    box.click()
+    expect(pupil.dialog().get_by_role("alert")).to_contain_text("Line 2")
+    expect(box).not_to_be_checked()
+
+
 def test_a_page_elsewhere_sees_the_setting_and_cannot_change_it(sit_down, own_server):
     pupil = sit_down(own_server, extra_http_headers={"X-Forwarded-For": "192.168.1.20"})
     pupil.begin("weather")

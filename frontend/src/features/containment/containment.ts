@@ -30,7 +30,7 @@ export class Containment {
     connection.on("Opened", () => this.warns && this.survey());
     connection.on("Containment", ({ findings }) => this.found(findings));
     connection.on("Network", (network) => (this.network.value = network));
-    connection.onRefused(REQUESTS, (reason) => (this.refusal.value = reason));
+    connection.onRefused(REQUESTS, (reason) => this.refused(reason));
   }
 
   read(): void {
@@ -53,6 +53,12 @@ export class Containment {
     this.findings.value = findings;
     if (this.warns && !isContained(findings)) this.warn();
     this.warns = false;
+  }
+
+  private refused(reason: Phrase): void {
+    this.refusal.value = reason;
+    // Draws the box again, because the browser has already ticked it.
+    if (this.network.value) this.network.value = { ...this.network.value };
   }
 
   private warn(): void {
