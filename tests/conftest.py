@@ -2,6 +2,7 @@
 
 import os
 import signal
+import subprocess
 import sys
 from pathlib import Path
 from uuid import uuid4
@@ -27,6 +28,19 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 #: with a wire keep time best in parallel, because they mostly wait, and a browser is started once
 #: if its tests follow each other.
 MARKED = ("wire", "browser")
+
+
+#: What the processes that tests start import, and with it nearly all of LearnBlock.
+IMPORTED = "hypothesis, learnblock.cli.page, learnblock.cli.programs, learnblock.server.pages.lobby"
+IMPORTED += ", learnblock.runtime.child, learnblock.server.serve"
+
+
+def pytest_configure(config):
+    # The tests start more than a thousand processes. Where PYTHONDONTWRITEBYTECODE is set, each
+    # would compile everything that it imports, which takes longer than most of these tests.
+    if sys.dont_write_bytecode and not hasattr(config, "workerinput"):
+        env = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+        subprocess.run([sys.executable, "-c", f"import {IMPORTED}"], env=env, check=True)
 
 
 def pytest_xdist_auto_num_workers(config):
