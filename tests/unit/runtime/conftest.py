@@ -229,4 +229,4 @@ def run(stage):
 @pytest.fixture
 def impatient():
     """Limits for programs that do not end, long enough to start on a busy machine."""
-    return Limits(silence=1.0)
+    return Limits(silence=1.0, blocked=3.0)
