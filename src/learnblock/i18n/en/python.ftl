@@ -14,6 +14,8 @@ python-uneven-indent = Indent this line exactly like one of the lines above.
 python-tabs-and-spaces = Indent with spaces only. The lines here mix tabs and spaces.
 python-never-closed = This '{ $symbol }' is never closed. Write '{ $closing }' where it ends.
 python-never-closed-in-line = This '{ $symbol }' is never closed. Write '{ $closing }' where it ends: '{ $instead }'.
+python-brackets-never-closed = Two brackets are not closed here. Write '{ $closing }' at the end: '{ $instead }'.
+python-never-closed-below = This '{ $symbol }' is never closed. Write '{ $closing }' at the end of line { $last }, after '{ $after }'.
 python-unmatched = This '{ $symbol }' closes nothing. Remove it, or write the opening bracket.
 python-wrong-bracket = This '{ $closing }' does not match the opening '{ $opening }'.
 python-missing-quote = This text has no closing quote. Write one where the text ends.
@@ -27,6 +29,7 @@ python-call-without-brackets = Write the arguments of '{ $function }' in bracket
 ## Lines of other languages
 
 python-block-text = '{ $found }' is Block-Text, not Python. Give the file a name that ends in '.bt', or write only what is inside the block.
+python-main = '{ $found }' is Block-Text. In Python there is no '{ $found }': remove it, and the spaces before the lines below it.
 python-when = '{ $found }' is Block-Text. In Python write '{ $decorator }', below it 'def { $name }():', and 'robot.run()' as the last line.
 python-count = Write '{ $found } += 1' to count.
 python-brace = Remove '{ $found }'. In Python a block ends where its indentation ends.
@@ -43,3 +46,4 @@ python-function = In Python a skill belongs to the robot. Write 'robot.{ $skill 
 python-end = Python has no 'end'. Remove it: a block ends where its indentation ends.
 python-not-imported = The module '{ $module }' is not imported. Write 'import { $module }' at the top.
 python-skill-without-brackets = A skill needs its brackets. Write 'robot.{ $skill }()'.
+python-unknown-when = There is no event '{ $name }'. Write '@robot.when' and, below it, 'def { $name }():' above this line, or check the name.

@@ -14,6 +14,8 @@ python-uneven-indent = Pon en esta línea la misma sangría que en una de las l�
 python-tabs-and-spaces = Usa solo espacios para la sangría. Aquí se mezclan tabuladores y espacios.
 python-never-closed = Este '{ $symbol }' no se cierra nunca. Escribe '{ $closing }' donde termina.
 python-never-closed-in-line = Este '{ $symbol }' no se cierra nunca. Escribe '{ $closing }' donde termina: '{ $instead }'.
+python-brackets-never-closed = Aquí quedan dos paréntesis o corchetes sin cerrar. Escribe '{ $closing }' al final: '{ $instead }'.
+python-never-closed-below = Este '{ $symbol }' no se cierra nunca. Escribe '{ $closing }' al final de la línea { $last }, después de '{ $after }'.
 python-unmatched = Este '{ $symbol }' no cierra nada. Quítalo, o escribe el paréntesis que lo abre.
 python-wrong-bracket = Este '{ $closing }' no corresponde al '{ $opening }' que está abierto.
 python-missing-quote = A este texto le faltan las comillas de cierre. Escríbelas donde termina el texto.
@@ -27,6 +29,7 @@ python-call-without-brackets = Escribe los argumentos de '{ $function }' entre p
 ## Lines of other languages
 
 python-block-text = '{ $found }' es Block-Text, no Python. Dale al archivo un nombre que termine en '.bt', o escribe solo lo que hay dentro del bloque.
+python-main = '{ $found }' es Block-Text. En Python no hay '{ $found }': quítalo, y también los espacios del principio de las líneas de debajo.
 python-when = '{ $found }' es Block-Text. En Python escribe '{ $decorator }', debajo 'def { $name }():' y, en la última línea, 'robot.run()'.
 python-count = Escribe '{ $found } += 1' para contar.
 python-brace = Quita '{ $found }'. En Python un bloque termina donde termina su sangrado.
@@ -43,3 +46,4 @@ python-function = En Python las habilidades son del robot. Escribe 'robot.{ $ski
 python-end = En Python no hay 'end'. Quítalo: un bloque termina donde termina su sangrado.
 python-not-imported = El módulo '{ $module }' no está importado. Escribe 'import { $module }' al principio.
 python-skill-without-brackets = Una habilidad lleva paréntesis. Escribe 'robot.{ $skill }()'.
+python-unknown-when = No hay ningún evento '{ $name }'. Escribe encima de esta línea '@robot.when' y, debajo, 'def { $name }():', o revisa el nombre.

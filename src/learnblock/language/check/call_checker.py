@@ -8,7 +8,7 @@ from learnblock.blocks.old_names import todays_name
 from learnblock.errors import Severity, nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
-from learnblock.language.check.findings import Findings, python_error, unknown_when
+from learnblock.language.check.findings import Findings, python_error
 from learnblock.language.check.other_names import FUNCTIONS as OTHER_FUNCTIONS
 from learnblock.language.check.other_names import FUNCTIONS_AS_SKILLS, MOVE_STRAIGHT, SKILLS
 from learnblock.language.python.syntax_errors import syntax_message
@@ -68,7 +68,7 @@ class CallChecker:
         if prefix not in {"state", "time"} or not name or self.is_known(node.name):
             return
         if state_of(node.name, self.findings.whens.keys()) is None:
-            self.report("unknown-when", unknown_when(name, self.findings.whens), node.span)
+            self.report("unknown-when", self.findings.unknown_when(name), node.span)
 
     def is_known(self, name: str) -> bool:
         return name in self.findings.assigned or name in self.parameters

@@ -8,7 +8,7 @@ from learnblock.blocks.importable import Importable
 from learnblock.errors import Diagnostic
 from learnblock.i18n import Phrase
 from learnblock.language.check.call_checker import CallChecker
-from learnblock.language.check.findings import Findings, python_error, unknown_when
+from learnblock.language.check.findings import Findings, python_error
 from learnblock.language.check.python_checker import check_python
 from learnblock.language.check.type_checker import check_types
 from learnblock.language.check.variable_checker import check_variables
@@ -191,7 +191,7 @@ class _Checker:
     def activation(self, item: Activate | Deactivate) -> None:
         if item.name in self.findings.whens or item.name in self.findings.raw_names:
             return
-        self.report("unknown-when", unknown_when(item.name, self.findings.whens), item.span)
+        self.report("unknown-when", self.findings.unknown_when(item.name), item.span)
 
     def whole_numbers(self, item: ForRange) -> None:
         for bound in (item.start, item.stop, item.step):

@@ -2,7 +2,7 @@
 
 import ast
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from learnblock.blocks import BlockConfiguration, Configurations
 from learnblock.blocks.importable import Importable
@@ -103,17 +103,17 @@ class Findings:
                 found |= markers.raw_names(item.text) | defined_names(item.text)
         return found
 
+    def unknown_when(self, name: str) -> Phrase:
+        """The message about a ``when`` that does not exist."""
+        near = nearest(name, self.whens)
+        if near is None:
+            code = "python-unknown-when" if self.in_python else "check-unknown-when"
+            return Phrase(code, name=name)
+        return Phrase("check-unknown-when-near", name=name, near=near)
+
     def report(self, code: str, message: Phrase, span: Span, severity: Severity = "error") -> None:
         end = span.end_column if span.end_line == span.line else 0
         self.diagnostics.append(Diagnostic(code, message, span.line, span.column, end, severity))
-
-
-def unknown_when(name: str, whens: Iterable[str]) -> Phrase:
-    """The message about a ``when`` that does not exist."""
-    near = nearest(name, whens)
-    if near is None:
-        return Phrase("check-unknown-when", name=name)
-    return Phrase("check-unknown-when-near", name=name, near=near)
 
 
 def python_error(text: str, mode: str) -> SyntaxError | None:

@@ -39,11 +39,14 @@ _BLOCK_TEXT = (
             (rf"\s*when\s+{NAME}\s*=\s*(\S.*?)\s*:\s*$", r"@robot.when(lambda: \2)"),
         )
     ),
-    Rule(r"\s*(?:main|when\s+\w.*)\s*:\s*$", "", "python-block-text"),
+    Rule(r"\s*main\s*:\s*$", "", "python-main"),
+    Rule(r"\s*when\s+\w.*:\s*$", "", "python-block-text"),
     Rule(rf"\s*(activate|deactivate)\s+{NAME}\s*$", r"\2.\1()"),
 )
+_DEFINE = "function|func|fn|define|definir|void|procedure"
 _DEFINITIONS = (
-    Rule(rf"\s*(?P<wrong>function|func|fn|define|definir|void|procedure)(?=\s+{NAME})", "def"),
+    Rule(rf"\s*(?:{_DEFINE})\s+{NAME}\s*(\([^()]*\))\s*:?\s*\{{?\s*$", r"def \1\2:"),
+    Rule(rf"\s*(?P<wrong>{_DEFINE})(?=\s+{NAME})", "def"),
     Rule(rf"\s*def\s+{NAME}\s*:\s*$", r"def \1():"),
 )
 _WORDS = (

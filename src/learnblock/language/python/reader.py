@@ -26,7 +26,7 @@ from learnblock.language.python.generation import DEFAULT_ROBOT, ROBOT_IMPORT, c
 from learnblock.language.python.scopes import Scopes, stored_names
 from learnblock.language.python.skeleton import Skeleton, is_when, skeleton_of, unusual
 from learnblock.language.python.statement_reader import StatementReader, acts, stripped
-from learnblock.language.python.syntax_errors import syntax_message
+from learnblock.language.python.syntax_errors import error_in, syntax_message
 from learnblock.language.python.writer import global_names
 from learnblock.language.tree import markers
 from learnblock.language.tree.builtins import MODULES
@@ -49,6 +49,9 @@ from learnblock.language.tree.nodes import (
     is_only_raw,
 )
 from learnblock.language.tree.traversal import statements
+
+#: The most known slips that are reported at once.
+MAX_SLIPS = 10
 
 
 def from_python(text: str, filename: str = "program.py") -> Program:
@@ -80,7 +83,7 @@ def _parsed(text: str, filename: str) -> ast.Module:
             warnings.simplefilter("ignore")
             return ast.parse(text.removeprefix("\ufeff"))
     except SyntaxError as error:
-        raise ProgramError(filename, [_syntax_error(error, text)], text) from None
+        raise ProgramError(filename, _syntax_errors(error, text), text) from None
     except (RecursionError, MemoryError):
         too_deep = Diagnostic("too-deep", Phrase("python-too-deep"))
         raise ProgramError(filename, [too_deep], text) from None
@@ -89,14 +92,34 @@ def _parsed(text: str, filename: str) -> ast.Module:
         raise ProgramError(filename, [Diagnostic("python-syntax", message)]) from None
 
 
-def _syntax_error(error: SyntaxError, text: str) -> Diagnostic:
+def _syntax_errors(error: SyntaxError, text: str) -> list[Diagnostic]:
+    """The first error, and what is found in other lines once the known slips are mended."""
     lines = text.split("\n")
-    line, column = error.lineno or 0, error.offset or 0
-    code = lines[line - 1].partition("#")[0] if 0 < line <= len(lines) else ""
-    rewording = reworded(code, RULES)
-    if rewording is not None:
+    found: list[Diagnostic] = []
+    rest: SyntaxError | None = error
+    while rest is not None and len(found) < MAX_SLIPS:
+        line = rest.lineno or 0
+        code = lines[line - 1].partition("#")[0] if 0 < line <= len(lines) else ""
+        rewording = reworded(code, RULES)
+        if rewording is None or any(one.line == line for one in found):
+            break
         start, end = rewording.start + 1, rewording.end + 1
-        return Diagnostic("not-python", rewording.message, line, start, end)
+        message = _without_main(rewording.message, text)
+        found.append(Diagnostic("not-python", message, line, start, end))
+        lines[line - 1] = rewording.line
+        rest = error_in("\n".join(lines))
+    return found or [_syntax_error(error, text)]
+
+
+def _without_main(message: Phrase, text: str) -> Phrase:
+    """A program with `main` and calls of skills as in Block-Text is Block-Text as a whole."""
+    if message.code == "python-main" and "function." in text:
+        return Phrase("python-block-text", **message.values)
+    return message
+
+
+def _syntax_error(error: SyntaxError, text: str) -> Diagnostic:
+    line, column = error.lineno or 0, error.offset or 0
     end = (error.end_offset or 0) if error.end_lineno == error.lineno else 0
     return Diagnostic("python-syntax", syntax_message(error, text), line, column, max(end, 0))
 

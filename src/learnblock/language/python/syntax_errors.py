@@ -46,6 +46,16 @@ _MESSAGES = tuple(
 
 _INDENTATION = 4
 _LINE_END = re.compile(r"\r\n|\r|\n")
+#: The word that opens a block, and what makes its first line complete.
+_OPENER = re.compile(r"\s*(if|elif|else|while|for|def|class|try|except|finally|with)\b")
+_HEADERS = {
+    "elif": "if x: pass\n",
+    "else": "if x: pass\n",
+    "except": "try: pass\n",
+    "finally": "try: pass\n",
+}
+#: A bracket is expected to be closed within so many lines.
+_MOST_LINES = 20
 _CLOSING = {"(": ")", "[": "]", "{": "}"}
 
 
@@ -77,25 +87,52 @@ def _with_advice(message: Phrase, error: SyntaxError, lines: _Lines) -> Phrase:
         code = message.code if number > header and lines[number].strip() else "python-no-block"
         spaces = len(lines[header]) - len(lines[header].lstrip()) + _INDENTATION
         return Phrase(code, header=lines[header].strip(), spaces=spaces)
+    if message.code == "python-expected" and message.values["symbol"] == ":":
+        return _colon(lines[number]) or message
     if message.code == "python-never-closed":
-        return _never_closed(str(message.values["symbol"]), lines[number].strip())
+        return _never_closed(str(message.values["symbol"]), lines, number)
     return message
 
 
-def _never_closed(symbol: str, line: str) -> Phrase:
+def _colon(line: str) -> Phrase | None:
+    """The message about a missing colon, if it is missing at the end of a block's first line."""
+    opener = _OPENER.match(line)
+    closed = f"{line.partition('#')[0].strip()}:"
+    if opener is None or not _is_python(_HEADERS.get(opener[1], "") + closed + " pass"):
+        return None
+    return Phrase("blocktext-missing-colon", word=opener[1])
+
+
+def _never_closed(symbol: str, lines: _Lines, number: int) -> Phrase:
     """The message about a bracket, with the whole line if it is closed at its end."""
-    closing = _CLOSING[symbol]
-    closed = line + closing
-    if line.endswith(",") or not _is_python(closed):
-        return Phrase("python-never-closed", symbol=symbol, closing=closing)
-    return Phrase("python-never-closed-in-line", symbol=symbol, closing=closing, instead=closed)
+    closing, line = _CLOSING[symbol], lines[number].strip()
+    for more in ("", ")", "]"):
+        closed = line + closing + more
+        if not line.endswith(",") and _is_python(closed):
+            code = "python-never-closed-in-line" if not more else "python-brackets-never-closed"
+            values = {"symbol": symbol, "closing": closing + more, "instead": closed}
+            return Phrase(code, **values)
+    for last in range(number + 1, number + _MOST_LINES):
+        after = lines[last].strip()
+        line += "\n" + after
+        if after and not after.endswith(",") and _is_python(line + closing):
+            values = {"symbol": symbol, "closing": closing, "after": after}
+            return Phrase("python-never-closed-below", last=str(last), **values)
+    return Phrase("python-never-closed", symbol=symbol, closing=closing)
 
 
-def _is_python(line: str) -> bool:
+def _is_python(text: str) -> bool:
+    return error_in(text) is None
+
+
+def error_in(text: str) -> SyntaxError | None:
+    """The first syntax error in Python source."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            ast.parse(line)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    return True
+            ast.parse(text)
+    except SyntaxError as error:
+        return error
+    except (ValueError, RecursionError, MemoryError) as error:
+        return SyntaxError(str(error))
+    return None
