@@ -104,7 +104,7 @@ blocktext-argument-order = Write arguments without a name before '{ $name }='.
 blocktext-unused-value = This value is not used. Store it in a variable.
 blocktext-unused-result = This value is not used. Store it in a variable, or write only the call.
 blocktext-call-as-target = A call can't be set. Write a variable before '='.
-blocktext-second-assignment = Set one variable per line, with one '='.
+blocktext-second-assignment = Set one variable per line, with one '='. First store a value that you still need in another variable.
 blocktext-duplicate-parameter = Two parameters are called '{ $name }'. Rename one.
 # $example: the name of a library
 blocktext-import-name = Write only the name of the library, as in 'import "{ $example }"', without a folder or '.py'.

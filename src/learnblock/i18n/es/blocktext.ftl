@@ -104,7 +104,7 @@ blocktext-argument-order = Escribe los argumentos sin nombre antes de '{ $name }
 blocktext-unused-value = Este valor no se usa. Guárdalo en una variable.
 blocktext-unused-result = Este valor no se usa. Guárdalo en una variable, o escribe solo la llamada.
 blocktext-call-as-target = A una llamada no se le puede dar un valor. Escribe una variable antes de '='.
-blocktext-second-assignment = Da valor a una sola variable por línea, con un solo '='.
+blocktext-second-assignment = Da valor a una sola variable por línea, con un solo '='. Guarda antes en otra variable el valor que todavía necesites.
 blocktext-duplicate-parameter = Dos parámetros se llaman '{ $name }'. Cambia el nombre de uno.
 # $example: the name of a library
 blocktext-import-name = Escribe solo el nombre de la biblioteca, como en 'import "{ $example }"', sin carpeta y sin '.py'.
