@@ -8,12 +8,15 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from urllib.parse import urlsplit
+from urllib.parse import urlencode, urlsplit
 
 import pytest
 from playwright.sync_api import Browser, Error, expect, sync_playwright
 
 from browser.pupil import TIMEOUT, Pupil
+from learnblock.server.messages import New
+from learnblock.server.pages import projecting
+from learnblock.server.projects.folder import ProjectFolder
 from places import ROOT
 
 #: The folder for the screenshots of the tests.
@@ -84,6 +87,16 @@ class Server:
                 self.port = urlsplit(self.address).port
                 return
         raise AssertionError("the server ended before it printed its address")
+
+    def address_of_new_project(self):
+        """Put an empty project into the folder; return the address of its page.
+
+        That loads the page once, while a pupil who begins one has to open another project first.
+        """
+        projects = ProjectFolder(self.home / "projects")
+        name = projects.free_name("program")
+        projects.write(projecting._made(New(name)))
+        return f"{self.address}#{urlencode({'project': name})}"
 
     def kill(self):
         """Kill the process, as a crash of the computer would."""

@@ -27,6 +27,7 @@ class Pupil:
         artefacts: the folder for screenshots.
         test: the name of the test, used for its screenshots.
         tour: whether the first-run tour is shown.
+        empty: whether the page opens a new, empty project instead of the last one.
         options: options of the browser context, such as ``viewport`` or ``has_touch``.
     """
 
@@ -38,6 +39,7 @@ class Pupil:
         test,
         *,
         tour=False,
+        empty=False,
         language="en",
         theme="light",
         **options,
@@ -56,7 +58,11 @@ class Pupil:
                 f"localStorage['learnblock.preferences'] ??= {json.dumps(likes)}"
             )
         self._server = server
-        self.page = self.open()
+        self.page = self.open(server.address_of_new_project() if empty else None)
+        if empty:
+            expect(self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas [data-id]")).to_have_count(
+                1
+            )
 
     def open(self, address=None):
         """Open the page in a new tab, at the server's address or the given one."""

@@ -37,8 +37,7 @@ def axe():
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil with all views of a program on the screen."""
-    pupil = sit_down(server, viewport={"width": 1600, "height": 900})
-    pupil.begin()
+    pupil = sit_down(server, viewport={"width": 1600, "height": 900}, empty=True)
     pupil.show("Blocks", "Block-Text", "Python")
     return pupil
 

@@ -26,9 +26,7 @@ COLOURS = """(plain) => [...document.querySelectorAll(
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil with an empty program."""
-    pupil = sit_down(server, viewport={"width": 1600, "height": 900})
-    pupil.begin()
-    return pupil
+    return sit_down(server, viewport={"width": 1600, "height": 900}, empty=True)
 
 
 def test_all_blocks_of_a_tab_have_one_colour(pupil):

@@ -41,8 +41,7 @@ def watched(tmp_path):
 
 
 def test_the_result_says_why_emotions_had_no_effect(sit_down, watched):
-    pupil = sit_down(watched)
-    pupil.begin()
+    pupil = sit_down(watched, empty=True)
     pupil.choose("Robot", "mine (real)")
     pupil.show("Block-Text", "Python")
     pupil.write("blocktext", LOOKING)

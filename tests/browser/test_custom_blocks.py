@@ -49,9 +49,7 @@ def workshop(tmp_path_factory):
 
 @pytest.fixture
 def pupil(sit_down, workshop):
-    pupil = sit_down(workshop)
-    pupil.begin()
-    return pupil
+    return sit_down(workshop, empty=True)
 
 
 @pytest.fixture

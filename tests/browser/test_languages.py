@@ -76,8 +76,7 @@ MENUS = {
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil with a program of many types of blocks."""
-    pupil = sit_down(server, viewport={"width": 1600, "height": 900})
-    pupil.begin()
+    pupil = sit_down(server, viewport={"width": 1600, "height": 900}, empty=True)
     # Lines that the program of another project has left there stay as they were written.
     pupil.tab("Console").get_by_role("button", name="Clear").click()
     pupil.write("blocktext", PROGRAM)

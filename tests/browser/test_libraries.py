@@ -42,8 +42,7 @@ USE = 'import "dance"\n\nmain:\n    function.{waltz}(2)\nend\n'
 @pytest.fixture
 def first(sit_down, own_server):
     """A pupil with a program that has functions."""
-    pupil = sit_down(own_server)
-    pupil.begin()
+    pupil = sit_down(own_server, empty=True)
     pupil.show("Blocks", "Block-Text")
     pupil.write("blocktext", DANCE)
     pupil.sees("blocktext", "late")
@@ -54,9 +53,8 @@ def first(sit_down, own_server):
 def second(sit_down, tmp_path):
     """A pupil with another, empty profile."""
     server = Server(tmp_path / "second")
-    pupil = sit_down(server)
+    pupil = sit_down(server, empty=True)
     pupil.server = server
-    pupil.begin()
     pupil.show("Blocks", "Block-Text")
     yield pupil
     server.stop()

@@ -16,8 +16,8 @@ def test_the_page_survives_random_input(browser, tmp_path):
 # Bugs found by monkey tests.
 
 
-def test_sensors_follow_a_change_of_robot_while_they_are_hidden(pupil):
-    pupil.begin()
+def test_sensors_follow_a_change_of_robot_while_they_are_hidden(sit_down, server):
+    pupil = sit_down(server, empty=True)
     sensors = pupil.tab("Sensors")
     for box in sensors.get_by_role("checkbox").all():
         box.check()
@@ -35,8 +35,8 @@ def test_sensors_follow_a_change_of_robot_while_they_are_hidden(pupil):
     pupil.picture("sensors")
 
 
-def test_the_move_key_does_nothing_to_a_block_dragged_by_the_mouse(pupil):
-    pupil.begin()
+def test_the_move_key_does_nothing_to_a_block_dragged_by_the_mouse(sit_down, server):
+    pupil = sit_down(server, empty=True)
     pupil.write("blocktext", "main:\n    function.turn_right()\n    function.sleep(1)\nend\n")
     held = pupil.blocks("lb_skill_turn_right")
     box = held.bounding_box()

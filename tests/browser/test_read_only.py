@@ -18,8 +18,7 @@ def reader(own_server):
 
 
 def test_a_page_that_only_reads_runs_programs_and_refuses_edits(sit_down, own_server, reader):
-    writer = sit_down(own_server)
-    writer.begin()
+    writer = sit_down(own_server, empty=True)
     writer.write("blocktext", PROGRAM)
     writer.wait_until_saved()
     pupil = sit_down(reader)

@@ -31,7 +31,7 @@ IN_WORDS = {
 
 @pytest.fixture
 def pupil(sit_down, own_server):
-    pupil = sit_down(own_server, viewport={"width": 1600, "height": 900})
+    pupil = sit_down(own_server, viewport={"width": 1600, "height": 900}, empty=True)
     pupil.heard = []
 
     def listen(socket):
@@ -40,7 +40,6 @@ def pupil(sit_down, own_server):
 
     pupil.page.on("websocket", listen)
     pupil.page.reload()
-    pupil.begin()
     pupil.show("Blocks", "Block-Text")
     return pupil
 

@@ -9,9 +9,7 @@ from playwright.sync_api import expect
 
 @pytest.fixture
 def pupil(sit_down, own_server):
-    pupil = sit_down(own_server)
-    pupil.begin()
-    return pupil
+    return sit_down(own_server, empty=True)
 
 
 def test_robot_settings_are_saved_and_an_invalid_value_is_reported_at_its_field(pupil, own_server):

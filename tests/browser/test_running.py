@@ -42,8 +42,7 @@ end
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil with an empty program in all three views on a wide screen."""
-    pupil = sit_down(server, viewport={"width": 1800, "height": 900})
-    pupil.begin()
+    pupil = sit_down(server, viewport={"width": 1800, "height": 900}, empty=True)
     pupil.show("Blocks", "Block-Text", "Python")
     return pupil
 

@@ -21,9 +21,9 @@ SOME_FRAMES = """async () => {
 
 
 @pytest.fixture
-def tabs(pupil):
+def tabs(sit_down, server):
     """Two tabs that show the same program in all views."""
-    pupil.begin()
+    pupil = sit_down(server, empty=True)
     first, second = pupil.page, pupil.open(pupil.page.url)
     pupil.write("blocktext", PROGRAM)
     for pupil.page in (second, first):

@@ -12,8 +12,7 @@ WAVE = "main:\n    function.expressJoy()\nend\n"
 @pytest.fixture
 def pupil(sit_down, server):
     """A pupil with a program that ends at once, on an empty floor."""
-    pupil = sit_down(server, reduced_motion="reduce")
-    pupil.begin()
+    pupil = sit_down(server, reduced_motion="reduce", empty=True)
     pupil.write("blocktext", WAVE)
     expect(pupil.blocks("lb_skill_expressJoy")).to_be_visible()
     return pupil
@@ -151,8 +150,7 @@ def test_manual_drive_is_disabled_while_a_program_runs(pupil):
 
 
 def test_a_new_world_is_created_and_used(own_server, sit_down):
-    pupil = sit_down(own_server)
-    pupil.begin()
+    pupil = sit_down(own_server, empty=True)
     pupil.press("Edit world")
     editor = pupil.dialog()
     editor.get_by_role("button", name="Wall", exact=True).click()
@@ -175,8 +173,7 @@ def test_a_new_world_is_created_and_used(own_server, sit_down):
 
 
 def test_a_custom_world_is_replaced_only_after_confirmation(own_server, sit_down):
-    pupil = sit_down(own_server)
-    pupil.begin()
+    pupil = sit_down(own_server, empty=True)
     save_world_as(pupil, "Mine")
     expect(
         pupil.dialog().get_by_role("status").filter(has_text="Saved. Now using Mine")
