@@ -25,8 +25,9 @@ async function begin(host: HTMLElement): Promise<void> {
   prepareBlockly();
   installPalette(palette);
   const editor = new Editor(host, palette, "light", ACTIONS, () => undefined);
-  const roundTrip = (workspace: Workspace): Workspace => {
+  const roundTrip = async (workspace: Workspace): Promise<Workspace> => {
     editor.show(workspace);
+    await new Promise<void>((done) => editor.whenLoaded(done));
     return editor.read();
   };
   Object.assign(globalThis, { roundTrip });

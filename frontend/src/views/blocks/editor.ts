@@ -7,6 +7,7 @@ import type { BlockSet, Workspace } from "../../protocol/messages";
 import { type Actions, setActions } from "./actions";
 import { registerCategories } from "./categories";
 import { Checker } from "./checker";
+import { Loading } from "./loading";
 import { Loose } from "./loose";
 import { Marks, visible } from "./marks";
 import { MEDIA } from "./media";
@@ -36,6 +37,7 @@ export class Editor {
   private readonly sight: Sight;
   private readonly loose: Loose;
   private readonly search: ProgramSearch;
+  private readonly loading: Loading;
 
   constructor(
     host: HTMLElement,
@@ -53,6 +55,7 @@ export class Editor {
     this.marks = new Marks(this.workspace, (block) => actions.toggleBreakpoint(block));
     this.search = new ProgramSearch(this.workspace);
     this.search.init();
+    this.loading = new Loading(host, this.workspace, () => this.addNext());
     new ScrollOptions(this.workspace).init();
     registerCategories(this.workspace);
     limitTabs(this.workspace, palette, () => actions.shownBlocks());
@@ -61,6 +64,7 @@ export class Editor {
   }
 
   destroy(): void {
+    this.loading.destroy();
     this.sight.destroy();
     this.search.dispose();
     this.workspace.dispose();
@@ -68,13 +72,19 @@ export class Editor {
 
   /**
    * Show a program, unless a drag is in progress: the drag's result is sent when it ends, and the
-   * reply updates the view.
+   * reply updates the view. Blocks of a large program are added one after the other, so that the
+   * page stays usable.
    */
   show(wanted: Workspace): void {
     if (this.workspace.isDragging() || !this.sync.show(wanted)) return;
-    this.loose.mark();
-    this.workspace.refreshToolboxSelection();
-    this.sight.look();
+    if (this.sync.isLoading) this.loading.begin();
+    this.whenLoaded(() => this.changed());
+  }
+
+  /** Call a function as soon as all blocks are shown. */
+  whenLoaded(act: () => void): void {
+    if (this.loading.isOn) this.loading.whenDone(act);
+    else act();
   }
 
   /** Show only the blocks of a set in the palette. */
@@ -120,6 +130,10 @@ export class Editor {
 
   /** Scroll to a block and highlight it, without moving the focus. */
   reveal(id: string): void {
+    this.whenLoaded(() => this.revealNow(id));
+  }
+
+  private revealNow(id: string): void {
     const block = visible(this.workspace.getBlockById(id));
     if (!block) return;
     this.scrollTo(block);
@@ -143,6 +157,10 @@ export class Editor {
     this.workspace.setScale(scale);
     this.workspace.scroll(x, y);
     const opened = this.open(tab);
+    this.whenLoaded(() => this.focusOn(focused, opened));
+  }
+
+  private focusOn(focused: View["focused"], opened: Blockly.ToolboxCategory | null): void {
     if (focused === "program") this.focus();
     if (focused === "palette" && opened) Blockly.getFocusManager().focusNode(opened);
     else if (focused === "palette" && this.toolbox) Blockly.getFocusManager().focusTree(this.toolbox);
@@ -175,7 +193,20 @@ export class Editor {
     const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart;
     if (!dropped && (event.isUiEvent || this.workspace.isDragging())) return;
     this.loose.mark();
-    this.edited();
+    // An edit just before the loading is read when all blocks are there.
+    this.whenLoaded(() => this.edited());
+  }
+
+  private changed(): void {
+    this.loose.mark();
+    this.workspace.refreshToolboxSelection();
+    this.sight.look();
+  }
+
+  /** Add the next blocks; return whether there are more. */
+  private addNext(): boolean {
+    for (const stack of this.sync.addNext()) this.sight.mark(stack.getDescendants(false));
+    return this.sync.isLoading;
   }
 }
 

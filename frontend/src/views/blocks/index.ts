@@ -172,12 +172,8 @@ class Blocks implements BlocksIsland {
   }
 
   private showAll(): void {
-    untracked(() => {
-      this.showProgram();
-      this.showProblems();
-      this.showBreakpoints();
-      this.showRunning();
-    });
+    untracked(() => this.showProgram());
+    this.showMarks();
   }
 
   private showProgram(): void {
@@ -186,9 +182,15 @@ class Blocks implements BlocksIsland {
     if (!this.editor || !this.isShown) return;
     if (workspace !== this.shown) this.editor.show(workspace);
     this.shown = workspace;
-    untracked(() => this.showProblems());
-    untracked(() => this.showBreakpoints());
-    untracked(() => this.showRunning());
+    this.editor.whenLoaded(() => this.showMarks());
+  }
+
+  private showMarks(): void {
+    untracked(() => {
+      this.showProblems();
+      this.showBreakpoints();
+      this.showRunning();
+    });
   }
 
   private showProblems(): void {

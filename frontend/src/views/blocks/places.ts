@@ -9,18 +9,23 @@ type Rect = Blockly.utils.Rect;
 /** The area of each stack, by the id of its first block. */
 export type Covered = ReadonlyMap<string, Rect>;
 
-export function covered(workspace: Blockly.WorkspaceSvg): Covered {
+export function covered(workspace: Blockly.WorkspaceSvg): Map<string, Rect> {
   return new Map(workspace.getTopBlocks(false).map((block) => [block.id, block.getBoundingRectangle()]));
 }
 
-/** Put stacks without a position below all others, one below the other. */
-export function placeBelow(workspace: Blockly.WorkspaceSvg, unplaced: readonly Blockly.BlockSvg[]): void {
-  const moving = new Set(unplaced);
-  const others = workspace.getTopBlocks(false).filter((block) => !moving.has(block));
-  let bottom = Math.max(0, ...others.map((block) => block.getBoundingRectangle().bottom));
+/** The lower end of all areas. */
+export function bottomOf(areas: Iterable<Rect>): number {
+  let bottom = 0;
+  for (const area of areas) bottom = Math.max(bottom, area.bottom);
+  return bottom;
+}
+
+/** Put stacks without a position below `bottom`, one below the other. */
+export function placeBelow(bottom: number, unplaced: readonly Blockly.BlockSvg[]): void {
+  let above = bottom;
   for (const block of unplaced) {
-    moveTo(block, LEFT, bottom + GAP);
-    bottom = block.getBoundingRectangle().bottom;
+    moveTo(block, LEFT, above + GAP);
+    above = block.getBoundingRectangle().bottom;
   }
 }
 

@@ -22,13 +22,14 @@ export class Sight {
   look(): void {
     this.frame ||= requestAnimationFrame(() => {
       this.frame = 0;
-      this.mark();
+      this.mark(this.workspace.getAllBlocks(false));
     });
   }
 
-  private mark(): void {
+  /** Update for these blocks only, at once. */
+  mark(blocks: readonly Blockly.BlockSvg[]): void {
     const { top, height } = this.workspace.getMetricsManager().getViewMetrics(true);
-    for (const block of this.workspace.getAllBlocks(false)) {
+    for (const block of blocks) {
       if (block.outputConnection) continue;
       const y = topOf(block);
       const far = y > top + 2 * height || y + block.height < top - height;

@@ -7,43 +7,82 @@ import { addShadows, build, differsInShape, update } from "./build";
 import type { Link, Node } from "./flat";
 import { index, shadowLinks } from "./flat";
 import type { Covered } from "./places";
-import { covered, makeRoom, moveTo, placeBelow } from "./places";
+import { bottomOf, covered, makeRoom, moveTo, placeBelow } from "./places";
 import { readOwn, readWorkspace } from "./read";
+import { isPlaced, type Stack, slices } from "./slices";
 import { removeVariables, setVariables } from "./variables";
 
 type Svg = Blockly.BlockSvg;
 const NOTHING: Workspace = { stacks: [], variables: [] };
+/** The ms after which the page may react to the user again while stacks are added. */
+const SLICE = 50;
 
 /** Keeps Blockly's workspace and the flat one equal, in both directions. */
 export class Sync {
   /** The workspace shown last; Blockly's version of it may differ in spelling. */
   private shown = NOTHING;
+  /** The same workspace with the stacks that are still to be added. */
+  private wanted = NOTHING;
+  private later: readonly Stack[] = [];
   /** The area of each stack when it was last shown or read. */
-  private covered: Covered = new Map();
+  private covered = new Map<string, Blockly.utils.Rect>();
 
   constructor(
     private readonly workspace: Blockly.WorkspaceSvg,
     private readonly checker: { lenient: boolean },
   ) {}
 
+  /** Whether stacks are still to be added. */
+  get isLoading(): boolean {
+    return this.later.length > 0;
+  }
+
   /** The workspace after the user's edits; during a drag, the state before it. */
   read(): Workspace {
+    if (this.isLoading) return this.wanted;
     if (this.workspace.isDragging()) return this.shown;
     Blockly.renderManagement.triggerQueuedRenders(this.workspace);
     this.silently(() => makeRoom(this.workspace, this.covered));
     this.covered = covered(this.workspace);
-    this.shown = readWorkspace(this.workspace, this.order());
+    this.shown = this.wanted = readWorkspace(this.workspace, this.order());
     return this.shown;
   }
 
-  /** Show a workspace; return whether a block changed. */
+  /** Show a workspace, of a large one only a part: `addNext` adds the rest. Return whether a block changes. */
   show(wanted: Workspace): boolean {
-    if (wanted === this.shown) return false;
-    const change = new Change(this.workspace, index(this.shown), wanted);
-    this.shown = wanted;
+    if (wanted === this.wanted) return false;
+    const before = index(this.shown);
+    const { now, later } = slices(before, wanted);
+    this.wanted = wanted;
+    this.later = later;
+    this.shown = later.length ? now : wanted;
+    const change = new Change(this.workspace, before, now, covered(this.workspace));
     const touched = this.silently(() => change.apply());
     this.covered = covered(this.workspace);
-    return touched;
+    return touched || this.isLoading;
+  }
+
+  /** Add the next stacks of a large workspace, as many as a short time allows; return their first blocks. */
+  addNext(): Svg[] {
+    const end = performance.now() + SLICE;
+    const added: Svg[] = [];
+    this.silently(() =>
+      sortOnce(this.workspace, () => {
+        while (this.isLoading && performance.now() < end) added.push(this.add());
+      }),
+    );
+    return added;
+  }
+
+  private add(): Svg {
+    const [stack, ...later] = this.later;
+    const change = new Change(this.workspace, new Map(), { ...NOTHING, stacks: [stack!] }, this.covered);
+    this.later = later;
+    this.shown = this.isLoading ? { ...this.shown, stacks: [...this.shown.stacks, stack!] } : this.wanted;
+    change.add();
+    const first = this.workspace.getBlockById(stack![0]!.id)!;
+    this.covered.set(first.id, first.getBoundingRectangle());
+    return first;
   }
 
   private order(): string[] {
@@ -59,7 +98,8 @@ export class Sync {
     try {
       return change();
     } finally {
-      this.workspace.setResizesEnabled(true);
+      // The whole is measured once, when it is complete.
+      this.workspace.setResizesEnabled(!this.isLoading);
       this.checker.lenient = false;
       Blockly.Events.enable();
     }
@@ -69,7 +109,6 @@ export class Sync {
 /** One change of the shown workspace. */
 class Change {
   private readonly nodes: Map<string, Node>;
-  private readonly before;
   private readonly made: Svg[] = [];
   private touched = false;
 
@@ -77,23 +116,36 @@ class Change {
     private readonly workspace: Blockly.WorkspaceSvg,
     private readonly shown: ReadonlyMap<string, Node>,
     private readonly wanted: Workspace,
+    /** The area of each stack before the change. */
+    private readonly before: Covered,
   ) {
     this.nodes = index(wanted);
-    this.before = covered(workspace);
   }
 
   apply(): boolean {
     const focused = focusedBlock(this.workspace);
     setVariables(this.workspace, this.wanted.variables);
     this.removeOld();
-    for (const node of this.nodes.values()) this.makeOrUpdate(node);
-    this.connect();
-    for (const block of this.made) addShadows(block, this.nodes.get(block.id)!.block);
+    this.make();
     removeVariables(this.workspace, this.wanted.variables);
     if (this.touched) Blockly.renderManagement.triggerQueuedRenders(this.workspace);
     this.place();
     if (focused) this.focusAgain(focused);
     return this.touched;
+  }
+
+  /** Add stacks of new blocks, which leave all others as they are. */
+  add(): void {
+    this.make();
+    Blockly.renderManagement.triggerQueuedRenders(this.workspace);
+    const unplaced = this.placeAndListRest();
+    placeBelow(bottomOf(this.before.values()), unplaced);
+  }
+
+  private make(): void {
+    for (const node of this.nodes.values()) this.makeOrUpdate(node);
+    this.connect();
+    for (const block of this.made) addShadows(block, this.nodes.get(block.id)!.block);
   }
 
   private removeOld(): void {
@@ -164,17 +216,27 @@ class Change {
   }
 
   private place(): void {
+    const unplaced = new Set(this.placeAndListRest());
+    if (unplaced.size) {
+      const others = this.workspace.getTopBlocks(false).filter((block) => !unplaced.has(block));
+      placeBelow(bottomOf(others.map((block) => block.getBoundingRectangle())), [...unplaced]);
+    }
+    if (this.touched) makeRoom(this.workspace, this.before);
+  }
+
+  /** Move stacks to their positions; return the new ones that have none. */
+  private placeAndListRest(): Svg[] {
     const unplaced: Svg[] = [];
-    for (const [first] of this.wanted.stacks) {
+    for (const stack of this.wanted.stacks) {
+      const [first] = stack;
       const block = this.workspace.getBlockById(first!.id)!;
-      if (first!.x == null || first!.y == null) {
+      if (!isPlaced(stack)) {
         if (!this.before.has(block.id)) unplaced.push(block);
       } else if (this.isElsewhere(first!)) {
-        moveTo(block, first!.x, first!.y);
+        moveTo(block, first!.x!, first!.y!);
       }
     }
-    if (unplaced.length) placeBelow(this.workspace, unplaced);
-    if (this.touched) makeRoom(this.workspace, this.before);
+    return unplaced;
   }
 
   private isElsewhere(first: Block): boolean {
@@ -207,6 +269,17 @@ function linkOf(block: Svg, parent: Svg): Link {
 
 function sameLink(one: Link, other: Link | null): boolean {
   return other !== null && one.parent === other.parent && one.input === other.input;
+}
+
+// Blockly sorts all connections after each change of a stack.
+function sortOnce(workspace: Blockly.WorkspaceSvg, change: () => void): void {
+  const lists = workspace.connectionDBList;
+  for (const list of lists) list?.beginBulkUpdates();
+  try {
+    change();
+  } finally {
+    for (const list of lists) list?.endBulkUpdates();
+  }
 }
 
 function focusedBlock(workspace: Blockly.WorkspaceSvg): string | null {

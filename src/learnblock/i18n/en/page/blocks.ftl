@@ -7,6 +7,7 @@ page-blocks-search-program = Search in the program
 page-blocks-previous = Previous
 page-blocks-next = Next
 page-blocks-close = Close
+page-blocks-loading = Loading blocks… You can edit the text in the meantime.
 page-blocks-failed = The blocks could not be loaded. Check that LearnBlock is running, then reload the page.
 page-blocks-new-when = New event…
 page-blocks-when-name = event

@@ -7,6 +7,7 @@ page-blocks-search-program = Buscar en el programa
 page-blocks-previous = Anterior
 page-blocks-next = Siguiente
 page-blocks-close = Cerrar
+page-blocks-loading = Cargando los bloques… Mientras tanto puedes editar el texto.
 page-blocks-failed = No se han podido cargar los bloques. Comprueba que LearnBlock está en marcha y recarga la página.
 page-blocks-new-when = Nuevo evento…
 page-blocks-when-name = evento

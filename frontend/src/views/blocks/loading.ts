@@ -1,0 +1,67 @@
+/** Adds the blocks of a large program piece by piece; until they are complete, they can't be edited. */
+
+import * as Blockly from "blockly/core";
+import { t } from "../../i18n";
+
+export class Loading {
+  private readonly note = document.createElement("p");
+  private timer = 0;
+  private hadFocus = false;
+  private waiting: (() => void)[] = [];
+
+  /** `addNext` adds some blocks and returns whether there are more. */
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly workspace: Blockly.WorkspaceSvg,
+    private readonly addNext: () => boolean,
+  ) {
+    this.note.className = "blocks-loading";
+    this.note.setAttribute("role", "status");
+  }
+
+  destroy(): void {
+    clearTimeout(this.timer);
+    this.note.remove();
+  }
+
+  get isOn(): boolean {
+    return this.timer !== 0;
+  }
+
+  begin(): void {
+    if (this.isOn) return;
+    const { blocks } = this;
+    this.hadFocus = blocks.contains(document.activeElement);
+    blocks.inert = true;
+    this.note.textContent = t("page-blocks-loading");
+    this.host.append(this.note);
+    this.goOn();
+  }
+
+  /** Call a function when the blocks are complete. */
+  whenDone(act: () => void): void {
+    this.waiting.push(act);
+  }
+
+  // A timer, not a frame: a page in the background gets none.
+  private goOn(): void {
+    this.timer = setTimeout(() => {
+      if (this.addNext()) this.goOn();
+      else this.end();
+    });
+  }
+
+  private end(): void {
+    this.timer = 0;
+    this.note.remove();
+    this.blocks.inert = false;
+    if (this.hadFocus && document.activeElement === document.body) Blockly.getFocusManager().focusTree(this.workspace);
+    const { waiting } = this;
+    this.waiting = [];
+    for (const act of waiting) act();
+  }
+
+  private get blocks(): HTMLElement {
+    return this.workspace.getInjectionDiv() as HTMLElement;
+  }
+}
