@@ -95,7 +95,7 @@ class Server:
         """
         projects = ProjectFolder(self.home / "projects")
         name = projects.free_name("program")
-        projects.write(projecting._made(New(name)))
+        projects.write(projecting.new_project(New(name)))
         return f"{self.address}#{urlencode({'project': name})}"
 
     def kill(self):

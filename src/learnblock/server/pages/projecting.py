@@ -22,7 +22,7 @@ async def _open(page: Page, message: messages.Open) -> None:
 
 async def _new(page: Page, message: messages.New) -> None:
     page.new_projects.take()
-    project = await to_thread.run_sync(_made, message)
+    project = await to_thread.run_sync(new_project, message)
     await page.move_to(await page.sessions.start(project))
 
 
@@ -73,7 +73,7 @@ async def _list(page: Page, _: messages.ListProjects) -> None:
     page.send(messages.Projects(tuple(entries)))
 
 
-def _made(message: messages.New) -> Project:
+def new_project(message: messages.New) -> Project:
     """Create a project with the program of an example, or with an empty one."""
     if message.example is None:
         return _project(message.name, _EMPTY, running.DEFAULT_ROBOT, DEFAULT_WORLD)
