@@ -68,3 +68,10 @@ def test_blocks_that_do_not_run_are_drawn_as_inactive_until_they_are_connected(p
     pupil.put_into(wait, hat)
     pupil.sees("blocktext", "function.sleep")
     expect(pupil.block(wait)).not_to_have_class(LOOSE)
+
+
+def test_values_of_two_kinds_that_a_program_compares_stay_when_a_block_is_edited(pupil):
+    pupil.write("blocktext", 'main:\n    print("a" == 3)\n    y = 5\nend\n')
+    number = pupil.blocks("variables_set").locator(".math_number")
+    pupil.fill(number, "6")
+    pupil.sees("blocktext", "y = 6", 'print("a" == 3)')

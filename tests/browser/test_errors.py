@@ -77,7 +77,7 @@ def test_an_empty_if_is_marked_and_the_program_runs(pupil):
     ("wrong", "said"),
     [
         ("print(1 / x)", "A number was divided by 0"),
-        ("print(late[0])", "A name has no value"),
+        ("print(late[0])", "'late' has no value yet"),
     ],
     ids=["division by zero", "a name without a value"],
 )

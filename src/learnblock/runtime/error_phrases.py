@@ -41,17 +41,20 @@ def phrase_of(error: BaseException, failed: FailedCode = UNKNOWN) -> Phrase:
 
 def _explained(error: BaseException, text: str, whole: str, failed: FailedCode) -> Phrase:
     """Our words for an error with Python's text below them; only Python's if we have none."""
-    meaning = _suggestion(error)
+    meaning = _suggestion(error, failed)
     if meaning is None and isinstance(error, Exception):
         meaning = explanation(error, text, failed)
     return Phrase(whole) if meaning is None else Phrase("run-means", meaning=meaning, error=whole)
 
 
-def _suggestion(error: BaseException) -> Phrase | None:
+def _suggestion(error: BaseException, failed: FailedCode) -> Phrase | None:
     """The known name that is most similar to the unknown one in an error."""
     if not isinstance(error, NameError | AttributeError) or not isinstance(error.name, str):
         return None
     if isinstance(error, NameError):
+        if failed.sets(error.name):
+            # It is not misspelled: the line that sets it has not run.
+            return None
         code, known = "run-means-name-near", _visible(error.__traceback__)
     else:
         code, known = "run-means-attribute-near", dir(error.obj)

@@ -54,6 +54,11 @@ class FailedCode:
         """The value of a variable where the error was raised."""
         return self.own.get(name, self.shared.get(name, default))
 
+    def sets(self, name: str) -> bool:
+        """Whether the program sets this variable anywhere."""
+        names = (node for node in ast.walk(ast.parse(self.source)) if isinstance(node, ast.Name))
+        return any(node.id == name and isinstance(node.ctx, ast.Store) for node in names)
+
     def quote(self, node: ast.expr) -> str | None:
         """The text of an expression in it; None if it is too long."""
         text = ast.get_source_segment(self.source, node) or ""

@@ -39,6 +39,11 @@ def by_name(block: BlockConfiguration) -> str:
     return block.name
 
 
+def with_key(need: str) -> bool:
+    """Whether a need names the device's key, rather than the parameter that gives it."""
+    return ":" in need and "{" not in need
+
+
 def call(robot: FakeRobot, block: BlockConfiguration):
     required = [SAMPLES[one.type] for one in block.parameters if one.required]
     return getattr(robot, block.name)(*required)
@@ -58,8 +63,8 @@ def test_a_skill_without_its_device_has_no_effect_and_reports_it(block):
 
         assert answer is None or answer is False
         assert answer is None or block.returns_value
-        # Any device of that type satisfies a need without a key.
-        keys = [need if ":" in need else need + ":*" for need in block.needs]
+        # Any device of that type satisfies a need without a key of its own.
+        keys = [need if with_key(need) else need.partition(":")[0] + ":*" for need in block.needs]
         lacking = [
             device if device in block.needs else device.partition(":")[0] + ":*"
             for device in listener.lacking

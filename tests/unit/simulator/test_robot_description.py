@@ -57,7 +57,7 @@ def test_the_four_robots_are_built_in() -> None:
 
 @pytest.mark.parametrize("name", sorted(DEVICES))
 def test_a_robot_has_the_devices_of_the_real_one(name: str) -> None:
-    assert load_robot(name).devices() == DEVICES[name]
+    assert set(load_robot(name).devices()) == DEVICES[name]
 
 
 @pytest.mark.parametrize("name", sorted(DEVICES))
@@ -96,4 +96,9 @@ def test_a_custom_robot_can_name_every_device(tmp_path: Path) -> None:
     robot = load_robot("mine", [tmp_path])
 
     assert robot.name == "mine"
-    assert robot.devices() == {"Base:ROBOT", "LightSensor:ROBOT", "Led:nose", "MP3:ROBOT"}
+    assert set(robot.devices()) == {
+        "Base:ROBOT",
+        "LightSensor:ROBOT",
+        "Led:nose",
+        "MP3:ROBOT",
+    }

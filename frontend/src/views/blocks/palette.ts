@@ -90,9 +90,11 @@ export function prepareBlockly(): void {
 }
 
 // The server reports the mistakes in a program, the same in all three views. Blockly would disable a
-// `break` outside a loop and allow nothing after one, not even a comment; and it would delete
-// calls of undefined functions.
+// `break` outside a loop and allow nothing after one, not even a comment; it would unplug what a
+// program compares, such as text and a number, and delete calls of undefined functions.
 function leaveChecksToServer(): void {
+  Blockly.Extensions.unregister("logic_compare");
+  Blockly.Extensions.register("logic_compare", () => undefined);
   Blockly.Extensions.unregister("controls_flow_in_loop_check");
   Blockly.Extensions.register("controls_flow_in_loop_check", function (this: Blockly.Block) {
     this.setNextStatement(true);
