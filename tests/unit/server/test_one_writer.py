@@ -15,6 +15,8 @@ from websockets.sync.client import connect
 
 from pages import TOKEN, Visitor
 
+pytestmark = pytest.mark.slow
+
 TIMEOUT = 30
 
 

@@ -17,6 +17,9 @@ from learnblock.errors import LearnBlockError
 from learnblock.server.serve import Service, _bound, _listening, _warn, serve
 from pages import TOKEN, Visitor
 
+# Most of them start a server.
+pytestmark = pytest.mark.slow
+
 RUNNING = "main:\n    while True:\n        function.sleep(0.1)\n    end\nend\n"
 TIMEOUT = 20
 

@@ -15,6 +15,7 @@ from learnblock.simulator.textures import EMOTIONS, face
 HELD_OUT = range(1000, 1060)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("focal", [290, 480])
 def test_17_of_20_unknown_faces_are_read_correctly(photograph, focal):
     generator = np.random.default_rng(focal)

@@ -8,6 +8,7 @@ from learnblock.perception.detectors.faces import detect_faces
 from learnblock.simulator.textures import EMOTIONS, face, tag
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("focal", [290, 480])
 def test_19_of_20_posters_of_200_mm_are_found_up_to_700_mm(photograph, focal):
     generator = np.random.default_rng(focal)
