@@ -8,7 +8,7 @@ from types import FunctionType
 from learnblock.i18n import Phrase
 from learnblock.runtime.failed_code import FailedCode
 
-#: What stands for a list that has no name.
+#: Shown in a message in place of a list without a name.
 _ANY = "..."
 _WITH_VARIABLE = {
     "run-means-nothing": "run-means-nothing-in-variable",

@@ -118,18 +118,18 @@ class BlockConfiguration:
             given: the text that a call gives for a parameter; None if only the run will tell.
         """
         types = {device.partition(":")[0] for device in devices}
-        defaults = {parameter.name: parameter.default for parameter in self.parameters}
-        needs = (_chosen(need, {**defaults, **given}) for need in self.needs)
+        needs = (self._chosen(need, given) for need in self.needs)
         return tuple(need for need in needs if need not in devices and need not in types)
 
-
-def _chosen(need: str, values: Mapping[str, object]) -> str:
-    """A need with the key that a parameter gives; any key will do if that is open."""
-    kind, _, key = need.partition(":")
-    if not key.startswith("{"):
-        return need
-    value = values.get(key.strip("{}"))
-    return kind if value in (None, FIRST_KEY) else f"{kind}:{value}"
+    def _chosen(self, need: str, given: Mapping[str, str | None]) -> str:
+        """A need with the key that its parameter gives; any key will do if that is open."""
+        kind, _, key = need.partition(":")
+        if not key.startswith("{"):
+            return need
+        name = key.strip("{}")
+        default = next((one.default for one in self.parameters if one.name == name), None)
+        value = given.get(name, default)
+        return kind if value in (None, FIRST_KEY) else f"{kind}:{value}"
 
 
 class Configurations(Mapping[str, BlockConfiguration]):

@@ -83,8 +83,8 @@ class ValueReader(BlockReader):
 
     def truth(self, block: Block, name: str) -> Expression:
         """The condition in an input; without one it is false, as in Scratch."""
-        if plugged(block, name) is not None:
-            return self.value(block, name)
+        if (found := self.optional(block, name)) is not None:
+            return found
         self.report(block, "missing-condition", Phrase("workspace-missing-condition"), "warning")
         return self.without(block, name, Constant(value=False))
 

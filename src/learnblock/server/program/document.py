@@ -6,8 +6,8 @@ from functools import cached_property, reduce
 
 from learnblock.blocks import BlockConfiguration
 from learnblock.errors import Diagnostic, FileError, LearnBlockError, ProgramError
+from learnblock.language import WorkspaceProgram, from_workspace, parse, recover
 from learnblock.language import format as format_program
-from learnblock.language import from_workspace, parse, recover
 from learnblock.language.edit.imports import imported, libraries_used, with_import
 from learnblock.language.edit.rename import Sort, rename
 from learnblock.language.tree.extents import Extent, moved
@@ -107,7 +107,7 @@ class Document:
             read = from_workspace(workspace, self.target.configurations)
         except LearnBlockError as error:
             return self._unreadable(workspace, _mistakes_of_blocks(error))
-        said = tuple(problem(one, "blocks", block) for block, one in read.problems)
+        said = _said_of_blocks(read)
         if any(one.severity == "error" for one in said):
             return self._unreadable(workspace, said)
         if read.program != self.good.tree:
@@ -356,6 +356,11 @@ class Document:
             raise LearnBlockError("edit-errors-first", task=task)
 
 
+def _said_of_blocks(read: WorkspaceProgram) -> tuple[Problem, ...]:
+    """The errors and warnings about blocks."""
+    return tuple(problem(one, "blocks", block) for block, one in read.problems)
+
+
 def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace | None) -> Document:
     """Lay out a program with its saved blocks, if these have the same meaning."""
     if workspace is not None:
@@ -365,7 +370,7 @@ def _laid_out(target: Target, tree: Tree, blocktext: str, workspace: Workspace |
             # These blocks are not a program, so lay out new ones.
             workspace = None
         else:
-            said = tuple(problem(one, "blocks", block) for block, one in read.problems)
+            said = _said_of_blocks(read)
             if read.program == tree and not any(one.severity == "error" for one in said):
                 blocks = (read.program, read.block_ids, workspace)
                 notations = Notations.of_blocks(*blocks, target).with_blocktext(tree, blocktext)
