@@ -12,11 +12,13 @@ from learnblock import robots, running
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.running import Options, ProgramRun
+from learnblock.runtime import variables
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from learnblock.runtime.program import Program
 from learnblock.runtime.watcher import Watcher
+from learnblock.testing import VirtualClock
 from runs import EXAMPLES, TWINS, WORLDS
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
@@ -127,14 +129,15 @@ def test_a_pause_in_a_long_sleep_pauses_the_world_at_once(play):
 
 
 def test_after_a_pause_a_step_runs_to_the_next_line(play):
-    playing = play("robot.sleep(0.5)\npass\npass")
+    playing = play("robot.sleep(60)\npass\npass")
     begun(playing)
     playing.run.pause()
     playing.observer.wait_for("paused")
+    playing.run.set_speed(None)
     playing.run.step()
     playing.observer.wait_for("held")
     assert playing.observer.lines == [4]
-    assert playing.run.monitor.state().time == 0.5
+    assert playing.run.monitor.state().time == 60
     playing.run.step()
     playing.observer.wait_for("held")
     assert playing.observer.lines == [4, 5]
@@ -160,12 +163,13 @@ def test_a_message_to_a_program_that_has_just_ended_does_not_change_its_ending(p
 
 
 def test_a_pause_is_resumed_before_it_reaches_a_line(play):
-    playing = play("robot.sleep(0.3)\npass")
+    playing = play("robot.sleep(60)\npass")
     begun(playing)
     playing.run.pause()
     playing.observer.wait_for("paused")
     playing.run.resume()
     assert playing.observer.wait_for("running", "held") == "running"
+    playing.run.set_speed(None)
     assert playing.end().ended == "finished"
     assert playing.observer.lines == []
 
@@ -203,12 +207,17 @@ def test_a_breakpoint_on_the_first_line_pauses_the_program_before_it_has_a_robot
 
 
 def test_a_world_is_not_late_after_a_breakpoint(play):
-    playing = play("robot.sleep(0.1)\nrobot.sleep(0.1)", debugger=Debugger([4]))
+    playing = play("robot.sleep(0.1)\nrobot.sleep(0.1)", debugger=Debugger([3, 4]))
     playing.observer.wait_for("held")
-    threading.Event().wait(0.3)
+    pacing = playing.run.client.simulation.pacing
+    clock = VirtualClock()
+    pacing._clock, pacing._changed.wait = clock.time, clock.sleep
+    playing.run.resume()
+    playing.observer.wait_for("held")
+    clock.sleep(0.3)
     playing.run.resume()
     playing.end()
-    assert not playing.run.client.simulation.pacing.slipped
+    assert not pacing.slipped
 
 
 def test_a_speed_set_before_there_is_a_robot_is_the_worlds(play):
@@ -263,16 +272,18 @@ def test_the_states_of_a_run_are_reported_in_order(play):
     assert playing.observer.told.get(timeout=1) == "ended"
 
 
-def test_variables_are_reported_while_a_program_sleeps_but_only_if_enabled(play):
+def test_variables_are_reported_while_a_program_sleeps_but_only_if_enabled(play, monkeypatch):
     playing = play("speed = 7\nrobot.sleep(60)")
     begun(playing)
     assert all(type(told) is str for told in iter_queue(playing.observer.told))
+    world, told = playing.run.client.simulation.world, playing.observer.told
+    # The world's time, because a busy machine delays what is told.
+    monkeypatch.setattr(variables, "monotonic", lambda: world.time)
+    playing.observer.variables = lambda found: told.put((world.time, found.shared))
     playing.run.report_variables(enabled=True)
-    told = [playing.observer.told.get(timeout=5) for _ in range(3)]
-    asked = monotonic()
-    assert [one.shared for one in told] == 3 * [{"speed": "7"}]
-    playing.observer.told.get(timeout=5)
-    assert monotonic() - asked > 0.1
+    times, found = zip(*(told.get(timeout=10) for _ in range(3)), strict=True)
+    assert found == 3 * ({"speed": "7"},)
+    assert all(later - earlier > 0.1 for earlier, later in itertools.pairwise(times))
 
 
 def iter_queue(told):

@@ -12,7 +12,7 @@ from learnblock import robots
 from learnblock.devices import Base, Speaker
 from learnblock.errors import DeviceValueError, LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.monitor import make_monitor
+from learnblock.monitor import make_monitor, manual_drive
 from learnblock.monitor.world_monitor import WorldMonitor
 from learnblock.perception import detect
 from learnblock.robots.sim_cozmo import Robot as Cozmo
@@ -34,6 +34,23 @@ def watch():
     yield watch
     for one in monitors:
         one.close()
+
+
+@pytest.fixture
+def drive(monkeypatch):
+    """Return a function that drives a robot by hand, and returns the thread of its world."""
+
+    def drive(monitor, advance, rotation):
+        simulation = monitor._simulation
+        # A busy machine keeps the world behind the wall clock.
+        monkeypatch.setattr(manual_drive, "monotonic", lambda: simulation.world.time)
+        # With the lock, the thread cannot end before it is found.
+        with simulation.lock:
+            monitor.drive(advance, rotation)
+            (hand,) = (thread for thread in threading.enumerate() if thread.name == "hand")
+        return hand
+
+    return drive
 
 
 def pose(monitor):
@@ -118,11 +135,10 @@ def test_a_reset_restores_all_initial_positions(watch):
     assert monitor.start is None
 
 
-def test_a_robot_driven_by_hand_stops_half_a_second_after_the_last_command(watch):
+def test_a_robot_driven_by_hand_stops_half_a_second_after_the_last_command(watch, drive):
     monitor = watch("sim-cozmo", "empty")
-    monitor.drive(0.5, 0)
-    (hand,) = (thread for thread in threading.enumerate() if thread.name == "hand")
-    hand.join(5)
+    hand = drive(monitor, 0.5, 0)
+    hand.join(20)
     state = monitor.state()
     fastest = Cozmo.description().wheels.maximum_speed
     assert not hand.is_alive()
@@ -131,11 +147,10 @@ def test_a_robot_driven_by_hand_stops_half_a_second_after_the_last_command(watch
     assert 0.5 < state.time < 1.5
 
 
-def test_a_turn_by_hand_is_clockwise_when_positive_and_ends_with_the_monitor(watch):
+def test_a_turn_by_hand_is_clockwise_when_positive_and_ends_with_the_monitor(watch, drive):
     monitor = watch("sim-cozmo", "empty")
     heading = pose(monitor)[2]
-    monitor.drive(0, 0.2)
-    (hand,) = (thread for thread in threading.enumerate() if thread.name == "hand")
+    hand = drive(monitor, 0, 0.2)
     while pose(monitor)[2] - heading < 1:
         assert hand.is_alive()
     monitor.close()

@@ -122,9 +122,9 @@ def test_a_stop_during_a_pause_ends_the_program_at_once(stage):
     host = stage.host()
     thread = threading.Thread(target=host.run)
     thread.start()
-    assert held.wait(5)
+    assert held.wait(20)
     host.stop()
-    thread.join(2)
+    thread.join(20)
     assert not thread.is_alive()
     assert (How.STOPPED, Phrase("run-stopped")) == (run.ending.how, run.ending.phrase)
     assert stage.results()[0].output == ""

@@ -2,6 +2,7 @@
 
 import socket
 import threading
+from contextlib import suppress
 from time import monotonic
 
 import pytest
@@ -27,7 +28,8 @@ def _echo_all(server):
 
 
 def _echo(connection):
-    with connection:
+    # A client may hang up before it has read everything.
+    with connection, suppress(ConnectionError):
         while data := connection.recv(1000):
             connection.sendall(data)
 
@@ -36,9 +38,11 @@ def _echo(connection):
 def udp_echo():
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as robot:
         robot.bind(("127.0.0.1", 0))
-        threading.Thread(target=_echo_datagrams, args=(robot,), daemon=True).start()
+        echoing = threading.Thread(target=_echo_datagrams, args=(robot,))
+        echoing.start()
         yield robot.getsockname()
         robot.sendto(b"", robot.getsockname())
+        echoing.join()
 
 
 def _echo_datagrams(robot):
