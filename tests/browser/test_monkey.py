@@ -19,7 +19,9 @@ def test_the_page_survives_random_input(browser, tmp_path):
 def test_sensors_follow_a_change_of_robot_while_they_are_hidden(sit_down, server):
     pupil = sit_down(server, empty=True)
     sensors = pupil.tab("Sensors")
-    for box in sensors.get_by_role("checkbox").all():
+    boxes = sensors.get_by_role("checkbox")
+    expect(boxes.first).to_be_visible()
+    for box in boxes.all():
         box.check()
     plot = sensors.get_by_role("img")
     expect(plot).to_have_attribute(

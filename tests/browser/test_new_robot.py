@@ -68,6 +68,8 @@ def test_in_spanish_by_keyboard(pupil):
     pupil.page.get_by_role("menuitemradio", name="Español").click()
     pupil.page.get_by_role("button", name="Ayuda").focus()
     pupil.page.keyboard.press("Enter")
+    # The menu focuses its first item in a frame after it is shown.
+    expect(pupil.page.get_by_role("menuitem").first).to_be_focused()
     pupil.page.get_by_role("menuitem", name="Robot nuevo…").focus()
     pupil.page.keyboard.press("Enter")
     dialog = pupil.page.get_by_role("dialog", name="Robot nuevo")

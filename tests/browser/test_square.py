@@ -26,7 +26,8 @@ def test_listing_4_is_built_by_dragging_blocks_and_the_robot_closes_the_square(p
     build_listing_4(pupil)
     pupil.press("Block-Text")
     pupil.press("Python")
-    pupil.sees("blocktext", "angle += 90")
+    expect(pupil.lines("blocktext")).to_have_text(SQUARE.split("\n"))
+    pupil.sees("python", "times += 1", "angle += 90")
     pupil.picture("built")
     assert pupil.reads("blocktext") == SQUARE.split("\n")
     assert pupil.reads("python")[-4:] == [

@@ -180,6 +180,7 @@ def test_a_custom_world_is_replaced_only_after_confirmation(own_server, sit_down
     ).to_be_visible()
     pupil.page.keyboard.press("Escape")
     pupil.choose("World", "Line")
+    pupil.expect_robot("World: A closed black line")
     save_world_as(pupil, "Mine")
     expect(pupil.dialog()).to_contain_text("You already have a world 'Mine'")
     pupil.picture("refused")
