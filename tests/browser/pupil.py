@@ -103,9 +103,9 @@ class Pupil:
         expect(self.dialog()).to_have_count(0)
 
     def upload(self, file):
-        """Upload a file."""
+        """Upload a file, or several."""
         with self.page.expect_file_chooser() as chooser:
-            self.project("Upload a file…")
+            self.project("Upload files…")
         chooser.value.set_files(file)
 
     @contextmanager

@@ -165,7 +165,7 @@ def test_a_refusal_by_the_server_is_explained_in_spanish(pupil, tmp_path):
     file.write_text("{ no JSON")
     choose_language(pupil, "Español")
     with pupil.page.expect_file_chooser() as chooser:
-        pupil.project("Subir un archivo…")
+        pupil.project("Subir archivos…")
     chooser.value.set_files(file)
     pupil.expect_note("Este archivo está dañado o no es un proyecto de LearnBlock")
     pupil.picture("refused")

@@ -11,6 +11,7 @@ from playwright.sync_api import expect
 
 from browser.conftest import Server
 from browser.test_accessibility import AXE, THEMES, choose_theme, faults
+from old_projects import LIBRARY, Old, main, project
 
 DANCE = """# Dance a waltz.
 def waltz(times):
@@ -293,3 +294,53 @@ def seconds(pupil):
     found = re.findall(r"[\d.,]+ (?:s|mm|m)\b", pupil.tab("Result").inner_text())
     assert len(found) > 1
     return found
+
+
+# Libraries of the original LearnBlock.
+
+
+@pytest.fixture
+def original(tmp_path):
+    """A folder with a project of the original LearnBlock and its library."""
+    folder = tmp_path / "old"
+    (folder / "step").mkdir(parents=True)
+    (folder / "step" / "step.lb").write_text('def step():\n\tprint "stepped"\nend\n')
+    (folder / "step" / "step.py").write_text("def other(lbot):\n\tpass\n")
+    words = [{"name": "step", "type": "library", "languages": {"EN": "take a step"}}]
+    (folder / "step" / "step.conf").write_text(json.dumps(words))
+    (folder / "walk.blockProject").write_bytes(
+        project(main(Old("step", LIBRARY)), libraries=["/home/ana/step"])
+    )
+    return folder
+
+
+def choose_folder(pupil, folder):
+    with pupil.page.expect_file_chooser() as chooser:
+        pupil.project("Upload a folder of the original LearnBlock…")
+    chooser.value.set_files(folder)
+
+
+def test_a_folder_of_the_original_learnblock_opens_its_project_with_the_library(second, original):
+    choose_folder(second, original)
+    second.expect_project("walk")
+    expect(second.dialog()).to_contain_text("The project used the library 'step'")
+    second.page.keyboard.press("Escape")
+    assert 'print("stepped")' in second.text("blocktext")
+
+
+def test_a_library_of_the_original_learnblock_is_imported_with_its_words(second, original):
+    choose_folder(second, original / "step")
+    dialog = second.dialog()
+    expect(dialog.get_by_role("listitem").first).to_contain_text('import "step"')
+    expect(dialog).to_contain_text("'step.py' has functions in Python")
+    second.picture("original-library")
+    dialog.get_by_role("button", name="Import", exact=True).click()
+    expect(dialog.get_by_role("status")).to_have_text("Imported: step.")
+    dialog.get_by_role("button", name="Use step in this program").click()
+    second.page.keyboard.press("Escape")
+    second.sees("blocktext", 'import "step"')
+
+
+def test_a_part_of_an_original_library_alone_is_refused_with_what_to_choose(second, original):
+    second.upload(original / "step" / "step.conf")
+    expect(second.dialog().get_by_role("alert")).to_contain_text("Choose step.lb too")

@@ -7,6 +7,8 @@ import pickle
 import zipfile
 from collections.abc import Callable, Iterator
 
+from old_projects import main, project
+
 #: A little less than the limits of the server.
 TEXT = 249_000
 MESSAGE = 3_900_000
@@ -170,6 +172,22 @@ def _originals() -> Iterator[tuple[str, Message]]:
     for name, text in PROGRAMS.items():
         content = base64.b64encode(text.encode()[:size]).decode()
         yield f".lb, {name}", {"filename": "a.lb", "content": content}
+    data = project(main(), libraries=[f"l{n}" for n in range(10)])
+    content = base64.b64encode(data).decode()
+    for name, text in PROGRAMS.items():
+        library = base64.b64encode(text.encode()[:250_000]).decode()
+        values = {"filename": "a.blockProject", "content": content}
+        yield f"libraries, {name}", {**values, "libraries": {f"l{n}": library for n in range(10)}}
+
+
+def _original_libraries() -> Iterator[tuple[str, Message]]:
+    for name, text in PROGRAMS.items():
+        content = base64.b64encode(text.encode()[:250_000]).decode()
+        yield name, {"filename": "a.lb", "content": content}
+    functions = "".join(f"def f{n}():\npass\nend\n" for n in range(10_000))
+    content = base64.b64encode(functions.encode()[:250_000]).decode()
+    words = base64.b64encode(b"[" * 250_000).decode()
+    yield "functions", {"filename": "a.lb", "content": content, "configuration": words}
 
 
 def _worlds() -> Iterator[tuple[str, Message]]:
@@ -242,6 +260,7 @@ _OTHERS: dict[str, Callable[[], Iterator[tuple[str, Message]]]] = {
     "MakeRobot": _descriptions,
     "Import": _imports,
     "ImportOriginal": _originals,
+    "ConvertLibrary": _original_libraries,
     "CheckWorld": _worlds,
     "CheckCustomBlock": _sources,
     "ReadLibraries": _libraries,

@@ -9,7 +9,7 @@ import { Splitter } from "../ui/splitter";
 import { Announcements } from "./announcements";
 import { ConnectionBanner, ReadOnlyBanner } from "./banner";
 import { Bar } from "./bar/bar";
-import { DropPlace } from "./drop";
+import { DropPlace } from "./files/drop";
 import { OpenedDialog } from "./opened-dialog";
 import { Panel } from "./panes/panel";
 import { ProgramViews } from "./panes/program-views";

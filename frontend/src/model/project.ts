@@ -18,18 +18,13 @@ import { inBase64, saveFile } from "../ui/files";
 import type { Toasts } from "../ui/toasts";
 import type { Program } from "./program";
 import { robotTitle } from "./robots";
+import { ORIGINAL_PROJECT, sizeProblem, stemOf } from "./upload";
 
 /** The example that new users see. */
 const FIRST_EXAMPLE = "square";
-/** The server's limit. */
-const LARGEST_FILE = 1_000_000;
-/** Its limit of a project with everything that it needs. */
-const LARGEST_PROJECT = 3_500_000;
 const LONGEST_NAME = 100;
-/** The files that the page opens. */
-export const IMPORTED = [".learnblock", ".bt", ".py", ".blockProject", ".lb"];
-/** Those of the original LearnBlock, which may be binary. */
-const ORIGINAL = [".blockProject", ".lb"];
+/** The files of the original LearnBlock, which may be binary. */
+const ORIGINAL = [ORIGINAL_PROJECT, ".lb"];
 
 export class Project {
   readonly name = signal("");
@@ -134,20 +129,19 @@ export class Project {
     this.list();
   }
 
-  async import(file: File): Promise<void> {
-    if (!IMPORTED.some((ending) => file.name.endsWith(ending))) {
-      return this.toasts.error(t("page-project-wrong-file", { name: file.name }));
-    }
-    if (file.size > (file.name.endsWith(".learnblock") ? LARGEST_PROJECT : LARGEST_FILE)) {
-      return this.toasts.error(t("page-project-large-file", { name: file.name }));
-    }
+  /** Import a program, and the libraries of the original LearnBlock that it may use. */
+  async import(file: File, libraries: readonly File[] = []): Promise<void> {
+    const large = sizeProblem([file, ...libraries]);
+    if (large) return this.toasts.error(large);
     this.program.flush();
     if (!ORIGINAL.some((ending) => file.name.endsWith(ending))) {
       this.connection.send({ kind: "Import", filename: file.name, text: await file.text() });
       return;
     }
     const filename = file.name.slice(-LONGEST_NAME);
-    this.connection.send({ kind: "ImportOriginal", filename, content: await inBase64(file) });
+    const texts = await Promise.all(libraries.map(async (one) => [stemOf(one), await inBase64(one)]));
+    const content = await inBase64(file);
+    this.connection.send({ kind: "ImportOriginal", filename, content, libraries: Object.fromEntries(texts) });
   }
 
   /** Install the code that the project brings. */

@@ -161,6 +161,14 @@ export interface Containment {
   findings: Finding[];
 }
 
+export interface ConvertLibrary {
+  kind: "ConvertLibrary";
+  filename: string;
+  content: string;
+  python?: string | null;
+  configuration?: string | null;
+}
+
 export interface CustomBlock {
   name: string;
   category: string;
@@ -419,6 +427,7 @@ export interface ImportOriginal {
   kind: "ImportOriginal";
   filename: string;
   content: string;
+  libraries?: Record<string, string>;
 }
 
 export interface ImportWorld {
@@ -459,6 +468,15 @@ export interface Libraries {
 export interface LibrariesRead {
   kind: "LibrariesRead";
   files: LibraryRead[];
+}
+
+export interface LibraryConverted {
+  kind: "LibraryConverted";
+  filename: string;
+  content: string;
+  source: string;
+  changed: Phrase[];
+  missing: Phrase[];
 }
 
 export interface LibraryFile {
@@ -1111,6 +1129,7 @@ export type FromPage =
   | RemoveLibrary
   | DownloadLibrary
   | MakeLibrary
+  | ConvertLibrary
   | UseLibrary
   | BeginRobot
   | MakeRobot;
@@ -1165,6 +1184,7 @@ export type ToPage =
   | LibrariesRead
   | Exportable
   | LibraryMade
+  | LibraryConverted
   | RobotBegun
   | RobotMade
   | Robots;

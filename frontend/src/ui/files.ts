@@ -2,12 +2,17 @@
 
 /** Ask for a file with one of the extensions, such as `.toml,.csv`. */
 export function chooseFile(endings: string, take: (file: File) => void): void {
-  ask(endings, false, ([file]) => file && take(file));
+  ask({ accept: endings }, ([file]) => file && take(file));
 }
 
 /** Ask for several files. */
 export function chooseFiles(endings: string, take: (files: readonly File[]) => void): void {
-  ask(endings, true, (files) => files.length && take(files));
+  ask({ accept: endings, multiple: true }, (files) => files.length && take(files));
+}
+
+/** Ask for a folder, and take the files in it and in its folders. */
+export function chooseFolder(take: (files: readonly File[]) => void): void {
+  ask({ webkitdirectory: true }, take);
 }
 
 /** Let the browser save a file. */
@@ -31,11 +36,11 @@ export function bytesOf(content: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0));
 }
 
-function ask(endings: string, multiple: boolean, take: (files: readonly File[]) => void): void {
-  const input = document.createElement("input");
-  input.type = "file";
-  input.accept = endings;
-  input.multiple = multiple;
+function ask(
+  options: Partial<Pick<HTMLInputElement, "accept" | "multiple" | "webkitdirectory">>,
+  take: (files: readonly File[]) => void,
+): void {
+  const input = Object.assign(document.createElement("input"), { type: "file", ...options });
   input.onchange = () => take([...(input.files ?? [])]);
   input.click();
 }

@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -182,12 +183,8 @@ def _read(source: Path) -> "Imported":
     skills = all_configurations()
     with source.open("rb") as file:
         data = file.read(importing.LARGEST + 1)
-    return importing.import_project(
-        data,
-        str(source),
-        skills,
-        lambda name: importing.find_library(source.parent, name, skills),
-    )
+    find_library = partial(importing.find_library, source.parent)
+    return importing.import_project(data, str(source), skills, find_library)
 
 
 def _library(source: Path) -> "_Converted":
@@ -196,7 +193,7 @@ def _library(source: Path) -> "_Converted":
     from learnblock.blocks.known import all_configurations  # noqa: PLC0415
     from learnblock.extensions import libraries  # noqa: PLC0415
 
-    made = importing.import_library(source, all_configurations())
+    made = importing.import_library(importing.LibraryFiles.at(source), all_configurations())
     if made.library is None:
         return ".bt", made.blocktext.encode(), made.report
     return libraries.ENDING, libraries.pack(made.library), made.report

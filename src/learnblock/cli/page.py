@@ -1,5 +1,6 @@
 """The commands that open the page: `open`, and `dev` for its developers."""
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -103,6 +104,8 @@ def _original(projects: "ProjectFolder", file: Path) -> "Project":
     from learnblock import importing  # noqa: PLC0415
 
     with file.open("rb") as opened:
-        project, report = projects.import_original(file.name, opened.read(importing.LARGEST + 1))
+        data = opened.read(importing.LARGEST + 1)
+    find_library = partial(importing.find_library, file.parent)
+    project, report = projects.import_original(file.name, data, find_library)
     print_report(report)
     return project

@@ -1,9 +1,10 @@
 """Import programs of the original LearnBlock, the tool of the paper, of versions 1 to 3."""
 
-from learnblock.importing.conversion import ENDING, Imported, import_project
+from learnblock.importing.conversion import ENDING, FindLibrary, Imported, import_project
 from learnblock.importing.library_folder import (
     LIBRARY_ENDING,
     ImportedLibrary,
+    LibraryFiles,
     find_library,
     import_library,
     import_text,
@@ -15,8 +16,10 @@ __all__ = [
     "ENDING",
     "LARGEST",
     "LIBRARY_ENDING",
+    "FindLibrary",
     "Imported",
     "ImportedLibrary",
+    "LibraryFiles",
     "Report",
     "find_library",
     "import_library",

@@ -10,6 +10,7 @@ from learnblock.blocks import BlockConfiguration
 from learnblock.errors import Diagnostic, ProgramError, ProjectError
 from learnblock.i18n import Phrase
 from learnblock.importing.line_writer import is_statement, is_value, shown
+from learnblock.importing.old_text import parse_old
 from learnblock.importing.program_writer import Part, ProgramWriter, undefined
 from learnblock.importing.project import Block, Kind, read_project
 from learnblock.importing.report import Report, Reporting
@@ -40,15 +41,15 @@ class Imported:
     report: Report
 
 
-#: Finds the functions of a library by its name; None if there is no such library.
-Lookup = Callable[[str], Mapping[str, Def] | None]
+#: Finds the ``.lb`` file of a library by the library's name; None if there is none.
+FindLibrary = Callable[[str], bytes | None]
 
 
 def import_project(
     data: bytes,
     filename: str,
     skills: Mapping[str, BlockConfiguration],
-    library: Lookup = lambda _: None,
+    find_library: FindLibrary = lambda _: None,
 ) -> Imported:
     """Import a ``.blockProject`` of versions 1 to 3 of the original LearnBlock.
 
@@ -56,10 +57,10 @@ def import_project(
         data: the file.
         filename: for errors.
         skills: the known skills, by name.
-        library: finds the functions of a library that the project imports.
+        find_library: finds the libraries that the project imports.
 
     Raises:
-        ProjectError: the file is damaged, or is not such a project.
+        FileError: the file or a library is damaged, or has another type.
     """
     reporting = Reporting()
     project = read_project(data, filename)
@@ -67,7 +68,8 @@ def import_project(
     parts = writer.parts()
     loose = [part for part in parts if not part.name]
     main = [part for part in parts if part.name]
-    main += _from_libraries(project.libraries, library, reporting, {one.name for one in main})
+    libraries = _found(project.libraries, find_library, skills, reporting)
+    main += _from_libraries(libraries, {one.name for one in main})
     main += _missing(writer, main)
     return _Conversion(filename, skills, reporting, tuple(main), tuple(loose)).imported()
 
@@ -77,21 +79,29 @@ def _last(path: str) -> str:
     return path.replace("\\", "/").rstrip("/").rpartition("/")[2] or path
 
 
-def _from_libraries(
-    names: Iterable[str], library: Lookup, reporting: Reporting, taken: set[str]
-) -> Iterator[Part]:
-    """The functions of the imported libraries, which become part of the program."""
+def _found(
+    names: Iterable[str],
+    find_library: FindLibrary,
+    skills: Mapping[str, BlockConfiguration],
+    reporting: Reporting,
+) -> Iterator[Program]:
+    """The imported libraries."""
     for name in map(_last, names):
-        functions = library(name)
-        if functions is None:
+        data = find_library(name)
+        if data is None:
             reporting.miss(Phrase("import-no-library", name=shown(name)))
-            continue
-        reporting.change(Phrase("import-library", name=shown(name)))
-        for one in functions.values():
-            if f"def {one.name}" not in taken:
-                taken.add(f"def {one.name}")
-                text = language.format(Program((one,)))
-                yield Part(tuple(text.splitlines()), _NOWHERE, f"def {one.name}")
+        else:
+            reporting.change(Phrase("import-library", name=shown(name)))
+            yield parse_old(data, f"{shown(name)}.lb", skills, reporting)
+
+
+def _from_libraries(libraries: Iterable[Program], taken: set[str]) -> Iterator[Part]:
+    """The functions of libraries, which become part of the program."""
+    for function in (one for library in libraries for one in library.functions.values()):
+        name = f"def {function.name}"
+        if name not in taken:
+            taken.add(name)
+            yield Part(tuple(language.format(Program((function,))).splitlines()), _NOWHERE, name)
 
 
 def _missing(writer: ProgramWriter, parts: Sequence[Part]) -> Iterator[Part]:

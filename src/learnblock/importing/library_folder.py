@@ -3,7 +3,8 @@
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from pathlib import Path
+from pathlib import Path, PurePath
+from typing import Self
 
 import msgspec
 
@@ -14,17 +15,46 @@ from learnblock.extensions import libraries
 from learnblock.extensions.libraries import Library
 from learnblock.i18n import Phrase
 from learnblock.importing.conversion import Imported
-from learnblock.importing.old_text import parse_old
+from learnblock.importing.old_text import LARGEST_LIBRARY, decoded, parse_old
 from learnblock.importing.report import Report, Reporting
 from learnblock.language import format as format_program
 from learnblock.language.tree.nodes import Blank, Comment, Def, Item, Program
 from learnblock.storage import skill_files
 
 LIBRARY_ENDING = ".lb"
-#: Bytes of a file of a library.
-LARGEST = 1024 * 1024
 
 _NAME = re.compile(r"\w[\w .-]*")
+
+
+@dataclass(frozen=True)
+class LibraryFiles:
+    """The files of a library of the original LearnBlock.
+
+    Args:
+        filename: the file name or path of its ``.lb`` file.
+        text: the content of that file.
+        python: that of its ``.py`` file, if it has one.
+        configuration: that of its ``.conf`` file, if it has one.
+    """
+
+    filename: str
+    text: bytes
+    python: bytes | None = None
+    configuration: bytes | None = None
+
+    @classmethod
+    def at(cls, path: Path) -> Self:
+        """The library with this ``.lb`` file; the others are beside it.
+
+        Raises:
+            OSError: a file can't be read.
+        """
+        others = (_read_if_there(path.with_suffix(one)) for one in (".py", ".conf"))
+        return cls(str(path), _read(path), *others)
+
+    def beside(self, ending: str) -> str:
+        """The name of the file with another ending."""
+        return PurePath(self.filename).with_suffix(ending).name
 
 
 @dataclass(frozen=True)
@@ -42,28 +72,30 @@ class ImportedLibrary:
     report: Report
 
 
-def import_library(path: Path, skills: Mapping[str, BlockConfiguration]) -> ImportedLibrary:
+def import_library(
+    files: LibraryFiles, skills: Mapping[str, BlockConfiguration]
+) -> ImportedLibrary:
     """Import a library of the original LearnBlock.
 
     Args:
-        path: its ``.lb`` file; the ``.py`` and ``.conf`` are beside it.
+        files: its files.
         skills: the known skills, by name.
 
     Raises:
-        FileError: the file can't be read.
-        OSError: the system does not let us read it.
+        FileError: the library can't be read.
     """
     reporting = Reporting()
-    whole = parse_old(_text(path), str(path), skills, reporting)
+    whole = parse_old(files.text, files.filename, skills, reporting)
     program = _only_functions(whole)
     if whole.main is not None or len(program.items) < len(_statements(whole)):
+        reporting.miss(Phrase("import-not-only-functions"))
         return ImportedLibrary(format_program(whole), None, reporting.report())
     if not program.functions:
         message = Phrase("import-no-functions")
-        raise ProjectError(str(path), [Diagnostic("no-functions", message)])
-    described = _described(path.with_suffix(".conf"), program, reporting)
-    _report_python(path.with_suffix(".py"), program, reporting)
-    made = _made(path, program, described, reporting)
+        raise ProjectError(files.filename, [Diagnostic("no-functions", message)])
+    described = _described(files, program, reporting)
+    _report_python(files, program, reporting)
+    made = _made(files.filename, program, described, reporting)
     return ImportedLibrary(format_program(program), made, reporting.report())
 
 
@@ -74,21 +106,18 @@ def import_text(data: bytes, filename: str, skills: Mapping[str, BlockConfigurat
         FileError: it is too large, or is no Block-Text.
     """
     reporting = Reporting()
-    program = parse_old(_decoded(data, filename), filename, skills, reporting)
+    program = parse_old(data, filename, skills, reporting)
     return Imported(format_program(program), None, reporting.report())
 
 
-def find_library(
-    folder: Path, name: str, skills: Mapping[str, BlockConfiguration]
-) -> dict[str, Def] | None:
-    """The functions of a library whose folder is in `folder` or beside it, or None."""
+def find_library(folder: Path, name: str) -> bytes | None:
+    """Find a library whose folder is in `folder` or beside it; return its ``.lb`` file, or None."""
     if not _NAME.fullmatch(name):
         return None
     for place in (folder / name, folder.parent / name):
-        path = place / f"{name}{LIBRARY_ENDING}"
-        if path.is_file():
-            program = parse_old(_text(path), str(path), skills, Reporting())
-            return dict(program.functions)
+        found = _read_if_there(place / f"{name}{LIBRARY_ENDING}")
+        if found is not None:
+            return found
     return None
 
 
@@ -100,16 +129,13 @@ def _only_functions(program: Program) -> Program:
     return Program(tuple(one for one in program.items if isinstance(one, Def)))
 
 
-def _text(path: Path) -> str:
+def _read(path: Path) -> bytes:
     with path.open("rb") as file:
-        return _decoded(file.read(LARGEST + 1), str(path))
+        return file.read(LARGEST_LIBRARY + 1)
 
 
-def _decoded(data: bytes, filename: str) -> str:
-    if len(data) > LARGEST:
-        message = Phrase("import-too-large", size=len(data), limit=LARGEST)
-        raise ProjectError(filename, [Diagnostic("too-large", message)])
-    return data.decode("utf-8", "replace")
+def _read_if_there(path: Path) -> bytes | None:
+    return _read(path) if path.is_file() else None
 
 
 class _OldBlock(msgspec.Struct):
@@ -120,14 +146,15 @@ class _OldBlock(msgspec.Struct):
     tooltip: dict[str, str] = {}
 
 
-def _described(path: Path, program: Program, reporting: Reporting) -> dict[str, _OldBlock]:
+def _described(files: LibraryFiles, program: Program, reporting: Reporting) -> dict[str, _OldBlock]:
     """The words of the library's blocks, if they can be read."""
-    if not path.is_file():
+    if files.configuration is None:
         return {}
+    name = files.beside(".conf")
     try:
-        found = msgspec.json.decode(_text(path), type=list[_OldBlock])
+        found = msgspec.json.decode(decoded(files.configuration, name), type=list[_OldBlock])
     except (msgspec.MsgspecError, RecursionError) as error:
-        reporting.miss(Phrase("import-not-readable", name=path.name, reason=str(error)))
+        reporting.miss(Phrase("import-not-readable", name=name, reason=str(error)))
         return {}
     for block in found:
         if block.name not in program.functions:
@@ -135,29 +162,31 @@ def _described(path: Path, program: Program, reporting: Reporting) -> dict[str, 
     return {block.name: block for block in found}
 
 
-def _report_python(path: Path, program: Program, reporting: Reporting) -> None:
+def _report_python(files: LibraryFiles, program: Program, reporting: Reporting) -> None:
     """Report functions that are only in Python: they use the old robot."""
-    if not path.is_file():
+    if files.python is None:
         return
+    name = files.beside(".py")
     try:
-        functions = skill_files.functions(skill_files.parse(_text(path), path.name))
+        functions = skill_files.functions(skill_files.parse(decoded(files.python, name), name))
     except FileError as error:
-        reporting.miss(Phrase("import-not-readable", name=path.name, reason=error.phrase))
+        reporting.miss(Phrase("import-not-readable", name=name, reason=error.phrase))
         return
     only = tuple(one.name for one in functions if one.name not in program.functions)
     if only:
-        reporting.miss(Phrase("import-python-only", name=path.name, functions=only))
+        reporting.miss(Phrase("import-python-only", name=name, functions=only))
 
 
 def _made(
-    path: Path,
+    filename: str,
     program: Program,
     described: Mapping[str, _OldBlock],
     reporting: Reporting,
 ) -> Library | None:
-    manifest = libraries.manifest(_library_name(path.stem), "1.0.0", {"en": path.stem[:60]})
+    stem = PurePath(filename).stem
+    manifest = libraries.manifest(_library_name(stem), "1.0.0", {"en": stem[:60]})
     try:
-        made = libraries.make(manifest, program, list(program.functions), (), str(path))
+        made = libraries.make(manifest, program, list(program.functions), (), filename)
     except LearnBlockError as error:
         reporting.miss(Phrase("import-not-a-library", reason=error.phrase))
         return None

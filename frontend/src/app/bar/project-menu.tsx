@@ -2,18 +2,20 @@
 
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
-import { IMPORTED } from "../../model/project";
-import { chooseFile } from "../../ui/files";
+import { UPLOADS } from "../../model/upload";
+import { chooseFiles, chooseFolder } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { Menu } from "../../ui/menu";
+import { useOpening } from "../files/opening";
 
 export function ProjectMenu() {
   const page = usePage();
+  const open = useOpening();
   const { name } = page.project;
   const { saved, readOnly } = page.context.program;
   return (
     <>
-      <Menu label={t("page-project-menu")} items={items(page)}>
+      <Menu label={t("page-project-menu")} items={items(page, open)}>
         <span class="hidden">{t("page-project-menu")}: </span>
         <span class="project-name">{name.value || "…"}</span>
         <Icon name="down" />
@@ -23,7 +25,7 @@ export function ProjectMenu() {
   );
 }
 
-function items(page: Page) {
+function items(page: Page, open: (files: readonly File[]) => void) {
   const { dialogs, project } = page;
   const name = project.name.value;
   return [
@@ -40,8 +42,9 @@ function items(page: Page) {
     {
       text: t("page-project-upload"),
       separated: true,
-      run: () => chooseFile(IMPORTED.join(","), (file) => void project.import(file)),
+      run: () => chooseFiles(UPLOADS.join(","), open),
     },
+    { text: t("page-project-upload-folder"), run: () => chooseFolder(open) },
     { text: t("page-project-download-learnblock"), run: () => project.export("learnblock") },
     { text: t("page-project-download-bt"), run: () => project.export("bt") },
     { text: t("page-project-download-py"), run: () => project.export("py") },

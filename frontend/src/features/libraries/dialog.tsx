@@ -12,7 +12,7 @@ import { chooseFiles } from "../../ui/files";
 import { Icon } from "../../ui/icons";
 import { LibraryForm } from "./form";
 import { IncomingLibraries } from "./incoming-list";
-import { ENDING, useLibraries } from "./libraries";
+import { ENDINGS, useLibraries } from "./libraries";
 import { described, titleOf } from "./summary";
 import "./libraries.css";
 
@@ -22,7 +22,7 @@ export function LibrariesDialog() {
   const making = useSignal(false);
   useEffect(() => libraries.list(), []);
   const close = () => {
-    libraries.incoming.value = [];
+    libraries.leave();
     dialogs.close();
   };
   return (
@@ -58,7 +58,7 @@ function Installed({ make }: { make: () => void }) {
         <button
           type="button"
           class="button filled"
-          onClick={() => chooseFiles(ENDING, (files) => void libraries.take(files))}
+          onClick={() => chooseFiles(ENDINGS.join(","), (files) => void libraries.take(files))}
         >
           {t("page-libraries-import")}
         </button>

@@ -8,8 +8,9 @@ import { IconButton } from "../../ui/button";
 import { Actions } from "../../ui/dialog";
 import { chooseFiles } from "../../ui/files";
 import { Icon } from "../../ui/icons";
+import { PhraseList } from "../../ui/phrase-list";
 import { clashOf, type Incoming, isReady, type Renaming, replaces } from "./incoming";
-import { ENDING, useLibraries } from "./libraries";
+import { ENDINGS, useLibraries } from "./libraries";
 import { described, titleOf } from "./summary";
 
 export function IncomingLibraries() {
@@ -44,7 +45,7 @@ export function IncomingLibraries() {
         <button
           type="button"
           class="button bordered"
-          onClick={() => chooseFiles(ENDING, (more) => void libraries.take(more))}
+          onClick={() => chooseFiles(ENDINGS.join(","), (more) => void libraries.take(more))}
         >
           {t("page-libraries-more")}
         </button>
@@ -58,7 +59,7 @@ export function IncomingLibraries() {
 
 function File({ file }: { file: Incoming }) {
   const libraries = useLibraries();
-  const { filename, read, renamings } = file;
+  const { filename, read, renamings, changed = [], missing = [] } = file;
   return (
     <li>
       <div class="row-main">
@@ -71,6 +72,8 @@ function File({ file }: { file: Incoming }) {
             <Icon name="error" /> {say(read.problem)}
           </span>
         )}
+        <PhraseList title={t("page-project-imported-missing")} phrases={missing} />
+        <PhraseList title={t("page-project-imported-changed")} phrases={changed} />
         {renamings.map((one) => (
           <NewName key={one.skill} file={file} renaming={one} />
         ))}

@@ -18,6 +18,10 @@ export interface Incoming {
   /** In base64. */
   readonly content: string;
   readonly renamings: readonly Renaming[];
+  /** What is different from the original, if the library comes from the original LearnBlock. */
+  readonly changed?: readonly Phrase[];
+  /** What could not be carried over from it. */
+  readonly missing?: readonly Phrase[];
   /** The content that the server has read; null until it has answered. */
   readonly read: LibraryRead | null;
 }

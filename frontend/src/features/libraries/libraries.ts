@@ -2,11 +2,20 @@
 
 import { signal } from "@preact/signals";
 import { type Phrase, t } from "../../i18n";
+import { LIBRARY, ORIGINAL_LIBRARY, sizeProblem, stemOf, withEnding } from "../../model/upload";
 import type { Connection } from "../../protocol/connection";
-import type { Exportable, FromPage, InstalledLibrary, LibraryRead, MakeLibrary } from "../../protocol/messages";
+import type {
+  Exportable,
+  FromPage,
+  InstalledLibrary,
+  LibraryConverted,
+  LibraryRead,
+  MakeLibrary,
+} from "../../protocol/messages";
 import { bytesOf, inBase64, saveFile } from "../../ui/files";
 import { provided } from "../../ui/provided";
 import { fileOf, type Incoming, looked, renamed } from "./incoming";
+import { conversion, looseIn, originalsIn } from "./originals";
 
 /** The outcome of the last action. */
 export interface Outcome {
@@ -15,10 +24,6 @@ export interface Outcome {
   readonly text: Phrase | string;
 }
 
-/** The extension of library files. */
-export const ENDING = ".lblib";
-/** The server's limit in bytes. */
-const LARGEST = 1_000_000;
 const MOST = 20;
 const REQUESTS = [
   "ListLibraries",
@@ -27,6 +32,7 @@ const REQUESTS = [
   "RemoveLibrary",
   "DownloadLibrary",
   "MakeLibrary",
+  "ConvertLibrary",
   "UseLibrary",
 ] as const satisfies readonly FromPage["kind"][];
 
@@ -45,6 +51,7 @@ export class Libraries {
     connection.on("LibrariesRead", ({ files }) => this.read(files));
     connection.on("Exportable", (exportable) => (this.exportable.value = exportable));
     connection.on("LibraryMade", ({ filename, content }) => this.made(filename, content));
+    connection.on("LibraryConverted", (library) => this.converted(library));
     connection.onRefused(REQUESTS, (message) => {
       this.doing = null;
       this.outcome.value = { sort: "failed", text: message };
@@ -53,9 +60,14 @@ export class Libraries {
 
   /** Ask for the installed libraries and the parts for a new one. */
   list(): void {
-    this.outcome.value = null;
     this.connection.send({ kind: "ListLibraries" });
     this.connection.send({ kind: "ListExportable" });
+  }
+
+  /** Forget what was not imported. */
+  leave(): void {
+    this.outcome.value = null;
+    this.incoming.value = [];
   }
 
   // Importing.
@@ -63,12 +75,14 @@ export class Libraries {
   /** Let the server read files, together with those read before. */
   async take(files: readonly File[]): Promise<void> {
     this.outcome.value = null;
-    const wrong = files.find((one) => !one.name.endsWith(ENDING) || one.size > LARGEST);
-    if (wrong) return this.fail(t("page-libraries-wrong-file", { name: wrong.name }));
-    if (this.incoming.value.length + files.length > MOST)
+    const originals = originalsIn(files);
+    const packed = withEnding(files, [LIBRARY]);
+    const problem = wrongFile(files) ?? sizeProblem(files);
+    if (problem) return this.fail(problem);
+    if (this.incoming.value.length + packed.length + originals.length > MOST)
       return this.fail(t("page-libraries-too-many", { most: MOST }));
-    const found = await Promise.all(files.map(incoming));
-    this.look([...this.incoming.value, ...found]);
+    for (const one of originals) this.connection.send(await conversion(one));
+    if (packed.length) this.look([...this.incoming.value, ...(await Promise.all(packed.map(incoming)))]);
   }
 
   rename(filename: string, skill: string, name: string): void {
@@ -125,6 +139,10 @@ export class Libraries {
     else this.incoming.value = found;
   }
 
+  private converted({ filename, content, changed, missing }: LibraryConverted): void {
+    this.look([...this.incoming.value, { filename, content, changed, missing, renamings: [], read: null }]);
+  }
+
   private look(files: readonly Incoming[]): void {
     this.incoming.value = files;
     if (files.length) this.connection.send({ kind: "ReadLibraries", files: files.map(fileOf) });
@@ -145,6 +163,17 @@ export class Libraries {
 }
 
 export const [LibrariesProvider, useLibraries] = provided<Libraries>("Libraries");
+
+/** The endings of the files that can be imported. */
+export const ENDINGS = [LIBRARY, ...ORIGINAL_LIBRARY];
+
+/** Why the files are not libraries; null if they are. */
+function wrongFile(files: readonly File[]): string | null {
+  const wrong = files.find((one) => withEnding([one], ENDINGS).length === 0);
+  if (wrong) return t("page-libraries-wrong-file", { name: wrong.name });
+  const loose = looseIn(files);
+  return loose ? t("page-libraries-part", { name: loose.name, needed: `${stemOf(loose)}.lb` }) : null;
+}
 
 async function incoming(file: File): Promise<Incoming> {
   return { filename: file.name.slice(-100), content: await inBase64(file), renamings: [], read: null };

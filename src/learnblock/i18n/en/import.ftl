@@ -40,10 +40,13 @@ import-python-only = '{ $name }' has functions in Python that use the robot of t
 import-no-block = The file describes a block '{ $name }', but has no function for it.
 
 import-not-readable = '{ $name }' can't be read and was left out: { $reason }
+import-not-only-functions = The library contains more than functions. It was imported as a program instead.
 import-not-a-library = The functions can't be made into a library: { $reason } They were imported as a program instead.
 
 ## Files and folders
 
+# $name is the name of a file.
+import-only-program = '{ $name }' can't become a library, because its functions can only be used in a program. Open this file alone to use it as a program.
 import-type = LearnBlock can't import this type of file. Choose a .blockProject or .lb file, or a folder with such files.
 import-nothing = There is nothing to import in { $folder }: it has no .blockProject or .lb files.
 import-no-functions = This file has no functions.

@@ -36,10 +36,13 @@ import-argument-missing = '{ $skill }' no tenía en '{ $name }' un valor que se 
 import-python-only = '{ $name }' tiene funciones en Python que usan el robot del LearnBlock original: { $functions }. Escríbelas de nuevo como bloques propios.
 import-no-block = El archivo describe un bloque '{ $name }', pero no tiene ninguna función para él.
 import-not-readable = '{ $name }' no se puede leer y se ha dejado fuera: { $reason }
+import-not-only-functions = La biblioteca contiene más que funciones. En su lugar es un programa.
 import-not-a-library = Las funciones no pueden ser una biblioteca: { $reason } En su lugar son un programa.
 
 ## Archivos y carpetas
 
+# $name is the name of a file.
+import-only-program = '{ $name }' no puede ser una biblioteca, porque sus funciones solo pueden usarse en un programa. Abre este archivo solo para usarlo como programa.
 import-type = LearnBlock no puede importar archivos de este tipo. Elige un archivo .blockProject o .lb, o una carpeta con archivos así.
 import-nothing = No hay nada que importar en { $folder }: no tiene archivos .blockProject ni .lb.
 import-no-functions = Este archivo no tiene funciones.

@@ -65,6 +65,7 @@ from learnblock.server.messages.custom_blocks import (
 from learnblock.server.messages.libraries import (
     MOST_LIBRARIES,
     MOST_SKILLS,
+    ConvertLibrary,
     DownloadLibrary,
     Exportable,
     ExportableBlocks,
@@ -73,6 +74,7 @@ from learnblock.server.messages.libraries import (
     InstalledLibrary,
     Libraries,
     LibrariesRead,
+    LibraryConverted,
     LibraryFile,
     LibraryMade,
     LibraryRead,
@@ -274,6 +276,7 @@ FromPage = (
     | RemoveLibrary
     | DownloadLibrary
     | MakeLibrary
+    | ConvertLibrary
     | UseLibrary
     | BeginRobot
     | MakeRobot
@@ -329,6 +332,7 @@ ToPage = (
     | LibrariesRead
     | Exportable
     | LibraryMade
+    | LibraryConverted
     | RobotBegun
     | RobotMade
     | Robots
@@ -362,6 +366,7 @@ __all__ = [
     "Completions",
     "Conflict",
     "Containment",
+    "ConvertLibrary",
     "Coordinate",
     "CustomBlock",
     "CustomBlockChecked",
@@ -408,6 +413,7 @@ __all__ = [
     "InstalledLibrary",
     "Libraries",
     "LibrariesRead",
+    "LibraryConverted",
     "LibraryFile",
     "LibraryMade",
     "LibraryRead",

@@ -7,6 +7,7 @@ from msgspec import Meta, Struct, field
 from learnblock.i18n import Phrase
 from learnblock.server.messages.base import (
     LONGEST_FILE,
+    LONGEST_TEXT,
     Message,
     Name,
     ShortText,
@@ -83,6 +84,24 @@ class MakeLibrary(Message, frozen=True):
     title: Annotated[dict[ShortText, ShortText], Meta(max_length=20)] = field(default_factory=dict)
     functions: Annotated[tuple[Name, ...], Meta(max_length=MOST_SKILLS)] = ()
     own: Annotated[tuple[Name, ...], Meta(max_length=MOST_SKILLS)] = ()
+
+
+class ConvertLibrary(Message, frozen=True):
+    """Ask for a library file made from the files of one of the original LearnBlock.
+
+    The reply is `LibraryConverted`; nothing is installed.
+
+    Args:
+        filename: the name of its .lb file.
+        content: that file in base64.
+        python: its .py file, if it has one.
+        configuration: its .conf file, if it has one.
+    """
+
+    filename: Name
+    content: Annotated[bytes, Meta(max_length=LONGEST_TEXT)]
+    python: Annotated[bytes, Meta(max_length=LONGEST_FILE)] | None = None
+    configuration: Annotated[bytes, Meta(max_length=LONGEST_TEXT)] | None = None
 
 
 class UseLibrary(Message, frozen=True):
@@ -193,3 +212,21 @@ class LibraryMade(Message, frozen=True):
 
     filename: str
     content: bytes
+
+
+class LibraryConverted(Message, frozen=True):
+    """A library of the original LearnBlock as a file of today, in base64.
+
+    Args:
+        filename: its name.
+        content: its bytes.
+        source: the name of the .lb file.
+        changed: what is different.
+        missing: what could not be carried over.
+    """
+
+    filename: str
+    content: bytes
+    source: str
+    changed: tuple[Phrase, ...]
+    missing: tuple[Phrase, ...]

@@ -2,11 +2,20 @@
 
 from typing import Annotated, Literal
 
-from msgspec import Meta, Struct
+from msgspec import Meta, Struct, field
 
 from learnblock.i18n import Phrase
-from learnblock.server.messages.base import LONGEST_CONTENT, LONGEST_FILE, Message, Name
+from learnblock.server.messages.base import (
+    LONGEST_CONTENT,
+    LONGEST_FILE,
+    LONGEST_TEXT,
+    Message,
+    Name,
+)
 from learnblock.server.messages.worlds import WorldChoice
+
+#: The maximum number of libraries that come with a project.
+MOST_BESIDE = 10
 
 # From the page.
 
@@ -47,10 +56,14 @@ class ImportOriginal(Message, frozen=True):
     Args:
         filename: ends in .blockProject or .lb.
         content: its bytes in base64.
+        libraries: the .lb files that are beside a .blockProject, by the names of the libraries.
     """
 
     filename: Name
     content: Annotated[bytes, Meta(max_length=LONGEST_FILE)]
+    libraries: Annotated[
+        dict[Name, Annotated[bytes, Meta(max_length=LONGEST_TEXT)]], Meta(max_length=MOST_BESIDE)
+    ] = field(default_factory=dict)
 
 
 class SaveAs(Message, frozen=True):

@@ -7,7 +7,8 @@ from collections.abc import Callable, Mapping
 
 from anyio import to_thread
 
-from learnblock.errors import LearnBlockError
+from learnblock.blocks.known import all_configurations
+from learnblock.errors import Diagnostic, LearnBlockError, ProjectError
 from learnblock.extensions import libraries
 from learnblock.extensions.libraries import ENDING, Library, Shelved
 from learnblock.i18n import Phrase
@@ -56,6 +57,10 @@ async def _make(page: Page, message: messages.MakeLibrary) -> None:
     page.send(_made(await to_thread.run_sync(make)))
 
 
+async def _convert(page: Page, message: messages.ConvertLibrary) -> None:
+    page.send(await to_thread.run_sync(_converted, message))
+
+
 async def _use(page: Page, message: messages.UseLibrary) -> None:
     await to_thread.run_sync(libraries.installed, message.name)
     await page.session.change(lambda document: document.with_import(message.name))
@@ -94,6 +99,27 @@ def _described(one: Library) -> messages.InstalledLibrary:
 
 def _made(one: Library) -> messages.LibraryMade:
     return messages.LibraryMade(one.name + ENDING, libraries.pack(one))
+
+
+def _converted(message: messages.ConvertLibrary) -> messages.LibraryConverted:
+    """A library of the original LearnBlock.
+
+    Raises:
+        FileError: it is damaged, or can only be used in a program.
+    """
+    from learnblock import importing  # noqa: PLC0415 - few pages open such files
+
+    files = importing.LibraryFiles(
+        message.filename, message.content, message.python, message.configuration
+    )
+    done = importing.import_library(files, all_configurations())
+    if done.library is None:
+        reason = Phrase("import-only-program", name=message.filename)
+        raise ProjectError(message.filename, [Diagnostic("only-program", reason)])
+    made = _made(done.library)
+    return messages.LibraryConverted(
+        made.filename, made.content, message.filename, done.report.changed, done.report.missing
+    )
 
 
 # Files to import.
@@ -177,5 +203,6 @@ HANDLERS: Mapping[type, Handler] = {
     messages.RemoveLibrary: _remove,
     messages.DownloadLibrary: _download,
     messages.MakeLibrary: _make,
+    messages.ConvertLibrary: _convert,
     messages.UseLibrary: _use,
 }

@@ -38,7 +38,7 @@ async def _import_original(page: Page, message: messages.ImportOriginal) -> None
     page.new_projects.take()
     folder = page.sessions.folder
     project, report = await to_thread.run_sync(
-        folder.import_original, message.filename, message.content
+        folder.import_original, message.filename, message.content, message.libraries.get
     )
     await page.move_to(await page.sessions.start(project))
     page.send(messages.OriginalImported(message.filename, report.changed, report.missing))

@@ -19,7 +19,8 @@ READING = frozenset(
         messages.ReadContainment, messages.ReadNetwork,
         messages.ReadSettings, messages.ReadTags, messages.ExportTags,
         messages.ListLibraries, messages.ListExportable, messages.ReadLibraries,
-        messages.DownloadLibrary, messages.MakeLibrary, messages.BeginRobot,
+        messages.DownloadLibrary, messages.MakeLibrary, messages.ConvertLibrary,
+        messages.BeginRobot,
     }
 )  # fmt: skip
 

@@ -39,7 +39,7 @@ from learnblock.server.projects.project_file import (
 from learnblock.storage.files import save
 
 if TYPE_CHECKING:
-    from learnblock.importing import Report
+    from learnblock.importing import FindLibrary, Report
 
 __all__ = ["FileState", "Format", "Project", "ProjectFolder"]
 
@@ -270,12 +270,15 @@ class ProjectFolder:
         _require_short(project.python or "", filename)
         return replace(project, name=name)
 
-    def import_original(self, filename: str, data: bytes) -> "tuple[Project, Report]":
+    def import_original(
+        self, filename: str, data: bytes, find_library: "FindLibrary"
+    ) -> "tuple[Project, Report]":
         """Create a project from a file of the original LearnBlock, under a free name.
 
         Args:
             filename: ends in .blockProject or .lb.
             data: the file.
+            find_library: finds the libraries that a project imports.
 
         Raises:
             FileError: the file is damaged, or has another type.
@@ -285,7 +288,7 @@ class ProjectFolder:
         stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
         skills = all_configurations()
         if f".{ending}" == importing.ENDING:
-            made = importing.import_project(data, filename, skills)
+            made = importing.import_project(data, filename, skills, find_library)
         elif f".{ending}" == importing.LIBRARY_ENDING:
             made = importing.import_text(data, filename, skills)
         else:

@@ -20,6 +20,8 @@ page-libraries-removed = { $name } removed.
 page-libraries-imported = Imported: { $names }.
 page-libraries-made = { $filename } created.
 page-libraries-wrong-file = { $name } is not a library. Choose a .lblib file of at most 1 MB.
+# $name is NAME.conf or NAME.py, and $needed is NAME.lb.
+page-libraries-part = { $name } is only a part of a library. Choose { $needed } too.
 page-libraries-too-many = { $most ->
     [one] You can import 1 library at a time.
    *[other] You can import at most { $most } libraries at a time.

@@ -20,6 +20,8 @@ page-libraries-removed = { $name } se ha quitado.
 page-libraries-imported = Importado: { $names }.
 page-libraries-made = Se ha creado { $filename }.
 page-libraries-wrong-file = { $name } no es una biblioteca. Elige un archivo .lblib de 1 MB como mucho.
+# $name is NAME.conf or NAME.py, and $needed is NAME.lb.
+page-libraries-part = { $name } es solo una parte de una biblioteca. Elige también { $needed }.
 page-libraries-too-many = { $most ->
     [one] Puedes importar 1 biblioteca cada vez.
    *[other] Puedes importar como mucho { $most } bibliotecas a la vez.

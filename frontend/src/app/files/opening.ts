@@ -1,0 +1,45 @@
+/** Opening the files that a user has chosen or dropped. */
+
+import { type CustomBlocks, useCustomBlocks } from "../../features/custom-blocks/custom-blocks";
+import { EXPORTED } from "../../features/custom-blocks/dialogs";
+import { type Libraries, useLibraries } from "../../features/libraries/libraries";
+import { useWorlds, WORLD_FILES, type Worlds } from "../../features/worlds/worlds";
+import { t } from "../../i18n";
+import { type Page, usePage } from "../../model/page";
+import { uploadOf, withEnding } from "../../model/upload";
+
+interface Takers extends Page {
+  readonly libraries: Libraries;
+  readonly customBlocks: CustomBlocks;
+  readonly worlds: Worlds;
+}
+
+/** Opens a project, a world, a custom block, or libraries. */
+export function useOpening(): (files: readonly File[]) => void {
+  const page = usePage();
+  const takers = { ...page, libraries: useLibraries(), customBlocks: useCustomBlocks(), worlds: useWorlds() };
+  return (files) => void open(takers, files);
+}
+
+async function open(takers: Takers, files: readonly File[]): Promise<void> {
+  const { dialogs, libraries, project, toasts } = takers;
+  const found = uploadOf(files);
+  switch (found.kind) {
+    case "program":
+      return project.import(found.file, found.libraries);
+    case "libraries":
+      dialogs.show("libraries");
+      return libraries.take(found.files);
+    case "several":
+      return toasts.error(t("page-project-several-programs", { count: found.count }));
+    case "unknown":
+      return files[0] && openOther(takers, files[0]);
+  }
+}
+
+async function openOther({ customBlocks, dialogs, toasts, worlds }: Takers, file: File): Promise<void> {
+  if (withEnding([file], WORLD_FILES).length) return worlds.import(file);
+  if (!file.name.endsWith(EXPORTED)) return toasts.error(t("page-project-wrong-file", { name: file.name }));
+  dialogs.show("customBlocks");
+  return customBlocks.import(file);
+}
