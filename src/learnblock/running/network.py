@@ -1,5 +1,6 @@
 """The programs that may use the network, as the user's settings say."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from learnblock.storage.settings import Settings, Table
@@ -44,7 +45,7 @@ def allow_network(program: Path) -> None:
         SettingsError: the user's file has a mistake.
         OSError: it can't be written.
     """
-    _replace(program, str(program.resolve()))
+    _replace(lambda allowed: (*_without(program, allowed), str(program.resolve())))
 
 
 def forbid_network(program: Path) -> None:
@@ -54,7 +55,7 @@ def forbid_network(program: Path) -> None:
         SettingsError: the user's file has a mistake.
         OSError: it can't be written.
     """
-    _replace(program)
+    _replace(lambda allowed: _without(program, allowed))
 
 
 def move_network(program: Path, target: Path) -> None:
@@ -64,18 +65,22 @@ def move_network(program: Path, target: Path) -> None:
         SettingsError: the user's file has a mistake.
         OSError: it can't be written.
     """
-    allowed = program.resolve() in map(_path, TABLE.load().allowed)
-    forbid_network(program)
-    (allow_network if allowed else forbid_network)(target)
+
+    def moved(allowed: tuple[str, ...]) -> tuple[str, ...]:
+        kept = _without(program, allowed)
+        name = () if kept == allowed else (str(target.resolve()),)
+        return (*_without(target, kept), *name)
+
+    _replace(moved)
 
 
-def _replace(program: Path, *names: str) -> None:
-    """Write these names instead of all that mean a program."""
-    before = TABLE.load().allowed
-    others = (place for place in before if _path(place) != program.resolve())
-    after = (*others, *names)
-    if after != before:
-        TABLE.change_all({"allowed": after})
+def _replace(change: Callable[[tuple[str, ...]], tuple[str, ...]]) -> None:
+    TABLE.update(lambda settings: {"allowed": change(settings.allowed)})
+
+
+def _without(program: Path, allowed: tuple[str, ...]) -> tuple[str, ...]:
+    """All that is allowed but the program itself, however it is written."""
+    return tuple(place for place in allowed if _path(place) != program.resolve())
 
 
 def _path(place: str) -> Path:

@@ -11,14 +11,13 @@ bounds, defaults and descriptions:
 """
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import reduce
 from pathlib import Path
 from typing import Annotated, Any, Generic, TypeVar
 
 import msgspec
-import tomli_w
 from msgspec import Meta, inspect
 
 from learnblock.errors import SettingsError, UnknownNameError
@@ -119,9 +118,28 @@ class Table(Generic[SettingsT]):
 
         Raises:
             SettingsError: a value or a name is invalid, or the file already is.
+            OSError: the file can't be written.
         """
-        changed = self._converted({**_as_dict(self.load()), **values})
-        self._save(changed)
+        return self.update(lambda _: values)
+
+    def update(self, change: Callable[[SettingsT], Mapping[str, Any]]) -> SettingsT:
+        """Change settings depending on what they are; other processes wait until it is done.
+
+        Args:
+            change: returns the new values of the settings that it changes, by name.
+
+        Raises:
+            SettingsError: a value or a name is invalid, or the file already is.
+            OSError: the file can't be written.
+        """
+        from filelock import FileLock  # noqa: PLC0415 - reading needs none
+
+        file().parent.mkdir(parents=True, exist_ok=True)
+        with FileLock(file().with_name(".settings.lock")):
+            present = self.load()
+            changed = self._converted({**_as_dict(present), **change(present)})
+            if changed != present:
+                self._save(changed)
         return changed
 
     def describe(self) -> Iterator[Described]:
@@ -145,14 +163,18 @@ class Table(Generic[SettingsT]):
         return {field.name: field.type for field in found.fields}
 
     def _save(self, settings: SettingsT) -> None:
-        whole = loads(file().read_text("utf-8")) if file().exists() else {}
-        *outer, name = self.path
-        reduce(lambda table, key: table.setdefault(key, {}), outer, whole)[name] = {
-            field.name: getattr(settings, field.name)
-            for field in msgspec.structs.fields(settings)
-            if getattr(settings, field.name) != field.default
-        }
-        save(file(), tomli_w.dumps(whole).encode())
+        """Write what differs from the defaults; the rest of the file stays, with its comments."""
+        import tomlkit  # noqa: PLC0415 - reading needs none
+
+        whole = tomlkit.parse(file().read_text("utf-8")) if file().exists() else tomlkit.document()
+        table: Any = reduce(lambda outer, key: outer.setdefault(key, {}), self.path, whole)
+        for field in msgspec.structs.fields(settings):
+            value = getattr(settings, field.name)
+            if value == field.default:
+                table.pop(field.name, None)
+            elif value != table.get(field.name):
+                table[field.name] = value
+        save(file(), tomlkit.dumps(whole).encode())
 
     def _file_kind(self) -> Any:
         """The type of the file, limited to this table, so that mistakes have a line."""

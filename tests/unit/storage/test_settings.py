@@ -1,5 +1,6 @@
 """Tables of settings, of a robot or anything else, in one file."""
 
+from concurrent.futures import ThreadPoolExecutor
 from typing import Annotated, Literal
 
 import pytest
@@ -83,3 +84,29 @@ def test_an_invalid_value_is_refused_and_nothing_is_written(text):
 def test_every_text_is_read_back_from_the_file(text):
     OUTER.change("text", text)
     assert OUTER.load().text == text
+
+
+def test_a_change_keeps_comments_and_everything_else_in_the_file():
+    text = """\
+# Our robots.
+[other]
+x = 1  # of somebody else
+
+[mine]
+number = 3  # the one with the blue wheels
+text = "a"
+"""
+    file().write_text(text)
+    OUTER.change_all({"text": "", "on": True})
+    OUTER.change("number", "4")
+    assert file().read_text() == text.replace("= 3", "= 4").replace('text = "a"', "on = true")
+
+
+def test_changes_at_the_same_time_are_all_saved():
+    def count(table):
+        for _ in range(20):
+            table.update(lambda settings: {"text": settings.text + "x"})
+
+    with ThreadPoolExecutor() as threads:
+        list(threads.map(count, [OUTER, INNER, OUTER]))
+    assert (len(OUTER.load().text), len(INNER.load().text)) == (40, 20)
