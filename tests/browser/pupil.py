@@ -11,6 +11,20 @@ from playwright.sync_api import expect
 TIMEOUT = 20_000
 LONGEST_RUN = 90_000
 WORKSPACE = "[data-region=blocks] .blocklySvg > .blocklyWorkspace"
+#: Notes the classes of each block that begins to run, however briefly it does.
+NOTE_RUNNING = """program => {
+    globalThis.ran = [];
+    const note = ({ target }) => {
+        if (target.classList.contains("lbRunning")) ran.push([...target.classList]);
+    };
+    const watcher = new MutationObserver((changes) => changes.forEach(note));
+    watcher.observe(program, { subtree: true, attributeFilter: ["class"] });
+}"""
+HAVE_RUN = """kinds => {
+    const left = [...kinds];
+    for (const classes of ran) if (classes.includes(left[0])) left.shift();
+    return left.length === 0;
+}"""
 #: The initial scale of the workspace; the measures below are at scale 1.
 SCALE = 0.8
 #: The first statement inside a hat and a loop, right of and below its corner.
@@ -415,6 +429,14 @@ class Pupil:
 
     # Running.
 
+    def note_running_blocks(self):
+        """Note from now on which blocks run."""
+        self.page.locator(WORKSPACE).evaluate(NOTE_RUNNING)
+
+    def have_run(self, *kinds):
+        """Wait until blocks of these types have run one after another."""
+        self.page.wait_for_function(HAVE_RUN, arg=kinds)
+
     def wait_for_the_end(self):
         """Wait until the program has ended."""
         expect(self.page.get_by_role("button", name="Stop", exact=True)).to_be_disabled(
@@ -470,8 +492,11 @@ class Pupil:
 
     def trace_of_a_run(self):
         """Run the program to its end; return the hash of its trace."""
+        begun = self.page.locator(".console-lines .note")
+        before = begun.count()
         self.press("Run")
-        self.state("Starting|Running")
+        # The last run has ended too, and this one may be over before anyone looks.
+        expect(begun).to_have_count(before + 1)
         self.state("Ended")
         return self.tab("Result").locator(".hash").inner_text()
 

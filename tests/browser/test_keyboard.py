@@ -33,8 +33,9 @@ def test_listing_4_is_built_with_the_keyboard_alone_and_the_robot_closes_the_squ
         "",
     ]
     keys.choose("Speed", "20")
+    pupil.note_running_blocks()
     keys.press("Control+Enter")
-    expect(pupil.blocks("lb_skill_set_orientation.lbRunning")).to_be_visible()
+    pupil.have_run("lb_skill_set_orientation")
     pupil.picture("running")
     pupil.wait_for_the_end()
     pupil.picture("closed")

@@ -166,11 +166,13 @@ def test_with_the_keyboard_alone(first, tmp_path):
     open_libraries(first)
     keyboard = first.page.keyboard
     press_with_keyboard(first, "Create library…")
+    waltz = first.dialog().get_by_role("checkbox", name="waltz(times)")
+    expect(waltz).to_be_visible()
     first.page.get_by_role("textbox", name="Name", exact=True).focus()
     keyboard.type("dance")
     for _ in range(3):
         keyboard.press("Tab")
-    expect(first.dialog().get_by_role("checkbox", name="waltz(times)")).to_be_focused()
+    expect(waltz).to_be_focused()
     keyboard.press("Space")
     with first.page.expect_download() as started:
         press_with_keyboard(first, "Create and download")
@@ -262,6 +264,8 @@ def install_other(pupil, folder):
     learnblock(pupil, "library", "export", "other.bt", "--functions", "waltz", "--name", "ball")
     learnblock(pupil, "library", "import", "ball.lblib")
     pupil.page.reload()
+    # A block that is dropped before the program comes is replaced by it.
+    expect(pupil.blocks("lb_main")).to_be_visible()
     pupil.show("Blocks", "Block-Text")
 
 

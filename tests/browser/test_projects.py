@@ -167,7 +167,7 @@ def test_a_project_is_copied_opened_again_and_deleted(own_server, sit_down):
     pupil.expect_project("My first wave")
     pupil.sees("blocktext", "expressJoy")
     pupil.project("Open…")
-    assert pupil.dialog().locator("strong").all_text_contents()[0] == "My first wave"
+    expect(pupil.dialog().locator("strong").first).to_have_text("My first wave")
     pupil.picture("open")
     pupil.dialog().get_by_role("button", name=re.compile("^program")).click()
     pupil.expect_project("program")

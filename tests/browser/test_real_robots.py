@@ -40,6 +40,8 @@ def pupil(sit_down, own_server):
 
     pupil.page.on("websocket", listen)
     pupil.page.reload()
+    # What is typed before the program comes is replaced by it.
+    expect(pupil.blocks("lb_main")).to_be_visible()
     pupil.show("Blocks", "Block-Text")
     return pupil
 

@@ -37,9 +37,9 @@ def test_listing_4_is_built_by_dragging_blocks_and_the_robot_closes_the_square(p
         "",
     ]
     pupil.choose("Speed", "20×")
+    pupil.note_running_blocks()
     pupil.press("Run")
-    for kind in ("lb_skill_sleep", "lb_skill_set_orientation", "lb_skill_sleep"):
-        expect(pupil.blocks(f"{kind}.lbRunning")).to_be_visible()
+    pupil.have_run("lb_skill_sleep", "lb_skill_set_orientation", "lb_skill_sleep")
     pupil.picture("running")
     pupil.wait_for_the_end()
     pupil.picture("closed")
