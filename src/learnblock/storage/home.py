@@ -23,12 +23,21 @@ def home_id() -> str:
 
     from learnblock.storage.files import save  # noqa: PLC0415 - as above
 
-    file = home() / "home-id"
+    with suppress(OSError):
+        if not _home_id().exists():
+            save(_home_id(), uuid4().hex.encode())
+    return saved_home_id()
+
+
+def saved_home_id() -> str:
+    """The word that `home_id` has saved; empty if it has not."""
     with suppress(OSError, UnicodeDecodeError):
-        if not file.exists():
-            save(file, uuid4().hex.encode())
-        return file.read_text("ascii").strip()[:100]
+        return _home_id().read_text("ascii").strip()[:100]
     return ""
+
+
+def _home_id() -> Path:
+    return home() / "home-id"
 
 
 def import_file(path: Path) -> ModuleType:

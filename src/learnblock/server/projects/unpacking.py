@@ -14,7 +14,7 @@ from learnblock.server.messages.problems import phrase_of
 from learnblock.server.projects.carried import Carried, CarriedWorld, Code
 from learnblock.server.projects.packing import block_file, library_file
 from learnblock.server.projects.project_file import Project
-from learnblock.storage.home import home_id
+from learnblock.storage.home import saved_home_id
 
 Value = TypeVar("Value")
 
@@ -61,9 +61,18 @@ def unpacked(project: Project) -> Unpacked:
     )
 
 
+def only_read(project: Project) -> Unpacked:
+    """Unpack what a project carries, and add nothing to the user's things.
+
+    A world of the user's with the name of the carried one is taken for it.
+    """
+    offered = Carried(offered=offered_code(project))
+    return Unpacked(replace(project, tags=dict(tags_used(project)), carried=offered))
+
+
 def is_at_home(project: Project) -> bool:
     """Whether a project was saved with the things of this user's folder."""
-    return bool(project.carried.home) and project.carried.home == home_id()
+    return bool(project.carried.home) and project.carried.home == saved_home_id()
 
 
 def offered_code(project: Project) -> Code:

@@ -13,6 +13,7 @@ from learnblock.running import Options, ProgramRun, Report
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.program import Program
 from learnblock.server import messages
+from learnblock.server.runs import memory
 from learnblock.server.runs.console import Console
 from learnblock.server.runs.trial import Trial
 from learnblock.server.runs.watcher import Audience, RunWatcher
@@ -131,6 +132,7 @@ class Playing:
         except Exception as error:  # noqa: BLE001 - a driver may raise any exception
             outcome = error
         self.watcher.ended(outcome)
+        memory.give_back()
 
 
 def prepared(

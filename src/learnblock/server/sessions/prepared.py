@@ -13,7 +13,7 @@ from learnblock.server.messages import WorldChoice
 from learnblock.server.program.document import Document
 from learnblock.server.projects.carried import Code
 from learnblock.server.projects.project_file import Project
-from learnblock.server.projects.unpacking import unpacked
+from learnblock.server.projects.unpacking import only_read, unpacked
 from learnblock.server.sessions.library_versions import LibraryVersions
 from learnblock.server.sessions.shown_blocks import ShownBlocks
 
@@ -54,9 +54,14 @@ class Prepared:
     worlds: tuple[WorldChoice, ...] = ()
 
 
-def prepare(project: Project) -> Prepared:
-    """Unpack and read a project, and find its robot and world; this is slow."""
-    unpacking = unpacked(project)
+def prepare(project: Project, *, read_only: bool = False) -> Prepared:
+    """Unpack and read a project, and find its robot and world; this is slow.
+
+    Args:
+        project: the project.
+        read_only: whether nothing that it carries may be added to the user's things.
+    """
+    unpacking = only_read(project) if read_only else unpacked(project)
     project = unpacking.project
     robot, no_robot = _robot(project.robot)
     world, no_world = _world(project.world, robot)

@@ -242,7 +242,8 @@ class Session:
             Whether the project lacks a change of the other program.
         """
         await self.archive.keep_version("time")
-        prepared = await to_thread.run_sync(prepare, outside)
+        read_only = self._folder.read_only
+        prepared = await to_thread.run_sync(lambda: prepare(outside, read_only=read_only))
         await self._take_in_settings(self._saves.last.project, outside, prepared)
         devices = self.robot.load().known_devices()
         document = prepared.document.with_robot(self.robot.module, devices)

@@ -146,7 +146,9 @@ class Sessions:
         async with self._opening:
             self._keep_open(name)
             if name not in self._open:
-                prepared = await to_thread.run_sync(lambda: prepare(read()))
+                prepared = await to_thread.run_sync(
+                    lambda: prepare(read(), read_only=self.folder.read_only)
+                )
                 session = Session(self.folder, prepared)
                 await session.set_the_stage()
                 self._open[name] = session

@@ -18,7 +18,7 @@ from learnblock.server.projects.carried import Carried, CarriedWorld, Code
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.packing import encode_whole, fits, packed
 from learnblock.server.projects.project_file import LARGEST, Project, decode, encode
-from learnblock.server.projects.unpacking import unpacked
+from learnblock.server.projects.unpacking import only_read, unpacked
 from learnblock.storage.home import home, home_id
 from shared_worlds import MAT, OTHER_ROOM, ROOM, png
 
@@ -86,6 +86,13 @@ def test_elsewhere_the_tag_names_are_there_at_once(file, go):
     found = unpacked(decode(file, "dance"))
     assert tag_names.tag_names() == {"ball": 3, "door": 12}
     assert found.project.tags == {}
+
+
+def test_a_server_that_only_reads_adds_nothing_and_uses_the_tag_names(file, go):
+    go()
+    project = only_read(decode(file, "dance")).project
+    assert (project.world, project.tags) == ("mat", {"door": 12})
+    assert not home().exists()
 
 
 def test_elsewhere_code_is_offered_and_nothing_is_installed(file, go):
