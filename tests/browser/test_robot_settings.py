@@ -6,6 +6,16 @@ import tomllib
 import pytest
 from playwright.sync_api import expect
 
+#: Types into the field for a video in the moment in which it appears.
+TYPE_AT_ONCE = """() => new MutationObserver((_, watcher) => {
+    const labels = [...document.querySelectorAll("dialog label")];
+    const field = labels.find((one) => one.textContent.startsWith("Video"))?.control;
+    if (!field) return;
+    watcher.disconnect();
+    field.value = "walk.avi";
+    field.dispatchEvent(new InputEvent("input", { bubbles: true }));
+}).observe(document, { subtree: true, childList: true })"""
+
 
 @pytest.fixture
 def pupil(sit_down, own_server):
@@ -64,6 +74,18 @@ def test_a_video_must_be_in_its_folder(pupil, own_server):
     save(pupil)
     expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
     assert "webcam" not in saved(own_server)["perception"]
+
+
+def test_what_is_typed_as_soon_as_a_field_appears_is_kept(pupil, own_server):
+    videos = own_server.home / "videos"
+    videos.mkdir()
+    (videos / "walk.avi").write_bytes(b"RIFF")
+    pupil.page.evaluate(TYPE_AT_ONCE)
+    choose(pupil, "Camera recognition…")
+    field(pupil, "Webcam").fill("1")
+    save(pupil)
+    expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
+    assert saved(own_server)["perception"] == {"video": str(videos / "walk.avi"), "webcam": 1}
 
 
 def test_in_spanish_by_keyboard(sit_down, own_server):

@@ -2,7 +2,7 @@
 
 import { useComputed, useSignal } from "@preact/signals";
 import { Fragment } from "preact";
-import { useEffect } from "preact/hooks";
+import { useLayoutEffect } from "preact/hooks";
 
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
@@ -50,7 +50,8 @@ export function PerceptionDialog() {
 
 function SettingsForm({ robot }: { robot: string }) {
   const machine = useRobotSettings();
-  useEffect(() => machine.read(robot), []);
+  // Before the form of an older answer is shown.
+  useLayoutEffect(() => machine.read(robot), []);
   const table = useComputed(() => (machine.table.value?.robot === robot ? machine.table.value : null));
   const problem = machine.refusal.value || table.value?.problem;
   return (
@@ -69,8 +70,9 @@ function Form({ table, robot }: { table: SettingsTable; robot: string }) {
   const { settings = [], wrong = {} } = table;
   const values = useSignal<Values>(valuesOf(settings));
   const agreed = useSignal(false);
-  // The server may change a saved value, such as a video's path into an absolute one.
-  useEffect(() => {
+  // The server may change a saved value, such as a video's path into an absolute one. Before the
+  // browser shows the answer, so that nothing is lost that a user has typed into it.
+  useLayoutEffect(() => {
     if (Object.keys(wrong).length === 0) values.value = valuesOf(settings);
   }, [table]);
   const changed = changes(settings, values.value);
