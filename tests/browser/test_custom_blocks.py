@@ -171,6 +171,8 @@ def test_a_block_shows_its_translated_text_in_each_language(bench, pupil):
     expect(pupil.page.locator(".blocklyFlyout .lb_skill_slalom")).to_contain_text("slalom")
     pupil.press("Language")
     pupil.page.get_by_role("menuitemradio", name="Español").click()
+    # The palette changes with the blocks, later than the rest of the page.
+    expect(pupil.blocks("lb_main")).to_contain_text("programa principal")
     pupil.open_category("Dance")
     expect(pupil.page.locator(".blocklyFlyout .lb_skill_slalom")).to_contain_text("hacer eslalon")
     pupil.picture("slalom")
@@ -274,6 +276,7 @@ def test_a_block_can_be_created_with_the_keyboard_alone(pupil):
     expect(code).to_contain_text("my_block")
     keys.press("Control+a")
     pupil.page.keyboard.insert_text(ZIGZAG.replace("zigzag", "by_keys"))
+    expect(pupil.dialog().get_by_role("textbox", name="File name")).to_have_value("by_keys")
     # The first one closes the suggestions.
     keys.press("Escape", "Escape", "Tab")
     keys.walk("Tab", "^Block$")

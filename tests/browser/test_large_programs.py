@@ -3,6 +3,8 @@
 import pytest
 from playwright.sync_api import expect
 
+from browser.pupil import LONGEST_RUN
+
 FUNCTIONS = 40
 FUNCTION = """
 def step_{number}(x):
@@ -58,7 +60,8 @@ def pupil(sit_down, server):
 
 def expect_all_blocks(pupil):
     """Wait until every block is there and can be edited."""
-    expect(pupil.blocks("procedures_defnoreturn")).to_have_count(FUNCTIONS)
+    functions = pupil.blocks("procedures_defnoreturn")
+    expect(functions).to_have_count(FUNCTIONS, timeout=LONGEST_RUN)
     expect(pupil.blocks("lb_skill_turn")).to_have_count(FUNCTIONS)
     expect(pupil.page.locator(".blocks-loading")).to_have_count(0)
     assert not pupil.page.locator(".blocks .injectionDiv").evaluate("blocks => blocks.inert")
