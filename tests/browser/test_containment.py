@@ -12,7 +12,7 @@ from browser.test_accessibility import axe, faults  # noqa: F401 - a fixture
 UNCONTAINED = """\
 from learnblock.runtime.containment import survey
 
-survey._refused = frozenset
+survey._refused = survey._refused_to_driver = frozenset
 """
 NETWORK = 'Programs of the project "weather" may use the network'
 
@@ -31,7 +31,7 @@ def class_server(tmp_path, monkeypatch):
 def show(pupil, menu="Help and settings", command="What programs may do…"):
     pupil.page.get_by_role("button", name=menu).click()
     pupil.page.get_by_role("menuitem", name=command).click()
-    expect(pupil.dialog().get_by_role("row")).to_have_count(8)
+    expect(pupil.dialog().get_by_role("row")).to_have_count(11)
 
 
 def test_the_dialog_lists_each_attempt_with_its_result_and_reason(sit_down, own_server, axe):  # noqa: F811

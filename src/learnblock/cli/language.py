@@ -3,6 +3,8 @@
 import locale
 import os
 from collections.abc import Iterator
+from contextvars import ContextVar
+from functools import partial
 
 import click
 
@@ -10,7 +12,8 @@ import click
 LANGUAGES = ("en", "es")
 VARIABLE = "LEARNBLOCK_LANGUAGE"
 
-_KEY = "learnblock.language"
+#: What ``--language`` names; a run's own thread sees it too, unlike click's context.
+_chosen: ContextVar[str | None] = ContextVar("language", default=None)
 #: Windows names the languages of its locales in English.
 _WINDOWS_NAMES = {"english": "en", "spanish": "es"}
 
@@ -18,14 +21,12 @@ _WINDOWS_NAMES = {"english": "en", "spanish": "es"}
 def choose(ctx: click.Context, _: click.Parameter, chosen: str | None) -> None:
     """Keep the language that ``--language`` names, for all commands of this call."""
     if chosen is not None:
-        ctx.meta[_KEY] = chosen
+        ctx.call_on_close(partial(_chosen.reset, _chosen.set(chosen)))
 
 
 def language() -> str:
     """The code of the reader's language."""
-    ctx = click.get_current_context(silent=True)
-    chosen = ctx.meta.get(_KEY) if ctx is not None else None
-    return str(chosen) if chosen else _of_system()
+    return _chosen.get() or _of_system()
 
 
 def _of_system() -> str:

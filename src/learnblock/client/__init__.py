@@ -2,6 +2,7 @@
 
 from learnblock.client.client import Client, State
 from learnblock.client.observers import Goal, Observer, Outcome, Witness
+from learnblock.client.rights import Rights
 from learnblock.client.status import RobotStatus
 
-__all__ = ["Client", "Goal", "Observer", "Outcome", "RobotStatus", "State", "Witness"]
+__all__ = ["Client", "Goal", "Observer", "Outcome", "Rights", "RobotStatus", "State", "Witness"]

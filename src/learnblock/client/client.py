@@ -13,6 +13,7 @@ from learnblock.client.clock import Clock, WallClock
 from learnblock.client.events import Events
 from learnblock.client.observers import Observer, Outcome, Witness
 from learnblock.client.readings import SENSORS, Glance, PolledReadings, Readings
+from learnblock.client.rights import Rights
 from learnblock.client.status import RobotStatus
 from learnblock.devices import (
     DEFAULT_KEY,
@@ -78,6 +79,8 @@ class Client(Events):
     has_extra_camera: ClassVar[bool] = True
     #: The simulated robot whose picture is used for it, such as ``ebo``; "" for a plain body.
     model: ClassVar[str] = ""
+    #: What its driver may do on the computer besides reading files.
+    rights: ClassVar[Rights] = Rights()
 
     def __init__(
         self,
@@ -129,6 +132,19 @@ class Client(Events):
         except SettingsError:
             # The error is raised when the robot is connected.
             return names
+
+    @classmethod
+    def known_rights(cls) -> Rights:
+        """`rights` plus those that the user's settings add."""
+        if not cls.has_extra_camera:
+            return cls.rights
+        from learnblock.client.extra_camera import extra_rights  # noqa: PLC0415 - rarely used
+
+        try:
+            return cls.rights | extra_rights()
+        except SettingsError:
+            # As in `known_devices`.
+            return cls.rights
 
     @classmethod
     def check_wishes(cls, wishes: Mapping[str, Any]) -> None:

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Protocol
 
+from learnblock.client.rights import Rights
 from learnblock.devices import DEFAULT_KEY
 from learnblock.perception.settings import TABLE
 from learnblock.storage.home import home
@@ -57,3 +58,16 @@ def extra_devices(names: frozenset[str]) -> frozenset[str]:
     if not settings.video and settings.webcam == "none":
         return frozenset()
     return frozenset({f"Camera:{WEBCAM}", f"Camera:{DEFAULT_KEY}"}) - names
+
+
+def extra_rights() -> Rights:
+    """The rights of the camera and the components for recognition that the settings choose.
+
+    Raises:
+        SettingsError: the camera recognition settings are invalid.
+    """
+    settings = TABLE.load()
+    return Rights(
+        network=bool(settings.apriltag or settings.emotionrecognition),
+        devices=() if settings.webcam == "none" else ("/dev/video*",),
+    )

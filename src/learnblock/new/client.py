@@ -51,6 +51,7 @@ def client_source(plan: RobotPlan, title: str) -> str:
         tables="".join(f"\n\n{table}" for table in _tables(plan)),
         settings=indented("\n".join(_settings(plan)), 1),
         device_names=indented("\n".join(map(_entry, sorted(plan.devices()))), 4),
+        rights=_rights(plan),
         reached=_reached(plan),
         added=indented("\n".join(added.strip() for added, _ in parts), 2),
         functions="\n\n".join(functions.strip("\n") for _, functions in parts),
@@ -99,6 +100,7 @@ def _imports(kinds: list[str], plan: RobotPlan) -> Iterator[str]:
         yield "from typing import TYPE_CHECKING\n"
     elif "DistanceSensors" in kinds or _TABLES.keys() & kinds:
         yield ""
+    yield "from learnblock.client import Rights"
     yield _import("learnblock.devices", kinds)
     yield "from learnblock.robots.real import RealRobot, not_written"
     yield _import("learnblock.robots.settings", ["RobotSettings", *_setting_types(plan)])
@@ -128,6 +130,14 @@ def _settings(plan: RobotPlan) -> Iterator[str]:
     yield f"wheel_radius: Length = {float(plan.wheels.radius)}"
     yield f"track: Length = {float(plan.wheels.track)}  # between the wheels"
     yield f"full_speed: Speed = {float(plan.wheels.maximum_speed)}  # of a wheel's rim"
+
+
+def _rights(plan: RobotPlan) -> str:
+    """What its driver needs for the connection."""
+    needs = ["network=True"] if plan.network else []
+    if plan.serial:
+        needs.append('devices=("/dev/ttyACM*", "/dev/ttyUSB*")')
+    return f"Rights({', '.join(needs)})"
 
 
 def _setting_types(plan: RobotPlan) -> set[str]:

@@ -7,9 +7,9 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from types import ModuleType
 from typing import Any, ClassVar, Generic
 
-from learnblock.client import Client, Observer
+from learnblock.client import Client, Observer, Rights
 from learnblock.client.clock import Clock
-from learnblock.errors import LearnBlockError, MissingPackageError, NotWrittenError
+from learnblock.errors import LearnBlockError, MissingPackageError, NotWrittenError, SettingsError
 from learnblock.i18n import Phrase
 from learnblock.robots import settings as user_settings
 from learnblock.robots.settings import SettingsT
@@ -57,6 +57,21 @@ class RealRobot(Client, Generic[SettingsT]):
     def name(cls) -> str:
         """The robot's id, such as ``cozmo``."""
         return cls.__module__.rpartition(".")[2].replace("_", "-")
+
+    @classmethod
+    def known_rights(cls) -> Rights:
+        return super().known_rights() | Rights(devices=cls._chosen_devices())
+
+    @classmethod
+    def _chosen_devices(cls) -> tuple[str, ...]:
+        """The device files in the user's settings, which a program cannot change."""
+        try:
+            saved = user_settings.load(cls.name(), cls.settings_type)
+        except SettingsError:
+            # It is raised when the robot is created.
+            return ()
+        values = (getattr(saved, name) for name in saved.__struct_fields__)
+        return tuple(one for one in values if isinstance(one, str) and one.startswith("/"))
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:  # noqa: ARG003 - for subclasses

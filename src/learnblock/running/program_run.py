@@ -11,6 +11,7 @@ from learnblock.devices import Pose
 from learnblock.errors import LearnBlockError
 from learnblock.robots import RobotEntry
 from learnblock.running.report import Report, report
+from learnblock.runtime.containment.driver import give_up, in_own_thread
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.host import Host
 from learnblock.runtime.limits import Limits
@@ -101,6 +102,7 @@ class ProgramRun:
             robots=tuple(entry.module for entry in robots.entries().values()),
         )
         self._host = Host(self._run, seconds=self.options.seconds)
+        self._is_contained = False
 
     @property
     def client(self) -> Client | None:
@@ -114,8 +116,7 @@ class ProgramRun:
 
     def run(self) -> Report:
         """Run the program to its end."""
-        with one_processor() if self.robot.load().lockstep else nullcontext():
-            self._host.run()
+        in_own_thread(self._serve, self.stop)
         return report(self.program, self._run, self.trace.sha256)
 
     # The methods below can be called from any thread at any time.
@@ -152,6 +153,10 @@ class ProgramRun:
         """Start or stop reporting the variables to the watcher several times a second."""
         self._run.variables.enabled = enabled
 
+    def _serve(self) -> None:
+        with one_processor() if self.robot.load().lockstep else nullcontext():
+            self._host.run()
+
     @property
     def _control(self) -> Debugger:
         if self._debugger is None:
@@ -161,9 +166,16 @@ class ProgramRun:
     def _make_robot(self, module: str, arguments: dict[str, Any]) -> Client:
         # The robot chosen for this run replaces the one that the program imports.
         del module
+        self._contain()
         client = self.robot.load().hosted(arguments, self.options.wishes)
         self.monitor = _monitor(client)
         return client
+
+    def _contain(self) -> None:
+        """Let the driver do only what it needs: from now on it may see the program's values."""
+        if not self._is_contained:
+            self._is_contained = True
+            give_up(self.robot.load().known_rights())
 
     def _make_recorder(self, client: Client) -> Recorder:
         return record(client, self.program.identity, self.trace)

@@ -121,7 +121,13 @@ def _reason(error: Exception) -> Phrase:
     """An error's message; for a driver's exception with the class, as its text may say little."""
     if isinstance(error, LearnBlockError):
         return error.phrase
-    return Phrase(f"{type(error).__name__}: {error}")
+    reason = Phrase(f"{type(error).__name__}: {error}")
+    # Its author may not know of the fence: see `containment.driver`.
+    return (
+        Phrase("run-driver-refused", reason=reason)
+        if isinstance(error, PermissionError)
+        else reason
+    )
 
 
 def _functions(client: Client, key: str, device: Device) -> dict[str, Callable[..., Any]]:

@@ -5,6 +5,7 @@ import math
 import pytest
 
 from learnblock import robots
+from learnblock.client import Rights
 from learnblock.devices import (
     Accelerometer,
     Base,
@@ -119,6 +120,11 @@ def test_joints_only_get_angles_within_their_ranges(client):
             if isinstance(device, JointMotor):
                 device.move(45)
         assert sorted(robot.turned.values()) == [20, 22]
+
+
+def test_it_may_do_what_its_connections_need_and_nothing_else(client):
+    ports = ("/dev/ttyACM*", "/dev/ttyUSB*")
+    assert client.rights == Rights(network=True, devices=ports)
 
 
 def test_an_unwritten_function_names_its_position_and_its_task(client):

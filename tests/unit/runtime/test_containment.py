@@ -182,7 +182,9 @@ def test_the_numbers_of_calls_are_those_of_the_kernels_headers(processor):
         pytest.skip("the kernel's headers are not installed")
     plain = re.findall(r"#define __NR_(\w+)\s+(\d+)\s", header.read_text())
     known = {name: int(number) for name, number in plain}
-    ours = syscalls.numbers(processor, network=True)
+    ours = syscalls.numbers(processor, network=True) | syscalls.refused(
+        processor, network=False, programs=False, files=False
+    )
     assert {
         name: number for name, number in ours.items() if known.get(name, number) != number
     } == {}
@@ -197,8 +199,19 @@ def test_the_survey_finds_by_trying_what_contains_programs_here(tmp_path, monkey
 
 
 def test_a_kernel_without_landlock_is_reported_with_the_reason(monkeypatch):
-    monkeypatch.setattr("learnblock.runtime.containment.survey._refused", frozenset)
+    for attempts in ("_refused", "_refused_to_driver"):
+        monkeypatch.setattr(f"learnblock.runtime.containment.survey.{attempts}", frozenset)
     found = {one.name.code: one for one in survey()}
     assert not any(one.contained for one in found.values())
-    assert found["doctor-read"].reason.code == "doctor-no-landlock"
-    assert found["doctor-network"].reason.code == "doctor-no-seccomp"
+    for code in ("doctor-read", "doctor-driver-write"):
+        assert found[code].reason.code == "doctor-no-landlock"
+    for code in ("doctor-network", "doctor-driver-network", "doctor-driver-processes"):
+        assert found[code].reason.code == "doctor-no-seccomp"
+
+
+def test_on_another_system_nothing_is_said_to_contain_a_driver(monkeypatch):
+    monkeypatch.setattr("learnblock.runtime.containment.survey._refused", frozenset)
+    monkeypatch.setattr(sys, "platform", "darwin")
+    reasons = {one.name.code: one.reason.code for one in survey() if not one.contained}
+    assert reasons["doctor-driver-write"] == "doctor-other-system-driver"
+    assert reasons["doctor-network"] == "doctor-other-system"

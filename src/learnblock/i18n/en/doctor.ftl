@@ -14,6 +14,9 @@ doctor-processes = Start other programs
 doctor-signals = Stop other programs
 doctor-memory = Use all of the memory
 doctor-variables = See your environment variables
+doctor-driver-write = Write files through a robot's driver
+doctor-driver-network = Use the network through a driver that does not need it
+doctor-driver-processes = Start other programs through a driver that does not need any
 
 # $version is a number.
 doctor-by-landlock = by Landlock (version { $version }) in the Linux kernel
@@ -27,3 +30,4 @@ doctor-no-limit = this operating system does not limit it
 doctor-by-start = programs get a clean environment
 # $system is Darwin or Windows.
 doctor-other-system = on { $system }, only Python itself refuses it, which a program can get around
+doctor-other-system-driver = on { $system }, nothing refuses it to drivers

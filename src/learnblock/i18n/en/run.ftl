@@ -161,6 +161,7 @@ run-no-program-file = LEARNBLOCK_TRACE can only record a program that is run fro
 # Failures of the robot. $reason is a sentence or another program's error message.
 
 run-robot-not-created = The robot could not be created. { $reason }
+run-driver-refused = The computer refused this ({ $reason }). If the robot's driver needs it, its author adds it to the driver's 'rights'.
 run-robot-not-stopped = The robot could not be stopped. { $reason }
 # $function is a function of a device, such as move or read.
 run-call-failed = The robot did not carry out '{ $function }'. { $reason }

@@ -14,6 +14,9 @@ doctor-processes = Iniciar otros programas
 doctor-signals = Detener otros programas
 doctor-memory = Usar toda la memoria
 doctor-variables = Ver tus variables de entorno
+doctor-driver-write = Escribir archivos por medio del controlador de un robot
+doctor-driver-network = Usar la red por medio de un controlador que no la necesita
+doctor-driver-processes = Iniciar otros programas por medio de un controlador que no los necesita
 
 # $version es un número.
 doctor-by-landlock = por Landlock (versión { $version }) del núcleo de Linux
@@ -27,3 +30,4 @@ doctor-no-limit = este sistema operativo no lo limita
 doctor-by-start = los programas reciben un entorno limpio
 # $system es Darwin o Windows.
 doctor-other-system = en { $system } solo lo impide Python, y un programa puede saltárselo
+doctor-other-system-driver = en { $system } nada se lo impide a los controladores

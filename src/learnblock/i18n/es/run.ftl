@@ -160,6 +160,7 @@ run-no-program-file = LEARNBLOCK_TRACE solo puede registrar un programa que se e
 # Fallos del robot. $reason es una frase o el mensaje de un error ajeno.
 
 run-robot-not-created = No se ha podido crear el robot. { $reason }
+run-driver-refused = El ordenador lo ha impedido ({ $reason }). Si el controlador del robot lo necesita, su autor lo añade a sus 'rights'.
 run-robot-not-stopped = No se ha podido detener el robot. { $reason }
 # $function es una función de un dispositivo, como move o read.
 run-call-failed = El robot no ha podido hacer '{ $function }'. { $reason }

@@ -9,6 +9,7 @@ from contextlib import ExitStack, closing
 from importlib.resources import files
 from typing import Any
 
+from learnblock.client import Rights
 from learnblock.errors import MissingPackageError, RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots import settings as user_settings
@@ -43,6 +44,8 @@ class Robot(RealRobot[Settings]):
 
     settings_type = Settings
     model = "ev3"
+    # Its guardian.
+    rights = Rights(network=True, programs=True)
 
     @classmethod
     def device_names(cls) -> frozenset[str] | None:

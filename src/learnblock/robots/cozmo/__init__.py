@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from msgspec import Meta
 
-from learnblock.client import RobotStatus
+from learnblock.client import Rights, RobotStatus
 from learnblock.devices import (
     Accelerometer,
     Animator,
@@ -74,6 +74,8 @@ class Robot(RealRobot[CozmoSettings]):
 
     settings_type = CozmoSettings
     model = "cozmo"
+    # Its guardian, and espeak-ng.
+    rights = Rights(network=True, programs=True)
     _session: "Session | None" = None
     _guardian: Guardian | None = None
 

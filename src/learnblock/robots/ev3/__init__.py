@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from learnblock.client import RobotStatus
+from learnblock.client import Rights, RobotStatus
 from learnblock.devices import (
     NOTHING_SEEN,
     Base,
@@ -30,6 +30,8 @@ class Robot(RealRobot[Settings]):
 
     settings_type = Settings
     model = "ev3"
+    # Bluetooth's serial port, and the USB cable.
+    rights = Rights(network=True, devices=("/dev/rfcomm*", "/dev/hidraw*"))
 
     @classmethod
     def device_names(cls) -> frozenset[str]:

@@ -7,6 +7,7 @@ from typing import Annotated, Any, ClassVar, Generic, Literal, TypeVar
 
 from msgspec import Meta
 
+from learnblock.client import Rights
 from learnblock.devices import Pose
 from learnblock.errors import IceError, RobotConnectionError
 from learnblock.ice.endpoint import Endpoint
@@ -45,6 +46,8 @@ RoboCompT = TypeVar("RoboCompT", bound=RoboCompSettings)
 class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
     """A robot that runs RoboComp's components; EBO and RCIS add their own devices."""
 
+    # Its guardian.
+    rights = Rights(network=True, programs=True)
     #: The layout to use if it cannot be detected.
     usual_layout: ClassVar[Layout]
     #: The servo's angle in radians for one degree of the camera.

@@ -12,6 +12,7 @@ from contextlib import ExitStack
 from functools import partial
 from typing import Any
 
+from learnblock.client import Rights
 from learnblock.devices import (
     Accelerometer,
     Base,
@@ -37,6 +38,8 @@ class Robot(RealRobot[ThymioSettings]):
 
     settings_type = ThymioSettings
     model = "thymio"
+    # Thymio Suite and simulators; the cable and the radio's dongle.
+    rights = Rights(network=True, devices=("/dev/ttyACM*", "/dev/ttyUSB*"))
     _link: Link | None = None
     _motors: Motors | None = None
 

@@ -19,10 +19,10 @@ _PATH_BENEATH = 1
 
 _WRITE_FILE, _READ_FILE, _READ_DIR = 1 << 1, 1 << 2, 1 << 3
 _REMOVE_DIR, _REMOVE_FILE = 1 << 4, 1 << 5
-_MAKE_DIR, _MAKE_REG = 1 << 7, 1 << 8
-_RENAME_ACROSS, _TRUNCATE = 1 << 13, 1 << 14
+_MAKE_DIR, _MAKE_REG, _MAKE_FIFO = 1 << 7, 1 << 8, 1 << 10
+_EXECUTE, _RENAME_ACROSS, _TRUNCATE, _CONTROL_DEVICE = 1, 1 << 13, 1 << 14, 1 << 15
 #: File rights by the version that introduced them; the first version introduced thirteen.
-_FILE_RIGHTS = {1: (1 << 13) - 1, 2: _RENAME_ACROSS, 3: _TRUNCATE, 5: 1 << 15}
+_FILE_RIGHTS = {1: (1 << 13) - 1, 2: _RENAME_ACROSS, 3: _TRUNCATE, 5: _CONTROL_DEVICE}
 #: Binding and connecting TCP sockets; signals and abstract sockets of other processes.
 _NETWORK, _SCOPES = 0b11, 0b11
 
@@ -33,8 +33,11 @@ WRITE = (
     READ | _WRITE_FILE | _REMOVE_DIR | _REMOVE_FILE
     | _MAKE_DIR | _MAKE_REG | _RENAME_ACROSS | _TRUNCATE
 )  # fmt: skip
+#: Use a device file; also pass bytes to another process by a file with a name.
+DEVICE = _READ_FILE | _WRITE_FILE | _TRUNCATE | _CONTROL_DEVICE
+FOLDER = WRITE | _MAKE_FIFO
 #: The rights that apply to files; the others apply to folders only.
-_OF_A_FILE = _READ_FILE | _WRITE_FILE | _TRUNCATE
+_OF_A_FILE = DEVICE
 
 
 @cache
@@ -48,7 +51,7 @@ def version() -> int:
 
 
 def restrict(allowed: Iterable[tuple[str, int]], *, network: bool) -> None:
-    """Permanently refuse this process all files except these; does nothing without Landlock.
+    """Permanently refuse this thread all files except these; does nothing without Landlock.
 
     Args:
         allowed: files, and folders with everything in them, each with its rights; missing ones
@@ -57,8 +60,27 @@ def restrict(allowed: Iterable[tuple[str, int]], *, network: bool) -> None:
     """
     if not version():
         return
-    handled = sum(rights for since, rights in _FILE_RIGHTS.items() if since <= version())
-    ruleset = _ruleset(handled, network=network)
+    _enforce(allowed, _known_rights(), 0 if network else _NETWORK, _SCOPES)
+
+
+def restrict_writing(allowed: Iterable[tuple[str, int]]) -> None:
+    """Permanently refuse this thread to change files other than these; it may read all files.
+
+    Processes that it has started before are outside its domain, but it may still end them.
+
+    Args:
+        allowed: as for `restrict`.
+    """
+    if version():
+        _enforce(allowed, _known_rights() & ~(READ | _EXECUTE), 0, 0)
+
+
+def _known_rights() -> int:
+    return sum(rights for since, rights in _FILE_RIGHTS.items() if since <= version())
+
+
+def _enforce(allowed: Iterable[tuple[str, int]], handled: int, network: int, scopes: int) -> None:
+    ruleset = _ruleset(handled, network, scopes)
     try:
         for path, rights in allowed:
             _allow(ruleset, path, rights & handled)
@@ -68,10 +90,9 @@ def restrict(allowed: Iterable[tuple[str, int]], *, network: bool) -> None:
         os.close(ruleset)
 
 
-def _ruleset(handled: int, *, network: bool) -> int:
+def _ruleset(handled: int, network: int, scopes: int) -> int:
     size = 8 if version() < 4 else 16 if version() < 6 else 24
-    refused = 0 if network else _NETWORK
-    rules = struct.pack("=QQQ", handled, refused, _SCOPES)[:size]
+    rules = struct.pack("=QQQ", handled, network, scopes)[:size]
     return kernel.call(_CREATE_RULESET, rules, size, 0)
 
 

@@ -6,6 +6,7 @@ import stat
 import subprocess
 import tempfile
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -27,28 +28,48 @@ class Usage(NamedTuple):
 
 
 class Scratch:
-    """A new temporary folder."""
+    """A new temporary folder, which a thread looks after that keeps all its rights.
+
+    The host's own thread gives up its rights once there is a robot: see `driver`.
+    """
 
     def __init__(self) -> None:
-        self.path = os.path.realpath(tempfile.mkdtemp(prefix="learnblock-"))
+        self._keeper = ThreadPoolExecutor(1, "scratch")
+        self.path = os.path.realpath(self._keeper.submit(_make).result())
+        self._is_removed = False
 
     def usage(self, process: int, limits: Limits) -> Usage:
         """What the program in this process uses; counting stops early if it exceeds a limit."""
-        disk, files = _held(process, self.path, limits.file_size), 0
-        with suppress(FileNotFoundError, PermissionError):
-            for size in _sizes(self.path):
-                disk, files = disk + size, files + 1
-                if disk > limits.disk or files > limits.files:
-                    break
-        return Usage(disk, files, _threads(process))
+        return self._keeper.submit(_usage, process, self.path, limits).result()
 
     def remove(self) -> None:
         """Delete the folder with everything in it; calling it twice is harmless."""
-        with suppress(FileNotFoundError):
-            try:
-                shutil.rmtree(self.path)
-            except (OSError, RecursionError):
-                _remove_deep(self.path)
+        if not self._is_removed:
+            self._is_removed = True
+            self._keeper.submit(_remove, self.path).result()
+            self._keeper.shutdown()
+
+
+def _make() -> str:
+    return tempfile.mkdtemp(prefix="learnblock-")
+
+
+def _remove(folder: str) -> None:
+    with suppress(FileNotFoundError):
+        try:
+            shutil.rmtree(folder)
+        except (OSError, RecursionError):
+            _remove_deep(folder)
+
+
+def _usage(process: int, folder: str, limits: Limits) -> Usage:
+    disk, files = _held(process, folder, limits.file_size), 0
+    with suppress(FileNotFoundError, PermissionError):
+        for size in _sizes(folder):
+            disk, files = disk + size, files + 1
+            if disk > limits.disk or files > limits.files:
+                break
+    return Usage(disk, files, _threads(process))
 
 
 def _sizes(folder: str) -> Iterator[int]:

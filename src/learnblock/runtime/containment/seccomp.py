@@ -1,4 +1,4 @@
-"""seccomp: the kernel refuses this process all system calls except those that a program needs.
+"""seccomp: the kernel refuses this thread all system calls except those that it needs.
 
 The filter is a program for the kernel's packet filter (classic BPF, <linux/seccomp.h>) that reads a
 call's number and arguments. It cannot follow pointers: Landlock decides which files may be opened.
@@ -13,7 +13,7 @@ from functools import cache
 from typing import NamedTuple
 
 from learnblock.runtime.containment import kernel
-from learnblock.runtime.containment.syscalls import LAST_KNOWN, PROCESSORS, numbers
+from learnblock.runtime.containment.syscalls import LAST_KNOWN, PROCESSORS, numbers, refused
 
 _PR_SET_SECCOMP, _MODE_FILTER = 22, 2
 
@@ -66,12 +66,21 @@ def is_supported() -> bool:
 
 
 def restrict(*, network: bool) -> None:
-    """Permanently refuse this process all other system calls; does nothing where unsupported."""
-    if not is_supported():
-        return
-    instructions = b"".join(
-        struct.pack("=HBBI", *one) for one in _filter(kernel.machine(), network=network)
-    )
+    """Permanently refuse this thread all calls but a program's; does nothing where unsupported."""
+    if is_supported():
+        _enforce(_filter(kernel.machine(), network=network))
+
+
+def restrict_driver(*, network: bool, programs: bool, files: bool) -> None:
+    """Permanently refuse this thread what a driver does not need; as `syscalls.refused`."""
+    if is_supported():
+        processor = kernel.machine()
+        calls = refused(processor, network=network, programs=programs, files=files)
+        _enforce(_refusing(processor, calls))
+
+
+def _enforce(filter_: Iterator[_Instruction]) -> None:
+    instructions = b"".join(struct.pack("=HBBI", *one) for one in filter_)
     program = _Program(len(instructions) // 8, instructions)
     kernel.give_up_privileges()
     kernel.prctl(_PR_SET_SECCOMP, _MODE_FILTER, ctypes.byref(program))
@@ -79,18 +88,34 @@ def restrict(*, network: bool) -> None:
 
 def _filter(processor: str, *, network: bool) -> Iterator[_Instruction]:
     conditions = _conditions(os.getpid(), network=network)
-    yield _load(_PROCESSOR)
-    # A call made for a different architecture has different numbers.
-    yield _Instruction(_EQUAL, 1, 0, PROCESSORS[processor])
-    yield _answer(_KILL)
-    yield _load(_NUMBER)
-    yield _Instruction(_GREATER, 0, 1, LAST_KNOWN)
-    yield _answer(_ERROR | errno.ENOSYS)
+    yield from _beginning(processor, _KILL)
     for name, number in numbers(processor, network=network).items():
         body = list(_verdict(name, conditions))
         yield _Instruction(_EQUAL, 0, len(body), number)
         yield from body
     yield _answer(_ERROR | errno.EPERM)
+
+
+def _refusing(processor: str, calls: Mapping[str, int]) -> Iterator[_Instruction]:
+    # Not the end of the process, which is the server.
+    yield from _beginning(processor, _ERROR | errno.EPERM)
+    for name, number in calls.items():
+        starts_thread = name in {"clone", "clone3"}
+        body = [*_verdict(name, _THREADS)] if starts_thread else [_answer(_ERROR | errno.EPERM)]
+        yield _Instruction(_EQUAL, 0, len(body), number)
+        yield from body
+    yield _answer(_ALLOW)
+
+
+def _beginning(processor: str, foreign: int) -> Iterator[_Instruction]:
+    """Load the call's number; answer calls of other architectures, and later ones."""
+    yield _load(_PROCESSOR)
+    # A call made for a different architecture has different numbers.
+    yield _Instruction(_EQUAL, 1, 0, PROCESSORS[processor])
+    yield _answer(foreign)
+    yield _load(_NUMBER)
+    yield _Instruction(_GREATER, 0, 1, LAST_KNOWN)
+    yield _answer(_ERROR | errno.ENOSYS)
 
 
 def _verdict(name: str, conditions: Mapping[str, tuple[Condition, ...]]) -> Iterator[_Instruction]:
@@ -114,8 +139,7 @@ def _conditions(process: int, *, network: bool) -> dict[str, tuple[Condition, ..
     itself = (Condition(0, (process,)),)
     stream = Condition(2, (1,), mask=0xF)
     found = {
-        # This creates threads, but not processes.
-        "clone": (Condition(0, (_THREAD,), mask=_THREAD | _NEW_NAMESPACES),),
+        **_THREADS,
         "kill": itself,
         "tgkill": itself,
         "rt_tgsigqueueinfo": itself,
@@ -137,6 +161,8 @@ def _conditions(process: int, *, network: bool) -> dict[str, tuple[Condition, ..
     return found | {"sendto": (Condition(8, (0,)), Condition(9, (0,)))}
 
 
+#: Threads may be created, but not processes.
+_THREADS = {"clone": (Condition(0, (_THREAD,), mask=_THREAD | _NEW_NAMESPACES),)}
 #: Set inheritance and blocking, count the bytes to read, and query terminal properties.
 _IOCTLS = (0x5451, 0x5450, 0x5421, 0x541B, 0x5401, 0x5413, 0x802C542A)
 #: Copies, flags, locks and pipe sizes; not the owner, which would receive signals.

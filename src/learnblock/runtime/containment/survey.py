@@ -1,11 +1,21 @@
-"""What contains programs on this computer: a test program tries to break out in several ways."""
+"""What contains programs on this computer: a test program tries to break out in several ways.
+
+So does a thread without rights, as the driver of a robot that needs none.
+"""
 
 import platform
+import socket
+import subprocess
 import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
 
 from msgspec import Struct
 
+from learnblock.client import Rights
 from learnblock.i18n import Phrase
+from learnblock.runtime.containment.driver import give_up, in_own_thread
 from learnblock.runtime.limits import Limits
 from learnblock.runtime.messages import Printed, Setup
 from learnblock.runtime.process import ProcessWorker
@@ -22,6 +32,12 @@ _ATTEMPTS = {
     "doctor-signals": "ctypes.CDLL(None).kill(os.getppid(), 0) and refused()",
     "doctor-memory": "check_memory()",
     "doctor-variables": "os.environ.get('HOME') == tempfile.gettempdir() and refused()",
+}
+#: The same for a driver.
+_DRIVERS_ATTEMPTS: dict[str, Callable[[], object]] = {
+    "doctor-driver-write": lambda: Path(tempfile.mkdtemp()).rmdir(),
+    "doctor-driver-network": lambda: socket.socket().close(),
+    "doctor-driver-processes": lambda: subprocess.run([sys.executable, "-ISc", ""], check=False),
 }
 _PROGRAM = """
 import ctypes, os, socket, tempfile
@@ -52,6 +68,9 @@ for code, attempt in {attempts}.items():
 """
 
 
+_OF_LANDLOCK = frozenset({"doctor-read", "doctor-write", "doctor-driver-write"})
+
+
 class Finding(Struct, frozen=True):
     """The result of one attempt.
 
@@ -68,10 +87,10 @@ class Finding(Struct, frozen=True):
 
 def survey() -> tuple[Finding, ...]:
     """Try out what contains programs on this computer."""
-    refused = _refused()
+    refused = _refused() | in_own_thread(_refused_to_driver, stop=bool)
     return tuple(
         Finding(Phrase(code), code in refused, _reason(code, contained=code in refused))
-        for code in _ATTEMPTS
+        for code in (*_ATTEMPTS, *_DRIVERS_ATTEMPTS)
     )
 
 
@@ -88,14 +107,32 @@ def _refused() -> frozenset[str]:
         worker.kill()
 
 
+def _refused_to_driver() -> frozenset[str]:
+    give_up(Rights())
+    return frozenset(code for code, attempt in _DRIVERS_ATTEMPTS.items() if _is_refused(attempt))
+
+
+def _is_refused(attempt: Callable[[], object]) -> bool:
+    try:
+        attempt()
+    except PermissionError:
+        return True
+    except OSError:
+        # Something else went wrong, such as a full disk.
+        return False
+    return False
+
+
 def _reason(code: str, *, contained: bool) -> Phrase:
     if code == "doctor-variables":
         return Phrase("doctor-by-start")
     if code == "doctor-memory":
         return Phrase("doctor-by-limit" if contained else "doctor-no-limit")
     if sys.platform != "linux":
-        return Phrase("doctor-other-system", system=platform.system())
-    by = _landlock() if code in {"doctor-read", "doctor-write"} else _seccomp()
+        by_nothing = code in _DRIVERS_ATTEMPTS
+        other = "doctor-other-system-driver" if by_nothing else "doctor-other-system"
+        return Phrase(other, system=platform.system())
+    by = _landlock() if code in _OF_LANDLOCK else _seccomp()
     return by[0] if contained else by[1]
 
 

@@ -65,10 +65,46 @@ sendmsg 46 211, sendmmsg 307 269, recvmsg 47 212, recvmmsg 299 243, setsockopt 5
 """
 
 
+# What a driver does not need. Starting programs, with the calls that also start threads:
+_PROGRAMS = """
+execve 59 221, execveat 322 281, fork 57 -, vfork 58 -, clone 56 220, clone3 435 435
+"""
+_SOCKETS = "socket 41 198"
+# Landlock does not look at these, and at `truncate` only since Linux 6.2.
+_ATTRIBUTES = """
+truncate 76 45, chmod 90 -, fchmod 91 52, fchmodat 268 53, fchmodat2 452 452, chown 92 -,
+fchown 93 55, lchown 94 -, fchownat 260 54, utime 132 -, utimes 235 -, futimesat 261 -,
+utimensat 280 88, setxattr 188 5, lsetxattr 189 6, fsetxattr 190 7, removexattr 197 14,
+lremovexattr 198 15, fremovexattr 199 16
+"""
+# Ways around the others: calls that the kernel makes itself, and other processes' memory.
+_DETOURS = "io_uring_setup 425 425, ptrace 101 117, process_vm_writev 311 271"
+
+
 def numbers(processor: str, *, network: bool) -> dict[str, int]:
-    """The numbers of all allowed calls on this architecture, the most frequent first."""
+    """The numbers of all calls allowed to a program on this architecture, most frequent first."""
+    return _numbers(processor, _ALLOWED + _NETWORK * network)
+
+
+def refused(processor: str, *, network: bool, programs: bool, files: bool) -> dict[str, int]:
+    """The numbers of the calls refused to a driver on this architecture.
+
+    Args:
+        processor: the architecture.
+        network: whether it may open sockets.
+        programs: whether it may start programs.
+        files: whether it may change files.
+    """
+    groups = [_DETOURS]
+    groups += [] if network else [_SOCKETS]
+    groups += [] if programs else [_PROGRAMS]
+    groups += [] if files else [_ATTRIBUTES]
+    return _numbers(processor, ",\n".join(groups))
+
+
+def _numbers(processor: str, listing: str) -> dict[str, int]:
     column = 1 + list(PROCESSORS).index(processor)
-    lines = (_ALLOWED + _NETWORK * network).splitlines()
+    lines = listing.splitlines()
     listed = ",".join(line for line in lines if line and not line.startswith("#"))
     rows = [row.split() for row in listed.split(",") if row.strip()]
     return {row[0]: int(row[column]) for row in rows if row[column] != "-"}
