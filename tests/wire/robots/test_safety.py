@@ -79,14 +79,15 @@ def assert_stands(twin):
     deadline = monotonic() + 10
     while twin.time < now + LIMIT + 0.5 and monotonic() < deadline:
         sleep(0.01)  # yields the processor to whatever has to stop the robot
-    assert driven(twin, now) > 5, "it did not drive"
+    # On a busy machine, a program that ends by itself may have ended some time before.
+    assert driven(twin, now, within=2.0) > 5, "it did not drive"
     after = [x for time, (x, _, _) in twin.path if time >= now + LIMIT]
     assert max(after) - min(after) < STILL, f"it went on driving: {after}"
 
 
-def driven(twin, now):
-    """mm that it has driven in the 0.4 s before."""
-    places = [x for time, (x, _, _) in twin.path if now - 0.4 < time <= now]
+def driven(twin, now, within=0.4):
+    """mm that it has driven in these seconds before."""
+    places = [x for time, (x, _, _) in twin.path if now - within < time <= now]
     return places[-1] - places[0]
 
 
