@@ -11,7 +11,7 @@ import pytest
 
 from attacks import ANSWERS, COMPLETE, GROUPS, NOT_CONTAINED, Targets, prepare, try_contained
 from learnblock.i18n import Phrase
-from learnblock.runtime.containment import syscalls
+from learnblock.runtime.containment import seccomp, syscalls
 from learnblock.runtime.containment.survey import survey
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
@@ -189,6 +189,11 @@ def test_the_numbers_of_calls_are_those_of_the_kernels_headers(processor):
         name: number for name, number in ours.items() if known.get(name, number) != number
     } == {}
     assert len(ours.keys() & known.keys()) > 100
+
+
+def test_a_32_bit_python_on_a_64_bit_kernel_gets_no_filter(monkeypatch):
+    monkeypatch.setattr(sys, "maxsize", 2**31 - 1)
+    assert not seccomp.is_supported.__wrapped__()
 
 
 def test_the_survey_finds_by_trying_what_contains_programs_here(tmp_path, monkeypatch):

@@ -8,6 +8,7 @@ import ctypes
 import errno
 import os
 import struct
+import sys
 from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import NamedTuple
@@ -57,6 +58,9 @@ class _Program(ctypes.Structure):
 @cache
 def is_supported() -> bool:
     """Whether this kernel supports filters and we have one for this architecture."""
+    if sys.maxsize < _ALL:
+        # A 32-bit Python makes other calls than its 64-bit kernel's own, as on many Raspberry Pis.
+        return False
     try:
         kernel.prctl(_PR_SET_SECCOMP, _MODE_FILTER, None)
     except OSError as error:
