@@ -13,7 +13,17 @@ end
 
 # the end
 """
+#: What is typed in is text.
+ANSWER = """\
+main:
+    n = input("How often?")
+    repeat n:
+        function.turn(90)
+    end
+end
+"""
 LOOSE = re.compile("lbLoose")
+WARNED = re.compile("lbWarning")
 #: Comments and Python code are grey, and a number is white like its field, in any tab.
 PLAIN = ("lb_comment", "lb_python", "lb_python_value", "math_number")
 #: The colours of the other blocks in the open tab.
@@ -68,6 +78,34 @@ def test_blocks_that_do_not_run_are_drawn_as_inactive_until_they_are_connected(p
     pupil.put_into(wait, hat)
     pupil.sees("blocktext", "function.sleep")
     expect(pupil.block(wait)).not_to_have_class(LOOSE)
+
+
+def test_a_loose_block_says_on_itself_why_it_does_not_run(pupil):
+    wait = pupil.take("Waiting", "lb_skill_sleep")
+    words = "not connected to the program"
+    expect(pupil.block(wait)).to_have_class(WARNED)
+    expect(pupil.tab("Problems").locator(".problem.warning")).to_contain_text(words)
+    expect(opened_note(pupil, wait)).to_contain_text("not connected")
+    pupil.picture("loose-note")
+    pupil.put_into(wait, pupil.blocks("lb_main").get_attribute("data-id"))
+    pupil.sees("blocktext", "function.sleep")
+    expect(pupil.block(wait)).not_to_have_class(WARNED)
+    expect(pupil.page.locator(".problem")).to_have_count(0)
+
+
+def test_a_mistake_is_worded_for_blocks_on_its_block_and_for_text_in_the_list(pupil):
+    pupil.write("blocktext", ANSWER)
+    answer = pupil.blocks("controls_repeat_ext").locator(".variables_get")
+    expect(answer).to_have_class(re.compile("lbError"))
+    expect(pupil.tab("Problems").locator(".problem.error")).to_contain_text("Write 'int(n)'")
+    expect(opened_note(pupil, answer.get_attribute("data-id"))).to_contain_text("block 'int'")
+    pupil.picture("worded-for-blocks")
+
+
+def opened_note(pupil, block):
+    """The open note with the problems of a block."""
+    pupil.block(block).locator("> .blocklyIconGroup").click()
+    return pupil.page.locator(".blocklyBubbleCanvas .blocklyText")
 
 
 def test_values_of_two_kinds_that_a_program_compares_stay_when_a_block_is_edited(pupil):

@@ -625,6 +625,7 @@ export interface Problem {
   column?: number;
   end_column?: number;
   block?: string | null;
+  in_blocks?: Phrase | null;
 }
 
 export interface ProjectEntry {

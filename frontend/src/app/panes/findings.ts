@@ -1,7 +1,7 @@
 /** The program's problems as a list, with one entry for each mistake. */
 
 import { say } from "../../i18n";
-import type { Problem } from "../../protocol/messages";
+import type { Problem, View } from "../../protocol/messages";
 
 /** One mistake, with its positions in all views. */
 export interface Finding {
@@ -11,14 +11,14 @@ export interface Finding {
   readonly places: readonly Problem[];
 }
 
-/** Errors first, then warnings, each in the server's order. */
-export function findings(problems: readonly Problem[]): readonly Finding[] {
+/** Errors first, then warnings, each in the server's order, in the words of the view that was edited last. */
+export function findings(problems: readonly Problem[], origin: View): readonly Finding[] {
   const found = new Map<string, Problem[]>();
   for (const problem of problems) {
     const key = keyOf(problem, found);
     found.set(key, [...(found.get(key) ?? []), problem]);
   }
-  const entries = [...found].map(([key, places]) => finding(key, places));
+  const entries = [...found].map(([key, places]) => finding(key, places, origin));
   return [...of(entries, "error"), ...of(entries, "warning")];
 }
 
@@ -29,9 +29,10 @@ function keyOf({ code, message, block, view }: Problem, found: ReadonlyMap<strin
   return block || known === 0 ? same : `${same}|${found.size}`;
 }
 
-function finding(key: string, places: readonly Problem[]): Finding {
-  const { message, severity = "error" } = places[0] ?? {};
-  return { key, message: message ? say(message) : "", severity, places };
+function finding(key: string, places: readonly Problem[], origin: View): Finding {
+  const { message, in_blocks, severity = "error" } = places[0] ?? {};
+  const words = origin === "blocks" ? (in_blocks ?? message) : message;
+  return { key, message: words ? say(words) : "", severity, places };
 }
 
 function of(entries: readonly Finding[], severity: Problem["severity"]): readonly Finding[] {

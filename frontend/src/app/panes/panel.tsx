@@ -41,7 +41,8 @@ export function Panel({ weight }: { weight: number }) {
 function tabs(page: Page) {
   const { context } = page;
   const failed = context.running.ended.value?.ended === "error" ? 1 : 0;
-  const found = findings(context.program.state.value.problems);
+  const { problems, origin } = context.program.state.value;
+  const found = findings(problems, origin);
   const count = found.length + failed;
   const serious = failed > 0 || found.some((one) => one.severity === "error");
   return [

@@ -11,7 +11,8 @@ import "./problems.css";
 
 export function Problems() {
   const { context } = usePage();
-  const found = findings(context.program.state.value.problems);
+  const { problems, origin } = context.program.state.value;
+  const found = findings(problems, origin);
   const ended = context.running.ended.value;
   const failed = ended?.ended === "error";
   return (

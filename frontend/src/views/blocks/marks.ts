@@ -11,6 +11,8 @@ type Svg = Blockly.BlockSvg;
 type Severity = Problem["severity"];
 
 const WARNING_ID = "learnblock";
+/** The characters in a line of a note, which must fit beside its block on a narrow page. */
+const LINE = 45;
 const CLASSES: Record<Severity, string> = { error: "lbError", warning: "lbWarning" };
 
 interface Finding {
@@ -73,10 +75,10 @@ export class Marks {
 
 function collect(problems: readonly Problem[]): Map<string, Finding> {
   const found = new Map<string, Finding>();
-  for (const { block, message, severity } of problems) {
+  for (const { block, message, in_blocks, severity } of problems) {
     if (!block) continue;
     const known = found.get(block);
-    const text = say(message);
+    const text = say(in_blocks ?? message);
     found.set(block, known ? join(known, text, severity) : { severity, text });
   }
   return found;
@@ -90,7 +92,7 @@ function join(known: Finding, message: string, severity: Severity): Finding {
 }
 
 function mark(block: Svg, { text, severity }: Finding): void {
-  block.setWarningText(text, WARNING_ID);
+  block.setWarningText(Blockly.utils.string.wrap(text, LINE), WARNING_ID);
   block.removeClass(CLASSES[severity === "error" ? "warning" : "error"]);
   block.addClass(CLASSES[severity]);
 }

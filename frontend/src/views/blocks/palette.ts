@@ -7,6 +7,7 @@ import * as english from "blockly/msg/en";
 import { registerCodeField } from "./code-field";
 import { type Definition, defineFields, learnAllowed } from "./fields";
 import { keepFocus } from "./focus";
+import { preferIcons } from "./icon-clicks";
 import { registerMutators } from "./mutators";
 import { offerPlainly } from "./offered";
 import { tuneRendering } from "./rendering";
@@ -83,6 +84,7 @@ export function prepareBlockly(): void {
   defineTagField();
   leaveChecksToServer();
   offerPlainly();
+  preferIcons();
   tuneRendering();
   keepFocus();
   // Never stopped: a program repeats few words, and measuring one causes a layout of the page.

@@ -68,6 +68,7 @@ blocktext-without-space = Write '{ $operator }' without a space.
 blocktext-slice = Write 'sublist(values, from, to)' for part of a list.
 blocktext-unclosed-bracket = This '{ $opening }' is never closed. Write '{ $closing }' where it ends.
 blocktext-unclosed-bracket-in-line = This '{ $opening }' is never closed. Write '{ $closing }' at the end of the line: '{ $instead }'.
+blocktext-unclosed-bracket-below = This '{ $opening }' is never closed. Write '{ $closing }' at the end of line { $last }: '{ $instead }'.
 blocktext-too-deep = This is nested too deeply. Store part of it in a variable.
 blocktext-number-too-long = A number with { $digits } digits is too long. It must have fewer than { $limit }.
 blocktext-bad-number = '{ $text }' is not a number. Write one such as 40 or 0.5.
@@ -146,6 +147,7 @@ blocktext-name-with-digit = A name can't begin with a digit. Write '{ $instead }
 blocktext-decimal-comma = Numbers have a decimal point. Write '{ $instead }' instead of '{ $found }'.
 blocktext-sum-as-target = '=' sets the variable on its left, so only one name can be there. Write '{ $name } = ...'. To compare, write 'if { $sum } == { $value }:'.
 blocktext-two-targets = A line sets only one variable. Write '{ $instead }', and '{ $second }' on the next line.
+blocktext-many-targets = A line sets only one variable. Write { $lines }, each on its own line.
 blocktext-swap = A line sets only one variable. To swap, write 'old = { $first }', '{ $first } = { $second }', '{ $second } = old', each on its own line.
 blocktext-unit = Write numbers without a unit: '{ $instead }' instead of '{ $found }'.
 blocktext-text-in-quotes = Text needs quotes. Write '{ $instead }' instead of '{ $found }'.

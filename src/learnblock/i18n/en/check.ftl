@@ -23,6 +23,11 @@ check-function-as-skill = '{ $name }' is your own function. Call it without 'fun
 # $reason: file, line and message
 check-skill-with-error = The skill '{ $name }' can't be used because of an error in its file. { $reason }
 check-unknown-when = There is no 'when { $name }'. Write one, or check the name.
+# $name: of an event that has no condition
+check-never-started = Nothing starts 'when { $name }', so it never runs. Write 'activate { $name }' where it should start, or give it a condition: 'when { $name } = ...:'.
+check-never-started-python = Nothing starts the event '{ $name }', so it never runs. Write '{ $name }.activate()' where it should start, or give it a condition: '@robot.when(lambda: ...)'.
+check-events-never-run = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into a 'when', or leave the loop with 'break'.
+check-events-never-run-python = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into a function below '@robot.when', or leave the loop with 'break'.
 check-unknown-when-near = There is no 'when { $name }'. Did you mean '{ $near }'?
 # $word: def or when
 check-defined-twice = There is another '{ $word } { $name }' on line { $line }. Rename one or combine them.
@@ -64,12 +69,18 @@ check-unknown-argument-near = '{ $call }' has no argument '{ $name }'. Did you m
 check-no-named-arguments = '{ $call }' has no argument named '{ $name }'. Write only the values, without names.
 check-number-expected = '{ $parameter }' of '{ $call }' must be a number, not text.
 check-number-in-quotes = '{ $parameter }' of '{ $call }' must be a number, not text. Write { $number } without quotes.
+check-negative-wait = The robot can't wait { $seconds } seconds. Write 0 or more.
 # $value, $choices: as written in the program
 check-outside-range = '{ $parameter }' of '{ $call }' is { $value } here. It should be between { $least } and { $most }.
 check-unknown-choice = '{ $parameter }' of '{ $call }' is { $value } here. The choices are: { $choices }.
 check-not-a-colour = '{ $parameter }' of '{ $call }' is { $value } here. Write a colour such as "#ff8800".
 check-whole-number = 'for ... from ... to' counts in whole numbers, not { $number }.
 check-text-for-number = This is text, but it must be a number.
+check-counts-up = This loop never runs, because it counts up from { $start } to { $stop }. To count down, write 'for { $name } from { $start } to { $stop } step -1:'.
+check-counts-up-python = This loop never runs, because it counts up from { $start }. To count down, give 'range' a third number: -1.
+check-never-repeats = With 'repeat { $count }' the lines inside never run. Write a number above 0.
+check-never-repeats-python = With 'range({ $count })' the lines inside never run. Write a number above 0.
+check-idle-loop = This loop does nothing, so nothing ever ends it. Write inside it what it should repeat, or remove it.
 check-step-zero = With 'step 0' the loop would never end. Write another step.
 
 check-speed-as-angle = '{ $call }' takes a speed: the robot would keep turning at { $speed }°/s. Write '{ $turn }' to turn { $side ->
@@ -80,6 +91,7 @@ check-speed-as-angle = '{ $call }' takes a speed: the robot would keep turning a
 ## Types. $value, $values and $item: a part of the program
 
 check-convert-to-number = '{ $value }' is text here, but a number is needed. Write 'int({ $value })'.
+check-answer-for-number = What is typed in is always text, even a number such as 5. Write 'int({ $value })' to make it a number.
 check-words-for-number = '{ $name }' holds text, such as "{ $text }", but a number is needed. Use a variable that holds a number.
 check-number-without-quotes = A number is needed here, not text. Write { $number } without quotes.
 check-list-for-number = '{ $values }' is a list here, but a number is needed. Write '{ $values }[0]' for its first item, or 'len({ $values })' for their number.
@@ -92,12 +104,20 @@ check-repeat-whole-number = 'repeat' needs a whole number, not { $number }. Writ
 check-for-number = '{ $value }' is a number, not a list. Write 'for { $name } from 1 to { $value }:' to count.
 check-for-number-python = '{ $value }' is a number, not a list. Write 'for { $name } in range({ $value }):' to count.
 check-text-as-condition = Text in quotes is always true. Remove the quotes if it is a condition.
+check-number-as-condition = { $number } is not a condition. Write a comparison, such as 'x == { $number }'.
 check-action-as-condition = '{ $call }' does something and answers nothing, so this is never true. Use a question, such as one that begins with 'is_'.
 check-no-result = '{ $call }' does something and returns nothing. Write it on its own line, without '='.
 check-bare-value = Each side of '{ $operator }' needs its own comparison. Write '{ $operator } { $variable } { $comparison } { $value }'.
 check-divide-by-zero = Nothing can be divided by 0. Write another number after '{ $operator }'.
 check-swapped-operator = '{ $found }' sets '{ $name }' to the number after it. Write '{ $instead }' to change '{ $name }' by that number.
 check-no-items = '{ $value }' is a number, so it has no items. Use a list or text before '['.
+check-past-end = { $length ->
+    [one] '{ $values }' has no item { $index }. It has only 1 item, and items are counted from 0: write '{ $values }[0]'.
+   *[other] '{ $values }' has no item { $index }. It has { $length } items, counted from 0: write '{ $values }[{ $last }]' for the last one.
+}
+check-loop-past-end = In the last round there is no item { $index }, because items are counted from 0. Write 'for { $index } from 0 to len({ $values }) - 1:'.
+check-loop-past-end-python = In the last round there is no item { $index }, because items are counted from 0. Write 'for { $index } in range(len({ $values })):'.
+check-empty-list-item = '{ $values }' is empty here, so it has no item { $index }. Put items into it first.
 check-variable-called = '{ $name }' is a number, not a function. Write '{ $name } * ({ $value })' to multiply.
 check-list-called = '{ $name }' is not a function. Write '{ $name }[{ $value }]' for one of its items.
 check-not-whole = "{ $text }" is not a whole number, so 'int' can't read it. Write digits only, such as "4".
@@ -148,12 +168,13 @@ check-device = { $kind ->
 check-too-many-blocks = More than { $limit } blocks are nested here, which is too deep for Python. Move some of them into a function.
 check-too-many-loops = More than { $limit } loops are nested here, which is too deep for Python. Move some of them into a function.
 # $word: break or continue
-check-outside-loop = '{ $word }' only works inside a loop.
-check-outside-function = 'return' only works inside a 'def'.
+check-outside-loop = '{ $word }' only works inside a loop. Move it into one, or remove it.
+check-outside-function = 'return' only works inside a 'def'. Move it into one, or remove it.
+check-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this line, and write 'while True:' around the others.
 # $word: break, continue or return
-check-unreachable-after-jump = This is never reached because of '{ $word }' on line { $line }.
-check-unreachable-after-loop = This is never reached because the 'while True' loop on line { $line } never ends.
-check-unreachable-after-branches = This is never reached because no branch of the 'if' on line { $line } continues here.
+check-unreachable-after-jump = This is never reached because of '{ $word }' on line { $line }. Write it above that line, or remove it.
+check-unreachable-after-loop = This is never reached because the 'while True' loop on line { $line } never ends. Write it in the loop or above, or leave the loop with 'break'.
+check-unreachable-after-branches = This is never reached because no branch of the 'if' on line { $line } continues here. Write it above the 'if', or remove it.
 check-sensor-outside-loop = '{ $skill }' is checked only once, when the program gets here. Put the 'if' inside 'while True:' to keep checking, or use a 'when'.
 
 ## A program that can't run. $problem: a message from above, or from another file

@@ -14,7 +14,7 @@ python-uneven-indent = Indent this line exactly like one of the lines above.
 python-tabs-and-spaces = Indent with spaces only. The lines here mix tabs and spaces.
 python-never-closed = This '{ $symbol }' is never closed. Write '{ $closing }' where it ends.
 python-never-closed-in-line = This '{ $symbol }' is never closed. Write '{ $closing }' where it ends: '{ $instead }'.
-python-brackets-never-closed = Two brackets are not closed here. Write '{ $closing }' at the end: '{ $instead }'.
+python-brackets-never-closed = { $count } brackets are not closed here. Write '{ $closing }' at the end: '{ $instead }'.
 python-never-closed-below = This '{ $symbol }' is never closed. Write '{ $closing }' at the end of line { $last }, after '{ $after }'.
 python-unmatched = This '{ $symbol }' closes nothing. Remove it, or write the opening bracket.
 python-wrong-bracket = This '{ $closing }' does not match the opening '{ $opening }'.
@@ -47,3 +47,12 @@ python-end = Python has no 'end'. Remove it: a block ends where its indentation 
 python-not-imported = The module '{ $module }' is not imported. Write 'import { $module }' at the top.
 python-skill-without-brackets = A skill needs its brackets. Write 'robot.{ $skill }()'.
 python-unknown-when = There is no event '{ $name }'. Write '@robot.when' and, below it, 'def { $name }():' above this line, or check the name.
+
+## Events
+
+# $found: such as @robot.whem
+python-unknown-event = There is no '{ $found }'. Write '@robot.when' for an event, or '@robot.when_start' for what runs once at the start.
+python-event-of-robot = An event belongs to the robot. Write '@robot.{ $name }' instead of '{ $found }'.
+python-event-without-at = An event begins with '@'. Write '@robot.{ $name }'.
+python-event-without-lambda = An event has to ask its condition again and again. Write '@robot.when(lambda: { $condition })'.
+python-never-run = The events never run, because 'robot.run()' is missing. Write it as the last line.

@@ -68,6 +68,7 @@ blocktext-without-space = Escribe '{ $operator }' sin espacio.
 blocktext-slice = Escribe 'sublist(values, from, to)' para una parte de una lista.
 blocktext-unclosed-bracket = Este '{ $opening }' no se cierra. Escribe '{ $closing }' donde termina.
 blocktext-unclosed-bracket-in-line = Este '{ $opening }' no se cierra nunca. Escribe '{ $closing }' al final de la línea: '{ $instead }'.
+blocktext-unclosed-bracket-below = Este '{ $opening }' no se cierra. Escribe '{ $closing }' al final de la línea { $last }: '{ $instead }'.
 blocktext-too-deep = Aquí hay demasiadas cosas unas dentro de otras. Guarda una parte en una variable.
 blocktext-number-too-long = Un número de { $digits } cifras es demasiado largo. Debe tener menos de { $limit }.
 blocktext-bad-number = '{ $text }' no es un número. Escribe uno, como 40 o 0.5.
@@ -146,6 +147,7 @@ blocktext-name-with-digit = Un nombre no puede empezar por una cifra. Escribe '{
 blocktext-decimal-comma = Los decimales van con punto. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-sum-as-target = '=' da valor a la variable de su izquierda, así que ahí solo puede haber un nombre. Escribe '{ $name } = ...'. Para comparar, escribe 'if { $sum } == { $value }:'.
 blocktext-two-targets = Una línea da valor a una sola variable. Escribe '{ $instead }' y, en la línea siguiente, '{ $second }'.
+blocktext-many-targets = Una línea solo da valor a una variable. Escribe { $lines }, cada una en su propia línea.
 blocktext-swap = Una línea da valor a una sola variable. Para intercambiarlas, escribe 'old = { $first }', '{ $first } = { $second }', '{ $second } = old', cada una en su propia línea.
 blocktext-unit = Los números van sin unidad: escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-text-in-quotes = Los textos van entre comillas. Escribe '{ $instead }' en lugar de '{ $found }'.

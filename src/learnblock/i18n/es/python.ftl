@@ -14,7 +14,7 @@ python-uneven-indent = Pon en esta línea la misma sangría que en una de las l�
 python-tabs-and-spaces = Usa solo espacios para la sangría. Aquí se mezclan tabuladores y espacios.
 python-never-closed = Este '{ $symbol }' no se cierra nunca. Escribe '{ $closing }' donde termina.
 python-never-closed-in-line = Este '{ $symbol }' no se cierra nunca. Escribe '{ $closing }' donde termina: '{ $instead }'.
-python-brackets-never-closed = Aquí quedan dos paréntesis o corchetes sin cerrar. Escribe '{ $closing }' al final: '{ $instead }'.
+python-brackets-never-closed = Aquí quedan { $count } paréntesis o corchetes sin cerrar. Escribe '{ $closing }' al final: '{ $instead }'.
 python-never-closed-below = Este '{ $symbol }' no se cierra nunca. Escribe '{ $closing }' al final de la línea { $last }, después de '{ $after }'.
 python-unmatched = Este '{ $symbol }' no cierra nada. Quítalo, o escribe el paréntesis que lo abre.
 python-wrong-bracket = Este '{ $closing }' no corresponde al '{ $opening }' que está abierto.
@@ -47,3 +47,12 @@ python-end = En Python no hay 'end'. Quítalo: un bloque termina donde termina s
 python-not-imported = El módulo '{ $module }' no está importado. Escribe 'import { $module }' al principio.
 python-skill-without-brackets = Una habilidad lleva paréntesis. Escribe 'robot.{ $skill }()'.
 python-unknown-when = No hay ningún evento '{ $name }'. Escribe encima de esta línea '@robot.when' y, debajo, 'def { $name }():', o revisa el nombre.
+
+## Events
+
+# $found: such as @robot.whem
+python-unknown-event = No existe '{ $found }'. Escribe '@robot.when' para un evento, o '@robot.when_start' para lo que se ejecuta una vez al empezar.
+python-event-of-robot = Un evento es del robot. Escribe '@robot.{ $name }' en lugar de '{ $found }'.
+python-event-without-at = Un evento empieza por '@'. Escribe '@robot.{ $name }'.
+python-event-without-lambda = Un evento tiene que comprobar su condición una y otra vez. Escribe '@robot.when(lambda: { $condition })'.
+python-never-run = Los eventos no se ejecutan nunca, porque falta 'robot.run()'. Escríbelo en la última línea.

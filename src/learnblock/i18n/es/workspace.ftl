@@ -1,7 +1,11 @@
 # Problems of blocks, shown at the block.
 
-workspace-missing-value = A este bloque le falta un valor. Encaja uno.
-workspace-missing-condition = Este bloque no tiene condición y por eso cuenta como falsa. Encaja una.
+workspace-missing-value = Este bloque tiene un hueco vacío. Encaja en él un valor, como un número, un texto o una variable.
+workspace-missing-number = Este bloque tiene vacío el hueco de un número. Encaja uno, como un número de la pestaña 'Matemáticas' o una variable.
+workspace-missing-text = Este bloque tiene vacío el hueco de un texto. Encaja uno, como un texto de la pestaña 'Texto' o una variable.
+workspace-missing-list = Este bloque tiene vacío el hueco de una lista. Encaja una, como 'crear lista con' o una variable.
+workspace-missing-condition = Este bloque no tiene condición y por eso cuenta como falsa. Encaja una, como una pregunta al robot o una comparación.
+workspace-empty-block = Dentro de este bloque no hay nada, así que no hace nada. Pon bloques dentro, o quítalo.
 workspace-missing-variable = A este bloque le falta una variable. Elige una.
 workspace-missing-python = Escribe aquí una expresión de Python.
 workspace-bad-number = Esto no es un número. Escribe uno, como 40.
@@ -16,11 +20,103 @@ workspace-unknown-skill = Aquí no hay ninguna habilidad '{ $name }'. Quita este
 workspace-unknown-block = Un programa no puede tener aquí un bloque de tipo '{ $type }'. Quítalo.
 workspace-misplaced-block = Este bloque va bajo 'al empezar', fuera de todos los demás bloques.
 workspace-robot-not-first = 'robot' va antes que todo lo demás. Mueve este bloque al principio.
-workspace-second-main = Un programa solo puede tener un bloque principal. Mueve los bloques de debajo de este al otro.
+workspace-second-main = Un programa solo puede tener un 'programa principal'. Mueve los bloques de este al otro, y borra este.
 workspace-empty-comparison = Esta comparación no compara nada. Quítala.
 workspace-python-lines = Un valor de Python va en una sola línea. Usa el bloque de líneas de Python.
-workspace-unused-value = Este valor no se usa. Guárdalo en una variable, o quítalo.
+workspace-unused-value = Este valor no se usa. Ponlo en un bloque 'establecer ... a', o quítalo.
 workspace-list-without-name = Solo se puede cambiar una lista que esté en una variable. Elige una.
 workspace-import-name = Escribe solo el nombre de la biblioteca, como 'dance', sin carpeta y sin '.py'.
 workspace-too-many-values = Aquí hay demasiados valores unos dentro de otros. Guarda algunos en una variable.
 workspace-too-deep = Aquí hay demasiados bloques unos dentro de otros. Mueve algunos a una función.
+
+## Blocks that do not run
+
+# $count: the number of blocks in the stack
+workspace-loose-blocks = { $count ->
+    [one] Este bloque no se ejecuta, porque no está unido al programa. Arrástralo debajo de 'programa principal' o de otro bloque del programa, o bórralo.
+   *[other] Estos { $count } bloques no se ejecutan, porque no están unidos al programa. Arrástralos debajo de 'programa principal' o de otro bloque del programa, o bórralos.
+}
+workspace-loose-value = Este valor no está encajado en ningún bloque, así que no hace nada. Arrástralo a un hueco de otro bloque, o bórralo.
+workspace-only-functions = Nadie llama a '{ $name }', así que el programa no hace nada. Pon 'programa principal', de la pestaña 'Inicio', y debajo '{ $name }', de la pestaña 'Funciones'.
+
+## Mistakes in a program that check.ftl words for text: the same, in the words of blocks
+
+workspace-unknown-name = '{ $name }' no tiene valor. Pon más arriba un bloque 'establecer { $name } a' de la pestaña 'Variables'.
+workspace-unknown-name-near = '{ $name }' no tiene valor. ¿Querías decir '{ $near }'? Elígela en este bloque.
+workspace-read-before-set = '{ $name }' aún no tiene valor cuando el programa llega aquí. Pon más arriba un bloque 'establecer { $name } a'.
+workspace-unknown-function = No hay ninguna función '{ $name }'. Créala con un bloque 'definir' de la pestaña 'Funciones', o quita este bloque.
+workspace-no-such-skill = El robot no tiene ninguna habilidad '{ $name }'. Quita este bloque y coge otro de la paleta.
+workspace-unknown-when = No hay ningún evento '{ $name }'. Créalo con 'Nuevo evento…' en la pestaña 'Eventos', o elige otro en este bloque.
+workspace-unknown-when-near = No hay ningún evento '{ $name }'. ¿Querías decir '{ $near }'? Elígelo en este bloque.
+workspace-never-started = Nada inicia el evento '{ $name }', así que no se ejecuta nunca. Pon en el programa un bloque 'iniciar { $name }', o añade una condición a este bloque con su '+'.
+workspace-events-never-run = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a un evento, o sal del bucle con 'romper el bucle'.
+# $word: def or when
+workspace-defined-twice = { $word ->
+    [def] Hay dos funciones '{ $name }'.
+   *[other] Hay dos eventos '{ $name }'.
+} Cambia el nombre de este bloque, o pasa sus bloques al otro.
+workspace-not-imported = Este bloque es de la biblioteca '{ $library }'. Pon un bloque 'importar { $library }' de la pestaña 'Control' bajo 'al empezar'.
+# $names: of the parameters without a value
+workspace-missing-argument = Este bloque necesita valores para: { $names }. Quítalo y coge '{ $call }' otra vez de la paleta: tiene huecos para ellos.
+workspace-too-many-arguments = { $most ->
+    [0] '{ $call }' no lleva valores.
+    [one] '{ $call }' lleva solo 1 valor ({ $parameters }).
+   *[other] '{ $call }' lleva solo { $most } valores ({ $parameters }).
+} Saca este.
+workspace-text-for-number = Esto es un texto, pero hace falta un número. Pon aquí un número de la pestaña 'Matemáticas'.
+workspace-number-as-text = "{ $number }" es un texto aquí, pero hace falta un número. Cambia este bloque por el número { $number } de la pestaña 'Matemáticas'.
+workspace-outside-range = Este valor es { $value }. Elige uno entre { $least } y { $most }.
+workspace-negative-wait = El robot no puede esperar { $seconds } segundos. Escribe 0 o más.
+# $choices: as in a program
+workspace-no-such-choice = { $value } no se puede elegir aquí. Las opciones son: { $choices }.
+workspace-not-a-colour = { $value } no es un color. Elige uno en este bloque.
+workspace-whole-number = 'contar con' cuenta con números enteros, no con { $number }. Escribe un número entero.
+workspace-step-zero = Con 'de a 0' el bucle no terminaría nunca. Escribe otro número después de 'de a'.
+workspace-counts-up = Este bucle no se ejecuta nunca, porque cuenta hacia arriba de { $start } a { $stop }. Escribe -1 después de 'de a' para contar hacia atrás.
+workspace-never-repeats = Con { $count } veces, los bloques de dentro no se ejecutan nunca. Escribe un número mayor que 0.
+workspace-idle-loop = Dentro de este bucle no hay nada, así que nada lo termina. Pon dentro los bloques que debe repetir, o quítalo.
+workspace-speed-as-angle = Esto es una velocidad: el robot seguiría girando a { $speed }°/s. Para girar { $speed } grados usa el bloque 'girar ...° a la derecha'{ $side ->
+    [left] {" "}con -{ $speed }
+   *[other] {""}
+}.
+workspace-convert-to-number = Esto es un texto, pero hace falta un número. Ponle alrededor el bloque 'int' de la pestaña 'Texto', que lo convierte en un número.
+workspace-answer-for-number = Lo que se escribe en el teclado es siempre un texto, aunque sea un número como 5. Pon alrededor de esto el bloque 'int' de la pestaña 'Texto', que lo convierte en un número.
+workspace-list-for-number = Esto es una lista, pero hace falta un número. Usa 'en la lista ... obtener #' para uno de sus elementos, o 'longitud de' para saber cuántos tiene.
+workspace-join-text = A un texto solo se le puede sumar otro texto. Pon alrededor de esto el bloque 'str' de la pestaña 'Texto', que lo convierte en un texto.
+workspace-append = A una lista solo se le puede sumar otra lista. Para añadir un elemento usa 'en la lista ... insertar en último' de la pestaña 'Listas'.
+# $advice: one of the messages about text for a number
+workspace-never-equal = Un texto nunca es igual a un número. { $advice }
+workspace-repeat-whole-number = 'repetir' necesita un número entero, no { $number }. Escribe { $less } o { $more }.
+workspace-for-number = Esto es un número, no una lista. Para contar usa 'contar con { $name } desde 1 hasta { $value }' en vez de 'para cada elemento'.
+workspace-text-as-condition = Un texto siempre es verdadero. Pon aquí una pregunta al robot o una comparación.
+workspace-number-as-condition = El número { $number } no es una condición. Pon aquí una pregunta al robot o una comparación.
+workspace-action-as-condition = Este bloque hace algo y no responde nada. Pon aquí una pregunta al robot o una comparación.
+workspace-no-result = Esta función no devuelve nada, así que no hay ningún valor que usar. Ponle un bloque 'devolver', o úsala en el programa sin este bloque alrededor.
+workspace-bare-value = Cada lado de '{ $operator ->
+    [and] y
+    [or] o
+   *[other] { $operator }
+}' necesita su propia comparación. Cambia esto por '{ $variable } { $comparison } { $value }' de la pestaña 'Lógica'.
+workspace-divide-by-zero = No se puede dividir entre 0. Escribe aquí otro número.
+workspace-length-of-number = 'longitud de' necesita un texto o una lista, pero esto es un número. Encaja un texto o una lista.
+workspace-numbers-of-list = Este bloque calcula con los números de una lista, pero esto es un texto. Encaja una lista, como 'crear lista con'.
+workspace-past-end = { $length ->
+    [one] No hay ningún elemento # { $index }. La lista tiene solo 1 elemento, el # 0: se cuentan desde 0.
+   *[other] No hay ningún elemento # { $index }. La lista tiene { $length } elementos, y se cuentan desde 0: el último es el # { $last }.
+}
+workspace-loop-past-end = En la última vuelta no hay ningún elemento # { $index }: se cuentan desde 0. Cuenta desde 0 hasta 'longitud de { $values }' - 1.
+workspace-empty-list-item = '{ $values }' está vacía, así que no tiene ningún elemento # { $index }. Pon antes elementos en la lista.
+workspace-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita este bloque y pon 'repetir mientras verdadero' alrededor de los demás.
+# $devices: noun phrases from check-device
+workspace-skill-without-answer = Este robot no tiene { $devices }, así que no puede responder a esta pregunta. Quita el bloque o elige otro robot.
+workspace-skill-without-effect = Este robot no tiene { $devices }, así que este bloque no hace nada. Quítalo o elige otro robot.
+workspace-no-device-of-name = Este robot no tiene { $device } '{ $key }', así que este bloque no hace nada. Elige: { $known }.
+workspace-outside-loop = Este bloque solo funciona dentro de un bucle. Ponlo dentro de un bloque 'repetir', 'contar' o 'para cada elemento', o quítalo.
+workspace-outside-function = Este bloque solo funciona dentro de una función. Ponlo dentro de un bloque 'definir', o quítalo.
+workspace-unreachable-after-jump = Este bloque no se ejecuta nunca: el de encima sale antes de { $word ->
+    [return] la función
+   *[other] esta vuelta del bucle
+}. Ponlo encima de ese bloque, o quítalo.
+workspace-unreachable-after-loop = Este bloque no se ejecuta nunca: el bucle de encima no termina. Ponlo dentro del bucle o encima de él, o sal del bucle con 'romper el bucle'.
+workspace-unreachable-after-branches = Este bloque no se ejecuta nunca: todas las ramas del 'si' de encima salen antes. Ponlo encima del 'si', o quítalo.
+workspace-sensor-outside-loop = Al robot se le pregunta solo una vez, cuando el programa llega aquí. Pon este bloque dentro de 'repetir mientras verdadero' para seguir preguntando, o usa un evento de la pestaña 'Eventos'.

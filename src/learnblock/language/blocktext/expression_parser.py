@@ -5,10 +5,11 @@ from collections.abc import Callable
 
 from learnblock.errors import EscapeError
 from learnblock.i18n import Phrase
-from learnblock.language.blocktext import slips
+from learnblock.language.blocktext import open_brackets, slips
 from learnblock.language.blocktext.lexer import KEYWORDS, Token, Tokens
+from learnblock.language.blocktext.open_brackets import CLOSING
 from learnblock.language.blocktext.slips import Slip, symbol, write_instead
-from learnblock.language.blocktext.token_reader import TokenReader, new
+from learnblock.language.blocktext.token_reader import LINE_ENDS, TokenReader, new
 from learnblock.language.tree.nodes import (
     Binary,
     Call,
@@ -61,7 +62,6 @@ NUMBER = re.compile(
     r"|[0-9](?:_?[0-9])*\.(?:[eE][-+]?[0-9](?:_?[0-9])*)?"
     r"|[0-9](?:_?[0-9])*[eE][-+]?[0-9](?:_?[0-9])*"
 )
-_CLOSING = {"(": ")", "[": "]"}
 _AFTER_NAME = frozenset((".", "string"))
 _SQUARE_BRACKET = symbol("]")
 _DOT_AND_SKILL = Phrase("blocktext-wanted-dot-and-skill")
@@ -116,7 +116,7 @@ class ExpressionParser(TokenReader):
     def prefixed(self, kind: str, level: int) -> Expression:
         token = self.tokens[self.index]
         if kind not in {"-", "+", "not"}:
-            raise slips.no_value(token, self.before, OPERATORS)
+            raise self.no_value()
         if kind == "not" and level > _NOT:
             raise self.slip("not-needs-brackets", Phrase("blocktext-not-needs-brackets"))
         self.index += 1
@@ -270,16 +270,49 @@ class ExpressionParser(TokenReader):
 
     def closed_line(self) -> tuple[str, str]:
         """The line before this token with its brackets closed, and those that were missing."""
-        last, missing, start = self.before, "", self.index
-        while start and self.tokens[start - 1].line == last.line:
-            start -= 1
-        for kind in self.kinds[start : self.index]:
-            if kind in _CLOSING:
-                missing = _CLOSING[kind] + missing
-            elif kind == missing[:1]:
-                missing = missing[1:]
+        last = self.before
+        missing = open_brackets.closing(open_brackets.opened(self.line_before()))
         written = self.lines[last.line - 1][: last.column - 1] + last.text
-        return written.strip() + missing, missing
+        return written.strip().removesuffix(",") + missing, missing
+
+    def line_before(self) -> list[Token]:
+        """The tokens of the line that ends at this token."""
+        line, start = self.before.line, self.index
+        while start and self.tokens[start - 1].line == line:
+            start -= 1
+        return self.tokens[start : self.index]
+
+    def no_value(self) -> Slip:
+        """The slip at a token that begins no value."""
+        if self.kinds[self.index] in LINE_ENDS and self.before.kind in {",", *CLOSING}:
+            return self.unclosed_below()
+        return slips.no_value(self.token, self.before, OPERATORS)
+
+    def unclosed_below(self) -> Slip:
+        """The slip of a bracket that is never closed, with its values on the lines below."""
+        tokens, line = self.tokens, self.line_before()
+        end = open_brackets.end_of_values(tokens, self.index)
+        values = tokens[self.index : end]
+        brackets = open_brackets.opened([*line, *values]) or open_brackets.opened(line)
+        if not values:
+            instead, missing = self.closed_line()
+            more = {"closing": missing, "instead": instead}
+            message = Phrase(
+                "blocktext-unclosed-bracket-in-line", opening=brackets[-1].text, **more
+            )
+        else:
+            # The lines below have been understood, so they are not read as statements.
+            self.index = end
+            last = str(tokens[end - 1].line)
+            below = self.lines[tokens[end - 1].line - 1].strip().removesuffix(",")
+            message = Phrase(
+                "blocktext-unclosed-bracket-below",
+                opening=brackets[-1].text,
+                closing=open_brackets.closing(brackets),
+                last=last,
+                instead=below + open_brackets.closing(brackets),
+            )
+        return self.slip("unclosed-bracket", message, brackets[-1])
 
     def parenthesized(self, token: Token) -> Expression:
         self.index += 1

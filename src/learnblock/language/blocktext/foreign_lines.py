@@ -6,49 +6,11 @@ strings, and is tried only on a line that cannot be read.
 """
 
 import re
-from collections.abc import Callable, Sequence
-from functools import cache
-from typing import NamedTuple
+from collections.abc import Sequence
 
+from learnblock.language.blocktext.line_rules import NAME, REST, Rule, at_start
+from learnblock.language.blocktext.several_targets import SEVERAL_TARGETS
 from learnblock.language.tree.builtins import TEMPLATES
-
-WRITE_INSTEAD = "blocktext-write-instead"
-
-
-class Rule(NamedTuple):
-    r"""A wrong line.
-
-    Args:
-        pattern: matches the whole line, or its beginning.
-        instead: what to write; ``\1`` is the first group. Or a function of the groups, of which
-            the first is what was found.
-        code: the code of the message, which has the values ``found`` and ``instead``.
-        values: the other values of the message, written like `instead`.
-    """
-
-    pattern: str
-    instead: str | Callable[[Sequence[str]], str]
-    code: str = WRITE_INSTEAD
-    values: tuple[tuple[str, str], ...] = ()
-
-    def match(self, line: str) -> re.Match[str] | None:
-        return _compiled(self.pattern).match(line)
-
-
-@cache
-def _compiled(pattern: str) -> re.Pattern[str]:
-    # On first use: most programs have no such line, and all the patterns take 20 ms.
-    return re.compile(pattern, re.IGNORECASE)
-
-
-def at_start(words: str, instead: str, code: str = WRITE_INSTEAD) -> Rule:
-    """A rule for words that begin a line, unless the line sets a variable of that name."""
-    return Rule(rf"\s*(?P<wrong>{words})\b(?!\s*(?:=[^=]|[.\[]))", instead, code)
-
-
-#: A condition or a value: everything up to the colon.
-REST = r"(\S.*?)\s*:?\s*$"
-NAME = r"([^\W\d]\w*)"
 
 NAME_WITH_SPACE = Rule(
     rf"\s*(?P<wrong>(?!(?:if|while|for|when|def)\b){NAME}\s+{NAME})\s*(?==[^=])",
@@ -312,6 +274,7 @@ _ASSIGNMENTS = (
         (("first", r"\1"), ("second", r"\2")),
     ),
     Rule(rf"\s*{NAME}\s*,\s*{NAME}\s*=[^=].*$", r"\1 = 0", "blocktext-second-assignment"),
+    *SEVERAL_TARGETS,
     Rule(
         rf"\s*{NAME}\s*=\s*{NAME}\s*=\s*([^\s=<>][^=]*?)\s*$",
         r"\2 = \3",

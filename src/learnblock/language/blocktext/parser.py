@@ -14,6 +14,7 @@ from learnblock.language.blocktext import slips
 from learnblock.language.blocktext.lexer import Token, tokenize
 from learnblock.language.blocktext.slips import Slip
 from learnblock.language.blocktext.statement_parser import ASSIGNMENTS, StatementParser
+from learnblock.language.blocktext.token_reader import LINE_ENDS
 from learnblock.language.tree.layout import normalized
 from learnblock.language.tree.nodes import (
     Blank,
@@ -122,6 +123,8 @@ class _Parser(StatementParser):
         self.expect("(", Phrase("blocktext-wanted-parameters", name=name))
         parameters: list[str] = []
         while self.kinds[self.index] != ")":
+            if self.kinds[self.index] in {*LINE_ENDS, ":"}:
+                raise self.unclosed_parameters()
             if parameters:
                 self.expect(",", Phrase("blocktext-wanted-either", first=",", second=")"))
             token = self.expect("name", Phrase("blocktext-wanted-parameter"))
@@ -131,6 +134,11 @@ class _Parser(StatementParser):
             parameters.append(token.text)
         self.index += 1
         return name, tuple(parameters)
+
+    def unclosed_parameters(self) -> Slip:
+        written, closing = self.closed_line()
+        values = {"opening": "(", "closing": closing, "instead": f"{written}:"}
+        return self.slip("unclosed-bracket", Phrase("blocktext-unclosed-bracket-in-line", **values))
 
     def when(self, token: Token) -> When:
         self.index += 1

@@ -5,7 +5,8 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from learnblock.i18n import Phrase
-from learnblock.language.blocktext.foreign_lines import RULES, Rule
+from learnblock.language.blocktext.foreign_lines import RULES
+from learnblock.language.blocktext.line_rules import Rule
 
 #: Longer lines are not reworded: the patterns go over a line several times.
 MAX_LENGTH = 200

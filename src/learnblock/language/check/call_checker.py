@@ -8,7 +8,7 @@ from learnblock.blocks.old_names import todays_name
 from learnblock.errors import Severity, nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
-from learnblock.language.check.findings import Findings, python_error
+from learnblock.language.check.findings import Findings, constant, python_error
 from learnblock.language.check.other_names import FUNCTIONS as OTHER_FUNCTIONS
 from learnblock.language.check.other_names import FUNCTIONS_AS_SKILLS, MOVE_STRAIGHT, SKILLS
 from learnblock.language.python.syntax_errors import syntax_message
@@ -21,14 +21,13 @@ from learnblock.language.tree.nodes import (
     Item,
     Name,
     Number,
+    Raw,
     RawExpression,
     SkillCall,
     Span,
     String,
-    Unary,
 )
 from learnblock.language.tree.traversal import expressions, within
-from learnblock.language.workspace.literals import value_of
 
 # Quarter turns and their multiples.
 _ANGLES = frozenset((90, 180, 270, 360))
@@ -105,7 +104,16 @@ class CallChecker:
         self.report("not-imported", message, node.span)
 
     def unknown_skill(self, node: SkillCall) -> None:
+        if node.name == "run" and self.runs_events():
+            return
         self.report("unknown-skill", self.unknown_skill_message(node.name), node.span)
+
+    def runs_events(self) -> bool:
+        """Whether ``robot.run()`` may belong to events in parts that stay Python."""
+        raw = (one for one in self.findings.everything if isinstance(one, Raw))
+        return self.findings.in_python and any(
+            "@" in one.text or "robot.when" in one.text for one in raw
+        )
 
     def unknown_skill_message(self, name: str) -> Phrase:
         if name in self.findings.functions:
@@ -226,11 +234,14 @@ class CallChecker:
                 )
             self.report("wrong-type", message, value.span)
             return
-        constant = _constant(value)
-        if parameter.name == "rotSpeed" and constant in _ANGLES:
-            self.speed_as_angle(call, constant, value)
-        elif constant is not None and parameter.objection(constant):
-            message = _unusual_value(call, parameter, repr(constant).removesuffix(".0"))
+        given = constant(value)
+        if parameter.name == "rotSpeed" and given in _ANGLES:
+            self.speed_as_angle(call, given, value)
+        elif call.endswith(".sleep") and isinstance(given, int | float) and given < 0:
+            message = Phrase("check-negative-wait", seconds=repr(given).removesuffix(".0"))
+            self.report("unusual-value", message, value.span)
+        elif given is not None and parameter.objection(given):
+            message = _unusual_value(call, parameter, repr(given).removesuffix(".0"))
             self.report("unusual-value", message, value.span, "warning")
 
     def speed_as_angle(self, call: str, angle: object, value: Expression) -> None:
@@ -301,19 +312,6 @@ class CallChecker:
         if near is None and (skill := nearest(name, skills)) is not None:
             return self.findings.called(skill)
         return near
-
-
-def _constant(node: Expression) -> float | str | None:
-    """The value of a literal number or string."""
-    match node:
-        case String(value=text):
-            return text
-        case Number(text=spelled):
-            return value_of(spelled)
-        case Unary(operator="-", operand=Number(text=spelled)):
-            value = value_of(spelled)
-            return None if value is None else -value
-    return None
 
 
 def _counting(node: Call) -> Phrase:

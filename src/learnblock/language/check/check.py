@@ -9,6 +9,7 @@ from learnblock.errors import Diagnostic
 from learnblock.i18n import Phrase
 from learnblock.language.check.call_checker import CallChecker
 from learnblock.language.check.findings import Findings, python_error
+from learnblock.language.check.flow_checker import LOOPS, FlowChecker
 from learnblock.language.check.python_checker import check_python
 from learnblock.language.check.type_checker import check_types
 from learnblock.language.check.variable_checker import check_variables
@@ -16,13 +17,11 @@ from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.nodes import (
     Activate,
     Blank,
-    Body,
     Break,
     Comment,
     Continue,
     Deactivate,
     Def,
-    ForEach,
     ForRange,
     If,
     Import,
@@ -31,13 +30,11 @@ from learnblock.language.tree.nodes import (
     Pass,
     Program,
     Raw,
-    Repeat,
     Return,
     SkillCall,
     String,
     Unary,
     When,
-    While,
     is_only_raw,
 )
 from learnblock.language.tree.traversal import bodies, within
@@ -45,9 +42,6 @@ from learnblock.language.tree.traversal import bodies, within
 # CPython allows fewer than 100 levels of indentation, and 20 loops inside each other.
 MAX_INDENTATION = 99
 MAX_LOOPS = 20
-
-_LOOPS = (While, Repeat, ForEach, ForRange)
-_JUMPS = (Break, Continue, Return)
 
 
 def check(
@@ -105,6 +99,7 @@ class _Checker:
         self.findings = findings
         self.report = findings.report
         self.calls = CallChecker(findings)
+        self.flow = FlowChecker(findings)
 
     def run(self) -> None:
         self.duplicates()
@@ -122,6 +117,7 @@ class _Checker:
         self.block(self.findings.main, 0, 0, within_def=False)
         check_variables(self.findings)
         check_types(self.findings)
+        self.flow.run()
         self.sensors_outside_loops()
 
     def duplicates(self) -> None:
@@ -143,7 +139,7 @@ class _Checker:
                 self.report("duplicate-name", message, item.span)
 
     def block(self, body: tuple[Item, ...], depth: int, loops: int, *, within_def: bool) -> None:
-        self.unreachable(body)
+        self.flow.unreachable(body)
         if depth == MAX_INDENTATION + 1 and body:
             message = Phrase("check-too-many-blocks", limit=MAX_INDENTATION)
             self.report("too-deep", message, body[0].span)
@@ -165,28 +161,13 @@ class _Checker:
             self.findings.diagnostics.append(problem)
         elif isinstance(item, ForRange):
             self.whole_numbers(item)
-        if isinstance(item, _LOOPS):
+        if isinstance(item, LOOPS):
             loops += 1
             if loops == MAX_LOOPS + 1:
                 message = Phrase("check-too-many-loops", limit=MAX_LOOPS)
                 self.report("too-deep", message, item.span)
         for body in bodies(item):
             self.block(body, depth + 1, loops, within_def=within_def)
-
-    def unreachable(self, body: tuple[Item, ...]) -> None:
-        """Report the first statement that can never be reached."""
-        left: Item | None = None
-        for item in body:
-            if isinstance(item, Comment | Blank | Def | When):
-                continue
-            if left is not None:
-                self.report("unreachable", _unreachable(left), item.span, "warning")
-                return
-            if _leaves(item):
-                left = item
-        if left is not None and self.findings.main and body is self.findings.top:
-            main = self.findings.main[0].span
-            self.report("unreachable", _unreachable(left), main, "warning")
 
     def activation(self, item: Activate | Deactivate) -> None:
         if item.name in self.findings.whens or item.name in self.findings.raw_names:
@@ -219,39 +200,6 @@ class _Checker:
                     message = Phrase("check-sensor-outside-loop", skill=called)
                     self.report("sensor-outside-loop", message, branch.span, "warning")
                     return
-
-
-def _leaves(item: Item) -> bool:
-    """Whether nothing that follows in the same body can ever be reached."""
-    if isinstance(item, _JUMPS):
-        return True
-    if isinstance(item, While):
-        endless = getattr(item.condition, "value", None) is True
-        return endless and not _breaks(item.body)
-    if isinstance(item, If) and item.otherwise is not None:
-        return all(any(map(_leaves, body)) for body in bodies(item))
-    return False
-
-
-def _breaks(body: Body) -> bool:
-    """Whether a ``break``, or raw Python that may contain one, leaves the loop of this body."""
-    for item in body:
-        if isinstance(item, Break | Raw):
-            return True
-        if not isinstance(item, _LOOPS) and any(map(_breaks, bodies(item))):
-            return True
-    return False
-
-
-def _unreachable(left: Item) -> Phrase:
-    """The message about a statement after one that never continues."""
-    line = str(left.span.line)
-    if isinstance(left, _JUMPS):
-        word = type(left).__name__.lower()
-        return Phrase("check-unreachable-after-jump", word=word, line=line)
-    if isinstance(left, While):
-        return Phrase("check-unreachable-after-loop", line=line)
-    return Phrase("check-unreachable-after-branches", line=line)
 
 
 def _is_whole(text: str) -> bool:

@@ -24,9 +24,11 @@ from learnblock.language.tree.nodes import (
     SkillCall,
     Span,
     String,
+    Unary,
     When,
 )
 from learnblock.language.tree.traversal import set_by, statements
+from learnblock.language.workspace.literals import value_of
 
 
 class Findings:
@@ -114,6 +116,19 @@ class Findings:
     def report(self, code: str, message: Phrase, span: Span, severity: Severity = "error") -> None:
         end = span.end_column if span.end_line == span.line else 0
         self.diagnostics.append(Diagnostic(code, message, span.line, span.column, end, severity))
+
+
+def constant(node: Expression) -> float | str | None:
+    """The value of a literal number or string."""
+    match node:
+        case String(value=text):
+            return text
+        case Number(text=spelled):
+            return value_of(spelled)
+        case Unary(operator="-", operand=Number(text=spelled)):
+            value = value_of(spelled)
+            return None if value is None else -value
+    return None
 
 
 def python_error(text: str, mode: str) -> SyntaxError | None:

@@ -11,6 +11,7 @@ from learnblock.i18n import Phrase
 from learnblock.language.blocktext.slips import write_instead
 from learnblock.language.check.findings import Findings
 from learnblock.language.check.other_names import FUNCTIONS, VALUES
+from learnblock.language.check.python_event_checker import event_slips
 from learnblock.language.python.generation import DEFAULT_ROBOT
 from learnblock.language.tree.nodes import Span
 
@@ -53,6 +54,8 @@ class _PythonChecker:
                     self.report(Phrase("python-robot-import", module=_MODULE), node)
                 case ast.Attribute(value=ast.Name(id="Robot"), attr=skill):
                     self.robot_class(node, skill)
+        for slip in event_slips(self.nodes):
+            self.report(slip.message, slip.node, slip.severity)
         if not self.makes_names():
             self.names()
             self.skills()
@@ -158,6 +161,7 @@ class _PythonChecker:
         start = (node.lineno, node.col_offset + 1)
         if start in self.told:
             return
+        self.told.add(start)
         end = node.end_lineno or node.lineno, (node.end_col_offset or 0) + 1
         self.findings.report("python-slip", message, Span(*start, *end), severity)
 

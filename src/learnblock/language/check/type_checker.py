@@ -7,6 +7,7 @@ from typing import Any
 from learnblock.errors import Severity
 from learnblock.i18n import Phrase
 from learnblock.language.check.findings import Findings
+from learnblock.language.check.list_checker import check_lists
 from learnblock.language.check.types import KNOWN, NUMBERS, TEXTS, Type, Types
 from learnblock.language.tree.builtins import FUNCTIONS
 from learnblock.language.tree.nodes import (
@@ -75,7 +76,10 @@ _ORDERS = frozenset(("<", ">", "<=", ">="))
 
 def check_types(findings: Findings) -> None:
     """Report the expressions of a program that cannot work."""
-    _TypeChecker(findings).run()
+    checker = _TypeChecker(findings)
+    checker.run()
+    if Type.LIST in checker.types.variables.values():
+        check_lists(findings)
 
 
 #: The most times that the advice names; a number such as 1e400 is larger than any whole number.
@@ -168,6 +172,9 @@ class _TypeChecker:
     def conditions(self, item: If | While | When) -> None:
         for condition in expressions(item):
             self.condition(condition)
+            if isinstance(condition, Number) and not isinstance(item, While):
+                message = Phrase("check-number-as-condition", number=condition.text)
+                self.report(message, condition, "warning")
 
     def condition(self, node: Expression) -> None:
         if isinstance(node, Binary) and node.operator in {"and", "or"}:
@@ -235,6 +242,9 @@ class _TypeChecker:
 
     def product(self, left: Expression, right: Expression) -> None:
         kinds = (self.types.of(left), self.types.of(right))
+        if Type.NUMBER in kinds and Type.ANSWER in kinds:
+            answer = left if kinds[0] is Type.ANSWER else right
+            self.report(self.advice(answer), answer, "warning")
         repeatable = TEXTS | {Type.LIST}
         if all(kind in repeatable for kind in kinds):
             # Multiplying text by a number repeats the text.
@@ -338,7 +348,9 @@ class _TypeChecker:
             return Phrase("check-text-for-number")
         if isinstance(node, Name) and (words := self.words(node)) is not None:
             return Phrase("check-words-for-number", name=node.name, text=words)
-        return Phrase("check-convert-to-number", value=self.spelled(node))
+        typed_in = self.types.of(node) is Type.ANSWER
+        code = "check-answer-for-number" if typed_in else "check-convert-to-number"
+        return Phrase(code, value=self.spelled(node))
 
     def words(self, node: Name) -> str | None:
         """A text that a variable holds, if it only ever holds texts that are not numbers."""

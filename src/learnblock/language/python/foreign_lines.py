@@ -6,14 +6,11 @@ Like `learnblock.language.blocktext.foreign_lines`, but for a line that Python c
 from learnblock.language.blocktext.foreign_lines import (
     CURLY_QUOTES,
     KEYWORDS,
-    NAME,
     NAME_WITH_SPACE,
     OPERATORS,
-    REST,
     TEXT_WITHOUT_QUOTES,
-    Rule,
-    at_start,
 )
+from learnblock.language.blocktext.line_rules import NAME, REST, Rule, at_start
 
 _LOOPS = (
     Rule(
@@ -30,15 +27,18 @@ _LOOPS = (
     ),
     Rule(r"\s*for\s.*\bin\s+(?P<wrong>range\s+(\w+))\s*:", r"range(\2)"),
 )
+#: How `when` is written and misspelled.
+_WHEN = "(?:when|whem|wehn|whne|whn|wen|hwen|cuando)"
 _BLOCK_TEXT = (
     *(
         Rule(pattern, "", "python-when", (("decorator", decorator), ("name", r"\1")))
         for pattern, decorator in (
-            (r"\s*when\s+(start)\s*:\s*$", "@robot.when_start"),
-            (rf"\s*when\s+{NAME}\s*:\s*$", "@robot.when"),
-            (rf"\s*when\s+{NAME}\s*=\s*(\S.*?)\s*:\s*$", r"@robot.when(lambda: \2)"),
+            (rf"\s*{_WHEN}\s+(start)\s*:\s*$", "@robot.when_start"),
+            (rf"\s*{_WHEN}\s+{NAME}\s*:\s*$", "@robot.when"),
+            (rf"\s*{_WHEN}\s+{NAME}\s*=\s*(\S.*?)\s*:\s*$", r"@robot.when(lambda: \2)"),
         )
     ),
+    Rule(r"\s*@robot\.when\(\s*(?P<wrong>lambda)\s+(?=robot\b)", "lambda: "),
     Rule(r"\s*main\s*:\s*$", "", "python-main"),
     Rule(r"\s*when\s+\w.*:\s*$", "", "python-block-text"),
     Rule(rf"\s*(activate|deactivate)\s+{NAME}\s*$", r"\2.\1()"),

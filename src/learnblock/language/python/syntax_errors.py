@@ -56,7 +56,9 @@ _HEADERS = {
 }
 #: A bracket is expected to be closed within so many lines.
 _MOST_LINES = 20
+_TEXT = re.compile(r"\"[^\"]*\"|'[^']*'|#.*")
 _CLOSING = {"(": ")", "[": "]", "{": "}"}
+_OPENING = {closing: symbol for symbol, closing in _CLOSING.items()}
 
 
 def syntax_message(error: SyntaxError, text: str) -> Phrase:
@@ -89,6 +91,8 @@ def _with_advice(message: Phrase, error: SyntaxError, lines: _Lines) -> Phrase:
         return Phrase(code, header=lines[header].strip(), spaces=spaces)
     if message.code == "python-expected" and message.values["symbol"] == ":":
         return _colon(lines[number]) or message
+    if message.code == "python-invalid-syntax":
+        return _closed_in_line(lines[number].strip()) or message
     if message.code == "python-never-closed":
         return _never_closed(str(message.values["symbol"]), lines, number)
     return message
@@ -106,12 +110,8 @@ def _colon(line: str) -> Phrase | None:
 def _never_closed(symbol: str, lines: _Lines, number: int) -> Phrase:
     """The message about a bracket, with the whole line if it is closed at its end."""
     closing, line = _CLOSING[symbol], lines[number].strip()
-    for more in ("", ")", "]"):
-        closed = line + closing + more
-        if not line.endswith(",") and _is_python(closed):
-            code = "python-never-closed-in-line" if not more else "python-brackets-never-closed"
-            values = {"symbol": symbol, "closing": closing + more, "instead": closed}
-            return Phrase(code, **values)
+    if (message := _closed_in_line(line)) is not None:
+        return message
     for last in range(number + 1, number + _MOST_LINES):
         after = lines[last].strip()
         line += "\n" + after
@@ -119,6 +119,34 @@ def _never_closed(symbol: str, lines: _Lines, number: int) -> Phrase:
             values = {"symbol": symbol, "closing": closing, "after": after}
             return Phrase("python-never-closed-below", last=str(last), **values)
     return Phrase("python-never-closed", symbol=symbol, closing=closing)
+
+
+def _closed_in_line(line: str) -> Phrase | None:
+    """The message about the brackets of a line, if it is Python once they are closed."""
+    missing = _missing(line)
+    opener = _OPENER.match(line)
+    if opener is None:
+        closed = complete = line + missing
+    else:
+        closed = f"{line.removesuffix(':')}{missing}:"
+        complete = f"{_HEADERS.get(opener[1], '')}{closed} pass"
+    if not missing or line.endswith(",") or not _is_python(complete):
+        return None
+    values = {"closing": missing, "instead": closed}
+    if len(missing) == 1:
+        return Phrase("python-never-closed-in-line", symbol=_OPENING[missing], **values)
+    return Phrase("python-brackets-never-closed", count=str(len(missing)), **values)
+
+
+def _missing(line: str) -> str:
+    """What closes the brackets of a line that it does not close itself."""
+    missing = ""
+    for mark in _TEXT.sub("", line):
+        if mark in _CLOSING:
+            missing = _CLOSING[mark] + missing
+        elif mark == missing[:1]:
+            missing = missing[1:]
+    return missing
 
 
 def _is_python(text: str) -> bool:

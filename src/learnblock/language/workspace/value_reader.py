@@ -58,12 +58,18 @@ class ValueReader(BlockReader):
 
     # Values.
 
-    def value(self, block: Block, name: str, instead: Expression | None = None) -> Expression:
+    def value(
+        self,
+        block: Block,
+        name: str,
+        instead: Expression | None = None,
+        message: str = "workspace-missing-value",
+    ) -> Expression:
         """The value in an input; if there is none, report it and return `instead`."""
         found = plugged(block, name)
         if found is not None:
             return self.expression(found, block)
-        self.report(block, "missing-value", Phrase("workspace-missing-value"))
+        self.report(block, "missing-value", Phrase(message))
         return self.without(block, name, instead)
 
     def without(self, block: Block, name: str, instead: Expression | None = None) -> Expression:
@@ -89,13 +95,13 @@ class ValueReader(BlockReader):
         return self.without(block, name, Constant(value=False))
 
     def number(self, block: Block, name: str) -> Expression:
-        return self.value(block, name, Number("0"))
+        return self.value(block, name, Number("0"), "workspace-missing-number")
 
     def text(self, block: Block, name: str) -> Expression:
-        return self.value(block, name, String(""))
+        return self.value(block, name, String(""), "workspace-missing-text")
 
     def list(self, block: Block, name: str) -> Expression:
-        return self.value(block, name, List())
+        return self.value(block, name, List(), "workspace-missing-list")
 
     def expression(self, block: Block, parent: Block) -> Expression:
         """Read a value block."""

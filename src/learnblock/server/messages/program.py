@@ -127,6 +127,7 @@ class Problem(Struct, frozen=True, omit_defaults=True):
         column: the column, from 1; 0 for the whole line.
         end_column: the column after the last character; 0 if unknown.
         block: the block it belongs to, if any.
+        in_blocks: the message for a reader of blocks; None if it is the same.
     """
 
     code: str
@@ -137,6 +138,7 @@ class Problem(Struct, frozen=True, omit_defaults=True):
     column: int = 0
     end_column: int = 0
     block: str | None = None
+    in_blocks: Phrase | None = None
 
 
 class Place(Struct, frozen=True, array_like=True):

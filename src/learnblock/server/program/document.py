@@ -13,6 +13,7 @@ from learnblock.language.edit.rename import Sort, rename
 from learnblock.language.tree.extents import Extent, moved
 from learnblock.language.tree.nodes import Program as Tree
 from learnblock.language.workspace.blocks import Workspace
+from learnblock.language.workspace.idle_blocks import idle_blocks
 from learnblock.runtime.program import Program
 from learnblock.server.messages import Notation, Place, Problem, View
 from learnblock.server.program.notations import Notations, Target, read_python, with_robot
@@ -221,8 +222,16 @@ class Document:
     def problems(self) -> tuple[Problem, ...]:
         """All errors and warnings."""
         if self.unread:
-            return self.unread.mistakes
-        return (*self.remarks, *problems(self.good, self.target))
+            found = self.unread.mistakes
+        else:
+            found = (*self.remarks, *problems(self.good, self.target))
+        # A block that is still being built has one message at a time.
+        marked = {one.block for one in found}
+        idle = idle_blocks(self.workspace, self.target.configurations)
+        return (
+            *found,
+            *(problem(one, "blocks", block) for block, one in idle if block not in marked),
+        )
 
     @property
     def first_error(self) -> Problem | None:
@@ -236,8 +245,9 @@ class Document:
             LearnBlockError: the program has errors.
         """
         if error := self.first_error:
-            if not error.line:
-                raise LearnBlockError("check-program-error", problem=error.message)
+            if self.origin == "blocks" or not error.line:
+                problem = (self.origin == "blocks" and error.in_blocks) or error.message
+                raise LearnBlockError("check-program-error", problem=problem)
             line = str(error.line)
             raise LearnBlockError("check-program-error-in-line", line=line, problem=error.message)
 

@@ -9,6 +9,7 @@ from learnblock.language import check, parse
 from learnblock.language.tree.extents import Extent, every
 from learnblock.language.tree.nodes import Expression, Item, Main, Program, Raw
 from learnblock.language.tree.traversal import expressions, within
+from learnblock.language.workspace.wording import in_blocks
 from learnblock.server.messages import Problem, View
 from learnblock.server.program.notations import Notations, Target, Written
 
@@ -44,6 +45,7 @@ def problem(diagnostic: Diagnostic, view: View, block: str | None = None) -> Pro
         column=diagnostic.column,
         end_column=diagnostic.end_column,
         block=block,
+        in_blocks=in_blocks(diagnostic.message) if block else None,
     )
 
 
@@ -114,13 +116,15 @@ class _Located:
 
     def in_python(self, diagnostic: Diagnostic) -> Problem:
         """A diagnostic of Block-Text at its line of the generated Python."""
+        block = self.block(diagnostic)
         return Problem(
             code=diagnostic.code,
             message=self.message_in_python(diagnostic.message),
             severity=diagnostic.severity,
             view="python",
             line=self.python_line(diagnostic.line),
-            block=self.block(diagnostic),
+            block=block,
+            in_blocks=in_blocks(diagnostic.message) if block else None,
         )
 
     def message_in_python(self, message: Phrase) -> Phrase:

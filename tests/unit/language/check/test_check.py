@@ -221,13 +221,13 @@ def test_without_a_robot_no_device_is_missing(found):
             Phrase("check-unknown-when-near", name="folow", near="follow"),
         ),
         (
-            "when follow: print(state_folow) end\n",
+            "when follow = True: print(state_folow) end\n",
             "unknown-when",
             Phrase("check-unknown-when-near", name="folow", near="follow"),
         ),
         ("print(x)\nx = 1\n", "unset-variable", Phrase("check-read-before-set", name="x")),
         (
-            "while True: pass end\nx = 1\n",
+            "while True: y = 1 end\nx = 1\n",
             "unreachable",
             Phrase("check-unreachable-after-loop", line="1"),
         ),
@@ -265,7 +265,7 @@ def test_diagnostics_are_in_source_order(found):
     "text",
     [
         "def f(a): return a + b end\nb = 1\nprint(f(2))\n",
-        "when start: total = 0 end\nwhen run: total += 1 end\n",
+        "when start: activate run end\ntotal = 0\nwhen run: total += 1 end\n",
         "for i from 1 to 3: print(i) end\n",
         "for x in [1]: print(x) end\n",
         "python:\n    import os\n    n, m = 1, 2\n    def g(): pass\nend\nprint(n, m)\ng()\n",
@@ -290,7 +290,7 @@ def test_a_variable_must_be_set_before_it_is_read(found):
 
 
 def test_a_main_after_an_endless_loop_is_never_reached(found):
-    text = "while True: pass end\nmain:\n    pass\nend\n"
+    text = "while True: y = 1 end\nmain:\n    pass\nend\n"
     assert [(3, "warning", "unreachable")] == found(text)
 
 

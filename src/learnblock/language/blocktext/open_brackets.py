@@ -1,0 +1,51 @@
+"""Find out what a bracket that is never closed was meant to contain."""
+
+from collections.abc import Sequence
+
+from learnblock.language.blocktext.lexer import Token
+
+CLOSING = {"(": ")", "[": "]"}
+_LINE_ENDS = frozenset(("newline", "comment"))
+#: They begin a line that belongs to the brackets above.
+_VALUES = frozenset(("number", "string", "raw", "[", "(", "-", "True", "False", "None"))
+#: They follow a variable in a list; after a variable that begins a statement is something else.
+_AFTER_NAME = frozenset((",", "]", ")", *_LINE_ENDS))
+
+
+def opened(tokens: Sequence[Token]) -> list[Token]:
+    """The brackets among some tokens that these do not close."""
+    found: list[Token] = []
+    for token in tokens:
+        if token.kind in CLOSING:
+            found.append(token)
+        elif found and token.kind == CLOSING[found[-1].kind]:
+            found.pop()
+    return found
+
+
+def closing(brackets: Sequence[Token]) -> str:
+    """What closes some brackets."""
+    return "".join(CLOSING[one.kind] for one in reversed(brackets))
+
+
+def end_of_values(tokens: Sequence[Token], end: int) -> int:
+    """The index of the last line end of values that go on below a line.
+
+    Args:
+        tokens: the program.
+        end: the index of the line end after a comma or an opening bracket.
+    """
+    while _goes_on(tokens, end + 1):
+        end += 1
+        while tokens[end].kind not in _LINE_ENDS:
+            end += 1
+        if tokens[end - 1].kind != ",":
+            break
+    return end
+
+
+def _goes_on(tokens: Sequence[Token], first: int) -> bool:
+    if first + 1 >= len(tokens):
+        return False
+    kind, after = tokens[first].kind, tokens[first + 1].kind
+    return kind in _VALUES or (kind == "name" and after in _AFTER_NAME)

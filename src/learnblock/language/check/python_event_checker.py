@@ -1,0 +1,67 @@
+"""Find slips in the events of a Python program: functions below ``@robot.when``."""
+
+import ast
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from learnblock.errors import Severity
+from learnblock.i18n import Phrase
+
+_EVENTS = frozenset(("when", "when_start"))
+#: Conditions that would be checked only once, when the program is read.
+_CONDITIONS = (ast.Call, ast.Compare, ast.BoolOp, ast.UnaryOp)
+
+
+class EventSlip(NamedTuple):
+    """A slip, and the part of the program that it is in."""
+
+    node: ast.expr
+    message: Phrase
+    severity: Severity = "error"
+
+
+def event_slips(nodes: Iterable[ast.AST]) -> Iterator[EventSlip]:
+    """Find the slips among all nodes of a program."""
+    events: list[ast.expr] = []
+    runs = False
+    for node in nodes:
+        match node:
+            case ast.FunctionDef(decorator_list=decorators):
+                events += filter(_is_event, decorators)
+                yield from filter(None, map(_of_decorator, decorators))
+            case ast.Expr(value=value) if _is_event(value):
+                yield EventSlip(value, Phrase("python-event-without-at", name=_name(value)))
+            case ast.Attribute(value=ast.Name(id="robot"), attr="run"):
+                runs = True
+    if events and not runs:
+        yield EventSlip(events[0], Phrase("python-never-run"), "warning")
+
+
+def _of_decorator(node: ast.expr) -> EventSlip | None:
+    match _called(node):
+        case ast.Attribute(value=ast.Name(id="robot"), attr=name) if name not in _EVENTS:
+            return EventSlip(node, Phrase("python-unknown-event", found=f"@robot.{name}"))
+        case ast.Name(id=name) if name in _EVENTS:
+            message = Phrase("python-event-of-robot", found=f"@{name}", name=name)
+            return EventSlip(node, message)
+    match node:
+        case ast.Call(args=[condition]) if _is_event(node) and isinstance(condition, _CONDITIONS):
+            message = Phrase("python-event-without-lambda", condition=ast.unparse(condition))
+            return EventSlip(condition, message)
+    return None
+
+
+def _is_event(node: ast.expr) -> bool:
+    match _called(node):
+        case ast.Attribute(value=ast.Name(id="robot"), attr=name):
+            return name in _EVENTS
+    return False
+
+
+def _name(node: ast.expr) -> str:
+    found = _called(node)
+    return found.attr if isinstance(found, ast.Attribute) else ""
+
+
+def _called(node: ast.expr) -> ast.expr:
+    return node.func if isinstance(node, ast.Call) else node

@@ -1,0 +1,101 @@
+"""Messages about a program in the words of blocks: they advise a block, not a line to write."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from learnblock.i18n import Phrase, Value
+
+#: The messages about blocks, by those about text whose advice is a line or a spelling.
+_IN_BLOCKS: Mapping[str, str] = MappingProxyType(
+    {
+        "check-unknown-name": "workspace-unknown-name",
+        "check-unknown-name-near": "workspace-unknown-name-near",
+        "check-read-before-set": "workspace-read-before-set",
+        **dict.fromkeys(
+            (
+                "check-unknown-function",
+                "check-unknown-function-near",
+                "check-unknown-function-meant",
+            ),
+            "workspace-unknown-function",
+        ),
+        **dict.fromkeys(
+            (
+                "check-unknown-skill",
+                "check-unknown-skill-near",
+                "check-unknown-skill-meant",
+            ),
+            "workspace-no-such-skill",
+        ),
+        "check-unknown-when": "workspace-unknown-when",
+        "check-unknown-when-near": "workspace-unknown-when-near",
+        "check-never-started": "workspace-never-started",
+        "check-events-never-run": "workspace-events-never-run",
+        "check-defined-twice": "workspace-defined-twice",
+        "check-not-imported": "workspace-not-imported",
+        "check-missing-argument": "workspace-missing-argument",
+        "check-too-many-arguments": "workspace-too-many-arguments",
+        "check-number-expected": "workspace-text-for-number",
+        "check-text-for-number": "workspace-text-for-number",
+        "check-number-in-quotes": "workspace-number-as-text",
+        "check-number-without-quotes": "workspace-number-as-text",
+        "check-outside-range": "workspace-outside-range",
+        "check-negative-wait": "workspace-negative-wait",
+        "check-unknown-choice": "workspace-no-such-choice",
+        "check-not-a-colour": "workspace-not-a-colour",
+        "check-whole-number": "workspace-whole-number",
+        "check-step-zero": "workspace-step-zero",
+        "check-counts-up": "workspace-counts-up",
+        "check-never-repeats": "workspace-never-repeats",
+        "check-idle-loop": "workspace-idle-loop",
+        "check-speed-as-angle": "workspace-speed-as-angle",
+        "check-convert-to-number": "workspace-convert-to-number",
+        "check-answer-for-number": "workspace-answer-for-number",
+        "check-list-for-number": "workspace-list-for-number",
+        "check-join-text": "workspace-join-text",
+        "check-append": "workspace-append",
+        "check-never-equal": "workspace-never-equal",
+        "check-repeat-whole-number": "workspace-repeat-whole-number",
+        "check-for-number": "workspace-for-number",
+        "check-text-as-condition": "workspace-text-as-condition",
+        "check-number-as-condition": "workspace-number-as-condition",
+        "check-action-as-condition": "workspace-action-as-condition",
+        "check-no-result": "workspace-no-result",
+        "check-bare-value": "workspace-bare-value",
+        "check-divide-by-zero": "workspace-divide-by-zero",
+        "check-length-of-number": "workspace-length-of-number",
+        "check-numbers-of-list": "workspace-numbers-of-list",
+        "check-past-end": "workspace-past-end",
+        "check-loop-past-end": "workspace-loop-past-end",
+        "check-empty-list-item": "workspace-empty-list-item",
+        "check-calls-itself": "workspace-calls-itself",
+        "check-skill-without-answer": "workspace-skill-without-answer",
+        "check-skill-without-base": "workspace-skill-without-effect",
+        "check-skill-without-effect": "workspace-skill-without-effect",
+        "check-no-device-of-name": "workspace-no-device-of-name",
+        "check-outside-loop": "workspace-outside-loop",
+        "check-outside-function": "workspace-outside-function",
+        "check-unreachable-after-jump": "workspace-unreachable-after-jump",
+        "check-unreachable-after-loop": "workspace-unreachable-after-loop",
+        "check-unreachable-after-branches": "workspace-unreachable-after-branches",
+        "check-sensor-outside-loop": "workspace-sensor-outside-loop",
+    }
+)
+
+
+#: The signs of comparisons on blocks.
+_SIGNS: Mapping[str, str] = MappingProxyType({"==": "=", "!=": "≠", "<=": "≤", ">=": "≥"})
+
+
+def in_blocks(message: Phrase) -> Phrase | None:
+    """The words for a block; None if those for the text suit it."""
+    code = _IN_BLOCKS.get(message.code)
+    if code is None:
+        return None
+    return Phrase(code, **{name: _value(value) for name, value in message.values.items()})
+
+
+def _value(value: Value) -> Value:
+    if isinstance(value, Phrase):
+        return in_blocks(value) or value
+    return _SIGNS.get(value, value) if isinstance(value, str) else value
