@@ -302,15 +302,15 @@ class ExpressionParser(TokenReader):
             )
         else:
             # The lines below have been understood, so they are not read as statements.
-            self.index = end
-            last = str(tokens[end - 1].line)
-            below = self.lines[tokens[end - 1].line - 1].strip().removesuffix(",")
+            self.kinds[self.index : end] = ["continued"] * len(values)
+            last = tokens[end - 1]
+            below = self.lines[last.line - 1][: last.column - 1] + last.text
             message = Phrase(
                 "blocktext-unclosed-bracket-below",
                 opening=brackets[-1].text,
                 closing=open_brackets.closing(brackets),
-                last=last,
-                instead=below + open_brackets.closing(brackets),
+                last=str(last.line),
+                instead=below.strip().removesuffix(",") + open_brackets.closing(brackets),
             )
         return self.slip("unclosed-bracket", message, brackets[-1])
 

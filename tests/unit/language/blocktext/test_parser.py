@@ -181,3 +181,9 @@ def test_text_that_no_program_can_contain_is_refused(text):
 def test_the_name_of_an_import_is_normalized_as_in_python():
     program = parse('import "songsʳslow"\n')
     assert Import("songsrslow") == program.items[0]
+
+
+def test_open_brackets_above_a_line_that_resembles_a_slip_are_reported_once():
+    text = "function.turn(print(\na, b, c = values#c\nlambda #c\n"
+    _, diagnostics = recover(text)
+    assert [("unclosed-bracket", 1)] == [(one.code, one.line) for one in diagnostics][:1]
