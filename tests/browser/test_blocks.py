@@ -23,7 +23,6 @@ main:
 end
 """
 LOOSE = re.compile("lbLoose")
-WARNED = re.compile("lbWarning")
 #: Comments and Python code are grey, and a number is white like its field, in any tab.
 PLAIN = ("lb_comment", "lb_python", "lb_python_value", "math_number")
 #: The colours of the other blocks in the open tab.
@@ -80,16 +79,14 @@ def test_blocks_that_do_not_run_are_drawn_as_inactive_until_they_are_connected(p
     expect(pupil.block(wait)).not_to_have_class(LOOSE)
 
 
-def test_a_loose_block_says_on_itself_why_it_does_not_run(pupil):
+def test_a_loose_block_is_explained_in_the_list_and_keeps_its_shape(pupil):
     wait = pupil.take("Waiting", "lb_skill_sleep")
     words = "not connected to the program"
-    expect(pupil.block(wait)).to_have_class(WARNED)
     expect(pupil.tab("Problems").locator(".problem.warning")).to_contain_text(words)
-    expect(opened_note(pupil, wait)).to_contain_text("not connected")
-    pupil.picture("loose-note")
+    expect(pupil.block(wait).locator("> .blocklyIconGroup")).to_have_count(0)
+    pupil.picture("loose")
     pupil.put_into(wait, pupil.blocks("lb_main").get_attribute("data-id"))
     pupil.sees("blocktext", "function.sleep")
-    expect(pupil.block(wait)).not_to_have_class(WARNED)
     expect(pupil.page.locator(".problem")).to_have_count(0)
 
 
@@ -98,7 +95,8 @@ def test_a_mistake_is_worded_for_blocks_on_its_block_and_for_text_in_the_list(pu
     answer = pupil.blocks("controls_repeat_ext").locator(".variables_get")
     expect(answer).to_have_class(re.compile("lbError"))
     expect(pupil.tab("Problems").locator(".problem.error")).to_contain_text("Write 'int(n)'")
-    expect(opened_note(pupil, answer.get_attribute("data-id"))).to_contain_text("block 'int'")
+    note = opened_note(pupil, answer.get_attribute("data-id"))
+    expect(note).to_contain_text("'int' from the tab")
     pupil.picture("worded-for-blocks")
 
 

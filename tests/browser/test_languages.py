@@ -60,7 +60,7 @@ DIALOGS = {
     "history": ("project", 5),
     "block sets": ("project", 6),
     "tag names": ("project", 9),
-    "delete": ("project", 14),
+    "delete": ("project", 15),
     "tour": ("help", 0),
     "settings": ("help", 1),
     "shortcuts": ("help", 3),

@@ -52,6 +52,9 @@ PROGRAMS = {
     "quotes": filled('"'),
     "tabs": filled("\t "),
     "colons": filled("a:\n"),
+    "lists over lines": "x = [1,\n" + filled("[1,\n"),
+    "calls over lines": filled("f(1,\n2,\n"),
+    "calls of lists": filled("x = values[i]\n"),
 }
 _PYTHON = {
     "assignments": PROGRAMS["assignments"],
@@ -66,6 +69,7 @@ _PYTHON = {
     "nested lambdas": "x = " + filled("lambda: ") + "1",
     "strings": "x = " + filled('"a" '),
     "tuples": "x = " + filled("1, "),
+    "brackets in a string": 'x = "\\"' + filled("(", 200_000) + '" )',
 }
 
 

@@ -13,6 +13,8 @@ type Severity = Problem["severity"];
 const WARNING_ID = "learnblock";
 /** The characters in a line of a note, which must fit beside its block on a narrow page. */
 const LINE = 45;
+/** Such a block is drawn as inactive; an icon would move its content while a user puts it into place. */
+const LOOSE = "loose-block";
 const CLASSES: Record<Severity, string> = { error: "lbError", warning: "lbWarning" };
 
 interface Finding {
@@ -75,8 +77,8 @@ export class Marks {
 
 function collect(problems: readonly Problem[]): Map<string, Finding> {
   const found = new Map<string, Finding>();
-  for (const { block, message, in_blocks, severity } of problems) {
-    if (!block) continue;
+  for (const { block, code, message, in_blocks, severity } of problems) {
+    if (!block || code === LOOSE) continue;
     const known = found.get(block);
     const text = say(in_blocks ?? message);
     found.set(block, known ? join(known, text, severity) : { severity, text });

@@ -68,6 +68,7 @@ blocktext-without-space = Write '{ $operator }' without a space.
 blocktext-slice = Write 'sublist(values, from, to)' for part of a list.
 blocktext-unclosed-bracket = This '{ $opening }' is never closed. Write '{ $closing }' where it ends.
 blocktext-unclosed-bracket-in-line = This '{ $opening }' is never closed. Write '{ $closing }' at the end of the line: '{ $instead }'.
+blocktext-unclosed-bracket-before-colon = This '(' is never closed. Write ')' before the ':': '{ $instead }'.
 blocktext-unclosed-bracket-below = This '{ $opening }' is never closed. Write '{ $closing }' at the end of line { $last }: '{ $instead }'.
 blocktext-too-deep = This is nested too deeply. Store part of it in a variable.
 blocktext-number-too-long = A number with { $digits } digits is too long. It must have fewer than { $limit }.

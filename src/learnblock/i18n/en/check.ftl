@@ -26,8 +26,8 @@ check-unknown-when = There is no 'when { $name }'. Write one, or check the name.
 # $name: of an event that has no condition
 check-never-started = Nothing starts 'when { $name }', so it never runs. Write 'activate { $name }' where it should start, or give it a condition: 'when { $name } = ...:'.
 check-never-started-python = Nothing starts the event '{ $name }', so it never runs. Write '{ $name }.activate()' where it should start, or give it a condition: '@robot.when(lambda: ...)'.
-check-events-never-run = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into a 'when', or leave the loop with 'break'.
-check-events-never-run-python = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into a function below '@robot.when', or leave the loop with 'break'.
+check-events-never-run = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into an event that always runs, such as 'when drive = True:', or end the loop with 'if ...:' and 'break' in it.
+check-events-never-run-python = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into a function below '@robot.when(lambda: True)', or end the loop with 'if ...:' and 'break' in it.
 check-unknown-when-near = There is no 'when { $name }'. Did you mean '{ $near }'?
 # $word: def or when
 check-defined-twice = There is another '{ $word } { $name }' on line { $line }. Rename one or combine them.
@@ -77,10 +77,10 @@ check-not-a-colour = '{ $parameter }' of '{ $call }' is { $value } here. Write a
 check-whole-number = 'for ... from ... to' counts in whole numbers, not { $number }.
 check-text-for-number = This is text, but it must be a number.
 check-counts-up = This loop never runs, because it counts up from { $start } to { $stop }. To count down, write 'for { $name } from { $start } to { $stop } step -1:'.
-check-counts-up-python = This loop never runs, because it counts up from { $start }. To count down, give 'range' a third number: -1.
+check-counts-up-python = This loop never runs, because it counts up and { $stop } is not above { $start }. To count down, write 'range({ $start }, { $stop }, -1)': it stops before { $stop }.
 check-never-repeats = With 'repeat { $count }' the lines inside never run. Write a number above 0.
 check-never-repeats-python = With 'range({ $count })' the lines inside never run. Write a number above 0.
-check-idle-loop = This loop does nothing, so nothing ever ends it. Write inside it what it should repeat, or remove it.
+check-idle-loop = This loop does nothing, so it never ends. Write the lines to repeat inside it, or remove it.
 check-step-zero = With 'step 0' the loop would never end. Write another step.
 
 check-speed-as-angle = '{ $call }' takes a speed: the robot would keep turning at { $speed }°/s. Write '{ $turn }' to turn { $side ->
@@ -92,6 +92,7 @@ check-speed-as-angle = '{ $call }' takes a speed: the robot would keep turning a
 
 check-convert-to-number = '{ $value }' is text here, but a number is needed. Write 'int({ $value })'.
 check-answer-for-number = What is typed in is always text, even a number such as 5. Write 'int({ $value })' to make it a number.
+check-answer-changed = '{ $name }' holds what was typed in, which is always text, even 5. Write '{ $instead }'.
 check-words-for-number = '{ $name }' holds text, such as "{ $text }", but a number is needed. Use a variable that holds a number.
 check-number-without-quotes = A number is needed here, not text. Write { $number } without quotes.
 check-list-for-number = '{ $values }' is a list here, but a number is needed. Write '{ $values }[0]' for its first item, or 'len({ $values })' for their number.
@@ -115,9 +116,10 @@ check-past-end = { $length ->
     [one] '{ $values }' has no item { $index }. It has only 1 item, and items are counted from 0: write '{ $values }[0]'.
    *[other] '{ $values }' has no item { $index }. It has { $length } items, counted from 0: write '{ $values }[{ $last }]' for the last one.
 }
-check-loop-past-end = In the last round there is no item { $index }, because items are counted from 0. Write 'for { $index } from 0 to len({ $values }) - 1:'.
-check-loop-past-end-python = In the last round there is no item { $index }, because items are counted from 0. Write 'for { $index } in range(len({ $values })):'.
-check-empty-list-item = '{ $values }' is empty here, so it has no item { $index }. Put items into it first.
+check-loop-past-end = In the last round there is no item { $index }, because items are counted from 0. Change line { $line } to 'for { $index } from 0 to len({ $values }) - 1:'.
+check-loop-past-end-python = In the last round there is no item { $index }, because items are counted from 0. Change line { $line } to 'for { $index } in range(len({ $values })):'.
+check-empty-list-item = '{ $values }' is empty here, so it has no item { $index }. Put items into it first, for example with 'append({ $values }, 5)'.
+check-empty-list-item-python = '{ $values }' is empty here, so it has no item { $index }. Put items into it first, for example with '{ $values }.append(5)'.
 check-variable-called = '{ $name }' is a number, not a function. Write '{ $name } * ({ $value })' to multiply.
 check-list-called = '{ $name }' is not a function. Write '{ $name }[{ $value }]' for one of its items.
 check-not-whole = "{ $text }" is not a whole number, so 'int' can't read it. Write digits only, such as "4".
@@ -170,7 +172,8 @@ check-too-many-loops = More than { $limit } loops are nested here, which is too 
 # $word: break or continue
 check-outside-loop = '{ $word }' only works inside a loop. Move it into one, or remove it.
 check-outside-function = 'return' only works inside a 'def'. Move it into one, or remove it.
-check-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this line, and write 'while True:' around the others.
+check-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this line. Write 'while True:' above the other lines of '{ $name }' and 'end' below them.
+check-calls-itself-python = '{ $name }' calls itself here again and again, without end. Remove this line. Write 'while True:' above the other lines of '{ $name }', and indent them by 4 more spaces.
 # $word: break, continue or return
 check-unreachable-after-jump = This is never reached because of '{ $word }' on line { $line }. Write it above that line, or remove it.
 check-unreachable-after-loop = This is never reached because the 'while True' loop on line { $line } never ends. Write it in the loop or above, or leave the loop with 'break'.

@@ -52,6 +52,7 @@ python-unknown-when = There is no event '{ $name }'. Write '@robot.when' and, be
 
 # $found: such as @robot.whem
 python-unknown-event = There is no '{ $found }'. Write '@robot.when' for an event, or '@robot.when_start' for what runs once at the start.
+python-unknown-event-near = There is no '{ $found }'. Did you mean '@robot.{ $near }'?
 python-event-of-robot = An event belongs to the robot. Write '@robot.{ $name }' instead of '{ $found }'.
 python-event-without-at = An event begins with '@'. Write '@robot.{ $name }'.
 python-event-without-lambda = An event has to ask its condition again and again. Write '@robot.when(lambda: { $condition })'.

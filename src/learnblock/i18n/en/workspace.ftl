@@ -4,7 +4,10 @@ workspace-missing-value = This block has an empty slot. Plug a value into it, su
 workspace-missing-number = This block has an empty slot for a number. Plug one in, such as a number from the tab 'Maths' or a variable.
 workspace-missing-text = This block has an empty slot for a text. Plug one in, such as a text from the tab 'Text' or a variable.
 workspace-missing-list = This block has an empty slot for a list. Plug one in, such as 'create list with' or a variable.
-workspace-missing-condition = This block has no condition, which counts as false. Plug one in, such as a question of the robot or a comparison.
+workspace-missing-text-or-list = 'length of' has an empty slot. Plug in text from the tab 'Text', 'create list with' from the tab 'Lists', or a variable.
+workspace-missing-variable-of-list = This block has no list to change. Plug in a variable that holds a list.
+workspace-missing-condition = A condition is missing in this block, and an empty slot counts as 'false'. Plug in a comparison from the tab 'Logic' or a question for the robot.
+workspace-missing-side = One side of this block is empty, and an empty slot counts as 'false'. Plug in a comparison from the tab 'Logic' or a question for the robot.
 workspace-empty-block = There is nothing inside this block, so it does nothing. Put blocks into it, or remove it.
 workspace-missing-variable = This block is missing a variable. Choose one.
 workspace-missing-python = Write a Python expression here.
@@ -36,6 +39,10 @@ workspace-loose-blocks = { $count ->
     [one] This block does not run, because it is not connected to the program. Drag it under 'main program' or another block of the program, or delete it.
    *[other] These { $count } blocks do not run, because they are not connected to the program. Drag them under 'main program' or another block of the program, or delete them.
 }
+workspace-no-program = { $count ->
+    [one] This block does not run, because the program has no 'main program'. Take it from the tab 'Start', and drag this block under it.
+   *[other] These { $count } blocks do not run, because the program has no 'main program'. Take it from the tab 'Start', and drag these blocks under it.
+}
 workspace-loose-value = This value is not plugged into any block, so it does nothing. Drag it into a slot of another block, or delete it.
 workspace-only-functions = '{ $name }' is never called, so the program does nothing. Take 'main program' from the tab 'Start', and put '{ $name }' from the tab 'Functions' under it.
 
@@ -43,28 +50,28 @@ workspace-only-functions = '{ $name }' is never called, so the program does noth
 
 workspace-unknown-name = '{ $name }' has no value. Put a block 'set { $name } to' from the tab 'Variables' above.
 workspace-unknown-name-near = '{ $name }' has no value. Did you mean '{ $near }'? Choose it in this block.
-workspace-read-before-set = '{ $name }' has no value yet when the program gets here. Put a block 'set { $name } to' above.
+workspace-read-before-set = '{ $name }' has no value yet when the program gets here. Move the block 'set { $name } to' up to the beginning of the program.
 workspace-unknown-function = There is no function '{ $name }'. Make it with a 'define' block from the tab 'Functions', or remove this block.
 workspace-no-such-skill = The robot has no skill '{ $name }'. Remove this block, and take another one from the palette.
 workspace-unknown-when = There is no event '{ $name }'. Make it with 'New event…' in the tab 'Events', or choose another one in this block.
 workspace-unknown-when-near = There is no event '{ $name }'. Did you mean '{ $near }'? Choose it in this block.
-workspace-never-started = Nothing starts the event '{ $name }', so it never runs. Put a block 'start { $name }' into the program, or add a condition to this block with its '+'.
-workspace-events-never-run = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into an event, or leave the loop with 'break out of loop'.
+workspace-never-started = Nothing starts the event '{ $name }', so it never runs. Put a block 'start { $name }' from the tab 'Events' into the program, or add a condition to this block with its '+'.
+workspace-events-never-run = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into an event with 'true' as its condition, or put an 'if' with 'break out of loop' into the loop.
 # $word: def or when
 workspace-defined-twice = { $word ->
     [def] There are two functions '{ $name }'.
    *[other] There are two events '{ $name }'.
-} Rename this one, or move its blocks to the other one.
+} Rename this one, or move its blocks to the other one and delete this one.
 workspace-not-imported = This block belongs to the library '{ $library }'. Put a block 'import { $library }' from the tab 'Control' under 'at the start'.
 # $names: of the parameters without a value
-workspace-missing-argument = This block needs values for: { $names }. Remove it, and take '{ $call }' from the palette again: it has slots for them.
+workspace-missing-argument = This block needs a value for: { $names }. Remove it, and take '{ $call }' from the palette again: that one has all its slots.
 workspace-too-many-arguments = { $most ->
     [0] '{ $call }' takes no values.
     [one] '{ $call }' takes only 1 value ({ $parameters }).
    *[other] '{ $call }' takes only { $most } values ({ $parameters }).
-} Take this one out.
+} Remove the whole block, and take '{ $call }' from the palette again: it has the right slots.
 workspace-text-for-number = This is text, but a number is needed. Put a number from the tab 'Maths' here.
-workspace-number-as-text = "{ $number }" is text here, but a number is needed. Replace this block with the number { $number } from the tab 'Maths'.
+workspace-number-as-text = "{ $number }" is text here, but a number is needed. Replace this block with a number from the tab 'Maths', and write { $number } in it.
 workspace-outside-range = This value is { $value }. Choose one between { $least } and { $most }.
 workspace-negative-wait = The robot can't wait { $seconds } seconds. Write 0 or more.
 # $choices: as in a program
@@ -73,41 +80,42 @@ workspace-not-a-colour = { $value } is not a colour. Choose one in this block.
 workspace-whole-number = 'count with' counts in whole numbers, not { $number }. Write a whole number.
 workspace-step-zero = With 'by 0' the loop would never end. Write another number after 'by'.
 workspace-counts-up = This loop never runs, because it counts up from { $start } to { $stop }. Write -1 after 'by' to count down.
-workspace-never-repeats = With { $count } times, the blocks inside never run. Write a number above 0.
-workspace-idle-loop = Nothing is inside this loop, so nothing ever ends it. Put the blocks to repeat into it, or remove it.
-workspace-speed-as-angle = This is a speed: the robot would keep turning at { $speed }°/s. To turn by { $speed } degrees, use the block 'turn right by ...°'{ $side ->
-    [left] {" "}with -{ $speed }
-   *[other] {""}
-}.
+workspace-never-repeats = Repeating { $count } times means that the blocks inside never run. Write a number above 0.
+workspace-idle-loop = Nothing is inside this loop, so it never ends. Put the blocks that it should repeat into it, or remove it.
+workspace-speed-as-angle = This is a speed: the robot would keep turning at { $speed }°/s. { $side ->
+    [left] To turn left by { $speed } degrees, use the block 'turn right by ...°' with -{ $speed }: a negative angle turns left.
+   *[other] To turn by { $speed } degrees, use the block 'turn right by ...°'.
+}
 workspace-convert-to-number = This is text, but a number is needed. Put the block 'int' from the tab 'Text' around it, which makes it a number.
-workspace-answer-for-number = What is typed in is always text, even a number such as 5. Put the block 'int' from the tab 'Text' around this, which makes it a number.
+workspace-answer-for-number = What is typed in is always text, even 5, but a number is needed here. Put the block 'int' from the tab 'Text' around this.
+workspace-answer-changed = '{ $name }' holds what was typed in, which is always text, even 5. Use 'set { $name } to' with 'int' from the tab 'Text' around what was typed in.
 workspace-list-for-number = This is a list, but a number is needed. Use 'in list ... get #' for one of its items, or 'length of' for how many it has.
 workspace-join-text = Only text can be added to text. Put the block 'str' from the tab 'Text' around this, which makes it text.
-workspace-append = Only a list can be added to a list. To add one item, use 'in list ... insert at last' from the tab 'Lists'.
+workspace-append = Only a list can be added to a list. To add one item, replace the whole block 'set ... to' with 'in list ... insert at last' from the tab 'Lists'.
 # $advice: one of the messages about text for a number
 workspace-never-equal = Text never equals a number. { $advice }
 workspace-repeat-whole-number = 'repeat' needs a whole number, not { $number }. Write { $less } or { $more }.
 workspace-for-number = This is a number, not a list. To count, use 'count with { $name } from 1 to { $value }' instead of 'for each item'.
-workspace-text-as-condition = Text is always true. Put a question of the robot or a comparison here.
-workspace-number-as-condition = The number { $number } is not a condition. Put a question of the robot or a comparison here.
-workspace-action-as-condition = This block does something and answers nothing. Put a question of the robot or a comparison here.
+workspace-text-as-condition = Text is not a condition: it counts as true. Put a comparison from the tab 'Logic' or a question for the robot here.
+workspace-number-as-condition = The number { $number } is not a condition. Put a comparison from the tab 'Logic' or a question for the robot here.
+workspace-action-as-condition = This block does something and answers nothing. Put a comparison from the tab 'Logic' or a question for the robot here.
 workspace-no-result = This function returns nothing, so there is no value to use. Give it a 'return' block, or put it into the program without this block around it.
 workspace-bare-value = Each side of '{ $operator }' needs its own comparison. Replace this with '{ $variable } { $comparison } { $value }' from the tab 'Logic'.
 workspace-divide-by-zero = Nothing can be divided by 0. Write another number here.
-workspace-length-of-number = 'length of' needs a text or a list, but this is a number. Plug a text or a list in.
-workspace-numbers-of-list = This block calculates with the numbers of a list, but this is text. Plug in a list, such as 'create list with'.
+workspace-length-of-number = 'length of' needs text or a list, but this is a number. Plug in text or a list instead.
+workspace-numbers-of-list = This is text, but the block around it needs a list of numbers. Replace it with 'create list with' from the tab 'Lists', and plug numbers into that.
 workspace-past-end = { $length ->
     [one] There is no item # { $index }. The list has only 1 item, which is # 0: items are counted from 0.
    *[other] There is no item # { $index }. The list has { $length } items, and they are counted from 0: the last one is # { $last }.
 }
 workspace-loop-past-end = There is no item # { $index } in the last round: items are counted from 0. Count from 0 to 'length of { $values }' - 1.
-workspace-empty-list-item = '{ $values }' is empty, so it has no item # { $index }. Put items into the list above first.
-workspace-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this block, and put 'repeat while true' around the others.
+workspace-empty-list-item = '{ $values }' is empty, so it has no item # { $index }. Before this block, put items into it with 'in list ... insert at last' from the tab 'Lists'.
+workspace-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this block, and put 'repeat while' with 'true' in its slot around the other blocks of '{ $name }'.
 # $devices: noun phrases from check-device
 workspace-skill-without-answer = This robot has no { $devices }, so it can't answer this question. Remove the block, or choose another robot.
 workspace-skill-without-effect = This robot has no { $devices }, so this block does nothing. Remove it, or choose another robot.
 workspace-no-device-of-name = This robot has no { $device } '{ $key }', so this block does nothing. Choose one of: { $known }.
-workspace-outside-loop = This block only works inside a loop. Move it into a 'repeat', 'count' or 'for each' block, or remove it.
+workspace-outside-loop = This block only works inside a loop. Move it into a 'repeat', 'count with' or 'for each item' block, or remove it.
 workspace-outside-function = This block only works inside a function. Move it into a 'define' block, or remove it.
 workspace-unreachable-after-jump = This block never runs: the block above it leaves { $word ->
     [return] the function
@@ -115,4 +123,4 @@ workspace-unreachable-after-jump = This block never runs: the block above it lea
 } first. Move it above that block, or remove it.
 workspace-unreachable-after-loop = This block never runs: the loop above it never ends. Move it into the loop or above it, or leave the loop with 'break out of loop'.
 workspace-unreachable-after-branches = This block never runs: every branch of the 'if' above leaves before it. Move it above the 'if', or remove it.
-workspace-sensor-outside-loop = The robot is asked only once, when the program gets here. Put this block into 'repeat while true' to keep asking, or use an event from the tab 'Events'.
+workspace-sensor-outside-loop = The robot is asked only once, when the program gets here. To keep asking, put this block into 'repeat while' with 'true' in its slot, or use an event from the tab 'Events'.

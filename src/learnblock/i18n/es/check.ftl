@@ -26,8 +26,8 @@ check-unknown-when = No hay ningún 'when { $name }'. Escribe uno, o revisa el n
 # $name: of an event that has no condition
 check-never-started = Nada inicia 'when { $name }', así que no se ejecuta nunca. Escribe 'activate { $name }' donde deba empezar, o dale una condición: 'when { $name } = ...:'.
 check-never-started-python = Nada inicia el evento '{ $name }', así que no se ejecuta nunca. Escribe '{ $name }.activate()' donde deba empezar, o dale una condición: '@robot.when(lambda: ...)'.
-check-events-never-run = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a un 'when', o sal del bucle con 'break'.
-check-events-never-run-python = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a una función debajo de '@robot.when', o sal del bucle con 'break'.
+check-events-never-run = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a un evento que se ejecute siempre, como 'when drive = True:', o termina el bucle con 'if ...:' y 'break' dentro.
+check-events-never-run-python = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a una función debajo de '@robot.when(lambda: True)', o termina el bucle con 'if ...:' y 'break' dentro.
 check-unknown-when-near = No hay ningún 'when { $name }'. ¿Querías decir '{ $near }'?
 # $word: def or when
 check-defined-twice = Ya hay otro '{ $word } { $name }' en la línea { $line }. Cambia el nombre de uno o únelos.
@@ -76,11 +76,11 @@ check-unknown-choice = '{ $parameter }' de '{ $call }' es { $value } aquí. Las 
 check-not-a-colour = '{ $parameter }' de '{ $call }' es { $value } aquí. Escribe un color como "#ff8800".
 check-whole-number = 'for ... from ... to' cuenta con números enteros, no con { $number }.
 check-text-for-number = Esto es un texto, pero tiene que ser un número.
-check-counts-up = Este bucle no se ejecuta nunca, porque cuenta hacia arriba de { $start } a { $stop }. Para contar hacia atrás escribe 'for { $name } from { $start } to { $stop } step -1:'.
-check-counts-up-python = Este bucle no se ejecuta nunca, porque cuenta hacia arriba desde { $start }. Para contar hacia atrás dale a 'range' un tercer número: -1.
+check-counts-up = Este bucle no se ejecuta nunca, porque cuenta hacia delante de { $start } a { $stop }. Para contar hacia atrás escribe 'for { $name } from { $start } to { $stop } step -1:'.
+check-counts-up-python = Este bucle no se ejecuta nunca, porque cuenta hacia delante y { $stop } no es mayor que { $start }. Para contar hacia atrás escribe 'range({ $start }, { $stop }, -1)': se detiene antes de llegar a { $stop }.
 check-never-repeats = Con 'repeat { $count }' las líneas de dentro no se ejecutan nunca. Escribe un número mayor que 0.
 check-never-repeats-python = Con 'range({ $count })' las líneas de dentro no se ejecutan nunca. Escribe un número mayor que 0.
-check-idle-loop = Este bucle no hace nada, así que nada lo termina. Escribe dentro lo que debe repetir, o quítalo.
+check-idle-loop = Este bucle no hace nada, así que no termina nunca. Escribe dentro las líneas que debe repetir, o quítalo.
 check-step-zero = Con 'step 0' el bucle no terminaría nunca. Escribe otro paso.
 
 check-speed-as-angle = '{ $call }' espera una velocidad: el robot seguiría girando a { $speed }°/s. Escribe '{ $turn }' para girar { $speed } grados a la { $side ->
@@ -91,7 +91,8 @@ check-speed-as-angle = '{ $call }' espera una velocidad: el robot seguiría gira
 ## Types. $value, $values and $item: a part of the program
 
 check-convert-to-number = '{ $value }' es un texto aquí, pero hace falta un número. Escribe 'int({ $value })'.
-check-answer-for-number = Lo que se escribe en el teclado es siempre un texto, aunque sea un número como 5. Escribe 'int({ $value })' para convertirlo en un número.
+check-answer-for-number = Lo que se escribe con el teclado es siempre un texto, aunque sea un número como 5. Escribe 'int({ $value })' para convertirlo en un número.
+check-answer-changed = '{ $name }' contiene lo que se ha escrito con el teclado, que siempre es un texto, aunque sea 5. Escribe '{ $instead }'.
 check-words-for-number = '{ $name }' contiene un texto, como "{ $text }", pero hace falta un número. Usa una variable que contenga un número.
 check-number-without-quotes = Aquí hace falta un número, no un texto. Escribe { $number } sin comillas.
 check-list-for-number = '{ $values }' es una lista aquí, pero hace falta un número. Escribe '{ $values }[0]' para su primer elemento, o 'len({ $values })' para saber cuántos tiene.
@@ -112,12 +113,13 @@ check-divide-by-zero = No se puede dividir entre 0. Escribe otro número despué
 check-swapped-operator = '{ $found }' le da a '{ $name }' el número que sigue. Escribe '{ $instead }' para cambiar '{ $name }' en ese número.
 check-no-items = '{ $value }' es un número, así que no tiene elementos. Usa una lista o un texto antes de '['.
 check-past-end = { $length ->
-    [one] '{ $values }' no tiene ningún elemento { $index }. Tiene solo 1 elemento, y se cuentan desde 0: escribe '{ $values }[0]'.
+    [one] '{ $values }' no tiene ningún elemento { $index }. Tiene solo 1 elemento, y los elementos se cuentan desde 0: escribe '{ $values }[0]'.
    *[other] '{ $values }' no tiene ningún elemento { $index }. Tiene { $length } elementos, contados desde 0: escribe '{ $values }[{ $last }]' para el último.
 }
-check-loop-past-end = En la última vuelta no hay ningún elemento { $index }, porque se cuentan desde 0. Escribe 'for { $index } from 0 to len({ $values }) - 1:'.
-check-loop-past-end-python = En la última vuelta no hay ningún elemento { $index }, porque se cuentan desde 0. Escribe 'for { $index } in range(len({ $values })):'.
-check-empty-list-item = '{ $values }' está vacía aquí, así que no tiene ningún elemento { $index }. Pon antes elementos en ella.
+check-loop-past-end = En la última vuelta no hay ningún elemento { $index }, porque los elementos se cuentan desde 0. Cambia la línea { $line } por 'for { $index } from 0 to len({ $values }) - 1:'.
+check-loop-past-end-python = En la última vuelta no hay ningún elemento { $index }, porque los elementos se cuentan desde 0. Cambia la línea { $line } por 'for { $index } in range(len({ $values })):'.
+check-empty-list-item = '{ $values }' está vacía aquí, así que no tiene ningún elemento { $index }. Pon antes elementos en ella, por ejemplo con 'append({ $values }, 5)'.
+check-empty-list-item-python = '{ $values }' está vacía aquí, así que no tiene ningún elemento { $index }. Pon antes elementos en ella, por ejemplo con '{ $values }.append(5)'.
 check-variable-called = '{ $name }' es un número, no una función. Escribe '{ $name } * ({ $value })' para multiplicar.
 check-list-called = '{ $name }' no es una función. Escribe '{ $name }[{ $value }]' para uno de sus elementos.
 check-not-whole = "{ $text }" no es un número entero, y 'int' no puede leerlo. Escribe solo cifras, como "4".
@@ -170,7 +172,8 @@ check-too-many-loops = Aquí hay más de { $limit } bucles unos dentro de otros,
 # $word: break or continue
 check-outside-loop = '{ $word }' solo funciona dentro de un bucle. Ponlo dentro de uno, o quítalo.
 check-outside-function = 'return' solo funciona dentro de un 'def'. Ponlo dentro de uno, o quítalo.
-check-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita esta línea y escribe 'while True:' alrededor de las demás.
+check-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita esta línea. Escribe 'while True:' encima de las demás líneas de '{ $name }' y 'end' debajo.
+check-calls-itself-python = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita esta línea. Escribe 'while True:' encima de las demás líneas de '{ $name }' y ponles 4 espacios más delante.
 # $word: break, continue or return
 check-unreachable-after-jump = Aquí no se llega nunca, por el '{ $word }' de la línea { $line }. Escríbelo encima de esa línea, o quítalo.
 check-unreachable-after-loop = Aquí no se llega nunca, porque el bucle 'while True' de la línea { $line } no termina. Escríbelo dentro del bucle o encima, o sal del bucle con 'break'.

@@ -52,6 +52,7 @@ python-unknown-when = No hay ningún evento '{ $name }'. Escribe encima de esta 
 
 # $found: such as @robot.whem
 python-unknown-event = No existe '{ $found }'. Escribe '@robot.when' para un evento, o '@robot.when_start' para lo que se ejecuta una vez al empezar.
+python-unknown-event-near = No existe '{ $found }'. ¿Querías decir '@robot.{ $near }'?
 python-event-of-robot = Un evento es del robot. Escribe '@robot.{ $name }' en lugar de '{ $found }'.
 python-event-without-at = Un evento empieza por '@'. Escribe '@robot.{ $name }'.
 python-event-without-lambda = Un evento tiene que comprobar su condición una y otra vez. Escribe '@robot.when(lambda: { $condition })'.

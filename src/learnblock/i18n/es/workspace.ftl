@@ -1,10 +1,13 @@
 # Problems of blocks, shown at the block.
 
 workspace-missing-value = Este bloque tiene un hueco vacío. Encaja en él un valor, como un número, un texto o una variable.
-workspace-missing-number = Este bloque tiene vacío el hueco de un número. Encaja uno, como un número de la pestaña 'Matemáticas' o una variable.
-workspace-missing-text = Este bloque tiene vacío el hueco de un texto. Encaja uno, como un texto de la pestaña 'Texto' o una variable.
-workspace-missing-list = Este bloque tiene vacío el hueco de una lista. Encaja una, como 'crear lista con' o una variable.
-workspace-missing-condition = Este bloque no tiene condición y por eso cuenta como falsa. Encaja una, como una pregunta al robot o una comparación.
+workspace-missing-number = Este bloque tiene un hueco vacío para un número. Encaja uno, como un número de la pestaña 'Matemáticas' o una variable.
+workspace-missing-text = Este bloque tiene un hueco vacío para un texto. Encaja uno, como un texto de la pestaña 'Texto' o una variable.
+workspace-missing-list = Este bloque tiene un hueco vacío para una lista. Encaja una, como 'crear lista con' o una variable.
+workspace-missing-text-or-list = 'longitud de' tiene un hueco vacío. Encaja un texto de la pestaña 'Texto', 'crear lista con' de la pestaña 'Listas', o una variable.
+workspace-missing-variable-of-list = Este bloque no tiene lista que cambiar. Encaja una variable que contenga una lista.
+workspace-missing-condition = A este bloque le falta una condición, y un hueco vacío cuenta como 'falso'. Encaja una comparación de la pestaña 'Lógica' o una pregunta al robot.
+workspace-missing-side = Un lado de este bloque está vacío, y un hueco vacío cuenta como 'falso'. Encaja una comparación de la pestaña 'Lógica' o una pregunta al robot.
 workspace-empty-block = Dentro de este bloque no hay nada, así que no hace nada. Pon bloques dentro, o quítalo.
 workspace-missing-variable = A este bloque le falta una variable. Elige una.
 workspace-missing-python = Escribe aquí una expresión de Python.
@@ -36,6 +39,10 @@ workspace-loose-blocks = { $count ->
     [one] Este bloque no se ejecuta, porque no está unido al programa. Arrástralo debajo de 'programa principal' o de otro bloque del programa, o bórralo.
    *[other] Estos { $count } bloques no se ejecutan, porque no están unidos al programa. Arrástralos debajo de 'programa principal' o de otro bloque del programa, o bórralos.
 }
+workspace-no-program = { $count ->
+    [one] Este bloque no se ejecuta, porque el programa no tiene 'programa principal'. Tómalo de la pestaña 'Inicio' y arrastra este bloque debajo.
+   *[other] Estos { $count } bloques no se ejecutan, porque el programa no tiene 'programa principal'. Tómalo de la pestaña 'Inicio' y arrastra estos bloques debajo.
+}
 workspace-loose-value = Este valor no está encajado en ningún bloque, así que no hace nada. Arrástralo a un hueco de otro bloque, o bórralo.
 workspace-only-functions = Nadie llama a '{ $name }', así que el programa no hace nada. Pon 'programa principal', de la pestaña 'Inicio', y debajo '{ $name }', de la pestaña 'Funciones'.
 
@@ -43,28 +50,28 @@ workspace-only-functions = Nadie llama a '{ $name }', así que el programa no ha
 
 workspace-unknown-name = '{ $name }' no tiene valor. Pon más arriba un bloque 'establecer { $name } a' de la pestaña 'Variables'.
 workspace-unknown-name-near = '{ $name }' no tiene valor. ¿Querías decir '{ $near }'? Elígela en este bloque.
-workspace-read-before-set = '{ $name }' aún no tiene valor cuando el programa llega aquí. Pon más arriba un bloque 'establecer { $name } a'.
+workspace-read-before-set = '{ $name }' aún no tiene valor cuando el programa llega aquí. Sube el bloque 'establecer { $name } a' al principio del programa.
 workspace-unknown-function = No hay ninguna función '{ $name }'. Créala con un bloque 'definir' de la pestaña 'Funciones', o quita este bloque.
-workspace-no-such-skill = El robot no tiene ninguna habilidad '{ $name }'. Quita este bloque y coge otro de la paleta.
+workspace-no-such-skill = El robot no tiene ninguna habilidad '{ $name }'. Quita este bloque y toma otro de la paleta.
 workspace-unknown-when = No hay ningún evento '{ $name }'. Créalo con 'Nuevo evento…' en la pestaña 'Eventos', o elige otro en este bloque.
 workspace-unknown-when-near = No hay ningún evento '{ $name }'. ¿Querías decir '{ $near }'? Elígelo en este bloque.
-workspace-never-started = Nada inicia el evento '{ $name }', así que no se ejecuta nunca. Pon en el programa un bloque 'iniciar { $name }', o añade una condición a este bloque con su '+'.
-workspace-events-never-run = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a un evento, o sal del bucle con 'romper el bucle'.
+workspace-never-started = Nada inicia el evento '{ $name }', así que no se ejecuta nunca. Pon en el programa un bloque 'iniciar { $name }' de la pestaña 'Eventos', o añade una condición a este bloque con su '+'.
+workspace-events-never-run = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a un evento con 'verdadero' como condición, o pon en el bucle un 'si' con 'romper el bucle'.
 # $word: def or when
 workspace-defined-twice = { $word ->
     [def] Hay dos funciones '{ $name }'.
    *[other] Hay dos eventos '{ $name }'.
-} Cambia el nombre de este bloque, o pasa sus bloques al otro.
+} Cambia el nombre de este bloque, o pasa sus bloques al otro y borra este.
 workspace-not-imported = Este bloque es de la biblioteca '{ $library }'. Pon un bloque 'importar { $library }' de la pestaña 'Control' bajo 'al empezar'.
 # $names: of the parameters without a value
-workspace-missing-argument = Este bloque necesita valores para: { $names }. Quítalo y coge '{ $call }' otra vez de la paleta: tiene huecos para ellos.
+workspace-missing-argument = A este bloque le falta un valor para: { $names }. Quítalo y toma '{ $call }' otra vez de la paleta: ese tiene todos sus huecos.
 workspace-too-many-arguments = { $most ->
     [0] '{ $call }' no lleva valores.
     [one] '{ $call }' lleva solo 1 valor ({ $parameters }).
    *[other] '{ $call }' lleva solo { $most } valores ({ $parameters }).
-} Saca este.
+} Quita el bloque entero y toma '{ $call }' otra vez de la paleta: tiene los huecos justos.
 workspace-text-for-number = Esto es un texto, pero hace falta un número. Pon aquí un número de la pestaña 'Matemáticas'.
-workspace-number-as-text = "{ $number }" es un texto aquí, pero hace falta un número. Cambia este bloque por el número { $number } de la pestaña 'Matemáticas'.
+workspace-number-as-text = "{ $number }" es un texto aquí, pero hace falta un número. Cambia este bloque por un número de la pestaña 'Matemáticas' y escribe en él { $number }.
 workspace-outside-range = Este valor es { $value }. Elige uno entre { $least } y { $most }.
 workspace-negative-wait = El robot no puede esperar { $seconds } segundos. Escribe 0 o más.
 # $choices: as in a program
@@ -72,25 +79,26 @@ workspace-no-such-choice = { $value } no se puede elegir aquí. Las opciones son
 workspace-not-a-colour = { $value } no es un color. Elige uno en este bloque.
 workspace-whole-number = 'contar con' cuenta con números enteros, no con { $number }. Escribe un número entero.
 workspace-step-zero = Con 'de a 0' el bucle no terminaría nunca. Escribe otro número después de 'de a'.
-workspace-counts-up = Este bucle no se ejecuta nunca, porque cuenta hacia arriba de { $start } a { $stop }. Escribe -1 después de 'de a' para contar hacia atrás.
-workspace-never-repeats = Con { $count } veces, los bloques de dentro no se ejecutan nunca. Escribe un número mayor que 0.
-workspace-idle-loop = Dentro de este bucle no hay nada, así que nada lo termina. Pon dentro los bloques que debe repetir, o quítalo.
-workspace-speed-as-angle = Esto es una velocidad: el robot seguiría girando a { $speed }°/s. Para girar { $speed } grados usa el bloque 'girar ...° a la derecha'{ $side ->
-    [left] {" "}con -{ $speed }
-   *[other] {""}
-}.
+workspace-counts-up = Este bucle no se ejecuta nunca, porque cuenta hacia delante de { $start } a { $stop }. Escribe -1 después de 'de a' para contar hacia atrás.
+workspace-never-repeats = Si se repite { $count } veces, los bloques de dentro no se ejecutan nunca. Escribe un número mayor que 0.
+workspace-idle-loop = Dentro de este bucle no hay nada, así que no termina nunca. Pon dentro los bloques que debe repetir, o quítalo.
+workspace-speed-as-angle = Esto es una velocidad: el robot seguiría girando a { $speed }°/s. { $side ->
+    [left] Para girar { $speed } grados a la izquierda, usa el bloque 'girar ...° a la derecha' con -{ $speed }: un ángulo negativo gira a la izquierda.
+   *[other] Para girar { $speed } grados, usa el bloque 'girar ...° a la derecha'.
+}
 workspace-convert-to-number = Esto es un texto, pero hace falta un número. Ponle alrededor el bloque 'int' de la pestaña 'Texto', que lo convierte en un número.
-workspace-answer-for-number = Lo que se escribe en el teclado es siempre un texto, aunque sea un número como 5. Pon alrededor de esto el bloque 'int' de la pestaña 'Texto', que lo convierte en un número.
+workspace-answer-for-number = Lo que se escribe con el teclado es siempre un texto, aunque sea 5, pero aquí hace falta un número. Pon alrededor de esto el bloque 'int' de la pestaña 'Texto'.
+workspace-answer-changed = '{ $name }' contiene lo que se ha escrito con el teclado, que siempre es un texto, aunque sea 5. Usa 'establecer { $name } a' con 'int', de la pestaña 'Texto', alrededor de lo que se escribe.
 workspace-list-for-number = Esto es una lista, pero hace falta un número. Usa 'en la lista ... obtener #' para uno de sus elementos, o 'longitud de' para saber cuántos tiene.
 workspace-join-text = A un texto solo se le puede sumar otro texto. Pon alrededor de esto el bloque 'str' de la pestaña 'Texto', que lo convierte en un texto.
-workspace-append = A una lista solo se le puede sumar otra lista. Para añadir un elemento usa 'en la lista ... insertar en último' de la pestaña 'Listas'.
+workspace-append = A una lista solo se le puede sumar otra lista. Para añadir un elemento, cambia todo el bloque 'establecer ... a' por 'en la lista ... insertar en último', de la pestaña 'Listas'.
 # $advice: one of the messages about text for a number
 workspace-never-equal = Un texto nunca es igual a un número. { $advice }
 workspace-repeat-whole-number = 'repetir' necesita un número entero, no { $number }. Escribe { $less } o { $more }.
 workspace-for-number = Esto es un número, no una lista. Para contar usa 'contar con { $name } desde 1 hasta { $value }' en vez de 'para cada elemento'.
-workspace-text-as-condition = Un texto siempre es verdadero. Pon aquí una pregunta al robot o una comparación.
-workspace-number-as-condition = El número { $number } no es una condición. Pon aquí una pregunta al robot o una comparación.
-workspace-action-as-condition = Este bloque hace algo y no responde nada. Pon aquí una pregunta al robot o una comparación.
+workspace-text-as-condition = Un texto no es una condición: cuenta como verdadero. Pon aquí una comparación de la pestaña 'Lógica' o una pregunta al robot.
+workspace-number-as-condition = El número { $number } no es una condición. Pon aquí una comparación de la pestaña 'Lógica' o una pregunta al robot.
+workspace-action-as-condition = Este bloque hace algo y no responde nada. Pon aquí una comparación de la pestaña 'Lógica' o una pregunta al robot.
 workspace-no-result = Esta función no devuelve nada, así que no hay ningún valor que usar. Ponle un bloque 'devolver', o úsala en el programa sin este bloque alrededor.
 workspace-bare-value = Cada lado de '{ $operator ->
     [and] y
@@ -98,20 +106,20 @@ workspace-bare-value = Cada lado de '{ $operator ->
    *[other] { $operator }
 }' necesita su propia comparación. Cambia esto por '{ $variable } { $comparison } { $value }' de la pestaña 'Lógica'.
 workspace-divide-by-zero = No se puede dividir entre 0. Escribe aquí otro número.
-workspace-length-of-number = 'longitud de' necesita un texto o una lista, pero esto es un número. Encaja un texto o una lista.
-workspace-numbers-of-list = Este bloque calcula con los números de una lista, pero esto es un texto. Encaja una lista, como 'crear lista con'.
+workspace-length-of-number = 'longitud de' necesita un texto o una lista, pero esto es un número. Encaja en su lugar un texto o una lista.
+workspace-numbers-of-list = Esto es un texto, pero el bloque que lo rodea necesita una lista de números. Cámbialo por 'crear lista con', de la pestaña 'Listas', y encaja números en ella.
 workspace-past-end = { $length ->
-    [one] No hay ningún elemento # { $index }. La lista tiene solo 1 elemento, el # 0: se cuentan desde 0.
-   *[other] No hay ningún elemento # { $index }. La lista tiene { $length } elementos, y se cuentan desde 0: el último es el # { $last }.
+    [one] No hay ningún elemento # { $index }. La lista tiene solo 1 elemento, el # 0: los elementos se cuentan desde 0.
+   *[other] No hay ningún elemento # { $index }. La lista tiene { $length } elementos, que se cuentan desde 0: el último es el # { $last }.
 }
-workspace-loop-past-end = En la última vuelta no hay ningún elemento # { $index }: se cuentan desde 0. Cuenta desde 0 hasta 'longitud de { $values }' - 1.
-workspace-empty-list-item = '{ $values }' está vacía, así que no tiene ningún elemento # { $index }. Pon antes elementos en la lista.
-workspace-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita este bloque y pon 'repetir mientras verdadero' alrededor de los demás.
+workspace-loop-past-end = En la última vuelta no hay ningún elemento # { $index }: los elementos se cuentan desde 0. Cuenta desde 0 hasta 'longitud de { $values }' - 1.
+workspace-empty-list-item = '{ $values }' está vacía, así que no tiene ningún elemento # { $index }. Antes de este bloque, pon elementos en ella con 'en la lista ... insertar en último', de la pestaña 'Listas'.
+workspace-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita este bloque y pon 'repetir mientras' con 'verdadero' en su hueco alrededor de los demás bloques de '{ $name }'.
 # $devices: noun phrases from check-device
 workspace-skill-without-answer = Este robot no tiene { $devices }, así que no puede responder a esta pregunta. Quita el bloque o elige otro robot.
 workspace-skill-without-effect = Este robot no tiene { $devices }, así que este bloque no hace nada. Quítalo o elige otro robot.
 workspace-no-device-of-name = Este robot no tiene { $device } '{ $key }', así que este bloque no hace nada. Elige: { $known }.
-workspace-outside-loop = Este bloque solo funciona dentro de un bucle. Ponlo dentro de un bloque 'repetir', 'contar' o 'para cada elemento', o quítalo.
+workspace-outside-loop = Este bloque solo funciona dentro de un bucle. Ponlo dentro de un bloque 'repetir', 'contar con' o 'para cada elemento', o quítalo.
 workspace-outside-function = Este bloque solo funciona dentro de una función. Ponlo dentro de un bloque 'definir', o quítalo.
 workspace-unreachable-after-jump = Este bloque no se ejecuta nunca: el de encima sale antes de { $word ->
     [return] la función
@@ -119,4 +127,4 @@ workspace-unreachable-after-jump = Este bloque no se ejecuta nunca: el de encima
 }. Ponlo encima de ese bloque, o quítalo.
 workspace-unreachable-after-loop = Este bloque no se ejecuta nunca: el bucle de encima no termina. Ponlo dentro del bucle o encima de él, o sal del bucle con 'romper el bucle'.
 workspace-unreachable-after-branches = Este bloque no se ejecuta nunca: todas las ramas del 'si' de encima salen antes. Ponlo encima del 'si', o quítalo.
-workspace-sensor-outside-loop = Al robot se le pregunta solo una vez, cuando el programa llega aquí. Pon este bloque dentro de 'repetir mientras verdadero' para seguir preguntando, o usa un evento de la pestaña 'Eventos'.
+workspace-sensor-outside-loop = Al robot se le pregunta solo una vez, cuando el programa llega aquí. Para seguir preguntando, pon este bloque dentro de 'repetir mientras' con 'verdadero' en su hueco, o usa un evento de la pestaña 'Eventos'.

@@ -136,8 +136,16 @@ class _Parser(StatementParser):
         return name, tuple(parameters)
 
     def unclosed_parameters(self) -> Slip:
+        if self.kinds[self.index] == ":":
+            colon = self.token.column - 1
+            line = self.lines[self.token.line - 1]
+            message = Phrase(
+                "blocktext-unclosed-bracket-before-colon",
+                instead=f"{line[:colon]}){line[colon:]}".strip(),
+            )
+            return self.slip("unclosed-bracket", message)
         written, closing = self.closed_line()
-        values = {"opening": "(", "closing": closing, "instead": f"{written}:"}
+        values = {"opening": "(", "closing": f"{closing}:", "instead": f"{written}:"}
         return self.slip("unclosed-bracket", Phrase("blocktext-unclosed-bracket-in-line", **values))
 
     def when(self, token: Token) -> When:

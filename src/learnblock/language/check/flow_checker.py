@@ -97,7 +97,8 @@ class FlowChecker:
             limits = {"start": _spelled(start), "stop": _spelled(stop)}
             return Phrase("check-counts-up", name=name, **limits)
         if start:
-            return Phrase("check-counts-up-python", start=_spelled(start))
+            # Block-Text counts to the last number, 'range' to the one before.
+            return Phrase("check-counts-up-python", start=_spelled(start), stop=_spelled(stop + 1))
         return Phrase("check-never-repeats-python", count=_spelled(stop + 1))
 
     def loop(self, item: While) -> None:
@@ -117,7 +118,8 @@ class FlowChecker:
         for one in item.body:
             match one:
                 case Perform(call=Call(name=item.name) as call):
-                    message = Phrase("check-calls-itself", name=item.name)
+                    code = self.worded("check-calls-itself", "check-calls-itself-python")
+                    message = Phrase(code, name=item.name)
                     self.report("calls-itself", message, call.span, "warning")
                     return
             if any(isinstance(inner, Return | Raw) for inner in statements((one,))):

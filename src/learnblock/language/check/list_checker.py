@@ -108,7 +108,9 @@ def _item(findings: Findings, node: Index, lengths: Mapping[str, int]) -> None:
             "check-past-end", values=values, index=f"{place:g}", length=length, last=str(length - 1)
         )
     else:
-        message = Phrase("check-empty-list-item", values=values, index=f"{place:g}")
+        in_python = findings.in_python
+        code = "check-empty-list-item-python" if in_python else "check-empty-list-item"
+        message = Phrase(code, values=values, index=f"{place:g}")
     findings.report("past-end", message, node.index.span, "warning")
 
 
@@ -131,6 +133,7 @@ def _counting(findings: Findings, item: ForRange) -> None:
                 ):
                     in_python = findings.in_python
                     code = "check-loop-past-end-python" if in_python else "check-loop-past-end"
-                    message = Phrase(code, values=values, index=index)
+                    line = str(item.span.line)
+                    message = Phrase(code, values=values, index=index, line=line)
                     findings.report("past-end", message, node.index.span, "warning")
                     return

@@ -4,10 +4,10 @@ import ast
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from learnblock.errors import Severity
+from learnblock.errors import Severity, nearest
 from learnblock.i18n import Phrase
 
-_EVENTS = frozenset(("when", "when_start"))
+_EVENTS = ("when", "when_start")
 #: Conditions that would be checked only once, when the program is read.
 _CONDITIONS = (ast.Call, ast.Compare, ast.BoolOp, ast.UnaryOp)
 
@@ -40,7 +40,7 @@ def event_slips(nodes: Iterable[ast.AST]) -> Iterator[EventSlip]:
 def _of_decorator(node: ast.expr) -> EventSlip | None:
     match _called(node):
         case ast.Attribute(value=ast.Name(id="robot"), attr=name) if name not in _EVENTS:
-            return EventSlip(node, Phrase("python-unknown-event", found=f"@robot.{name}"))
+            return EventSlip(node, _unknown(name))
         case ast.Name(id=name) if name in _EVENTS:
             message = Phrase("python-event-of-robot", found=f"@{name}", name=name)
             return EventSlip(node, message)
@@ -49,6 +49,13 @@ def _of_decorator(node: ast.expr) -> EventSlip | None:
             message = Phrase("python-event-without-lambda", condition=ast.unparse(condition))
             return EventSlip(condition, message)
     return None
+
+
+def _unknown(name: str) -> Phrase:
+    near = nearest(name, _EVENTS)
+    if near is None:
+        return Phrase("python-unknown-event", found=f"@robot.{name}")
+    return Phrase("python-unknown-event-near", found=f"@robot.{name}", near=near)
 
 
 def _is_event(node: ast.expr) -> bool:

@@ -70,6 +70,8 @@ _TAKES: Mapping[str, tuple[frozenset[Type], ...]] = MappingProxyType(
 _OF_ITEM = frozenset(("append", "remove"))
 #: The functions that calculate with the items of a list.
 _OF_NUMBERS = frozenset(("sum", "mean", "median", "stdev"))
+#: The operators that text does not have.
+_CALCULATING = frozenset(("+=", "-=", "/=", "//=", "**="))
 _EQUALITIES = frozenset(("==", "!="))
 _ORDERS = frozenset(("<", ">", "<=", ">="))
 
@@ -119,6 +121,8 @@ class _TypeChecker:
     def assignment(self, item: Assign) -> None:
         if item.operator == "+=" and self.adds_characters(item):
             self.report(self.append(item.target, item.value), item.value, "warning")
+        elif item.operator in _CALCULATING and self.changes_answer(item):
+            self.report(self.answer_changed(item), item.target)
         elif item.operator != "=":
             self.operands(item.operator[:-1], item.target, item.value)
         elif isinstance(item.value, Unary):
@@ -128,6 +132,16 @@ class _TypeChecker:
     def adds_characters(self, item: Assign) -> bool:
         """Whether text is added to a list in place: Python then adds its characters one by one."""
         return self.types.of(item.target) is Type.LIST and self.types.of(item.value) in TEXTS
+
+    def changes_answer(self, item: Assign) -> bool:
+        """Whether a number is added to what was typed in, or taken away from it, in place."""
+        kinds = (self.types.of(item.target), self.types.of(item.value))
+        return kinds == (Type.ANSWER, Type.NUMBER)
+
+    def answer_changed(self, item: Assign) -> Phrase:
+        name, value = self.spelled(item.target), self.spelled(item.value)
+        instead = f"{name} = int({name}) {item.operator[:-1]} {value}"
+        return Phrase("check-answer-changed", name=name, instead=instead)
 
     def swapped_operator(self, target: Expression, value: Unary) -> None:
         """Report ``x =+ 1``, with a space between the sign and its number."""

@@ -140,13 +140,13 @@ def _closed_in_line(line: str) -> Phrase | None:
 
 def _missing(line: str) -> str:
     """What closes the brackets of a line that it does not close itself."""
-    missing = ""
+    missing: list[str] = []
     for mark in _TEXT.sub("", line):
         if mark in _CLOSING:
-            missing = _CLOSING[mark] + missing
-        elif mark == missing[:1]:
-            missing = missing[1:]
-    return missing
+            missing.append(_CLOSING[mark])
+        elif missing and mark == missing[-1]:
+            missing.pop()
+    return "".join(reversed(missing))
 
 
 def _is_python(text: str) -> bool:

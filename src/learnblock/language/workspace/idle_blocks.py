@@ -25,12 +25,13 @@ def idle_blocks(
     workspace: Workspace, configurations: Mapping[str, BlockConfiguration]
 ) -> Iterator[tuple[str, Diagnostic]]:
     """Yield a warning for each block that does nothing, with the id of the block."""
+    hats = [stack[0] for stack in workspace.stacks if stack[0].type in HATS]
     for stack in workspace.stacks:
         if is_part(stack):
             yield from _empty(stack)
         elif not is_disabled(stack[0]):
-            yield stack[0].id, _warning("loose-block", _loose(stack, configurations))
-    hats = [stack[0] for stack in workspace.stacks if stack[0].type in HATS]
+            loose = _loose(stack, configurations, has_program=bool(hats))
+            yield stack[0].id, _warning("loose-block", loose)
     if hats and all(hat.type in _FUNCTIONS for hat in hats):
         name = hats[0].fields.get("NAME")
         message = Phrase("workspace-only-functions", name=name if isinstance(name, str) else "")
@@ -49,10 +50,16 @@ def _empty(stack: Iterable[Block]) -> Iterator[tuple[str, Diagnostic]]:
         ahead += inside
 
 
-def _loose(stack: Sequence[Block], configurations: Mapping[str, BlockConfiguration]) -> Phrase:
+def _loose(
+    stack: Sequence[Block],
+    configurations: Mapping[str, BlockConfiguration],
+    *,
+    has_program: bool,
+) -> Phrase:
     if len(stack) == 1 and _is_value(stack[0], configurations):
         return Phrase("workspace-loose-value")
-    return Phrase("workspace-loose-blocks", count=sum(one.type != COMMENT for one in stack))
+    code = "workspace-loose-blocks" if has_program else "workspace-no-program"
+    return Phrase(code, count=sum(one.type != COMMENT for one in stack))
 
 
 def _is_value(block: Block, configurations: Mapping[str, BlockConfiguration]) -> bool:

@@ -264,8 +264,13 @@ def _pop(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Perform
     return reader.perform(block, reader.made(call, block), ends)
 
 
+def _changed_list(reader: StatementReader, block: Block) -> Expression:
+    """The list that a block changes; one that no variable holds would be lost."""
+    return reader.value(block, "LIST", List(), "workspace-missing-variable-of-list")
+
+
 def _set_index(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Statement | None:
-    values = reader.list(block, "LIST")
+    values = _changed_list(reader, block)
     if block.fields.get("MODE") == "INSERT":
         return _insert(reader, block, values, ends)
     target = reader.target(block, values, reader.place(block, values))
@@ -287,7 +292,7 @@ def _insert(
 
 def _change_index(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Assign | None:
     place = reader.number(block, "INDEX")
-    target = reader.target(block, reader.value(block, "LIST", List()), place)
+    target = reader.target(block, _changed_list(reader, block), place)
     operator = reader.choice(block, "OP", _CHANGES)
     value = reader.number(block, "VALUE")
     return None if target is None else Assign(target, operator, value, ends[0])

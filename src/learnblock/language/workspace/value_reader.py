@@ -87,11 +87,13 @@ class ValueReader(BlockReader):
         found = plugged(block, name)
         return None if found is None else self.expression(found, block)
 
-    def truth(self, block: Block, name: str) -> Expression:
+    def truth(
+        self, block: Block, name: str, message: str = "workspace-missing-condition"
+    ) -> Expression:
         """The condition in an input; without one it is false, as in Scratch."""
         if (found := self.optional(block, name)) is not None:
             return found
-        self.report(block, "missing-condition", Phrase("workspace-missing-condition"), "warning")
+        self.report(block, "missing-condition", Phrase(message), "warning")
         return self.without(block, name, Constant(value=False))
 
     def number(self, block: Block, name: str) -> Expression:
@@ -280,10 +282,18 @@ def _single(reader: ValueReader, block: Block) -> Expression:
     return Call(name, (operand,))
 
 
+#: What the blocks of a function say about an empty slot, if it takes no number.
+_MISSING = {
+    "lists_length": "workspace-missing-text-or-list",
+    "math_on_list": "workspace-missing-list",
+}
+
+
 def _library(reader: ValueReader, block: Block) -> Expression:
     known = FUNCTIONS_OF[block.type]
     name, found = known[""] if "" in known else reader.choice(block, _field(known), known)
-    return Call(name, tuple([reader.value(block, one) for one in found.inputs]))
+    missing = _MISSING.get(block.type, "workspace-missing-value")
+    return Call(name, tuple([reader.value(block, one, None, missing) for one in found.inputs]))
 
 
 def _field(known: Mapping[str, tuple[str, Library]]) -> str:
@@ -327,7 +337,9 @@ VALUES: dict[str, Handler] = {
     "lb_state": _when_word("state_"),
     "lb_time": _when_word("time_"),
     "logic_operation": lambda reader, block: Binary(
-        reader.choice(block, "OP", _LOGIC), reader.truth(block, "A"), reader.truth(block, "B")
+        reader.choice(block, "OP", _LOGIC),
+        reader.truth(block, "A", "workspace-missing-side"),
+        reader.truth(block, "B", "workspace-missing-side"),
     ),
     "math_arithmetic": lambda reader, block: Binary(
         reader.choice(block, "OP", _ARITHMETIC),

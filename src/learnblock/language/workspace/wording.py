@@ -51,6 +51,7 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-speed-as-angle": "workspace-speed-as-angle",
         "check-convert-to-number": "workspace-convert-to-number",
         "check-answer-for-number": "workspace-answer-for-number",
+        "check-answer-changed": "workspace-answer-changed",
         "check-list-for-number": "workspace-list-for-number",
         "check-join-text": "workspace-join-text",
         "check-append": "workspace-append",
@@ -67,8 +68,12 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-numbers-of-list": "workspace-numbers-of-list",
         "check-past-end": "workspace-past-end",
         "check-loop-past-end": "workspace-loop-past-end",
-        "check-empty-list-item": "workspace-empty-list-item",
-        "check-calls-itself": "workspace-calls-itself",
+        **dict.fromkeys(
+            ("check-empty-list-item", "check-empty-list-item-python"), "workspace-empty-list-item"
+        ),
+        **dict.fromkeys(
+            ("check-calls-itself", "check-calls-itself-python"), "workspace-calls-itself"
+        ),
         "check-skill-without-answer": "workspace-skill-without-answer",
         "check-skill-without-base": "workspace-skill-without-effect",
         "check-skill-without-effect": "workspace-skill-without-effect",

@@ -255,10 +255,12 @@ def test_robot_and_world_cannot_be_changed_during_a_run(page):
 #: A user's real robot; it writes its speeds to a file.
 MINE = """
 from pathlib import Path
-from learnblock.client import Client
+from learnblock.client import Client, Rights
 from learnblock.devices import Base, DistanceSensors
 
 class Robot(Client):
+    rights = Rights(folders=(str(Path(__file__).parent),))
+
     def connect(self):
         log = Path(__file__).with_suffix(".log").open("a")
         self.add(Base(lambda adv, rot: print(adv, rot, file=log, flush=True)))
