@@ -66,7 +66,9 @@ def test_an_empty_if_is_marked_and_the_program_runs(pupil):
     pupil.put_below(pupil.take("Control", "controls_if"), first)
     pupil.sees("blocktext", "if False:")
     expect(pupil.page.locator(".blocks .lbWarning")).to_have_count(1)
-    expect(pupil.tab("Problems").locator(".problem.warning")).to_contain_text("no condition")
+    expect(pupil.tab("Problems").locator(".problem.warning")).to_contain_text(
+        "A condition is missing"
+    )
     pupil.picture("empty-if")
     pupil.press("Run")
     pupil.state("Ended")
