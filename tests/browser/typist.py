@@ -19,6 +19,7 @@ SPOKEN = """() => {
     return (one.ariaLabel || (label ?? one).textContent).trim();
 }"""
 REGION = "document.activeElement.closest('[data-region]')?.dataset.region"
+IN_TABS = "document.activeElement.closest('.blocklyToolbox') !== null"
 BLOCKS = f"{WORKSPACE} > .blocklyBlockCanvas [data-id]"
 PALETTE = ".blocklyFlyout:visible"
 
@@ -101,7 +102,7 @@ class Typist:
 
     def take(self, category, block):
         """Insert a block from the palette at the position that Blockly offers."""
-        self.press("t")
+        self._go_to_tabs()
         self.walk("ArrowDown", f"^{category}$")
         self.press("ArrowRight")
         self._insert(block)
@@ -113,13 +114,24 @@ class Typist:
         self.press("ArrowRight")
         self._insert(block)
 
+    def _go_to_tabs(self):
+        """Press T until a tab of the palette has the focus.
+
+        After a new variable, Blockly may still be returning it to a block of the palette.
+        """
+        for _ in range(FAR):
+            self.press("t")
+            if self._page.evaluate(IN_TABS):
+                return
+        raise AssertionError(f"T does not lead to the palette's tabs, but to {self.hears()}")
+
     def _insert(self, block):
         self.walk("ArrowDown", block)
         self.press("Enter", "Enter")
 
     def make_variable(self, name):
         """Create a variable with the palette's button."""
-        self.press("t")
+        self._go_to_tabs()
         self.walk("ArrowDown", "^Variables$")
         self.press("ArrowRight")
         self.walk("ArrowDown", "^Create variable")
