@@ -277,7 +277,7 @@ def test_variables_are_reported_while_a_program_sleeps_but_only_if_enabled(play,
     begun(playing)
     assert all(type(told) is str for told in iter_queue(playing.observer.told))
     world, told = playing.run.client.simulation.world, playing.observer.told
-    # The world's time, because a busy machine delays what is told.
+    # Measured in the world's time, because reports arrive late on a busy machine.
     monkeypatch.setattr(variables, "monotonic", lambda: world.time)
     playing.observer.variables = lambda found: told.put((world.time, found.shared))
     playing.run.report_variables(enabled=True)

@@ -18,13 +18,11 @@ import { inBase64, saveFile } from "../ui/files";
 import type { Toasts } from "../ui/toasts";
 import type { Program } from "./program";
 import { robotTitle } from "./robots";
-import { ORIGINAL_PROJECT, sizeProblem, stemOf } from "./upload";
+import { ORIGINAL, sizeProblem, stemOf, withEnding } from "./upload";
 
 /** The example that new users see. */
 const FIRST_EXAMPLE = "square";
 const LONGEST_NAME = 100;
-/** The files of the original LearnBlock, which may be binary. */
-const ORIGINAL = [ORIGINAL_PROJECT, ".lb"];
 
 export class Project {
   readonly name = signal("");
@@ -134,7 +132,7 @@ export class Project {
     const large = sizeProblem([file, ...libraries]);
     if (large) return this.toasts.error(large);
     this.program.flush();
-    if (!ORIGINAL.some((ending) => file.name.endsWith(ending))) {
+    if (withEnding([file], ORIGINAL).length === 0) {
       this.connection.send({ kind: "Import", filename: file.name, text: await file.text() });
       return;
     }

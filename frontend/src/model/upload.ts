@@ -13,8 +13,11 @@ export type Upload =
 export const LIBRARY = ".lblib";
 /** The endings of a library of the original LearnBlock; it always has the first file. */
 export const ORIGINAL_LIBRARY = [".lb", ".py", ".conf"] as const;
-/** The endings of a project of the original LearnBlock. */
-export const ORIGINAL_PROJECT = ".blockProject";
+const [LIBRARY_TEXT] = ORIGINAL_LIBRARY;
+/** The ending of a project of the original LearnBlock. */
+const ORIGINAL_PROJECT = ".blockProject";
+/** The files of the original LearnBlock that can be opened, which may be binary. */
+export const ORIGINAL = [ORIGINAL_PROJECT, LIBRARY_TEXT];
 const PROGRAMS = [".learnblock", ".bt", ORIGINAL_PROJECT];
 export const UPLOADS = [...PROGRAMS, LIBRARY, ...ORIGINAL_LIBRARY];
 /** The server's limits in bytes; a project has everything that it needs in it. */
@@ -23,7 +26,7 @@ const LIMIT = 1_000_000;
 
 /** Programs come first, because their libraries may be beside them. */
 export function uploadOf(files: readonly File[]): Upload {
-  const texts = withEnding(files, [".lb"]);
+  const texts = withEnding(files, [LIBRARY_TEXT]);
   const programs = [...withEnding(files, PROGRAMS), ...loosePython(files, texts)];
   if (programs.length > 1) return { kind: "several", count: programs.length };
   if (programs[0]) return { kind: "program", file: programs[0], libraries: texts };

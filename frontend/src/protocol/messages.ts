@@ -474,7 +474,6 @@ export interface LibraryConverted {
   kind: "LibraryConverted";
   filename: string;
   content: string;
-  source: string;
   changed: Phrase[];
   missing: Phrase[];
 }

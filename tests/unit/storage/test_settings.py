@@ -90,7 +90,7 @@ def test_a_change_keeps_comments_and_everything_else_in_the_file():
     text = """\
 # Our robots.
 [other]
-x = 1  # of somebody else
+x = 1  # another program's
 
 [mine]
 number = 3  # the one with the blue wheels

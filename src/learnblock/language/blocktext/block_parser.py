@@ -7,10 +7,10 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from learnblock.i18n import Phrase
-from learnblock.language.blocktext.lexer import Token, Tokens
+from learnblock.language.blocktext.lexer import LINE_ENDS, Token, Tokens
 from learnblock.language.blocktext.line_rewriter import LineRewriter
 from learnblock.language.blocktext.slips import Rewritten, Slip, write_instead
-from learnblock.language.blocktext.token_reader import LINE_ENDS, from_to
+from learnblock.language.blocktext.token_reader import from_to
 from learnblock.language.tree import raw
 from learnblock.language.tree.nodes import Blank, Body, Comment, Raw, Span, Statement
 

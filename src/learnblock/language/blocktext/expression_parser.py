@@ -6,10 +6,10 @@ from collections.abc import Callable
 from learnblock.errors import EscapeError
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import open_brackets, slips
-from learnblock.language.blocktext.lexer import KEYWORDS, Token, Tokens
+from learnblock.language.blocktext.lexer import KEYWORDS, LINE_ENDS, Token, Tokens
 from learnblock.language.blocktext.open_brackets import CLOSING
 from learnblock.language.blocktext.slips import Slip, symbol, write_instead
-from learnblock.language.blocktext.token_reader import LINE_ENDS, TokenReader, new
+from learnblock.language.blocktext.token_reader import TokenReader, new
 from learnblock.language.tree.nodes import (
     Binary,
     Call,

@@ -77,6 +77,8 @@ _RAW_START = re.compile(r"^([ \t]*)python[ \t]*:[ \t]*(#[^\n]*?)?\r?$", re.MULTI
 _RAW_END = re.compile(r"^[ \t]*end\b[ \t]*(?:#[^\n]*)?\r?$", re.MULTILINE)
 _ARGUMENT = re.compile(r"[ \t]*=(?!=)")
 LINE_END = re.compile(r"\r?\n|\r")
+#: The kinds of the tokens that end a line.
+LINE_ENDS = frozenset(("newline", "comment"))
 _FORBIDDEN = re.compile("[\x00\ud800-\udfff]")
 
 MAX_CHARACTERS = 2_000_000

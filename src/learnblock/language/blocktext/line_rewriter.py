@@ -4,9 +4,8 @@ from collections.abc import Iterable
 
 from learnblock.errors import Diagnostic
 from learnblock.language.blocktext.expression_parser import ExpressionParser
-from learnblock.language.blocktext.lexer import Token, Tokens, tokenize
+from learnblock.language.blocktext.lexer import LINE_ENDS, Token, Tokens, tokenize
 from learnblock.language.blocktext.rewording import Rewording, reworded
-from learnblock.language.blocktext.token_reader import LINE_ENDS
 
 #: At most this many lines are compared with known slips; a pupil reads only the first messages.
 MAX_COMPARED = 200

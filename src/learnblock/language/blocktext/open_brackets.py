@@ -2,14 +2,13 @@
 
 from collections.abc import Sequence
 
-from learnblock.language.blocktext.lexer import Token
+from learnblock.language.blocktext.lexer import LINE_ENDS, Token
 
 CLOSING = {"(": ")", "[": "]"}
-_LINE_ENDS = frozenset(("newline", "comment"))
 #: They begin a line that belongs to the brackets above.
 _VALUES = frozenset(("number", "string", "raw", "[", "(", "-", "True", "False", "None"))
 #: They follow a variable in a list; after a variable that begins a statement is something else.
-_AFTER_NAME = frozenset((",", "]", ")", *_LINE_ENDS))
+_AFTER_NAME = frozenset((",", "]", ")", *LINE_ENDS))
 
 
 def opened(tokens: Sequence[Token]) -> list[Token]:
@@ -37,7 +36,7 @@ def end_of_values(tokens: Sequence[Token], end: int) -> int:
     """
     while _goes_on(tokens, end + 1):
         end += 1
-        while tokens[end].kind not in _LINE_ENDS:
+        while tokens[end].kind not in LINE_ENDS:
             end += 1
         if tokens[end - 1].kind != ",":
             break

@@ -11,10 +11,9 @@ from operator import attrgetter
 from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import slips
-from learnblock.language.blocktext.lexer import Token, tokenize
+from learnblock.language.blocktext.lexer import LINE_ENDS, Token, tokenize
 from learnblock.language.blocktext.slips import Slip
 from learnblock.language.blocktext.statement_parser import ASSIGNMENTS, StatementParser
-from learnblock.language.blocktext.token_reader import LINE_ENDS
 from learnblock.language.tree.layout import normalized
 from learnblock.language.tree.nodes import (
     Blank,

@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 from learnblock.errors import Diagnostic, nearest
 from learnblock.i18n import Phrase
-from learnblock.language.blocktext.lexer import KEYWORDS, Token
+from learnblock.language.blocktext.lexer import KEYWORDS, LINE_ENDS, Token
 
 _BRACES = Phrase("blocktext-braces")
 
@@ -100,7 +100,6 @@ _ALL_BLOCK_OPENERS = frozenset(
 _ROBOTS = frozenset(("robot", "functions", "fuction", "funtion", "Function"))
 _STRING_PREFIXES = frozenset(("f", "r", "b", "u", "rb", "br", "fr"))
 VALUES = frozenset(("name", "number", "string"))
-_LINE_ENDS = frozenset(("newline", "comment"))
 
 
 class Slip(Exception):  # noqa: N818 - not an error: it unwinds the parser to the statement
@@ -190,7 +189,7 @@ def odd_statement(token: Token, following: Token, third: Token) -> Slip:  # noqa
     if following.kind in {"+", "-"} and third.kind == following.kind:
         message = Phrase("blocktext-count", name=name, operator=following.kind)
         return slip(following, "unexpected", message)
-    if following.kind in _LINE_ENDS:
+    if following.kind in LINE_ENDS:
         return slip(token, "no-effect", Phrase("blocktext-name-alone", name=name))
     return slip(following, "unexpected", Phrase("blocktext-call-or-assignment", name=name))
 

@@ -4,11 +4,9 @@ from functools import cached_property
 
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import slips
-from learnblock.language.blocktext.lexer import LINE_END, Token, Tokens
+from learnblock.language.blocktext.lexer import LINE_END, LINE_ENDS, Token, Tokens
 from learnblock.language.blocktext.slips import Slip
 from learnblock.language.tree.nodes import Span
-
-LINE_ENDS = frozenset(("newline", "comment"))
 
 # Twice as fast as Span(...).
 new = tuple.__new__

@@ -109,9 +109,13 @@ class Findings:
         """The message about a ``when`` that does not exist."""
         near = nearest(name, self.whens)
         if near is None:
-            code = "python-unknown-when" if self.in_python else "check-unknown-when"
+            code = self.worded("check-unknown-when", "python-unknown-when")
             return Phrase(code, name=name)
         return Phrase("check-unknown-when-near", name=name, near=near)
+
+    def worded(self, blocktext: str, python: str) -> str:
+        """The code of a message in the notation of the program's author."""
+        return python if self.in_python else blocktext
 
     def report(self, code: str, message: Phrase, span: Span, severity: Severity = "error") -> None:
         end = span.end_column if span.end_line == span.line else 0

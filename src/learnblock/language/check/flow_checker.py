@@ -77,7 +77,7 @@ class FlowChecker:
         times = constant(item.count)
         if isinstance(times, int | float) and times <= 0:
             message = Phrase(
-                self.worded("check-never-repeats", "check-never-repeats-python"),
+                self.findings.worded("check-never-repeats", "check-never-repeats-python"),
                 count=_spelled(times),
             )
             self.report("never-runs", message, item.count.span, "warning")
@@ -118,7 +118,7 @@ class FlowChecker:
         for one in item.body:
             match one:
                 case Perform(call=Call(name=item.name) as call):
-                    code = self.worded("check-calls-itself", "check-calls-itself-python")
+                    code = self.findings.worded("check-calls-itself", "check-calls-itself-python")
                     message = Phrase(code, name=item.name)
                     self.report("calls-itself", message, call.span, "warning")
                     return
@@ -130,7 +130,8 @@ class FlowChecker:
         runs = item.condition is not None or item.name == _START
         if not runs and not _is_idle(item.body) and not self.is_started(item.name):
             message = Phrase(
-                self.worded("check-never-started", "check-never-started-python"), name=item.name
+                self.findings.worded("check-never-started", "check-never-started-python"),
+                name=item.name,
             )
             self.report("never-started", message, item.span, "warning")
 
@@ -149,14 +150,10 @@ class FlowChecker:
         for item in (*self.findings.top, *self.findings.main):
             if name is not None and isinstance(item, While) and _leaves(item):
                 message = Phrase(
-                    self.worded("check-events-never-run", "check-events-never-run-python"),
+                    self.findings.worded("check-events-never-run", "check-events-never-run-python"),
                     name=name,
                 )
                 self.report("events-never-run", message, item.span, "warning")
-
-    def worded(self, blocktext: str, python: str) -> str:
-        """The code of the message in the notation of the program's author."""
-        return python if self.findings.in_python else blocktext
 
 
 _CHECKS: Mapping[type, Callable[[FlowChecker, Any], None]] = MappingProxyType(

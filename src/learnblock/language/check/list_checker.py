@@ -108,8 +108,7 @@ def _item(findings: Findings, node: Index, lengths: Mapping[str, int]) -> None:
             "check-past-end", values=values, index=f"{place:g}", length=length, last=str(length - 1)
         )
     else:
-        in_python = findings.in_python
-        code = "check-empty-list-item-python" if in_python else "check-empty-list-item"
+        code = findings.worded("check-empty-list-item", "check-empty-list-item-python")
         message = Phrase(code, values=values, index=f"{place:g}")
     findings.report("past-end", message, node.index.span, "warning")
 
@@ -131,8 +130,7 @@ def _counting(findings: Findings, item: ForRange) -> None:
                 case Index(value=Name(name=found), index=Name(name=index)) if (
                     found == values and index == item.target.name
                 ):
-                    in_python = findings.in_python
-                    code = "check-loop-past-end-python" if in_python else "check-loop-past-end"
+                    code = findings.worded("check-loop-past-end", "check-loop-past-end-python")
                     line = str(item.span.line)
                     message = Phrase(code, values=values, index=index, line=line)
                     findings.report("past-end", message, node.index.span, "warning")

@@ -178,7 +178,7 @@ class _TypeChecker:
 
     def each(self, item: ForEach) -> None:
         if self.types.of(item.values) in NUMBERS:
-            code = "check-for-number-python" if self.findings.in_python else "check-for-number"
+            code = self.findings.worded("check-for-number", "check-for-number-python")
             self.report(
                 Phrase(code, name=item.target.name, value=self.spelled(item.values)), item.values
             )
@@ -251,7 +251,7 @@ class _TypeChecker:
             self.report(Phrase("check-join-text", value=self.spelled(other)), other)
 
     def append(self, values: Expression, item: Expression) -> Phrase:
-        code = "check-append-python" if self.findings.in_python else "check-append"
+        code = self.findings.worded("check-append", "check-append-python")
         return Phrase(code, values=self.spelled(values), item=self.spelled(item))
 
     def product(self, left: Expression, right: Expression) -> None:

@@ -220,13 +220,11 @@ class LibraryConverted(Message, frozen=True):
     Args:
         filename: its name.
         content: its bytes.
-        source: the name of the .lb file.
         changed: what is different.
         missing: what could not be carried over.
     """
 
     filename: str
     content: bytes
-    source: str
     changed: tuple[Phrase, ...]
     missing: tuple[Phrase, ...]

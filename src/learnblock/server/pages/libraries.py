@@ -118,7 +118,7 @@ def _converted(message: messages.ConvertLibrary) -> messages.LibraryConverted:
         raise ProjectError(message.filename, [Diagnostic("only-program", reason)])
     made = _made(done.library)
     return messages.LibraryConverted(
-        made.filename, made.content, message.filename, done.report.changed, done.report.missing
+        made.filename, made.content, done.report.changed, done.report.missing
     )
 
 
