@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from old_projects import forever, main, project, skill
+from waiting import wait_for
 
 FOREVER = """\
 main:
@@ -18,8 +19,8 @@ main:
     end
 end
 """
-#: Whether the browser keeps a draft with a text; whether it keeps none.
-DATABASE = """new Promise((done, failed) => {
+#: The drafts that the browser keeps, as JSON.
+DRAFTS = """() => new Promise((done, failed) => {
     const opening = indexedDB.open("keyval-store");
     opening.onerror = failed;
     opening.onsuccess = () => {
@@ -27,8 +28,6 @@ DATABASE = """new Promise((done, failed) => {
         reading.onsuccess = () => { opening.result.close(); done(JSON.stringify(reading.result)); };
     };
 })"""
-DRAFTED = f"async (text) => (await {DATABASE}).includes(text)"
-NO_DRAFTS = f"async () => (await {DATABASE}) === '[]'"
 WAVE = "main:\n    function.expressJoy()\nend\n"
 
 
@@ -101,7 +100,7 @@ def test_what_was_typed_without_a_server_survives_closing_the_page(own_server, s
     own_server.kill()
     pupil.put_cursor("blocktext", "end")
     pupil.page.keyboard.type("    function.sleep(7)\n")
-    pupil.page.wait_for_function(DRAFTED, arg="sleep(7)")
+    wait_for(lambda: "sleep(7)" in pupil.page.evaluate(DRAFTS), "a draft of the last edit")
     pupil.page.close()
     own_server.start()
     pupil.page = pupil.open()
@@ -110,7 +109,7 @@ def test_what_was_typed_without_a_server_survives_closing_the_page(own_server, s
     pupil.sees("blocktext", "sleep(7)")
     pupil.wait_until_saved()
     assert "sleep(7)" in saved(own_server, "program")
-    pupil.page.wait_for_function(NO_DRAFTS)
+    wait_for(lambda: pupil.page.evaluate(DRAFTS) == "[]", "no drafts")
 
 
 def test_the_browser_asks_before_it_closes_a_page_with_unsaved_changes(own_server, sit_down):
