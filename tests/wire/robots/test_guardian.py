@@ -5,7 +5,7 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from time import monotonic
+from time import monotonic, sleep
 
 import pytest
 
@@ -14,6 +14,7 @@ from learnblock.ice import Adapter, Servant
 from learnblock.ice.robocomp import Layout, interfaces
 from learnblock.robots.guardian import TRIES_FOR, Guardian
 from learnblock.robots.rcis import Robot, Settings
+from waiting import wait_for
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
 
@@ -48,6 +49,7 @@ def gone_within(pid, seconds):
     while runs(pid):
         if monotonic() > deadline:
             return False
+        sleep(0.002)
     return True
 
 
@@ -75,23 +77,22 @@ def begin(tmp_path):
         process.stdout.close()
 
 
-def wait_for(twin, seconds):
+def let_pass(twin, seconds):
+    """Wait for seconds of the twin's time, and leave the processor to whatever has to stop it."""
     until = twin.time + seconds
-    while twin.time < until:
-        pass
+    wait_for(lambda: twin.time >= until, "its world advances")
 
 
 def test_a_killed_program_leaves_neither_a_driving_robot_nor_a_process(begin):
     with reachable("rcis") as twin:
         process, guardian = begin()
         start = x_of(twin)
-        while x_of(twin) < start + 20:
-            assert process.poll() is None
+        wait_for(lambda: x_of(twin) >= start + 20, "it drives")
         assert runs(guardian)
         process.send_signal(signal.SIGKILL)
-        wait_for(twin, LIMIT)
+        let_pass(twin, LIMIT)
         there = x_of(twin)
-        wait_for(twin, LIMIT)
+        let_pass(twin, LIMIT)
         assert abs(x_of(twin) - there) < STILL
         assert gone_within(guardian, 2)
 
@@ -102,9 +103,9 @@ def test_a_guardian_that_has_just_started_stops_the_robot(begin):
         process.wait()
         assert gone_within(guardian, 5)
         # Wheels need some time to stop.
-        wait_for(twin, 0.2)
+        let_pass(twin, 0.2)
         there = x_of(twin)
-        wait_for(twin, LIMIT)
+        let_pass(twin, LIMIT)
         assert abs(x_of(twin) - there) < STILL
 
 
@@ -119,12 +120,12 @@ def test_ctrl_c_does_not_end_a_guardian(tmp_path):
 
 def wait_until_it_ignores_ctrl_c(pid):
     bit = 1 << (signal.SIGINT - 1)
-    deadline = monotonic() + 10
-    while monotonic() < deadline:
+
+    def ignores():
         status = Path(f"/proc/{pid}/status").read_text().split("SigIgn:")[1]
-        if int(status.split()[0], 16) & bit:
-            return
-    raise AssertionError("it never began")
+        return int(status.split()[0], 16) & bit
+
+    wait_for(ignores, "it ignores Ctrl-C", 10)
 
 
 class Wheels:
