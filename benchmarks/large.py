@@ -12,14 +12,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from page import NUMBER, chromium, serving, visitor
+from page import CANVAS, chromium, serving, visitor
 from playwright.sync_api import Page
 
 GIVEN = Path(__file__).with_suffix(".js")
 LINES = 5000
 #: The time for which the program runs, in ms.
 RUNNING = 10_000
-#: The edit changes the number on the second line.
+#: The edit changes the number on the second line: the first statement of the main block.
+NUMBER = f"{CANVAS} .lb_main > .lb_skill_sleep > .blocklyShadow"
 HEAD = "main:\n    function.sleep(1)\n    repeat 1000:\n        step_0(1)\n    end\nend\n"
 PART = """
 def step_{number}(x):
@@ -93,6 +94,9 @@ def typed(page: Page) -> Figures:
 def filled(page: Page) -> Figures:
     """Change the same number in its block."""
     page.evaluate("() => learnblock.views.show('blocks')")
+    page.evaluate(
+        "number => learnblock.context.reveal(document.querySelector(number).dataset.id)", NUMBER
+    )
     page.locator(NUMBER).first.click()
     page.locator(".blocklyHtmlInput").wait_for()
     found = edited(page, "sleep(3)", lambda: page.keyboard.press("3"))
