@@ -19,9 +19,10 @@ GIVEN = Path(__file__).with_suffix(".js")
 LINES = 5000
 #: The time for which the program runs, in ms.
 RUNNING = 10_000
-#: The edit changes the number on the second line: the first statement of the main block.
-NUMBER = f"{CANVAS} .lb_main > .lb_skill_sleep > .blocklyShadow"
-HEAD = "main:\n    function.sleep(1)\n    repeat 1000:\n        step_0(1)\n    end\nend\n"
+#: The edits change the number on the second line, in the first statement of the first stack.
+NUMBER = f"{CANVAS} > g > .lb_skill_sleep > .blocklyShadow"
+STATEMENT = "    function.sleep(1)\n"
+FIRST = f"def first():\n{STATEMENT}end\n"
 PART = """
 def step_{number}(x):
     y = x + 2 * (x - 1)
@@ -44,25 +45,30 @@ def step_{number}(x):
     return y
 end
 """
+MAIN = """
+main:
+    first()
+    repeat 1000:
+        step_0(1)
+    end
+end
+"""
 
 Figures = dict[str, Any]
 
 
 def program(lines: int) -> str:
     """Return a program with this number of lines or a few more."""
-    parts = -(-(lines - HEAD.count("\n")) // PART.count("\n"))
-    return HEAD + "".join(PART.format(number=number) for number in range(parts))
+    ends = (FIRST + MAIN).count("\n")
+    parts = -(-(lines - ends) // PART.count("\n"))
+    return FIRST + "".join(PART.format(number=number) for number in range(parts)) + MAIN
 
 
 def one_stack(lines: int) -> str:
     """Return a program of the same statements, all of them in one stack."""
     body = "".join(PART.splitlines(keepends=True)[2:-2])
-    return (
-        HEAD.removesuffix("end\n")
-        + body.replace("(advSpeed=x)", "(advSpeed=9)").replace("x", "2")
-        * (lines // body.count("\n"))
-        + "end\n"
-    )
+    body = body.replace("(advSpeed=x)", "(advSpeed=9)").replace("x", "2")
+    return f"main:\n{STATEMENT}{body * (lines // body.count(chr(10)))}end\n"
 
 
 def created(page: Page, name: str, text: str) -> None:
