@@ -120,6 +120,8 @@ def _workspaces() -> Iterator[tuple[str, list[object]]]:
 def _tomls(size: int) -> Iterator[tuple[str, str]]:
     yield "dotted keys", filled("a.", size - 10) + "b=1"
     yield "quoted dots", filled('"a" . ', size - 10) + "b=1"
+    yield "spaced dots", filled('"a b".', size - 10) + "b=1"
+    yield "escaped dots", filled('"a\\"b".', size - 10) + "b=1"
     yield "tables", "".join(f"[a{n}]\n" for n in range(size // 10))
     yield "tables of tables", filled("[[a]]\n", size)
     yield "deep lists", "x = " + filled("[", size - 4)
@@ -139,6 +141,8 @@ def _tags() -> Iterator[tuple[str, Message]]:
     for name, text in _tomls(TEXT):
         yield name, {"filename": "a.toml", "text": text}
     yield "lines", {"filename": "a.csv", "text": "".join(f"n{n},{n}\n" for n in range(19_000))}
+    wrong = "".join(f"n{n},x\n" for n in range(2000))
+    yield "wrong numbers", {"filename": "a.csv", "text": wrong + filled("\n", TEXT - len(wrong))}
     yield "quotes", {"filename": "a.csv", "text": filled('"')}
     yield "commas", {"filename": "a.csv", "text": filled(",")}
 

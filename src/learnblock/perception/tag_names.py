@@ -6,6 +6,7 @@ Each line names one tag:
     "red door" = 12
 """
 
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import lru_cache
@@ -22,7 +23,8 @@ MOST_NAMES = 2000
 LONGEST_NAME = 100
 #: The maximum size of a dictionary, in bytes.
 LARGEST = 256 * 1024
-
+#: The name in a line of TOML or CSV.
+_NAME = re.compile(r"""(?:"([^"]*)"|'([^']*)'|([^=,]*))""")
 
 #: The numbers that the running program uses instead of the user's.
 _preferred: dict[str, int] = {}
@@ -177,20 +179,26 @@ def _problems(table: Mapping[str, object], source: str) -> Iterator[Diagnostic]:
     if len(table) > MOST_NAMES:
         message = Phrase("perception-tags-too-many", count=len(table), limit=MOST_NAMES)
         yield Diagnostic("too-many", message)
+        return
+    lines = _lines(source)
     for name, number in table.items():
+        line = lines.get(name, 0)
         if not name.strip() or len(name) > LONGEST_NAME or not name.isprintable():
             message = Phrase("perception-tags-bad-name", name=name[:60], limit=LONGEST_NAME)
-            yield Diagnostic("bad-name", message, _line(source, name))
+            yield Diagnostic("bad-name", message, line)
         elif _whole(name) is not None:
             message = Phrase("perception-tags-number-as-name", name=name)
-            yield Diagnostic("bad-name", message, _line(source, name))
+            yield Diagnostic("bad-name", message, line)
         if isinstance(number, bool) or not isinstance(number, int) or not 0 <= number <= LAST_TAG:
             values = {"name": name, "value": f"{number!r:.60}", "last": str(LAST_TAG)}
             message = Phrase("perception-tags-bad-number", **values)
-            yield Diagnostic("bad-tag", message, _line(source, name))
+            yield Diagnostic("bad-tag", message, line)
 
 
-def _line(source: str, name: str) -> int:
-    lines = source.splitlines()
-    starts = (name, f'"{name}"', f"'{name}'")
-    return next((i for i, line in enumerate(lines, 1) if line.strip().startswith(starts)), 0)
+def _lines(source: str) -> Mapping[str, int]:
+    """The line of each name."""
+    found: dict[str, int] = {}
+    for number, line in enumerate(source.splitlines(), 1):
+        if name := _NAME.match(line.strip()):
+            found.setdefault(name[name.lastindex or 0].strip(), number)
+    return found

@@ -4,8 +4,9 @@ import re
 import tomllib
 from typing import Any
 
+_PART = r"""(?:[\w-]++|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+"""
 #: A key of more parts than any of ours has: tomllib takes time quadratic in their number.
-_DEEP_KEY = re.compile(r"""(?:[\w"'-]+[ \t]*\.[ \t]*){32}""", re.ASCII)
+_DEEP_KEY = re.compile(rf"""(?<![\w"'-])(?:{_PART}){{32}}""", re.ASCII)
 
 
 def loads(source: str) -> dict[str, Any]:

@@ -6,13 +6,24 @@ from hypothesis import strategies as st
 
 from learnblock.storage.toml_values import loads
 
-DEEP = ["a." * 40_000 + "b = 1", "[" + "a . " * 40_000 + "b]", "x = {" + "'a'." * 99 + "b=1}"]
+DEEP = [
+    "a." * 40_000 + "b = 1",
+    "[" + "a . " * 40_000 + "b]",
+    "x = {" + "'a'." * 99 + "b=1}",
+    '"a b".' * 40_000 + "b = 1",
+    '"a\\"b".' * 30_000 + "b = 1",
+]
 
 
 @pytest.mark.parametrize("source", DEEP)
 def test_a_key_of_very_many_parts_is_refused(source):
     with pytest.raises(RecursionError):
         loads(source)
+
+
+def test_a_number_of_very_many_digits_is_refused_at_once():
+    with pytest.raises(ValueError, match="digits"):
+        loads("x = " + "9" * 240_000)
 
 
 @given(st.integers(1, 31))

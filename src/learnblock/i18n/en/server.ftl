@@ -74,6 +74,14 @@ server-network-by-folder = settings.toml allows the network to all programs in {
 server-network-in-use = A program that may use the network is running. Stop it first.
 server-network-ask-again = This page can't change which programs may use the network. Open the dialog again.
 
+## Problems in a program
+
+# $count is the number of problems that are not listed.
+server-more-problems = { $count ->
+    [one] One more problem is not listed. Correct some of those listed first.
+   *[other] { $count } more problems are not listed. Correct some of those listed first.
+}
+
 ## For contributors: learnblock dev
 
 server-dev-no-watchfiles = learnblock dev needs watchfiles. Run pip install -e '.[dev]'.

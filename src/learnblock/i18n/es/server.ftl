@@ -60,6 +60,13 @@ server-network-by-folder = settings.toml permite usar la red a todos los program
 server-network-in-use = Está en marcha un programa que puede usar la red. Páralo primero.
 server-network-ask-again = Esta página no puede cambiar qué programas usan la red. Vuelve a abrir el diálogo.
 
+## Problems in a program
+
+server-more-problems = { $count ->
+    [one] Hay un problema más que no aparece en la lista. Corrige primero algunos de los que sí aparecen.
+   *[other] Hay { $count } problemas más que no aparecen en la lista. Corrige primero algunos de los que sí aparecen.
+}
+
 ## For contributors: learnblock dev
 
 server-dev-no-watchfiles = learnblock dev necesita watchfiles. Ejecuta pip install -e '.[dev]'.

@@ -21,7 +21,7 @@ from learnblock.language.tree.nodes import (
 from learnblock.language.tree.traversal import bodies, expressions, statements
 from learnblock.language.workspace.alignment import Match, aligned
 from learnblock.language.workspace.blocks import Block, Input, Variable, Workspace
-from learnblock.language.workspace.notes import Lead, comment_of
+from learnblock.language.workspace.notes import comment_of
 from learnblock.language.workspace.reader import WorkspaceReader, is_note, is_part, statements_of
 from learnblock.language.workspace.shapes import Shape
 from learnblock.language.workspace.statement_reader import Group
@@ -258,20 +258,20 @@ class WorkspaceWriter(ValueWriter):
 def grouped(items: Sequence[Item | Main]) -> list[Group]:
     """Group statements with the comments directly above them; other comments stay alone."""
     groups: list[Group] = []
-    lead: Lead = ()
+    lead: list[Blank | Comment] = []
     for item in items:
         if isinstance(item, Blank):
             groups += _alone(lead)
-            lead = (item,)
+            lead = [item]
         elif isinstance(item, Comment):
-            lead = (*lead, item)
+            lead.append(item)
         else:
-            groups.append(Group(lead, item))
-            lead = ()
+            groups.append(Group(tuple(lead), item))
+            lead = []
     return groups + _alone(lead)
 
 
-def _alone(lead: Lead) -> list[Group]:
+def _alone(lead: Sequence[Blank | Comment]) -> list[Group]:
     """Comments without a statement directly below."""
     comments = [one for one in lead if isinstance(one, Comment)]
     blank = tuple(one for one in lead if isinstance(one, Blank))

@@ -1,6 +1,6 @@
 """Find the problems of a program, and their positions in each of its views."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from learnblock.errors import Diagnostic
@@ -104,6 +104,7 @@ class _Located:
         self.notations = notations
         self.written = Written.by_author("", tree)
         self.statements = every(tree)
+        self._inner: dict[int, Mapping[tuple[int, int, int], str]] = {}
 
     @cached_property
     def owners(self) -> list[int | None]:
@@ -150,14 +151,26 @@ class _Located:
         index = self.statement(diagnostic.line)
         if index is None:
             return None
+        where = (diagnostic.line, diagnostic.column, diagnostic.end_column)
+        own = self.notations.block_ids.get(id(self.originals[index]))
+        return self.inner(index).get(where, own)
+
+    def inner(self, index: int) -> Mapping[tuple[int, int, int], str]:
+        """The blocks of a statement's expressions, by line, column and end column or 0."""
+        if index not in self._inner:
+            self._inner[index] = dict(self._inner_blocks(index))
+        return self._inner[index]
+
+    def _inner_blocks(self, index: int) -> Iterator[tuple[tuple[int, int, int], str]]:
         ids = self.notations.block_ids
         pairs = zip(
             _expressions(self.statements[index]), _expressions(self.originals[index]), strict=False
         )
-        for node, original in pairs:
-            if _is_meant(node, diagnostic) and id(original) in ids:
-                return ids[id(original)]
-        return ids.get(id(self.originals[index]))
+        # Of several at one place, the outermost is meant.
+        for node, original in reversed(list(pairs)):
+            if block := ids.get(id(original)):
+                yield (node.span.line, node.span.column, node.span.end_column), block
+                yield (node.span.line, node.span.column, 0), block
 
     def statement(self, line: int) -> int | None:
         return self.owners[line] if line < len(self.owners) else None
@@ -166,9 +179,3 @@ class _Located:
 def _expressions(item: Item | Main) -> Iterable[Expression]:
     for expression in expressions(item):
         yield from within(expression)
-
-
-def _is_meant(node: Expression, diagnostic: Diagnostic) -> bool:
-    if (node.span.line, node.span.column) != (diagnostic.line, diagnostic.column):
-        return False
-    return diagnostic.end_column in (0, node.span.end_column)

@@ -1,13 +1,18 @@
 """The program as shown by a page, so that the page receives only changes."""
 
+from collections import Counter
 from typing import TypeVar
 
+from learnblock.i18n import Phrase
 from learnblock.server import messages
-from learnblock.server.messages import View
+from learnblock.server.messages import Problem, View
 from learnblock.server.program.document import Document
 from learnblock.server.program.revisions import Revisions
 
 Content = TypeVar("Content")
+
+#: Problems of a view that a page lists; tens of thousands would keep it, and the server, busy.
+MOST_PROBLEMS = 200
 
 
 class Shown:
@@ -65,7 +70,7 @@ class Shown:
             python=self._new("python", document.python),
             workspace=self._new("blocks", document.workspace),
             places=document.places,
-            problems=document.problems,
+            problems=_fewer(document.problems),
             stale=document.stale,
             can_undo=can_undo,
             can_redo=can_redo,
@@ -76,3 +81,18 @@ class Shown:
             return None
         self._views[view] = content
         return content
+
+
+def _fewer(problems: tuple[Problem, ...]) -> tuple[Problem, ...]:
+    """At most `MOST_PROBLEMS` of each view, errors before warnings, and how many are left out."""
+    most = max(Counter(one.view for one in problems).values(), default=0)
+    if most <= MOST_PROBLEMS:
+        return problems
+    kept: list[Problem] = []
+    count: Counter[View] = Counter()
+    for one in sorted(problems, key=lambda one: one.severity != "error"):
+        count[one.view] += 1
+        if count[one.view] <= MOST_PROBLEMS:
+            kept.append(one)
+    left = Phrase("server-more-problems", count=most - MOST_PROBLEMS)
+    return (*kept, Problem("more-problems", left, "warning", kept[-1].view))
