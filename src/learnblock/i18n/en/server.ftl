@@ -78,8 +78,8 @@ server-network-ask-again = This page can't change which programs may use the net
 
 # $count is the number of problems that are not listed.
 server-more-problems = { $count ->
-    [one] One more problem is not listed. Correct some of those listed first.
-   *[other] { $count } more problems are not listed. Correct some of those listed first.
+    [one] There is one more problem. It is listed once you have corrected some of these.
+   *[other] There are { $count } more problems. They are listed once you have corrected some of these.
 }
 
 ## For contributors: learnblock dev

@@ -63,8 +63,8 @@ server-network-ask-again = Esta página no puede cambiar qué programas usan la 
 ## Problems in a program
 
 server-more-problems = { $count ->
-    [one] Hay un problema más que no aparece en la lista. Corrige primero algunos de los que sí aparecen.
-   *[other] Hay { $count } problemas más que no aparecen en la lista. Corrige primero algunos de los que sí aparecen.
+    [one] Hay un problema más. Aparecerá cuando hayas corregido algunos de estos.
+   *[other] Hay { $count } problemas más. Aparecerán cuando hayas corregido algunos de estos.
 }
 
 ## For contributors: learnblock dev
