@@ -68,7 +68,8 @@ def one_stack(lines: int) -> str:
     """Return a program of the same statements, all of them in one stack."""
     body = "".join(PART.splitlines(keepends=True)[2:-2])
     body = body.replace("(advSpeed=x)", "(advSpeed=9)").replace("x", "2")
-    return f"main:\n{STATEMENT}{body * (lines // body.count(chr(10)))}end\n"
+    times = lines // body.count("\n")
+    return f"main:\n{STATEMENT}{body * times}end\n"
 
 
 def created(page: Page, name: str, text: str) -> None:

@@ -113,7 +113,7 @@ def begun(playing):
 
 
 def at_rest(stage):
-    """Return whether the world is paused: it ends at most the step that it was taking."""
+    """Return whether the world is paused; it may still finish the step in progress."""
     before = stage.state().time
     threading.Event().wait(0.1)
     return stage.state().time <= before + 1.5 * DT

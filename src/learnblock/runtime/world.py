@@ -73,7 +73,7 @@ class World:
     def running_by_itself(self, seconds: float | None) -> Iterator[None]:
         """Let the time of a paced world pass while its program waits for a person.
 
-        At free pace, time stands still, since nothing would limit how far it runs on.
+        A world without a speed limit waits too: it could run any distance ahead.
 
         Args:
             seconds: the world's time at which the run ends; None for no limit.

@@ -78,7 +78,7 @@ def begin(tmp_path):
 
 
 def let_pass(twin, seconds):
-    """Wait for seconds of the twin's time, and leave the processor to whatever has to stop it."""
+    """Wait for seconds of the twin's time, leaving the processor to its guardian."""
     until = twin.time + seconds
     wait_for(lambda: twin.time >= until, "its world advances")
 
@@ -88,6 +88,7 @@ def test_a_killed_program_leaves_neither_a_driving_robot_nor_a_process(begin):
         process, guardian = begin()
         start = x_of(twin)
         wait_for(lambda: x_of(twin) >= start + 20, "it drives")
+        assert process.poll() is None
         assert runs(guardian)
         process.send_signal(signal.SIGKILL)
         let_pass(twin, LIMIT)

@@ -11,7 +11,7 @@ from learnblock.server.program.revisions import Revisions
 
 Content = TypeVar("Content")
 
-#: Problems of a view that a page lists; tens of thousands would keep it, and the server, busy.
+#: A page lists at most this many problems of a view: thousands would slow down page and server.
 MOST_PROBLEMS = 200
 
 
