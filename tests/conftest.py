@@ -15,6 +15,9 @@ TESTS = Path(__file__).parent
 # Modules of helpers that several tests import, such as `runs`.
 sys.path.insert(0, str(TESTS / "helpers"))
 
+# The tiers, limits and reruns of the tests, and the report of the time that they took.
+pytest_plugins = ("gate", "limits", "reruns", "spent")
+
 # A busy machine takes longer for an example, which is no failure.
 settings.register_profile("untimed", deadline=None)
 settings.load_profile("untimed")
@@ -24,9 +27,9 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-#: Folders whose tests need the other end of a robot's wire, or a browser. They run first: those
-#: with a wire keep time best in parallel, because they mostly wait, and a browser is started once
-#: if its tests follow each other.
+#: Folders whose tests need the other end of a robot's wire, or a browser, and so depend on real
+#: time. They run first: those with a wire keep time best in parallel, because they mostly wait, and
+#: a browser is started once if its tests follow each other.
 MARKED = ("wire", "browser")
 
 
@@ -58,6 +61,7 @@ def pytest_collection_modifyitems(items):
         folder = _folder(item)
         if folder in MARKED:
             item.add_marker(folder)
+            item.add_marker("realtime")
         # The tests of a file share fixtures, such as a server, so one worker runs them all.
         if item.get_closest_marker("spread") is None:
             item.add_marker(pytest.mark.xdist_group(str(item.path.relative_to(TESTS))))

@@ -8,6 +8,8 @@ from playwright.sync_api import expect
 from browser.conftest import Server
 from browser.test_accessibility import axe, faults  # noqa: F401 - a fixture
 
+pytestmark = pytest.mark.certain
+
 #: Lets the survey of the server find that nothing contains programs, as on another system.
 UNCONTAINED = """\
 from learnblock.runtime.containment import survey

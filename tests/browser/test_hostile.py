@@ -12,6 +12,8 @@ from browser.conftest import Server
 from browser.hostile import PROGRAM, disordered, malformed, stream
 from pages import TIMEOUT, Visitor, english
 
+pytestmark = pytest.mark.certain
+
 #: The number of messages sent over one connection.
 BREATH = 100
 MEGABYTE = 1024 * 1024

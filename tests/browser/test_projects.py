@@ -61,6 +61,7 @@ def test_a_renamed_project_keeps_its_program_and_its_address(own_server, sit_dow
 # Saving.
 
 
+@pytest.mark.certain
 def test_no_change_is_lost_when_the_server_is_killed(own_server, sit_down):
     pupil = sit_down(own_server, empty=True)
     wave(pupil)
@@ -79,6 +80,7 @@ def test_no_change_is_lost_when_the_server_is_killed(own_server, sit_down):
     assert pupil.foreign == []
 
 
+@pytest.mark.certain
 def test_saved_changes_survive_a_crash_of_the_computer(own_server, sit_down):
     pupil = sit_down(own_server, empty=True)
     pupil.choose("World", "Line")
@@ -93,6 +95,7 @@ def test_saved_changes_survive_a_crash_of_the_computer(own_server, sit_down):
     expect(pupil.page.get_by_role("combobox", name="World")).to_have_value("line")
 
 
+@pytest.mark.certain
 def test_what_was_typed_without_a_server_survives_closing_the_page(own_server, sit_down):
     pupil = sit_down(own_server, empty=True)
     wave(pupil)

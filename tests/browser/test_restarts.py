@@ -2,7 +2,11 @@
 
 import random
 
+import pytest
+
 from browser.restarts import KINDS, play
+
+pytestmark = pytest.mark.certain
 
 
 def test_what_was_typed_survives_a_kill_of_browser_and_server(browser, tmp_path):

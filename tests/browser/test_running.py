@@ -158,6 +158,7 @@ def test_an_endless_program_is_stopped_with_a_reason_and_the_page_stays_usable(
     assert pupil.foreign == []
 
 
+@pytest.mark.certain
 def test_the_trace_equals_that_of_the_command_line_after_edits_in_any_view(pupil):
     expected = trace_of_the_command_line()
     pupil.choose("Robot", "Cozmo")

@@ -2,7 +2,11 @@
 
 import random
 
+import pytest
+
 from browser.together import drill
+
+pytestmark = pytest.mark.certain
 
 
 def test_three_pages_and_an_editor_end_with_one_program(browser, tmp_path):

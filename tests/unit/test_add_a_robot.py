@@ -18,6 +18,7 @@ from runs import run_example
 gpiozero = pytest.importorskip("gpiozero", reason="pip install gpiozero: the guide's robot has it")
 
 pytestmark = [
+    pytest.mark.realtime,
     # The guide's advice to access the pins differently, which measures distances better.
     pytest.mark.filterwarnings("ignore::gpiozero.PWMSoftwareFallback"),
     pytest.mark.filterwarnings("ignore::gpiozero.DistanceSensorNoEcho"),

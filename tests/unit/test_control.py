@@ -27,7 +27,7 @@ HEADER = "from learnblock.robots.sim_ebo import Robot\nrobot = Robot()\n"
 #: The time from a command to its effect: about 50 ms on an idle machine.
 PROMPT = 1.0
 
-pytestmark = pytest.mark.spread
+pytestmark = [pytest.mark.spread, pytest.mark.realtime]
 
 
 class Observer(Watcher):

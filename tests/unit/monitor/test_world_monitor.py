@@ -21,6 +21,8 @@ from learnblock.server import messages
 from learnblock.server.runs import telemetry
 from runs import TWINS, run_example
 
+pytestmark = pytest.mark.realtime
+
 
 @pytest.fixture
 def watch():

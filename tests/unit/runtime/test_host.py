@@ -17,7 +17,7 @@ from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from learnblock.runtime.watcher import Watcher
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.realtime]
 
 DRIVE = """from learnblock.devices import Base
 robot.device(Base).move(100, 0)

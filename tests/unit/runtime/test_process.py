@@ -13,6 +13,8 @@ from learnblock.runtime.link import Link
 from learnblock.runtime.messages import Ended, FromChild, FromHost, Printed, Setup
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 
+pytestmark = pytest.mark.realtime
+
 
 def setup(source):
     return Setup(

@@ -18,7 +18,7 @@ from learnblock.server.serve import Service, _bound, _listening, _warn, serve
 from pages import TOKEN, Visitor
 
 # Most of them start a server.
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.realtime]
 
 RUNNING = "main:\n    while True:\n        function.sleep(0.1)\n    end\nend\n"
 TIMEOUT = 20

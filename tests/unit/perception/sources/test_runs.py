@@ -19,6 +19,8 @@ from runs import run_file
 from shown_pictures import a_face
 from videos import record
 
+pytestmark = pytest.mark.realtime
+
 #: A user's own robot: a real one, without a camera.
 MINE = """
 from learnblock.devices import Base

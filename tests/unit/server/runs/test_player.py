@@ -11,7 +11,7 @@ from learnblock.server.runs.console import MOST_AT_ONCE
 from pages import english
 from places import ROOT
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.realtime]
 
 EXAMPLES = ROOT / "examples"
 SQUARE = (EXAMPLES / "square.bt").read_text("utf-8")
