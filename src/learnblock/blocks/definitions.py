@@ -1,15 +1,16 @@
 """The definitions of our blocks, in Blockly's JSON.
 
 A block with a variable shape names its extension or mutator in the page:
-``lb_when_mutator``, ``lb_arguments_mutator``, ``lb_compare_mutator``, ``lb_when_names``,
-``lb_code_field``. An extension adds its field to the dummy input ``PLACE``.
+``lb_when_mutator``, ``lb_arguments_mutator``, ``lb_compare_mutator``, ``lb_dictionary_mutator``,
+``lb_when_names``, ``lb_code_field``. An extension adds its field to the dummy input ``PLACE``.
 """
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from learnblock.blocks.labels import sentence, translated
+from learnblock.blocks.groups import style_of
+from learnblock.blocks.labels import parameter_name, sentence, translated
 from learnblock.blocks.schema.configuration import NUMBERS, BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL, is_skill_block
 
@@ -61,11 +62,11 @@ def _choice(name: str, choices: Iterable[str]) -> Definition:
 
 def _hats() -> list[Definition]:
     when = _block(
-        "lb_when", "lb_event", [_text("NAME", "start"), _PLACE], mutator="lb_when_mutator"
+        "lb_when", "lb_events", [_text("NAME", "start"), _PLACE], mutator="lb_when_mutator"
     )
     return [
-        _block("lb_main", "lb_event", **_DO),
-        _block("lb_start", "lb_event", **_DO),
+        _block("lb_main", "lb_events", **_DO),
+        _block("lb_start", "lb_events", **_DO),
         # The mutator adds CONDITION above DO.
         {**when, **_DO},
     ]
@@ -83,22 +84,30 @@ def _statements() -> list[Definition]:
         _choice("OP", ("+=", *CHANGES)),
         _value("VALUE"),
     ]
+    entry = [_value("DICTIONARY"), _value("KEY")]
+    change_entry = [*entry, _choice("OP", ("+=", *CHANGES)), _value("VALUE")]
+    set_entry = [*entry, _value("VALUE")]
     names, arguments = ["lb_when_names"], "lb_arguments_mutator"
     found = [
-        _block("lb_activate", "lb_event", [_PLACE], extensions=names),
-        _block("lb_deactivate", "lb_event", [_PLACE], extensions=names),
+        _block("lb_activate", "lb_events", [_PLACE], extensions=names),
+        _block("lb_deactivate", "lb_events", [_PLACE], extensions=names),
         _block("lb_return", "procedure_blocks", [_value("VALUE")]),
         _block("lb_pass", "lb_control"),
+        _block("lb_wait_until", "loop_blocks", [_value("CONDITION", "Boolean")], inputsInline=True),
         _block("lb_import", "lb_control", [_text("MODULE", "dance")]),
         _block("lb_setup", "lb_control", [_PLACE], mutator=arguments, inputsInline=True),
         _block("lb_change", "variable_blocks", change, inputsInline=True),
         _block("lb_change_index", "list_blocks", change_index, inputsInline=True),
+        _block("lb_dictionary_set", "list_blocks", set_entry, inputsInline=True),
+        _block("lb_dictionary_change", "list_blocks", change_entry, inputsInline=True),
+        _block("lb_dictionary_remove", "list_blocks", entry, inputsInline=True),
         _block("lb_do", "lb_control", [_value("VALUE")], inputsInline=True),
         _block("lb_call", "procedure_blocks", [_PLACE], mutator=arguments, inputsInline=True),
-        _block("lb_python", "lb_python", [_PLACE], extensions=["lb_code_field"]),
-        _block("lb_comment", "lb_python", [_text("TEXT")]),
+        _block("lb_python", "lb_control", [_PLACE], extensions=["lb_code_field"]),
+        _block("lb_comment", "lb_control", [_text("TEXT")]),
     ]
-    return [{**one, **_STATEMENT} for one in found]
+    forever = _block("lb_forever", "loop_blocks", **_DO)
+    return [{**one, **_STATEMENT} for one in (*found, forever)]
 
 
 def _values() -> list[Definition]:
@@ -109,11 +118,12 @@ def _values() -> list[Definition]:
     membership = [_value("A"), operator, _value("B")]
     seconds = [_value("SECONDS", "Number")]
     return [
-        _block("lb_state", "lb_event", [_PLACE], output="Boolean", extensions=names, **pair),
-        _block("lb_time", "lb_event", [_PLACE], output="Number", extensions=names, **pair),
-        _block("lb_elapsed_time", "lb_event", seconds, output="Boolean", **pair),
+        _block("lb_state", "lb_events", [_PLACE], output="Boolean", extensions=names, **pair),
+        _block("lb_time", "lb_events", [_PLACE], output="Number", extensions=names, **pair),
+        _block("lb_elapsed_time", "lb_events", seconds, output="Boolean", **pair),
         _block("lb_floor_divide", "math_blocks", numbers, output="Number", **pair),
         _block("lb_positive", "math_blocks", [_value("NUM", "Number")], output="Number", **pair),
+        *_dictionaries(),
         _block("lb_in", "logic_blocks", membership, output="Boolean", **pair),
         _block(
             "lb_compare_chain",
@@ -131,7 +141,20 @@ def _values() -> list[Definition]:
             mutator="lb_arguments_mutator",
             **pair,
         ),
-        _block("lb_python_value", "lb_python", [_PLACE], output=None, extensions=["lb_code_field"]),
+        _block(
+            "lb_python_value", "lb_control", [_PLACE], output=None, extensions=["lb_code_field"]
+        ),
+    ]
+
+
+def _dictionaries() -> list[Definition]:
+    whole, key = _value("DICTIONARY"), _value("KEY")
+    shape = {"output": None, "inputsInline": True}
+    mutator = "lb_dictionary_mutator"
+    return [
+        _block("lb_dictionary", "list_blocks", [_PLACE], mutator=mutator, **shape),
+        _block("lb_dictionary_get", "list_blocks", [whole, key], **shape),
+        _block("lb_dictionary_keys", "list_blocks", [whole], output="Array", inputsInline=True),
     ]
 
 
@@ -141,7 +164,7 @@ def skill_definition(configuration: BlockConfiguration, language: str) -> Defini
     shape = {"output": output} if configuration.returns_value else _STATEMENT
     return {
         "type": SKILL + configuration.name,
-        "style": f"lb_{configuration.type}",
+        "style": style_of(configuration.category),
         "message0": _message(configuration, language),
         "args0": [_parameter(one, language) for one in configuration.parameters],
         "inputsInline": True,
@@ -171,18 +194,18 @@ def _all_plain(texts: Mapping[str, str]) -> dict[str, str]:
 def _parameter(parameter: Parameter, language: str) -> Definition:
     field = _field(parameter, language)
     value = _value(parameter.name, _CHECKS.get(parameter.type))
-    return {**value, "field": field} if field else value
+    named = {**value, "label": parameter_name(parameter, language), "kind": parameter.type}
+    return {**named, "field": field} if field else named
 
 
 def _field(parameter: Parameter, language: str) -> Definition:
     """The choices of the field, under a key that only our page knows."""
     if parameter.choices:
         names = parameter.choice_names
-        return {
-            "options": [
-                [translated(names.get(one, {}), language, one), one] for one in parameter.choices
-            ]
-        }
+        options = [
+            [translated(names.get(one, {}), language, one), one] for one in parameter.choices
+        ]
+        return {"options": options, **({"open": True} if parameter.type == "string" else {})}
     if parameter.range is None:
         return {}
     ends = {"min": parameter.range.least, "max": parameter.range.most}

@@ -23,8 +23,8 @@ Block-Text `function.NAME(...)`, in Python `robot.NAME(...)`. Speeds are in mm/s
 distances in mm, angles in degrees (clockwise, that is to the right, is positive) and times in
 seconds.
 
-If the robot lacks the device of a skill, the skill does nothing: a question returns False, and a
-measurement returns None.
+A skill asks for a [sense](senses.md), and the best of the robot's devices serves it. If none can,
+the skill does nothing: a question returns False, and a measurement returns None.
 
 This page is generated: `python -m learnblock.blocks.reference docs/skills.md`.
 """

@@ -1,4 +1,4 @@
-"""The colours of calls: each call has the colour of the tab with its function."""
+"""The colours of calls: each call has the colour of the group with its function."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -9,7 +9,7 @@ _FUNCTIONS = {
     """,
     "list_blocks": """
         list len append extend insert remove pop clear copy sort sorted reverse index count sublist
-        shuffle choice sum max min mean median mode stdev
+        shuffle choice sum max min mean median mode stdev keys
     """,
     "math_blocks": """
         abs round sqrt exp log log10 floor ceil sin cos tan asin acos atan atan2 pi constrain random

@@ -6,6 +6,7 @@ from itertools import groupby, takewhile
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from learnblock.blocks.groups import GROUPS, Group, group_of
 from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
 
 #: The prefix of the type of a skill's block; the skill's name follows.
@@ -71,6 +72,22 @@ SHADOWS: Mapping[str, Mapping[str, Shadow]] = MappingProxyType(
         "lb_positive": {"NUM": _ONE},
         "lb_change": {"VALUE": _ONE},
         "lb_change_index": {"INDEX": _ZERO, "VALUE": _ONE},
+        "lb_dictionary_get": {"KEY": _text("abc")},
+        "lb_dictionary_set": {"KEY": _text("abc")},
+        "lb_dictionary_change": {"KEY": _text("abc"), "VALUE": _ONE},
+        "lb_dictionary_remove": {"KEY": _text("abc")},
+    }
+)
+
+
+#: What a new block begins with where the skill has no default, so that it does something.
+FIRST_VALUES: Mapping[tuple[str, str], float] = MappingProxyType(
+    {
+        ("drive_distance", "distance"): 200,
+        ("play_frequency", "frequency"): 440,
+        ("play_frequency", "time"): 500,
+        ("led", "intensity"): 100,
+        ("RGBled", "red"): 255,
     }
 )
 
@@ -81,12 +98,12 @@ def parameter_shadow(parameter: Parameter) -> Shadow | None:
     match parameter.type:
         case "float" | "int" | "angle":
             return Shadow(_number_field(parameter), "NUM", _shown_number(parameter))
+        case "choice" | "string" if parameter.type == "choice" or parameter.choices:
+            first = next(iter(parameter.choices), "")
+            return Shadow("lb_choice", "TEXT", first if default is None else str(default))
         case "string" | "apriltext":
             kind = "text" if parameter.type == "string" else "lb_tag"
             return Shadow(kind, "TEXT", "" if default is None else str(default))
-        case "choice":
-            first = next(iter(parameter.choices), "")
-            return Shadow("lb_choice", "TEXT", first if default is None else str(default))
         case "colour":
             return Shadow("lb_colour", "TEXT", _RED if default is None else str(default))
         case "boolean":
@@ -110,26 +127,26 @@ def _shown_number(parameter: Parameter) -> float:
     return usual
 
 
-# The tabs of the language: the key of their name, their style, and the types of
-# the blocks, with fields if their defaults differ from the block's, and an extra state if
-# it is needed. If several blocks have the same type, all but the first have a `variant`, by which
-# block sets refer to them; a call is identified by the name of the called function.
-_TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
+# The categories of the language: the key of their name, and the types of their blocks, with fields
+# if their defaults differ from the block's, and an extra state if it is needed. If several blocks
+# have the same type, all but the first have a `variant`, by which block sets refer to them; a call
+# is identified by the name of the called function.
+_TABS: tuple[tuple[str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
     (
         "LB_CATEGORY_EVENTS",
-        "lb_event_category",
         (("lb_main", {}), ("lb_start", {}), ("lb_elapsed_time", {})),
     ),
     (
         "LB_CATEGORY_CONTROL",
-        "loop_category",
         (
             ("controls_if", {}),
             ("controls_if", {"extraState": {"hasElse": True}, "variant": "else"}),
             ("controls_whileUntil", {"fields": {"MODE": "WHILE"}}),
             ("controls_repeat_ext", {}),
+            ("lb_forever", {}),
             ("controls_for", {"fields": {"VAR": {"name": "i"}}}),
             ("controls_forEach", {"fields": {"VAR": {"name": "x"}}}),
+            ("lb_wait_until", {}),
             ("controls_flow_statements", {"fields": {"FLOW": "BREAK"}}),
             ("lb_pass", {}),
             ("lb_comment", {}),
@@ -142,20 +159,19 @@ _TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
     ),
     (
         "LB_CATEGORY_LOGIC",
-        "logic_category",
         (
             ("logic_compare", {"fields": {"OP": "EQ"}}),
             ("logic_operation", {"fields": {"OP": "AND"}}),
             ("logic_negate", {}),
             ("logic_boolean", {"fields": {"BOOL": "TRUE"}}),
             ("logic_null", {}),
+            ("logic_ternary", {}),
             ("lb_in", {}),
             ("lb_compare_chain", {"extraState": {"operators": ["<", "<"]}}),
         ),
     ),
     (
         "LB_CATEGORY_MATHS",
-        "math_category",
         (
             ("math_number", {"fields": {"NUM": 123}}),
             ("math_arithmetic", {"fields": {"OP": "ADD"}}),
@@ -173,9 +189,9 @@ _TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
     ),
     (
         "LB_CATEGORY_TEXT",
-        "text_category",
         (
             ("text", {"fields": {"TEXT": ""}}),
+            ("text_join", {"extraState": {"itemCount": 2}}),
             ("text_print", {}),
             ("lb_call", {"extraState": {"name": "print", "arguments": 2, "keywords": []}}),
             ("text_prompt_ext", {"fields": {"TYPE": "TEXT"}}),
@@ -190,7 +206,6 @@ _TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
     ),
     (
         "LB_CATEGORY_LISTS",
-        "list_category",
         (
             ("lists_create_with", {"extraState": {"itemCount": 0}, "variant": "empty"}),
             ("lists_create_with", {"extraState": {"itemCount": 3}}),
@@ -210,35 +225,56 @@ _TABS: tuple[tuple[str, str, tuple[tuple[str, dict[str, Any]], ...]], ...] = (
             ("lb_call", {"extraState": {"name": "remove", "arguments": 2, "keywords": []}}),
         ),
     ),
+    (
+        "LB_CATEGORY_DICTIONARIES",
+        (
+            ("lb_dictionary", {"extraState": {"items": 0}, "variant": "empty"}),
+            ("lb_dictionary", {"extraState": {"items": 2}}),
+            ("lb_dictionary_get", {}),
+            ("lb_dictionary_set", {}),
+            ("lb_dictionary_change", {"fields": {"OP": "+="}}),
+            ("lb_dictionary_remove", {}),
+            ("lb_dictionary_keys", {}),
+        ),
+    ),
 )
-# Tabs that Blockly or the page fills.
+# Categories that Blockly or the page fills.
 _CUSTOM = (
-    ("LB_CATEGORY_WHENS", "lb_event_category", "WHEN"),
-    ("LB_CATEGORY_VARIABLES", "variable_category", "VARIABLE"),
-    ("LB_CATEGORY_FUNCTIONS", "procedure_category", "PROCEDURE"),
+    ("LB_CATEGORY_WHENS", "WHEN"),
+    ("LB_CATEGORY_VARIABLES", "VARIABLE"),
+    ("LB_CATEGORY_FUNCTIONS", "PROCEDURE"),
 )
 
 
 def toolbox(
     configurations: Mapping[str, BlockConfiguration], words: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Blockly's toolbox, with a tab for each category of skills.
+    """The palette's groups, and every category with its group and its blocks.
 
     Args:
         configurations: of the skills, by name.
-        words: the names of the tabs.
+        words: the names of the groups and categories.
     """
     tabs = [
-        {**_category(name, style, words), "contents": list(map(_item, blocks))}
-        for name, style, blocks in _TABS
+        {**_category(name, words), "contents": list(map(_item, blocks))} for name, blocks in _TABS
     ]
-    custom = [{**_category(name, style, words), "custom": kind} for name, style, kind in _CUSTOM]
+    custom = [{**_category(name, words), "custom": kind} for name, kind in _CUSTOM]
     events, *others = tabs
     skills = _skill_tabs(configurations.values(), words)
     return {
         "kind": "categoryToolbox",
+        "groups": [_group(one, words) for one in GROUPS],
         "contents": [*skills, events, custom[0], *others, *custom[1:]],
     }
+
+
+def _group(group: Group, words: Mapping[str, str]) -> dict[str, Any]:
+    """A group with its headings and first blocks."""
+    first = [
+        {"heading": words[one.heading] if one.heading else "", "blocks": one.blocks}
+        for one in group.first
+    ]
+    return {"group": group.name, "name": words[group.word], "first": first}
 
 
 def is_skill_block(configuration: BlockConfiguration) -> bool:
@@ -251,14 +287,14 @@ def category_word(category: str) -> str:
     return "LB_SKILLS_" + "_".join(category.upper().split())
 
 
-def _category(name: str, style: str, words: Mapping[str, str]) -> dict[str, Any]:
-    """A tab of the language; block sets call it `category`."""
+def _category(name: str, words: Mapping[str, str]) -> dict[str, Any]:
+    """A category of the language; block sets call it `category`."""
     category = "lb_" + name.removeprefix("LB_CATEGORY_").lower()
     return {
         "kind": "category",
         "name": words[name],
         "category": category,
-        "categorystyle": style,
+        "group": group_of(category),
     }
 
 
@@ -293,7 +329,7 @@ def _skill_tabs(
             "kind": "category",
             "name": words.get(category_word(category), category),
             "category": category,
-            "categorystyle": f"lb_{by_category[category][0].type}_category",
+            "group": group_of(category),
             "contents": [skill_block(one) for one in by_category[category]],
         }
         for category in order
@@ -302,7 +338,7 @@ def _skill_tabs(
 
 def skill_block(configuration: BlockConfiguration) -> dict[str, Any]:
     """A skill's block in the palette, with the shadows of its parameters."""
-    shadows = {one.name: parameter_shadow(one) for one in configuration.parameters}
+    shadows = {one.name: _first_shadow(configuration, one) for one in configuration.parameters}
     inputs = {name: {"shadow": one.block()} for name, one in shadows.items() if one is not None}
     given = len(list(takewhile(_is_shown, configuration.parameters)))
     return {
@@ -310,9 +346,21 @@ def skill_block(configuration: BlockConfiguration) -> dict[str, Any]:
         "type": SKILL + configuration.name,
         "block": f"function.{configuration.name}",
         **({"inputs": inputs} if inputs else {}),
+        **({"needs": _open_needs(configuration)} if configuration.needs else {}),
         # A new block shows its defaults in the code: `sleep(5)`, and not `sleep()`.
         **({"data": json.dumps({"given": given})} if given else {}),
     }
+
+
+def _first_shadow(configuration: BlockConfiguration, parameter: Parameter) -> Shadow | None:
+    shadow = parameter_shadow(parameter)
+    value = FIRST_VALUES.get((configuration.name, parameter.name))
+    return shadow if shadow is None or value is None else shadow._replace(value=value)
+
+
+def _open_needs(configuration: BlockConfiguration) -> list[str]:
+    """What a skill needs, whatever its parameters choose."""
+    return [need.partition(":{")[0] for need in configuration.needs]
 
 
 def _is_shown(parameter: Parameter) -> bool:

@@ -12,6 +12,7 @@ from learnblock.importing.report import Reporting
 
 #: Blocks inside each other; Python itself allows 99.
 DEEPEST = 90
+#: The name of the block of an endless loop.
 _FOREVER = "while True"
 _CONDITIONAL = frozenset(("if", "elif", "while"))
 _BRANCHES = frozenset(("elif", "else"))
@@ -143,8 +144,10 @@ class ProgramWriter:
             self.reporting.miss(Phrase("import-no-if", name=name))
             name = "if"
             right = right if block.name == "elif" else None
-        if name in {"else", _FOREVER}:
-            yield f"{name}:"
+        if name == _FOREVER:
+            yield "forever:"
+        elif name == "else":
+            yield "else:"
         elif block.name == "else":
             yield "if True:"
         elif name in _CONDITIONAL:

@@ -2,7 +2,7 @@ from learnblock.robots.ebo import Robot
 
 robot = Robot()
 
-data = {"a": [1, 2], "b": None}
+data = {"a", "b"}
 # python
 import json
 
@@ -25,5 +25,5 @@ not indented
     # python
     y = 1
     # end
-    x = (data["a"] if data else None) * 2
+    x = (data @ data) * 2
     break

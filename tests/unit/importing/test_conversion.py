@@ -60,7 +60,7 @@ def test_a_program_is_the_same_whichever_version_wrote_it(imported, style):
         "    while not function.is_center_red_line():",
         "        function.turn_right()",
         "    end",
-        "    while True:",
+        "    forever:",
         "        if function.is_center_red_line():",
         "            function.move_straight()",
         "        elif function.is_left_red_line():",
@@ -255,7 +255,7 @@ def test_a_variable_without_a_value_becomes_0_and_is_listed(imported):
 
 def test_true_in_small_letters_is_a_constant(imported):
     made = imported(project(main(control("while", [word("true")], skill("stop_bot")))))
-    assert lines(made)[1].strip() == "while True:"
+    assert lines(made)[1].strip() == "forever:"
 
 
 def test_an_else_without_an_if_keeps_its_blocks(imported):

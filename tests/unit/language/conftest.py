@@ -3,6 +3,7 @@ import pytest
 from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
 from learnblock.errors import Diagnostic
 from learnblock.language import check, recover
+from learnblock.senses import equipment
 from places import TESTS
 
 
@@ -57,9 +58,8 @@ def skills():
 
 @pytest.fixture
 def thymio():
-    return frozenset(
-        ("Base:ROBOT", "GroundSensors:ROBOT", "DistanceSensors:ROBOT", "Display:ROBOT")
-    )
+    devices = ("Base:ROBOT", "GroundSensors:ROBOT", "DistanceSensors:ROBOT", "Display:ROBOT")
+    return equipment(devices, None)
 
 
 @pytest.fixture

@@ -10,6 +10,7 @@ from learnblock.devices import FIRST_KEY
 from learnblock.errors import LearnBlockError
 from learnblock.fields import Range
 from learnblock.i18n import Phrase
+from learnblock.senses import served_by
 
 ParameterType = Literal[
     "float", "int", "string", "boolean", "list", "apriltext", "choice", "colour", "angle"
@@ -32,7 +33,7 @@ class Parameter:
         required: whether every call must give a value, because there is no default.
         translations: the name for readers, by upper-case language code.
         range: the range of a number, if it is limited.
-        choices: the strings of the type ``choice``.
+        choices: the strings of the type ``choice``; of a ``string`` only the usual ones.
         choice_names: translations of the choices, by the choice and then by upper-case language
             code; programs contain the choice itself.
     """
@@ -84,8 +85,9 @@ class BlockConfiguration:
         shapes: ``blockVertical`` is a statement, ``blockLeft`` and ``blockBoth`` are values.
         languages: the label, by upper-case language code; see `learnblock.blocks.labels`.
         tooltip: a sentence of help, by upper-case language code.
-        needs: the devices that it needs to have an effect: ``Base``, ``JointMotor:CAMERA`` for the
-            device with that key, or ``RGBLed:{slot}`` for the one whose key the parameter gives.
+        needs: what it needs to have an effect: a sense such as ``black-line``, or a device:
+            ``Base``, ``JointMotor:CAMERA`` for the one with that key, ``RGBLed:{slot}`` for the one
+            whose key the parameter gives; see `learnblock.senses`.
         returns: the kind of a value: ``boolean`` for a question, whose block is hexagonal.
         library: the library that a program must import, if any.
         titles: the name of the tab of a library, by upper-case language code.
@@ -109,17 +111,16 @@ class BlockConfiguration:
         return "blockVertical" not in self.shapes
 
     def lacks(
-        self, devices: frozenset[str], given: Mapping[str, str | None] = MappingProxyType({})
+        self, equipment: frozenset[str], given: Mapping[str, str | None] = MappingProxyType({})
     ) -> tuple[str, ...]:
-        """The needed devices that a robot lacks.
+        """The needs that a robot can't serve.
 
         Args:
-            devices: the robot's, as ``Type:KEY`` strings.
+            equipment: what the robot has; see `learnblock.senses.equipment`.
             given: the text that a call gives for a parameter; None if only the run will tell.
         """
-        types = {device.partition(":")[0] for device in devices}
         needs = (self._chosen(need, given) for need in self.needs)
-        return tuple(need for need in needs if need not in devices and need not in types)
+        return tuple(need for need in needs if served_by(need, equipment) is None)
 
     def _chosen(self, need: str, given: Mapping[str, str | None]) -> str:
         """A need with the key that its parameter gives; any key will do if that is open."""

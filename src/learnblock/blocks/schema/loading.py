@@ -10,6 +10,7 @@ from typing import Any
 
 from learnblock.blocks.schema.configuration import BlockConfiguration, Parameter
 from learnblock.errors import BlockConfigurationError, Diagnostic
+from learnblock.fields import Range
 from learnblock.i18n import Phrase
 
 #: The built-in configurations: one file per tab, in the order of the palette.
@@ -24,10 +25,13 @@ TABS = (
     "controller",
     "emotion",
     "speaker",
+    "screen",
     "led",
     "matrix",
     "mp3",
+    "pen",
     "cozmo",
+    "messages",
     "others",
 )
 
@@ -105,6 +109,7 @@ def _trusted_parameter(raw: dict[str, Any]) -> Parameter:
         default=raw.get("default"),
         required="default" not in raw,
         translations=raw["translate"],
+        range=Range(*raw["range"]) if "range" in raw else None,
         choices=tuple(raw.get("choices", ())),
         choice_names=raw.get("choiceNames", {}),
     )

@@ -51,7 +51,7 @@ _PARAMETER_KEYS = {
 # Reporting more of them at once does not help.
 _MOST_PROBLEMS = 100
 _LANGUAGE = re.compile(r"[A-Z]{2,3}(-[A-Z0-9]{2,8})*")
-_DEVICE = re.compile(r"[A-Za-z]\w*(:(\w+|\{\w+\}))?")
+_NEED = re.compile(r"[A-Za-z][\w-]*(:(\w+|\{\w+\}))?")
 
 
 def read(document: Document) -> tuple[tuple[BlockConfiguration, ...], tuple[Diagnostic, ...]]:
@@ -209,7 +209,7 @@ class _Reader:
     def _needs(self, fields: Mapping[str, Any], path: Path, who: Phrase) -> tuple[str, ...]:
         items = self._list(fields, "needs", path, who, '["Base"]')
         for i, item in enumerate(items):
-            if not (isinstance(item, str) and _DEVICE.fullmatch(item)):
+            if not (isinstance(item, str) and _NEED.fullmatch(item)):
                 message = Phrase("block-bad-need", where=who, value=_shown(item))
                 self._wrong("unknown-value", (*path, "needs", i), message)
         return tuple(item for item in items if isinstance(item, str))
@@ -260,7 +260,7 @@ class _Reader:
         found = tuple(dict.fromkeys(item for item in items if is_choice(item)))
         if kind != "choice" and not items:
             return ()
-        if kind != "choice":
+        if kind not in ("choice", "string"):
             message = Phrase("block-choices-type", where=who)
         elif len(found) == len(items) and 0 < len(found) <= MOST_CHOICES:
             return found

@@ -95,7 +95,7 @@ class BlockParser(LineRewriter):
     def more_on_line(self, kind: str) -> Slip:
         if kind in STATEMENT_STARTS:
             return self.second_statement()
-        if kind in {")", "]"}:
+        if kind in {")", "]", "}"}:
             message = Phrase("blocktext-closes-nothing", found=kind)
             return self.slip("unexpected", message)
         return self.unexpected(_LINE_END)

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from learnblock.errors import EscapeError
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import open_brackets, slips
+from learnblock.language.blocktext.dictionary_parser import dictionary
+from learnblock.language.blocktext.f_string_parser import bad_f_string, f_string
 from learnblock.language.blocktext.lexer import KEYWORDS, LINE_ENDS, Token, Tokens
 from learnblock.language.blocktext.open_brackets import CLOSING
 from learnblock.language.blocktext.slips import Slip, symbol, write_instead
@@ -14,6 +16,7 @@ from learnblock.language.tree.nodes import (
     Binary,
     Call,
     Compare,
+    Conditional,
     Constant,
     Expression,
     Index,
@@ -34,6 +37,7 @@ MAX_HEIGHT = 200
 MAX_DIGITS = 1000
 
 _LEVELS = {
+    "if": 0,
     "or": 1,
     "and": 2,
     "not": 4,  # of `not in`
@@ -52,7 +56,8 @@ _LEVELS = {
     "%": 6,
     "**": 8,
 }
-OPERATORS = frozenset(_LEVELS)
+OPERATORS = frozenset(_LEVELS) - {"if"}
+_LOOSEST, _OR = 0, 1
 _NOT, _COMPARE, _SIGN, _POWER = 3, 4, 7, 8
 _CONSTANTS = {"True": True, "False": False, "None": None}
 NUMBER = re.compile(
@@ -75,7 +80,7 @@ class ExpressionParser(TokenReader):
         self.height = 0
         self.nesting = 0  # the nesting depth of brackets
 
-    def expression(self, level: int = 1) -> Expression:
+    def expression(self, level: int = _LOOSEST) -> Expression:
         kinds = self.kinds
         kind = kinds[self.index]
         atom = _ATOMS.get(kind)
@@ -94,6 +99,9 @@ class ExpressionParser(TokenReader):
                 if operator == "not" and kinds[self.index + 1] != "in":
                     return left
                 left = self.comparison(left)
+                continue
+            if binding == _LOOSEST:
+                left = self.conditional(left)
                 continue
             height = self.height
             self.index += 1
@@ -151,6 +159,20 @@ class ExpressionParser(TokenReader):
         self.grow(0)
         span = _joined(left.span, operands[-1].span)
         return Compare(tuple(operators), tuple(operands), span)
+
+    def conditional(self, yes: Expression) -> Conditional:
+        height, word = self.height, self.token
+        self.index += 1
+        self.nest()
+        condition = self.expression(_OR)
+        if self.kinds[self.index] != "else":
+            raise slips.no_else(word, self.token)
+        height = max(height, self.height)
+        self.index += 1
+        no = self.expression()
+        self.nesting -= 1
+        self.grow(height)
+        return Conditional(yes, condition, no, _joined(yes.span, no.span))
 
     def postfix(self, token: Token) -> Expression:
         value = self.skill_call(token) if token.kind == "function" else self.name(token)
@@ -403,6 +425,8 @@ class ExpressionParser(TokenReader):
 _ATOMS: dict[str, Callable[[ExpressionParser, Token], Expression]] = {
     "number": ExpressionParser.number,
     "string": ExpressionParser.string,
+    "f-string": f_string,
+    "f-bad": bad_f_string,
     "name": ExpressionParser.name,
     "function": ExpressionParser.skill_call,
     "True": ExpressionParser.constant,
@@ -410,6 +434,7 @@ _ATOMS: dict[str, Callable[[ExpressionParser, Token], Expression]] = {
     "None": ExpressionParser.constant,
     "(": ExpressionParser.parenthesized,
     "[": ExpressionParser.list,
+    "{": dictionary,
     "raw": ExpressionParser.raw_expression,
 }
 

@@ -28,19 +28,6 @@ CURLY_QUOTES = Rule(
 )
 
 
-def _joined_texts(groups: Sequence[str]) -> str:
-    """An f-string as a sum of texts; unchanged if it is more than text and plain values."""
-    quote, body = groups[2][0], groups[2][1:-1]
-    parts = re.split(r"\{([^{}:!=\"']+)\}", body)
-    if any(brace in text for text in parts[::2] for brace in "{}"):
-        return groups[0]
-    parts[::2] = [f"{quote}{text}{quote}" if text else "" for text in parts[::2]]
-    parts[1::2] = [f"str({value.strip()})" for value in parts[1::2]]
-    return " + ".join(filter(None, parts)) or quote * 2
-
-
-_F_STRING = Rule(r".*?(?P<wrong>(?<!\w)f(\"[^\"]*\"|'[^']*'))", _joined_texts, "blocktext-f-string")
-
 _COMMENTS = (
     Rule(r"\s*(?P<wrong>//+|--+|/\*+)", "#", "blocktext-comment"),
     Rule(r"\s*(?P<wrong>(?!\s)(.*?)\s*\*/)\s*$", r"# \2", "blocktext-comment"),
@@ -100,14 +87,14 @@ _LOOPS = (
     ),
     Rule(r"\s*(?:repeat|loop)\s+while\s+" + REST, r"while \1:"),
     Rule(
-        r"\s*(?:wait|espera|esperar)\s+(?:until|hasta\s+que|hasta)\s+" + REST,
-        r"while not (\1): function.sleep(0.1) end",
+        r"\s*(?:wait|espera|esperar)\s+(?:unti?ll?|hasta\s+que|hasta)\s+" + REST,
+        r"wait until \1",
     ),
     Rule(r"\s*(?:until|hasta\s+que|hasta)\s+" + REST, r"while not (\1):"),
-    Rule(r"\s*(?:repeat|repetir|repite)\s*:?\s*$", "while True:", "blocktext-repeat-number"),
+    Rule(r"\s*(?:repeat|repetir|repite)\s*:?\s*$", "forever:", "blocktext-repeat-number"),
     Rule(
         r"\s*(?:forever|repeat\s+forever|loop|por\s+siempre|siempre|do)\s*:?\s*$",
-        "while True:",
+        "forever:",
         "blocktext-endless",
     ),
     Rule(r"\s*for\s+(\d+)\s*:\s*$", r"repeat \1:"),
@@ -363,6 +350,7 @@ _PYTHON = (
     ),
     Rule(r"\s*(?P<wrong>import\s+([^\W\d]\w*))\s*$", r'import "\2"'),
     Rule(r"\s*(?P<wrong>from\s+([^\W\d]\w*)\s+import\b.*)$", r'import "\2"'),
+    Rule(rf"\s*del\s+{NAME}\[\s*(\S.*?)\s*\]\s*$", r"pop(\1, \2)"),
     Rule(r".*?\b(?P<wrong>math\.pi)\b(?!\s*\()", "pi()"),
     Rule(r".*?\b(?P<wrong>random\.random\s*\(\s*\))", "random_fraction()"),
     Rule(r".*?\b(?P<wrong>random\.(?:randint|randrange))(?=\s*\()", "random"),
@@ -383,10 +371,8 @@ _PYTHON = (
     Rule(rf".*?\b(?P<wrong>([^\W\d]\w*)\.({_METHODS})\s*\(\s*([^\s()][^()]*)\))", r"\3(\2, \4)"),
     Rule(rf".*?\b(?P<wrong>([^\W\d]\w*)\.({_METHODS})\s*\(\s*(?=[^\s)]))", r"\3(\2, "),
     Rule(
-        rf"\s*{NAME}\s*=\s*(?P<wrong>([^=]*?\S)\s+if\s+(.*?\S)\s+else\s+(\S.*?))\s*$",
-        r"`\2`",
-        "blocktext-if-in-value",
-        (("condition", r"\4"), ("yes", r"\1 = \3"), ("no", r"\1 = \5")),
+        rf"\s*{NAME}\s*=\s*(?P<wrong>([^=?]*?[^=?\s])\s*\?\s*([^:]*?\S)\s*:\s*(\S.*?))\s*$",
+        r"\4 if \3 else \5",
     ),
     Rule(
         rf"\s*{NAME}\s*=\s*(?P<wrong>lambda\b\s*(?!\s)([\w\s,]*?)\s*:\s*(\S.*?))\s*$",
@@ -401,16 +387,12 @@ _PYTHON = (
             code,
             (("line", r"\1 = `\2`"),),
         )
-        for wrong, code in (
-            (r"\{", "blocktext-dictionary"),
-            (r"\[.*\sfor\s", "blocktext-comprehension"),
-        )
+        for wrong, code in ((r"[\[{].*\sfor\s", "blocktext-comprehension"),)
     ),
 )
 
 RULES = (
     CURLY_QUOTES,
-    _F_STRING,
     *_COMMENTS,
     *_ENDS,
     *_EVENTS,

@@ -22,7 +22,9 @@ from learnblock.language.tree.nodes import (
     Repeat,
     Setup,
     SkillCall,
+    WaitUntil,
     When,
+    While,
 )
 from learnblock.language.tree.strings import quote
 from learnblock.language.tree.writer import ProgramWriter, comment_text
@@ -55,6 +57,12 @@ class _Writer(ProgramWriter):
     def close(self) -> None:
         self.line("end")
 
+    def while_loop(self, node: While) -> None:
+        if node.is_endless:
+            self.closed("forever", node)
+        else:
+            super().while_loop(node)
+
     def repeat(self, node: Repeat) -> None:
         self.closed(f"repeat {self.count(node)}", node)
 
@@ -71,6 +79,9 @@ class _Writer(ProgramWriter):
         if node.step is not None:
             header += f" step {self.expression(node.step)}"
         self.closed(header, node)
+
+    def wait_until(self, node: WaitUntil) -> None:
+        self.line(f"wait until {self.expression(node.condition)}", node, node.comment)
 
     def activation(self, node: Activate | Deactivate) -> None:
         self.line(f"{type(node).__name__.lower()} {node.name}", node, node.comment)

@@ -2,6 +2,7 @@
 
 import re
 import unicodedata
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -42,15 +43,24 @@ _OPENS_LINE = KEYWORDS - {"True", "False", "None", "and", "or", "not", "in", "fu
 
 _ASSIGNING = frozenset(("=", "+=", "-=", "*=", "/=", "//=", "%=", "**="))
 _COMPARING = frozenset(("==", "!=", "<", "<=", ">", ">="))
-_FIXED = KEYWORDS | _ASSIGNING | _COMPARING | frozenset("+-*/%()[],:.") | {"**", "//"}
-_OPENING, _CLOSING = frozenset("(["), frozenset(")]")
+_FIXED = KEYWORDS | _ASSIGNING | _COMPARING | frozenset("+-*/%()[]{},:.") | {"**", "//"}
+_OPENING, _CLOSING = frozenset("([{"), frozenset(")]}")
+#: A brace after one of these begins a dictionary, even at the end of its line.
+_BEFORE_VALUE = (
+    _ASSIGNING | _COMPARING | frozenset("+-*/%([{,") | {"//", "**", "in", "not", "and", "or"}
+)
+#: A brace after one of these begins a dictionary, but at the end of its line a block as in C.
+_BEFORE_CONDITION = frozenset(("if", "elif", "else", "while", "return"))
+#: The same for words that are names elsewhere.
+_SOFT_WORDS = frozenset(("repeat", "until", "from", "to", "step"))
 
 # White space; a token, unless the text ends here; or an invalid character.
 _TOKEN = re.compile(
     r"""([ \t\f\xa0]*+)(?:
     (
-        [^\W\d]\w*
-        |\*\*=|//=|\*\*|//|[-+*/%=!<>]=|[-+*/%<>=()\[\],:]|\.(?![0-9])
+        [fF](?:"(?:[^"\\\n\r]|\\[^\n\r])*"|'(?:[^'\\\n\r]|\\[^\n\r])*')
+        |[^\W\d]\w*
+        |\*\*=|//=|\*\*|//|[-+*/%=!<>]=|[-+*/%<>=()\[\]{},:]|\.(?![0-9])
         |(?:\r?\n|\r)(?:[ \t\f\xa0]*(?:\r?\n|\r))*
         |0[xXbBoO]\w*|(?:[0-9][0-9_]*\.?[0-9_]*|\.[0-9][0-9_]*)(?:[eE][-+]?[0-9][0-9_]*)?
         |"(?:[^"\\\n\r]|\\[^\n\r])*"|'(?:[^'\\\n\r]|\\[^\n\r])*'
@@ -73,8 +83,17 @@ _KINDS = {
     **dict.fromkeys(".0123456789", "number"),
 }
 
+_QUOTES = frozenset("\"'")
+#: In an f-string: text up to a brace, and a value up to the brace that closes it.
+_F_TEXT = re.compile(r"(?:[^{}\\]|\\N\{[^}]*\}|\\.|\{\{|\}\})*")
+_F_VALUE = re.compile(r"(?:[^{}'\"`]|'[^']*'|\"[^\"]*\"|`[^`]*`|\{[^{}]*\})*\}")
+
+_BRACES = frozenset("{}")
+
 _RAW_START = re.compile(r"^([ \t]*)python[ \t]*:[ \t]*(#[^\n]*?)?\r?$", re.MULTILINE)
 _RAW_END = re.compile(r"^[ \t]*end\b[ \t]*(?:#[^\n]*)?\r?$", re.MULTILINE)
+_AT_LINE_END = re.compile(r"[ \t]*(?:#[^\n]*)?$", re.MULTILINE)
+_HEADER = re.compile(r"[^\n\r]*:")
 _ARGUMENT = re.compile(r"[ \t]*=(?!=)")
 LINE_END = re.compile(r"\r?\n|\r")
 #: The kinds of the tokens that end a line.
@@ -89,7 +108,8 @@ class Token(NamedTuple):
 
     Args:
         kind: a keyword or operator is its own kind; else name, number, string, raw, comment,
-            newline, blank (lines), python (a raw block), bad or eof.
+            newline, blank (lines), python (a raw block), bad or eof. An f-string is ``f-string`` up
+            to its first value, the tokens of the value, ``f-part`` up to the next one, and so on.
         text: as written; names in their NFKC form.
         line: the line, from 1.
         column: the column, from 1.
@@ -171,12 +191,48 @@ def _foreign_name(text: str) -> tuple[str, str]:
     return ("name" if text.isidentifier() else "bad"), text
 
 
+def _f_string(text: str, line: int, column: int) -> Iterator[Token]:
+    """The tokens of an f-string, whose values are read like any other."""
+    kind, start, end = "f-string", 0, len(text) - 1
+    while True:
+        found = _F_TEXT.match(text, max(start, 2) if start < 2 else start + 1, end)
+        after = len(text) if found is None or found.end() >= end else found.end() + 1
+        closes = None if after > end else _F_VALUE.match(text, after, end)
+        if after <= end and (text[after - 1] == "}" or closes is None):
+            yield Token("f-bad", text[start:], line, column + start)
+            return
+        yield Token(kind, text[start:after], line, column + start)
+        if closes is None:
+            return
+        start = closes.end() - 1
+        yield from _f_value(text, after, start, line, column)
+        kind = "f-part"
+
+
+def _f_value(text: str, start: int, end: int, line: int, column: int) -> Iterator[Token]:
+    for found in _TOKEN.finditer(text, start, end):
+        known, bad = found[2], found[3]
+        if known is None and bad is None:
+            return
+        one, at = known or bad, column + found.start(2 if known else 3)
+        kind = one if one in _FIXED else _KINDS.get(one[0], "name")
+        if bad or kind in LINE_ENDS:
+            yield Token("bad", one, line, at)
+        elif kind == "name" and one[-1] in _QUOTES:
+            yield from _f_string(one, line, at)
+        elif kind == "name" and not one.isascii():
+            yield Token(*_foreign_name(one), line, at)
+        else:
+            yield Token(kind, one, line, at)
+
+
 class _Lexer:
     def __init__(self, text: str) -> None:
         self.text = text
         self.result = Tokens(text=text)
         self.line, self.line_start = 1, 0
         self.depth = 0  # the number of open brackets
+        self.braces = 0  # how many of them are braces
         self.soft: list[tuple[int, Token]] = []  # line ends inside brackets, with their index
         self.statement = 0  # index of the first token of the logical line
 
@@ -204,22 +260,30 @@ class _Lexer:
             position += len(text)
             if known in _FIXED:
                 kind = text
-                if kind in _OPENING:
+                if kind in _BRACES and not self.is_of_dictionary(kind, depth, position):
+                    kind = "bad"
+                elif kind in _OPENING:
                     depth += 1
                 elif depth:
                     if kind in _CLOSING:
                         depth -= 1
                         if not depth:
                             self.soft.clear()
-                    elif self.soft and kind in _OPENS_LINE and self.begins_statement(position):
+                            self.braces = 0
+                    elif (
+                        self.soft and kind in _OPENS_LINE and self.begins_statement(kind, position)
+                    ):
                         # The bracket was never closed: a statement begins here.
                         self.restore_line_ends()
-                        depth = 0
+                        depth = self.braces = 0
             elif bad:
                 kind = "bad"
             else:
                 kind = _KINDS.get(text[0], "name")
                 if kind == "name":
+                    if text[-1] in _QUOTES:
+                        tokens += _f_string(text, line, column)
+                        continue
                     if not text.isascii():
                         kind, text = _foreign_name(text)
                 elif kind == "newline":
@@ -232,6 +296,25 @@ class _Lexer:
                     continue
             add(new(Token, (kind, text, line, column)))
         self.line, self.line_start, self.depth = line, line_start, depth
+
+    def is_of_dictionary(self, brace: str, depth: int, after: int) -> bool:
+        """Whether a brace is one of a dictionary, and not of a block as in C."""
+        if brace == "}":
+            is_open = self.braces > 0
+            self.braces -= is_open
+        else:
+            is_open = self.begins_value(depth, after)
+            self.braces += is_open
+        return is_open
+
+    def begins_value(self, depth: int, after: int) -> bool:
+        if not self.result.tokens:
+            return False
+        kind, text, _, _ = self.result.tokens[-1]
+        if kind in _BEFORE_VALUE or (kind == ":" and depth > 0):
+            return True
+        may_begin = kind in _BEFORE_CONDITION or (kind == "name" and text in _SOFT_WORDS)
+        return may_begin and (depth > 0 or not _AT_LINE_END.match(self.text, after))
 
     def line_break(self, text: str, line: int, column: int, *, soft: bool) -> int:
         """Add a line end, or record one inside brackets; return the number of lines."""
@@ -247,13 +330,15 @@ class _Lexer:
         self.statement = len(tokens)
         return lines
 
-    def begins_statement(self, after: int) -> bool:
+    def begins_statement(self, kind: str, after: int) -> bool:
         """Whether a keyword that ends at `after` begins its line and is not an argument's name.
 
-        ``end`` can also begin a line as an argument name: ``print("a",`` and ``end="")`` below.
+        ``end`` can also begin a line as an argument name: ``print("a",`` and ``end="")`` below. A
+        value such as ``x if y else z`` may go on with ``if`` or ``else``, without a colon.
         """
-        first_of_line = self.soft[-1][0] == len(self.result.tokens)
-        return first_of_line and not _ARGUMENT.match(self.text, after)
+        if self.soft[-1][0] != len(self.result.tokens) or _ARGUMENT.match(self.text, after):
+            return False
+        return kind not in {"if", "else"} or _HEADER.match(self.text, after) is not None
 
     def restore_line_ends(self) -> None:
         """Put back the line ends that were skipped after a bracket that is never closed."""

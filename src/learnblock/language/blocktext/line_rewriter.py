@@ -48,6 +48,8 @@ class LineRewriter(ExpressionParser):
             self.diagnostics.append(_diagnostic(rewording, number))
         self.rewritten[number] = rewording.line
         self.replace(start, end, _tokens_of(rewording.line, number))
+        # The new line may be shorter than the part that was read of the old one.
+        self.index = start
         return True
 
     def line_end_index(self) -> int:

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token
 
-CLOSING = {"(": ")", "[": "]"}
+CLOSING = {"(": ")", "[": "]", "{": "}"}
 #: They begin a line that belongs to the brackets above.
-_VALUES = frozenset(("number", "string", "raw", "[", "(", "-", "True", "False", "None"))
+_VALUES = frozenset(("number", "string", "raw", "[", "{", "(", "-", "True", "False", "None"))
 #: They follow a variable in a list; after a variable that begins a statement is something else.
-_AFTER_NAME = frozenset((",", "]", ")", *LINE_ENDS))
+_AFTER_NAME = frozenset((",", "]", "}", ")", *LINE_ENDS))
 
 
 def opened(tokens: Sequence[Token]) -> list[Token]:

@@ -98,7 +98,7 @@ _ALL_BLOCK_OPENERS = frozenset(
     )
 )
 _ROBOTS = frozenset(("robot", "functions", "fuction", "funtion", "Function"))
-_STRING_PREFIXES = frozenset(("f", "r", "b", "u", "rb", "br", "fr"))
+_STRING_PREFIXES = frozenset(("f", "r", "b", "u", "rb", "br", "fr", "rf"))
 VALUES = frozenset(("name", "number", "string"))
 
 
@@ -208,7 +208,9 @@ def odd_name(token: Token, following: Token, third: Token) -> Slip:
     if following.kind == ".":
         return dotted(token, third)
     if following.kind == "string" and token.text.lower() in _STRING_PREFIXES:
-        message = Phrase("blocktext-string-prefix", prefix=token.text)
+        is_f = token.text.lower() == "f"
+        code = "blocktext-f-string-space" if is_f else "blocktext-string-prefix"
+        message = Phrase(code, prefix=token.text)
         return slip(token, "string-prefix", message)
     return unexpected(following, token, Phrase("blocktext-wanted-operator"))
 
@@ -233,6 +235,13 @@ def next_value(token: Token, before: Token, closing: str) -> Slip:
         return slip(token, "unexpected", message)
     either = Phrase("blocktext-wanted-either", first=",", second=closing)
     return unexpected(token, before, either)
+
+
+def no_else(word: Token, token: Token) -> Slip:
+    """A value with an ``if`` and no ``else``: half of a conditional value, or a statement."""
+    if token.kind == ":":
+        return slip(word, "two-statements", Phrase("blocktext-two-statements", word=word.text))
+    return slip(word, "unexpected", Phrase("blocktext-if-without-else"))
 
 
 def two_strings(token: Token, following: Token) -> Slip:

@@ -10,8 +10,9 @@ from learnblock.i18n import Phrase
 from learnblock.language.blocktext import slips
 from learnblock.language.blocktext.block_parser import STATEMENT_ENDS, TOP_LEVEL, BlockParser
 from learnblock.language.blocktext.expression_parser import OPERATORS, name_of
-from learnblock.language.blocktext.lexer import Token
+from learnblock.language.blocktext.lexer import LINE_ENDS, Token
 from learnblock.language.blocktext.slips import write_instead
+from learnblock.language.blocktext.token_reader import from_to
 from learnblock.language.tree import raw
 from learnblock.language.tree.nodes import (
     Activate,
@@ -39,6 +40,7 @@ from learnblock.language.tree.nodes import (
     SkillCall,
     Span,
     Statement,
+    WaitUntil,
     While,
 )
 
@@ -110,8 +112,8 @@ class StatementParser(BlockParser):
         if following in ASSIGNMENTS:
             self.index += 1
             return self.assignment(token, name_of(token))
-        if token.text == "repeat" and following not in {"[", "."} and self.line_is_header():
-            return self.repeat_loop(token)
+        if token.text in _SOFT and (read := self.soft_keyword(token, following)) is not None:
+            return read(self, token)
         if following in {"(", "["}:
             return self.perform(token)
         if token.text in slips.HANDLERS and any(one.text == "try" for one in self.openers):
@@ -125,6 +127,17 @@ class StatementParser(BlockParser):
             raise slip
         self.leave(slip)
         return While(_MISSING, self.block(token), None, self.line_span(token))
+
+    def soft_keyword(self, token: Token, following: str) -> "_Reader | None":
+        """How to read a line whose first name is a keyword here; None if it is only a name."""
+        match token.text:
+            case "repeat" if following not in {"[", "."} and self.line_is_header():
+                return StatementParser.repeat_loop
+            case "forever" if following == ":" or following in LINE_ENDS:
+                return StatementParser.forever_loop
+            case "wait" if self.tokens[self.index + 1].text == "until":
+                return StatementParser.wait_until
+        return None
 
     def assignment(self, start: Token, target: Name | Index) -> Assign:
         operator = self.tokens[self.index]
@@ -215,6 +228,16 @@ class StatementParser(BlockParser):
         condition, comment = self.header(token, self.expression, _MISSING)
         return While(condition, self.block(token), comment, self.line_span(token))
 
+    def forever_loop(self, token: Token) -> While:
+        self.index += 1
+        _, comment = self.header(token, lambda: None, None)
+        always = Constant(value=True, span=from_to(token, token))
+        return While(always, self.block(token), comment, self.line_span(token))
+
+    def wait_until(self, token: Token) -> WaitUntil:
+        self.index += 2
+        return WaitUntil(self.expression(), *self.line_end(token))
+
     def repeat_loop(self, token: Token) -> Repeat:
         self.index += 1
         count, comment = self.header(token, self.expression, _MISSING)
@@ -257,8 +280,11 @@ class StatementParser(BlockParser):
         self.index += 1
 
 
+_Reader = Callable[[StatementParser, Token], Statement | None]
+#: Names that begin a statement of their own, if their line has its form.
+_SOFT = frozenset(("repeat", "forever", "wait"))
 # One method for each of `STATEMENT_STARTS`.
-_READERS: dict[str, Callable[[StatementParser, Token], Statement | None]] = {
+_READERS: dict[str, _Reader] = {
     "name": StatementParser.name_statement,
     "function": StatementParser.perform,
     "if": StatementParser.if_chain,

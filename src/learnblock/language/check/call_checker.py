@@ -11,6 +11,7 @@ from learnblock.language.blocktext.names import state_of
 from learnblock.language.check.findings import Findings, constant, python_error
 from learnblock.language.check.other_names import FUNCTIONS as OTHER_FUNCTIONS
 from learnblock.language.check.other_names import FUNCTIONS_AS_SKILLS, MOVE_STRAIGHT, SKILLS
+from learnblock.language.check.robots import Lack, demand, need_phrase
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.builtins import BUILTINS, FUNCTIONS, TEMPLATES
 from learnblock.language.tree.nodes import (
@@ -95,9 +96,9 @@ class CallChecker:
         if skill.library and skill.library not in self.findings.imported:
             self.not_imported(node, skill)
         self.arguments(node, skill)
-        devices = self.findings.devices
-        if devices is not None and (missing := skill.lacks(devices, _texts(node, skill))):
-            self.missing_devices(node, skill, missing)
+        equipment = self.findings.equipment
+        if equipment is not None and (lack := demand(node, skill).lack(equipment)):
+            self.missing_devices(node, lack)
 
     def not_imported(self, node: SkillCall, skill: BlockConfiguration) -> None:
         message = Phrase("check-not-imported", skill=node.name, library=skill.library)
@@ -105,6 +106,11 @@ class CallChecker:
 
     def unknown_skill(self, node: SkillCall) -> None:
         if node.name == "run" and self.runs_events():
+            return
+        if node.name == "wait_until":
+            # In Python it is a method of the robot that takes a function.
+            if not self.findings.in_python:
+                self.report("unknown-skill", Phrase("check-wait-until"), node.span)
             return
         self.report("unknown-skill", self.unknown_skill_message(node.name), node.span)
 
@@ -142,32 +148,32 @@ class CallChecker:
         sleep, stop = self.findings.called("sleep(2)"), self.findings.called("stop_bot()")
         return Phrase("check-keeps-driving", instead=call, sleep=sleep, stop=stop)
 
-    def missing_devices(
-        self, node: SkillCall, skill: BlockConfiguration, missing: tuple[str, ...]
-    ) -> None:
-        devices = tuple(map(_device, missing))
+    def missing_devices(self, node: SkillCall, lack: Lack) -> None:
+        devices = tuple(map(need_phrase, lack.needs))
         called = self.findings.called(node.name)
-        severity: Severity = "error"
-        kind, _, key = missing[0].partition(":")
-        named = self.keys(kind) if missing[0] not in skill.needs else ()
+        severity: Severity = "warning" if lack.is_harmless else "error"
+        kind, _, key = lack.needs[0].partition(":")
+        named = self.keys(kind) if lack.needs[0] not in lack.skill.needs else ()
         if named:
             message = Phrase(
-                "check-no-device-of-name", device=_device(kind), key=key, skill=called, known=named
+                "check-no-device-of-name",
+                device=need_phrase(kind),
+                key=key,
+                skill=called,
+                known=named,
             )
-            severity = "warning"
-        elif skill.returns_value:
+        elif lack.skill.returns_value:
             message = Phrase("check-skill-without-answer", skill=called, devices=devices)
-        elif "Base" in missing:
-            message = Phrase("check-skill-without-base", skill=called, devices=devices)
-        else:
+        elif lack.is_harmless:
             message = Phrase("check-skill-without-effect", skill=called, devices=devices)
-            severity = "warning"
+        else:
+            message = Phrase("check-skill-impossible", skill=called, devices=devices)
         self.report("missing-device", message, node.span, severity)
 
     def keys(self, kind: str) -> tuple[str, ...]:
         """The keys of the robot's devices of a type."""
-        devices = (device.partition(":") for device in self.findings.devices or ())
-        return tuple(sorted(key for own, _, key in devices if own == kind))
+        devices = (device.partition(":") for device in self.findings.equipment or ())
+        return tuple(sorted(key for own, _, key in devices if own == kind and key))
 
     def arguments(self, node: SkillCall, skill: BlockConfiguration) -> None:
         parameters = skill.parameters
@@ -368,10 +374,7 @@ def _unusual_value(call: str, parameter: Parameter, value: str) -> Phrase:
     """The message about a constant that the field of a parameter does not offer."""
     name = parameter.name
     if parameter.type == "choice":
-        choices = tuple(map(repr, parameter.choices))
-        return Phrase(
-            "check-unknown-choice", call=call, parameter=name, value=value, choices=choices
-        )
+        return _unknown_choice(call, parameter, value)
     if parameter.range is None:
         return Phrase("check-not-a-colour", call=call, parameter=name, value=value)
     least, most = parameter.range.least, parameter.range.most
@@ -380,17 +383,10 @@ def _unusual_value(call: str, parameter: Parameter, value: str) -> Phrase:
     )
 
 
-def _texts(node: SkillCall, skill: BlockConfiguration) -> dict[str, str | None]:
-    """The text that a call gives for each parameter; None for what only the run will tell."""
-    names = (parameter.name for parameter in skill.parameters)
-    given = dict(zip(names, node.arguments, strict=False))
-    given |= {keyword.name: keyword.value for keyword in node.keywords}
-    return {
-        name: value.value if isinstance(value, String) else None for name, value in given.items()
-    }
-
-
-def _device(need: str) -> Phrase:
-    """A device that a skill needs, ``Type`` or ``Type:KEY``, as a noun phrase."""
-    kind, _, key = need.partition(":")
-    return Phrase("check-device", kind=kind, key=key)
+def _unknown_choice(call: str, parameter: Parameter, value: str) -> Phrase:
+    about = {"call": call, "parameter": parameter.name, "value": value}
+    choices = tuple(map(repr, parameter.choices))
+    near = nearest(value, choices)
+    if near is not None:
+        return Phrase("check-unknown-choice-near", **about, near=near)
+    return Phrase("check-unknown-choice", **about, choices=choices)

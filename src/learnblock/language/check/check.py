@@ -47,7 +47,7 @@ MAX_LOOPS = 20
 def check(
     program: Program,
     skills: Mapping[str, BlockConfiguration],
-    devices: frozenset[str] | None = None,
+    equipment: frozenset[str] | None = None,
     importable: Importable | None = None,
     *,
     python: str | None = None,
@@ -57,11 +57,12 @@ def check(
     Args:
         program: the tree.
         skills: the skills of the robot, by name.
-        devices: the devices of the chosen robot, as ``Type:KEY``; None if no robot is chosen.
+        equipment: what the chosen robot has, see `learnblock.senses.equipment`; None if no robot
+            is chosen.
         importable: the modules that an ``import`` can name; None if unknown.
         python: the text of the program, if its author wrote Python.
     """
-    findings = Findings(program, skills, devices, importable, in_python=python is not None)
+    findings = Findings(program, skills, equipment, importable, in_python=python is not None)
     if _is_only_raw(program):
         findings.diagnostics.extend(_raw_problems(program))
     else:
@@ -197,7 +198,10 @@ class _Checker:
                 skill = self.findings.skills.get(node.name) if isinstance(node, SkillCall) else None
                 if skill is not None and skill.type == "perceptual":
                     called = self.findings.called(skill.name)
-                    message = Phrase("check-sensor-outside-loop", skill=called)
+                    code = self.findings.worded(
+                        "check-sensor-outside-loop", "check-sensor-outside-loop-python"
+                    )
+                    message = Phrase(code, skill=called)
                     self.report("sensor-outside-loop", message, branch.span, "warning")
                     return
 

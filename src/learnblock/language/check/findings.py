@@ -14,7 +14,9 @@ from learnblock.language.tree.nodes import (
     Call,
     Constant,
     Def,
+    Dictionary,
     Expression,
+    FString,
     Import,
     List,
     Name,
@@ -37,7 +39,7 @@ class Findings:
     Args:
         program: the tree.
         skills: the skills of the robot, by name.
-        devices: the devices of the chosen robot; None if no robot is chosen.
+        equipment: what the chosen robot has; None if no robot is chosen.
         importable: the modules that an ``import`` can name; None if unknown.
         in_python: whether the program's author wrote Python.
     """
@@ -46,12 +48,12 @@ class Findings:
         self,
         program: Program,
         skills: Mapping[str, BlockConfiguration],
-        devices: frozenset[str] | None,
+        equipment: frozenset[str] | None,
         importable: Importable | None = None,
         *,
         in_python: bool = False,
     ) -> None:
-        self.program, self.skills, self.devices = program, skills, devices
+        self.program, self.skills, self.equipment = program, skills, equipment
         self.in_python = in_python
         self.importable = importable
         self.broken = skills.broken if isinstance(skills, Configurations) else {}
@@ -92,6 +94,10 @@ class Findings:
                 return f"{self.called(name)}(...)"
             case List():
                 return "[...]"
+            case Dictionary():
+                return "{...}"
+            case FString():
+                return 'f"..."'
         return "..."
 
     def is_of_language(self, name: str) -> bool:

@@ -29,6 +29,7 @@ from learnblock.language.tree.nodes import (
     Repeat,
     Return,
     SkillCall,
+    WaitUntil,
     When,
     While,
 )
@@ -106,6 +107,12 @@ class FlowChecker:
         if _is_idle(item.body) and self.is_fixed(item.condition):
             self.report("idle-loop", Phrase("check-idle-loop"), item.span, "warning")
 
+    def waiting(self, item: WaitUntil) -> None:
+        """Report waiting for something that only other statements could change."""
+        if not any(map(_may_change, within(item.condition))):
+            message = Phrase("check-idle-wait", skill=self.findings.called("is_front_obstacle()"))
+            self.report("idle-wait", message, item.condition.span, "warning")
+
     def is_fixed(self, condition: Expression) -> bool:
         if isinstance(condition, Constant):
             return condition.value is True
@@ -161,6 +168,7 @@ _CHECKS: Mapping[type, Callable[[FlowChecker, Any], None]] = MappingProxyType(
         Repeat: FlowChecker.repeat,
         ForRange: FlowChecker.counting,
         While: FlowChecker.loop,
+        WaitUntil: FlowChecker.waiting,
         Def: FlowChecker.function,
         When: FlowChecker.event,
     }
@@ -186,8 +194,7 @@ def _leaves(item: Item) -> bool:
     if isinstance(item, _JUMPS):
         return True
     if isinstance(item, While):
-        endless = getattr(item.condition, "value", None) is True
-        return endless and not _breaks(item.body)
+        return item.is_endless and not _breaks(item.body)
     if isinstance(item, If) and item.otherwise is not None:
         return all(any(map(_leaves, body)) for body in bodies(item))
     return False

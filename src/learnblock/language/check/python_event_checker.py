@@ -31,6 +31,11 @@ def event_slips(nodes: Iterable[ast.AST]) -> Iterator[EventSlip]:
                 yield from filter(None, map(_of_decorator, decorators))
             case ast.Expr(value=value) if _is_event(value):
                 yield EventSlip(value, Phrase("python-event-without-at", name=_name(value)))
+            case ast.Call(
+                func=ast.Attribute(value=ast.Name(id="robot"), attr="wait_until"),
+                args=[condition],
+            ) if isinstance(condition, _CONDITIONS):
+                yield EventSlip(condition, _without_lambda("wait_until", condition))
             case ast.Attribute(value=ast.Name(id="robot"), attr="run"):
                 runs = True
     if events and not runs:
@@ -46,9 +51,13 @@ def _of_decorator(node: ast.expr) -> EventSlip | None:
             return EventSlip(node, message)
     match node:
         case ast.Call(args=[condition]) if _is_event(node) and isinstance(condition, _CONDITIONS):
-            message = Phrase("python-event-without-lambda", condition=ast.unparse(condition))
-            return EventSlip(condition, message)
+            return EventSlip(condition, _without_lambda("when", condition))
     return None
+
+
+def _without_lambda(method: str, condition: ast.expr) -> Phrase:
+    code = "python-event-without-lambda" if method == "when" else "python-wait-without-lambda"
+    return Phrase(code, condition=ast.unparse(condition))
 
 
 def _unknown(name: str) -> Phrase:

@@ -15,6 +15,7 @@ from learnblock.language.tree.nodes import (
     Binary,
     Call,
     Compare,
+    Conditional,
     Def,
     Expression,
     ForEach,
@@ -28,11 +29,13 @@ from learnblock.language.tree.nodes import (
     SkillCall,
     String,
     Unary,
+    WaitUntil,
     When,
     While,
 )
 from learnblock.language.tree.traversal import expressions, set_by, statements, within
 
+_COLLECTIONS = frozenset((Type.LIST, Type.DICTIONARY))
 #: What each function takes, by argument.
 _TAKES: Mapping[str, tuple[frozenset[Type], ...]] = MappingProxyType(
     {
@@ -45,7 +48,9 @@ _TAKES: Mapping[str, tuple[frozenset[Type], ...]] = MappingProxyType(
         ),
         **dict.fromkeys(("random", "atan2"), (NUMBERS, NUMBERS)),
         "constrain": (NUMBERS, NUMBERS, NUMBERS),
-        "len": (TEXTS | {Type.LIST},),
+        "len": (TEXTS | _COLLECTIONS,),
+        "keys": (frozenset((Type.DICTIONARY,)),),
+        **dict.fromkeys(("pop", "clear", "copy"), (_COLLECTIONS,)),
         **dict.fromkeys(
             (
                 *(
@@ -53,9 +58,6 @@ _TAKES: Mapping[str, tuple[frozenset[Type], ...]] = MappingProxyType(
                     "extend",
                     "insert",
                     "remove",
-                    "pop",
-                    "clear",
-                    "copy",
                     "sort",
                     "reverse",
                 ),
@@ -183,7 +185,7 @@ class _TypeChecker:
                 Phrase(code, name=item.target.name, value=self.spelled(item.values)), item.values
             )
 
-    def conditions(self, item: If | While | When) -> None:
+    def conditions(self, item: If | While | WaitUntil | When) -> None:
         for condition in expressions(item):
             self.condition(condition)
             if isinstance(condition, Number) and not isinstance(item, While):
@@ -244,6 +246,9 @@ class _TypeChecker:
             if self.types.of(one) is Type.LIST:
                 self.report(self.append(one, other), other)
                 return
+        if not kinds & TEXTS:
+            self.number(left if self.types.of(left) is Type.DICTIONARY else right)
+            return
         text, other = (left, right) if self.types.of(left) in TEXTS else (right, left)
         if self.types.of(text) is Type.ANSWER or _is_number(text):
             self.number(text)
@@ -323,7 +328,9 @@ class _TypeChecker:
         kind = self.types.of(value)
         if wanted == TEXTS:
             return Phrase("check-argument-type", call=call, wanted="text", value=spelled)
-        if wanted != {Type.LIST}:
+        if wanted == {Type.DICTIONARY}:
+            return Phrase("check-argument-type", call=call, wanted="dictionary", value=spelled)
+        if call == "len":
             code = "check-length-of-number" if kind is Type.NUMBER else "check-no-length"
             return Phrase(code, value=spelled)
         if call in _OF_ITEM and self.types.of(node.arguments[-1]) is Type.LIST:
@@ -348,11 +355,13 @@ class _TypeChecker:
     def number(self, node: Expression) -> None:
         """Report a value that should be a number and is text or a list."""
         kind = self.types.of(node)
-        if kind in TEXTS | {Type.LIST}:
+        if kind in TEXTS | _COLLECTIONS:
             self.report(self.advice(node), node)
 
     def advice(self, node: Expression) -> Phrase:
         """How to turn text or a list into a number."""
+        if self.types.of(node) is Type.DICTIONARY:
+            return Phrase("check-dictionary-for-number", value=self.spelled(node))
         if self.types.of(node) is Type.LIST:
             return Phrase("check-list-for-number", values=self.spelled(node))
         if isinstance(node, String):
@@ -384,6 +393,7 @@ _EXPRESSIONS: dict[type, Callable[[_TypeChecker, Any], None]] = {
     Binary: _TypeChecker.binary,
     Unary: _TypeChecker.sign,
     Compare: _TypeChecker.comparison,
+    Conditional: lambda checker, node: checker.condition(node.condition),
     Index: _TypeChecker.index,
     Call: _TypeChecker.call,
     SkillCall: _TypeChecker.skill,
@@ -395,6 +405,7 @@ _STATEMENTS: dict[type, Callable[[_TypeChecker, Any], None]] = {
     ForEach: _TypeChecker.each,
     If: _TypeChecker.conditions,
     While: _TypeChecker.conditions,
+    WaitUntil: _TypeChecker.conditions,
     When: _TypeChecker.conditions,
 }
 

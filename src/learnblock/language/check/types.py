@@ -10,11 +10,14 @@ from learnblock.language.tree.nodes import (
     Binary,
     Call,
     Compare,
+    Conditional,
     Constant,
     Def,
+    Dictionary,
     Expression,
     ForEach,
     ForRange,
+    FString,
     Item,
     List,
     Name,
@@ -36,6 +39,7 @@ class Type(IntEnum):
     ANSWER = auto()  # a text that `input` returned
     BOOLEAN = auto()
     LIST = auto()
+    DICTIONARY = auto()
     NOTHING = auto()  # the result of a function that returns nothing
 
 
@@ -43,7 +47,7 @@ TEXTS = frozenset((Type.TEXT, Type.ANSWER))
 #: The types that Python can calculate with.
 NUMBERS = frozenset((Type.NUMBER, Type.BOOLEAN))
 
-KNOWN = NUMBERS | TEXTS | {Type.LIST}
+KNOWN = NUMBERS | TEXTS | {Type.LIST, Type.DICTIONARY}
 
 _RESULTS: Mapping[str, Type] = MappingProxyType(
     {
@@ -57,7 +61,7 @@ _RESULTS: Mapping[str, Type] = MappingProxyType(
             ),
             Type.NUMBER,
         ),
-        **dict.fromkeys(("list", "sorted", "split"), Type.LIST),
+        **dict.fromkeys(("list", "sorted", "split", "keys"), Type.LIST),
         **dict.fromkeys(
             (
                 "print",
@@ -125,10 +129,12 @@ class Types:
         match node:
             case Number() | Unary(operator="-" | "+"):
                 return Type.NUMBER
-            case String():
+            case String() | FString():
                 return Type.TEXT
             case List():
                 return Type.LIST
+            case Dictionary():
+                return Type.DICTIONARY
             case Compare() | Unary():
                 return Type.BOOLEAN
             case Constant(value=value):
@@ -139,6 +145,8 @@ class Types:
                 return self.of_call(name)
             case SkillCall(name=name):
                 return self.of_skill(name)
+            case Conditional():
+                return _joined(self.of(node.yes), self.of(node.no))
             case Binary(operator="and" | "or"):
                 return _joined(self.of(node.left), self.of(node.right))
             case Binary(operator=operator, left=left_side, right=right_side):

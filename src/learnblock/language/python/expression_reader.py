@@ -6,13 +6,17 @@ from collections.abc import Callable
 from learnblock.language.blocktext import names
 from learnblock.language.blocktext.expression_parser import MAX_HEIGHT
 from learnblock.language.blocktext.names import state_of
+from learnblock.language.tree import texts
 from learnblock.language.tree.builtins import TEMPLATES, is_builtin, recognized
 from learnblock.language.tree.nodes import (
     Binary,
     Call,
     Compare,
+    Conditional,
     Constant,
+    Dictionary,
     Expression,
+    FString,
     Index,
     Keyword,
     List,
@@ -105,10 +109,22 @@ class ExpressionReader:
                 return Unary(_UNARY[type(operator)], self.expression(operand), span)
             case ast.Compare():
                 return self.comparison(node, span)
+            case _:
+                return self.composed(node, span)
+
+    def composed(self, node: ast.expr, span: Span) -> Expression:
+        match node:
             case ast.List(elts=items):
                 return List(tuple(self.argument(item) for item in items), span)
-            case _:
-                return self.access(node, span)
+            case ast.Dict(keys=keys, values=values):
+                return self.dictionary(keys, values, span)
+            case ast.JoinedStr(values=values):
+                return self.f_string(values, span)
+            case ast.IfExp(test=test, body=yes, orelse=no):
+                return Conditional(
+                    self.expression(yes), self.expression(test), self.expression(no), span
+                )
+        return self.access(node, span)
 
     def access(self, node: ast.expr, span: Span) -> Expression:
         match node:
@@ -133,6 +149,33 @@ class ExpressionReader:
             return String(value, span)
         if isinstance(value, int | float):
             return Number(self.segment(node), span)
+        raise Unlike
+
+    def dictionary(
+        self, keys: list[ast.expr | None], values: list[ast.expr], span: Span
+    ) -> Dictionary:
+        known = [key for key in keys if key is not None]
+        if len(known) < len(values):
+            raise Unlike
+        return Dictionary(
+            tuple(map(self.expression, known)), tuple(map(self.expression, values)), span
+        )
+
+    def f_string(self, values: list[ast.expr], span: Span) -> FString:
+        if span.line != span.end_line:
+            raise Unlike
+        found = texts.f_string(map(self.part, values), span)
+        if found is None:
+            raise Unlike
+        return found
+
+    def part(self, node: ast.expr) -> Expression:
+        """A text or a value of an f-string."""
+        match node:
+            case ast.Constant(value=str(value)):
+                return String(value, span_of(node))
+            case ast.FormattedValue(value=value, conversion=-1, format_spec=None):
+                return self.expression(value)
         raise Unlike
 
     def logic(self, operator: str, values: list[ast.expr]) -> Expression:

@@ -18,6 +18,10 @@ _LOOPS = (
         r"for i in range(\1):",
     ),
     Rule(r"\s*(?:repeat|repetir)\s+(?:until|hasta\s+que|hasta)\s+" + REST, r"while not (\1):"),
+    Rule(
+        r"\s*(?:wait|espera|esperar)\s+(?:unti?ll?|hasta\s+que|hasta)\s+" + REST,
+        r"robot.wait_until(lambda: \1)",
+    ),
     Rule(r"\s*until\s+" + REST, r"while not (\1):"),
     Rule(r"\s*(?:forever|loop|repeat\s+forever|siempre|por\s+siempre)\s*:?\s*$", "while True:"),
     Rule(rf"\s*for\s+{NAME}\s+from\s+(.+?)\s+to\s+" + REST, r"for \1 in range(\2, \3 + 1):"),

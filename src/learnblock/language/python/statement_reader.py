@@ -43,6 +43,7 @@ from learnblock.language.tree.nodes import (
     SkillCall,
     Span,
     Statement,
+    WaitUntil,
     When,
     While,
 )
@@ -156,6 +157,11 @@ class StatementReader(CommentReader):
                 return Assign(self.target(target), "=", self.expression(value), comment, span)
             case ast.AugAssign(target=target, op=operator, value=value):
                 return self.augmented(target, operator, value, comment, span)
+            case ast.Delete(targets=[ast.Subscript(value=values, slice=key)]) if not isinstance(
+                key, ast.Slice | ast.Tuple
+            ):
+                removed = (self.expression(values), self.expression(key))
+                return Perform(Call("pop", removed, (), span), comment, span)
             case ast.Return(value=value):
                 result = None if value is None else self.expression(value)
                 return Return(result, comment, span)
@@ -267,6 +273,12 @@ class StatementReader(CommentReader):
 
     def perform(self, call: ast.expr, comment: str | None, span: Span) -> Statement:
         match call:
+            case ast.Call(
+                func=ast.Attribute(value=ast.Name(id="robot"), attr="wait_until"),
+                args=[ast.Lambda(args=arguments, body=condition)],
+                keywords=[],
+            ) if not any(ast.iter_child_nodes(arguments)):
+                return WaitUntil(self.expression(condition), comment, span)
             case ast.Call(
                 func=ast.Attribute(
                     value=ast.Name(id=name), attr="activate" | "deactivate" as method

@@ -39,6 +39,7 @@ from learnblock.language.tree.nodes import (
     Setup,
     SkillCall,
     Unary,
+    WaitUntil,
     When,
 )
 from learnblock.language.tree.traversal import statements
@@ -179,6 +180,10 @@ class PythonWriter(ProgramWriter):
         # The direction is known only when the program runs.
         beyond = f"(1 if {self.expression(node.step, SIGN)} > 0 else -1)"
         return f"{start}, {self.expression(node.stop, 5)} + {beyond}, {step}"
+
+    def wait_until(self, node: WaitUntil) -> None:
+        condition = self.expression(node.condition)
+        self.line(f"robot.wait_until(lambda: {condition})", node, node.comment)
 
     def activation(self, node: Activate | Deactivate) -> None:
         name = self.whens.get(node.name) or self.variable(node.name)

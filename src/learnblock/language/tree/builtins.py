@@ -62,6 +62,7 @@ sort(values)                {0}.sort()
 reverse(values)             {0}.reverse()
 index(values, x)            {0}.index({1})
 count(values, x)            {0}.count({1})
+keys(dictionary)            list({0}.keys())
 sublist(values, start, end) {0}[{1}:{2}]
 upper(text)                 {0}.upper()
 lower(text)                 {0}.lower()

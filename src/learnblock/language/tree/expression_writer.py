@@ -10,8 +10,11 @@ from learnblock.language.tree.nodes import (
     Binary,
     Call,
     Compare,
+    Conditional,
     Constant,
+    Dictionary,
     Expression,
+    FString,
     Index,
     Keyword,
     List,
@@ -23,22 +26,26 @@ from learnblock.language.tree.nodes import (
     Unary,
 )
 from learnblock.language.tree.strings import quote
+from learnblock.language.tree.texts import written
 
-LOOSEST, NOT, COMPARE, SIGN, POWER, TIGHTEST = 0, 3, 4, 7, 8, 9
-_LEVELS = {"or": 1, "and": 2, "+": 5, "-": 5, "*": 6, "/": 6, "//": 6, "%": 6, "**": POWER}
+LOOSEST, OR, NOT, COMPARE, SIGN, POWER, TIGHTEST = 0, 1, 3, 4, 7, 8, 9
+_LEVELS = {"or": OR, "and": 2, "+": 5, "-": 5, "*": 6, "/": 6, "//": 6, "%": 6, "**": POWER}
 
 _WRITERS: dict[type[Expression], str] = {
     Number: "number",
     String: "string",
+    FString: "f_string",
     Constant: "constant",
     Name: "name",
     Call: "call",
     SkillCall: "skill_call",
     List: "list",
+    Dictionary: "dictionary",
     Index: "index",
     Unary: "unary",
     Binary: "binary",
     Compare: "compare",
+    Conditional: "conditional",
     RawExpression: "raw",
 }
 
@@ -47,6 +54,9 @@ class ExpressionWriter:
     """Writes expressions; a subclass defines how names, calls and raw Python are written."""
 
     writers: ClassVar[dict[type[Expression], Callable[[Any, Any, int], str]]] = {}
+
+    #: Whether a value in an f-string is being written, which has other quotes.
+    in_text = False
 
     def __init_subclass__(cls) -> None:
         cls.writers = {kind: getattr(cls, name) for kind, name in _WRITERS.items()}
@@ -59,7 +69,16 @@ class ExpressionWriter:
         return node.text
 
     def string(self, node: String, _: int) -> str:
-        return quote(node.value)
+        return f"'{node.value}'" if self.in_text else quote(node.value)
+
+    def f_string(self, node: FString, _: int) -> str:
+        self.in_text = True
+        parts = [
+            written(part.value) if isinstance(part, String) else f"{{{self.expression(part)}}}"
+            for part in node.parts
+        ]
+        self.in_text = False
+        return f'f"{"".join(parts)}"'
 
     def constant(self, node: Constant, _: int) -> str:
         return str(node.value)
@@ -81,6 +100,13 @@ class ExpressionWriter:
 
     def list(self, node: List, _: int) -> str:
         return f"[{', '.join([self.expression(item) for item in node.items])}]"
+
+    def dictionary(self, node: Dictionary, _: int) -> str:
+        entries = [
+            f"{self.expression(key)}: {self.expression(value)}"
+            for key, value in zip(node.keys, node.values, strict=True)
+        ]
+        return f"{{{', '.join(entries)}}}"
 
     def index(self, node: Index, _: int) -> str:
         return f"{self.receiver(node.value)}[{self.expression(node.index)}]"
@@ -114,6 +140,12 @@ class ExpressionWriter:
             parts.append(self.expression(operand, COMPARE + 1))
         text = " ".join(parts)
         return f"({text})" if level > COMPARE else text
+
+    def conditional(self, node: Conditional, level: int) -> str:
+        yes, condition = self.expression(node.yes, OR), self.expression(node.condition, OR)
+        no = self.expression(node.no, LOOSEST if isinstance(node.no, Conditional) else OR)
+        text = f"{yes} if {condition} else {no}"
+        return f"({text})" if level > LOOSEST else text
 
     def receiver(self, node: Expression) -> str:
         """The source of an expression before a dot or a bracket."""

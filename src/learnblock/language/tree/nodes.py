@@ -39,6 +39,18 @@ class String:
 
 
 @dataclass(frozen=True, slots=True)
+class FString:
+    """``f"score: {score}"``: text with values in it.
+
+    A `String` among the parts is text between the braces; two never follow each other, and none is
+    empty. Every other part is a value that `texts.is_plain`.
+    """
+
+    parts: "tuple[Expression, ...]" = ()
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
 class Constant:
     """``True``, ``False`` or ``None``."""
 
@@ -92,8 +104,17 @@ class List:
 
 
 @dataclass(frozen=True, slots=True)
+class Dictionary:
+    """``{"Ana": 1, "Luis": 2}``."""
+
+    keys: "tuple[Expression, ...]" = ()
+    values: "tuple[Expression, ...]" = ()
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
 class Index:
-    """``values[index]``, counted from 0; -1 is the last one."""
+    """``values[index]``, counted from 0, -1 is the last one; or a key of a dictionary."""
 
     value: "Expression"
     index: "Expression"
@@ -129,6 +150,16 @@ class Compare:
 
 
 @dataclass(frozen=True, slots=True)
+class Conditional:
+    """``yes if condition else no``."""
+
+    yes: "Expression"
+    condition: "Expression"
+    no: "Expression"
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
 class RawExpression:
     """A Python expression without an equivalent in Block-Text, between backticks."""
 
@@ -139,15 +170,18 @@ class RawExpression:
 Expression = (
     Number
     | String
+    | FString
     | Constant
     | Name
     | Call
     | SkillCall
     | List
+    | Dictionary
     | Index
     | Unary
     | Binary
     | Compare
+    | Conditional
     | RawExpression
 )
 
@@ -217,12 +251,17 @@ class If:
 
 @dataclass(frozen=True, slots=True)
 class While:
-    """``while condition:``."""
+    """``while condition:``; with the condition ``True``, Block-Text writes ``forever:``."""
 
     condition: Expression
     body: "Body"
     comment: str | None = None
     span: Span = field(default=NOWHERE, compare=False)
+
+    @property
+    def is_endless(self) -> bool:
+        """Whether only a ``break`` or a ``return`` can leave it."""
+        return isinstance(self.condition, Constant) and self.condition.value is True
 
 
 @dataclass(frozen=True, slots=True)
@@ -255,6 +294,15 @@ class ForRange:
     stop: Expression
     step: Expression | None
     body: "Body"
+    comment: str | None = None
+    span: Span = field(default=NOWHERE, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class WaitUntil:
+    """``wait until condition``: do nothing else until it is true."""
+
+    condition: Expression
     comment: str | None = None
     span: Span = field(default=NOWHERE, compare=False)
 
@@ -331,6 +379,7 @@ Statement = (
     | Repeat
     | ForEach
     | ForRange
+    | WaitUntil
     | Break
     | Continue
     | Return

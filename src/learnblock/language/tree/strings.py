@@ -39,7 +39,12 @@ def quote(value: str) -> str:
     if _PLAIN.fullmatch(value):
         return f'"{value}"'
     mark = "'" if value.count('"') > value.count("'") else '"'
-    return mark + "".join(_written(character, mark) for character in value) + mark
+    return mark + escaped(value, mark) + mark
+
+
+def escaped(value: str, mark: str) -> str:
+    """The characters of a string literal between its quotes."""
+    return "".join(_written(character, mark) for character in value)
 
 
 def _meant(match: re.Match[str]) -> str:

@@ -9,10 +9,13 @@ from learnblock.language.tree.nodes import (
     Body,
     Call,
     Compare,
+    Conditional,
     Def,
+    Dictionary,
     Expression,
     ForEach,
     ForRange,
+    FString,
     If,
     Index,
     Item,
@@ -25,6 +28,7 @@ from learnblock.language.tree.nodes import (
     Setup,
     SkillCall,
     Unary,
+    WaitUntil,
     When,
     While,
 )
@@ -92,6 +96,11 @@ def _arguments(node: Any) -> tuple[Expression, ...]:
     return (*node.arguments, *(keyword.value for keyword in node.keywords))
 
 
+def _entries(node: Dictionary) -> tuple[Expression, ...]:
+    """The keys and values, in the order of the source."""
+    return tuple(one for pair in zip(node.keys, node.values, strict=True) for one in pair)
+
+
 _EXPRESSIONS: dict[type, Callable[[Any], tuple[Expression, ...]]] = {
     Perform: lambda node: (node.call,),
     Assign: lambda node: (node.target, node.value),
@@ -100,6 +109,7 @@ _EXPRESSIONS: dict[type, Callable[[Any], tuple[Expression, ...]]] = {
     Repeat: lambda node: (node.count,),
     ForEach: lambda node: (node.target, node.values),
     ForRange: _range_parts,
+    WaitUntil: lambda node: (node.condition,),
     Return: lambda node: _optional(node.value),
     When: lambda node: _optional(node.condition),
     Setup: _arguments,
@@ -107,11 +117,14 @@ _EXPRESSIONS: dict[type, Callable[[Any], tuple[Expression, ...]]] = {
 _OPERANDS: dict[type, Callable[[Any], tuple[Expression, ...]]] = {
     Call: _arguments,
     SkillCall: _arguments,
+    FString: lambda node: node.parts,
     List: lambda node: node.items,
+    Dictionary: _entries,
     Index: lambda node: (node.value, node.index),
     Unary: lambda node: (node.operand,),
     Binary: lambda node: (node.left, node.right),
     Compare: lambda node: node.operands,
+    Conditional: lambda node: (node.yes, node.condition, node.no),
 }
 
 

@@ -29,6 +29,7 @@ from learnblock.language.tree.nodes import (
     Repeat,
     Return,
     Setup,
+    WaitUntil,
     When,
     While,
 )
@@ -43,6 +44,7 @@ _WRITERS: dict[type[Item | Main], str] = {
     Repeat: "repeat",
     ForEach: "for_each",
     ForRange: "for_range",
+    WaitUntil: "wait_until",
     Break: "word",
     Continue: "word",
     Pass: "word",
@@ -152,6 +154,9 @@ class ProgramWriter(ExpressionWriter):
         raise NotImplementedError
 
     def for_range(self, node: ForRange) -> None:
+        raise NotImplementedError
+
+    def wait_until(self, node: WaitUntil) -> None:
         raise NotImplementedError
 
     def activation(self, node: Activate | Deactivate) -> None:

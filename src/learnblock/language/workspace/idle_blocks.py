@@ -9,14 +9,21 @@ from learnblock.i18n import Phrase
 from learnblock.language.workspace.block_reader import is_disabled
 from learnblock.language.workspace.blocks import Block, Workspace
 from learnblock.language.workspace.reader import is_part
-from learnblock.language.workspace.types import ANSWERING_FUNCTION, COMMENT, FUNCTION, HATS
+from learnblock.language.workspace.types import (
+    ANSWERING_FUNCTION,
+    COMMENT,
+    FOREVER,
+    FUNCTION,
+    HATS,
+    WHILE,
+)
 from learnblock.language.workspace.value_reader import VALUES
 
 _FUNCTIONS = frozenset((FUNCTION, ANSWERING_FUNCTION))
 #: The blocks that have no use without blocks inside them; a loop with a condition may wait for it.
 _FRAMES = frozenset(("controls_if", "controls_repeat_ext", "controls_forEach", "controls_for"))
 #: The blocks that can have blocks inside.
-_HOLDERS = HATS | _FRAMES | {"controls_whileUntil"}
+_HOLDERS = HATS | _FRAMES | {WHILE, FOREVER}
 #: As a statement, this block removes an item of a list instead of getting it.
 _REMOVES = ("lists_getIndex", "REMOVE")
 

@@ -7,14 +7,18 @@ from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.toolbox import SKILL
 from learnblock.language.blocktext import names
 from learnblock.language.tree.nodes import (
+    Assign,
     Binary,
     Body,
     Call,
     Comment,
     Compare,
+    Conditional,
     Constant,
     Def,
+    Dictionary,
     Expression,
+    FString,
     Index,
     List,
     Name,
@@ -27,6 +31,7 @@ from learnblock.language.tree.nodes import (
     String,
     Unary,
 )
+from learnblock.language.tree.traversal import statements
 from learnblock.language.workspace.arguments import given_by, noted
 from learnblock.language.workspace.blocks import FieldValue
 from learnblock.language.workspace.literals import literal
@@ -86,6 +91,7 @@ class Shaper:
         self.configurations = configurations
         self.whens = program.whens.keys()
         self.functions = _functions(program)
+        self.dictionaries = _dictionaries(program)
 
     def value(self, node: Expression) -> Shape:
         return _SHAPES[type(node)](self, node)
@@ -106,6 +112,8 @@ class Shaper:
         """The shape of a call if Blockly has a block for it, else None."""
         if node.keywords or node.name in self.functions:
             return None
+        if node.name == "pop" and len(node.arguments) == 2 and self.is_entry(*node.arguments):
+            return None
         if node.name == "pop" and 1 <= len(node.arguments) <= 2:
             return _pop(node.arguments)
         found = LIBRARY.get((node.name, len(node.arguments)))
@@ -114,6 +122,12 @@ class Shaper:
         fields = {found.field: found.value} if found.field else _NOTHING
         values = dict(zip(found.inputs, node.arguments, strict=True))
         return Shape(found.type, fields, values, extra=found.extra)
+
+    def is_entry(self, values: Expression, index: Expression) -> bool:
+        """Whether an index is a key of a dictionary, and not a position in a list."""
+        if isinstance(values, Name) and values.name in self.dictionaries:
+            return True
+        return isinstance(index, String | FString)
 
     def own_call(self, node: Call, definition: str, kind: str) -> Shape | None:
         """The shape of a call of a user's function, or None if the call does not fit it."""
@@ -167,6 +181,11 @@ def at(mode: str, index: Expression, values: dict[str, Expression]) -> Shape:
     return Shape("", {"MODE": mode, "WHERE": "FROM_START"}, {**values, "AT": index})
 
 
+def entry(kind: str, node: Index, **more: Expression) -> Shape:
+    """The shape of a block about one entry of a dictionary."""
+    return Shape(kind, values={"DICTIONARY": node.value, "KEY": node.index, **more})
+
+
 def function_type(node: Def) -> str:
     """The type of a function's block, which depends on whether its last line returns a value."""
     last = node.body[-1] if node.body else None
@@ -188,6 +207,16 @@ def _functions(program: Program) -> dict[str, Signature]:
         for item in found.values()
         if item is not None
     }
+
+
+def _dictionaries(program: Program) -> frozenset[str]:
+    """The variables that hold dictionaries."""
+    main = () if program.main is None else program.main.body
+    return frozenset(
+        one.target.name
+        for one in statements((*program.items, *main))
+        if type(one) is Assign and type(one.value) is Dictionary and type(one.target) is Name
+    )
 
 
 def _pop(arguments: tuple[Expression, ...]) -> Shape:
@@ -239,8 +268,25 @@ def _compare(_: Shaper, node: Compare) -> Shape:
     return Shape("lb_in", {"OP": operator}, values)
 
 
-def _index(_: Shaper, node: Index) -> Shape:
+def _conditional(_: Shaper, node: Conditional) -> Shape:
+    values = {"IF": node.condition, "THEN": node.yes, "ELSE": node.no}
+    return Shape("logic_ternary", values=values)
+
+
+def _dictionary(_: Shaper, node: Dictionary) -> Shape:
+    values = {**numbered("KEY", node.keys), **numbered("VALUE", node.values)}
+    return Shape("lb_dictionary", values=values, extra={"items": len(node.keys)})
+
+
+def _index(shaper: Shaper, node: Index) -> Shape:
+    if shaper.is_entry(node.value, node.index):
+        return entry("lb_dictionary_get", node)
     return at("GET", node.index, {"VALUE": node.value})._replace(type="lists_getIndex")
+
+
+def _f_string(_: Shaper, node: FString) -> Shape:
+    extra = {"itemCount": len(node.parts)}
+    return Shape("text_join", values=numbered("ADD", node.parts), extra=extra)
 
 
 def _list(_: Shaper, node: List) -> Shape:
@@ -251,14 +297,17 @@ def _list(_: Shaper, node: List) -> Shape:
 _SHAPES: dict[type[Expression], Callable[[Shaper, Any], Shape]] = {
     Number: _literal,
     String: _literal,
+    FString: _f_string,
     Constant: _literal,
     Name: Shaper.name,
     Call: Shaper.call,
     SkillCall: Shaper.skill_call,
     List: _list,
+    Dictionary: _dictionary,
     Index: _index,
     Unary: _unary,
     Binary: _binary,
     Compare: _compare,
+    Conditional: _conditional,
     RawExpression: lambda _, node: Shape("lb_python_value", {"CODE": node.text}),
 }

@@ -18,6 +18,7 @@ from learnblock.language.tree.nodes import (
     Break,
     Call,
     Comment,
+    Constant,
     Continue,
     Deactivate,
     Else,
@@ -41,11 +42,13 @@ from learnblock.language.tree.nodes import (
     SkillCall,
     Statement,
     Unary,
+    WaitUntil,
     While,
 )
 from learnblock.language.workspace.block_reader import extra, extra_count, is_disabled, plugged
 from learnblock.language.workspace.blocks import Block
 from learnblock.language.workspace.notes import Ends, Lead, Notes, comments_in, notes_of
+from learnblock.language.workspace.types import FOREVER, WHILE
 from learnblock.language.workspace.value_reader import ValueReader, popped
 
 _FLOWS: dict[str, type[Break | Continue]] = {"BREAK": Break, "CONTINUE": Continue}
@@ -53,7 +56,8 @@ _CHANGES = {operator: operator for operator in sorted(ASSIGNMENTS - {"="})}
 _OPENERS = frozenset(
     (
         "controls_if",
-        "controls_whileUntil",
+        WHILE,
+        FOREVER,
         "controls_repeat_ext",
         "controls_forEach",
         "controls_for",
@@ -153,14 +157,16 @@ class StatementReader(ValueReader):
         self.report(block, "no-effect", Phrase("workspace-unused-value"))
         return None
 
-    def target(self, block: Block, values: Expression, place: Expression) -> Index | None:
-        """An item of a list, as the target of an assignment."""
+    def target(
+        self, block: Block, values: Expression, place: Expression, name: str = "LIST"
+    ) -> Index | None:
+        """An item of the list or dictionary in an input, as the target of an assignment."""
         root = values
         while isinstance(root, Index):
             root = root.value
         if isinstance(root, Name | Call | SkillCall):
             return self.made(Index(values, place), block)
-        if plugged(block, "LIST") is not None:
+        if plugged(block, name) is not None:
             self.report(block, "no-effect", Phrase("workspace-list-without-name"))
         return None
 
@@ -234,6 +240,11 @@ def _while(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> While
     return While(condition, reader.body(block, "DO"), ends[0])
 
 
+def _forever(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> While:
+    always = reader.stand_in(block, Constant(value=True))
+    return While(always, reader.body(block, "DO"), ends[0])
+
+
 def _for_range(reader: StatementReader, block: Block, notes: Notes, ends: Ends) -> ForRange:
     step = reader.optional(block, "BY")
     if step == Number("1") and not notes.step:
@@ -298,9 +309,34 @@ def _change_index(reader: StatementReader, block: Block, _: Notes, ends: Ends) -
     return None if target is None else Assign(target, operator, value, ends[0])
 
 
+def _entry(reader: StatementReader, block: Block) -> Index | None:
+    """The entry of a dictionary that a block sets or changes."""
+    return reader.target(block, reader.dictionary(block), reader.key(block), "DICTIONARY")
+
+
+def _set_entry(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Assign | None:
+    target, value = _entry(reader, block), reader.value(block, "VALUE")
+    return None if target is None else Assign(target, "=", value, ends[0])
+
+
+def _change_entry(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Assign | None:
+    target, value = _entry(reader, block), reader.number(block, "VALUE")
+    operator = reader.choice(block, "OP", _CHANGES)
+    return None if target is None else Assign(target, operator, value, ends[0])
+
+
+def _remove_entry(reader: StatementReader, block: Block, _: Notes, ends: Ends) -> Perform | None:
+    call = Call("pop", (reader.dictionary(block), reader.key(block)))
+    return reader.perform(block, reader.made(call, block), ends)
+
+
 STATEMENTS: dict[str, Handler] = {
     "controls_if": _if,
-    "controls_whileUntil": _while,
+    WHILE: _while,
+    FOREVER: _forever,
+    "lb_wait_until": lambda reader, block, _, ends: WaitUntil(
+        reader.truth(block, "CONDITION", "workspace-wait-without-condition"), ends[0]
+    ),
     "controls_repeat_ext": lambda reader, block, _, ends: Repeat(
         reader.number(block, "TIMES"), reader.body(block, "DO"), ends[0]
     ),
@@ -325,6 +361,9 @@ STATEMENTS: dict[str, Handler] = {
     ),
     "lists_setIndex": _set_index,
     "lb_change_index": _change_index,
+    "lb_dictionary_set": _set_entry,
+    "lb_dictionary_change": _change_entry,
+    "lb_dictionary_remove": _remove_entry,
     "lists_getIndex": _pop,
     "lb_return": lambda reader, block, _, ends: Return(reader.optional(block, "VALUE"), ends[0]),
     "lb_pass": lambda _reader, _block, _, ends: Pass(ends[0]),

@@ -31,6 +31,7 @@ from learnblock.language.tree.nodes import (
     Return,
     Setup,
     SkillCall,
+    WaitUntil,
     When,
     While,
 )
@@ -40,10 +41,18 @@ from learnblock.language.workspace.shapes import (
     Shaper,
     any_call,
     at,
+    entry,
     function_type,
     numbered,
 )
-from learnblock.language.workspace.types import ANSWERING_FUNCTION, FUNCTION, MAIN, WHEN
+from learnblock.language.workspace.types import (
+    ANSWERING_FUNCTION,
+    FOREVER,
+    FUNCTION,
+    MAIN,
+    WHEN,
+    WHILE,
+)
 
 _IDLE: Body = (Pass(),)
 
@@ -66,7 +75,13 @@ class StatementShaper(Shaper):
         if call.name in self.functions:
             answering = self.own_call(call, ANSWERING_FUNCTION, "procedures_callreturn")
             return answering and Shape("lb_do", values={"VALUE": call})
-        return None if call.keywords else _library_statement(call)
+        return None if call.keywords else self.library_alone(call)
+
+    def library_alone(self, call: Call) -> Shape | None:
+        match call:
+            case Call("pop", (values, key)) if self.is_entry(values, key):
+                return entry("lb_dictionary_remove", Index(values, key))
+        return _library_statement(call)
 
     def skill_alone(self, call: SkillCall) -> Shape | None:
         found = self.skill(call, answers=False)
@@ -98,9 +113,14 @@ def _removal(where: str, values: dict[str, Expression]) -> Shape:
     return Shape("lists_getIndex", fields, values, extra={"isStatement": True})
 
 
-def _assign(_: StatementShaper, node: Assign) -> Shape:
+def _assign(shaper: StatementShaper, node: Assign) -> Shape:
     target = node.target
-    shape = _set_index(node, target) if isinstance(target, Index) else _set(node, target)
+    if isinstance(target, Name):
+        shape = _set(node, target)
+    elif shaper.is_entry(target.value, target.index):
+        shape = _set_entry(node, target)
+    else:
+        shape = _set_index(node, target)
     return shape._replace(ends=(node.comment,))
 
 
@@ -111,6 +131,13 @@ def _set(node: Assign, target: Name) -> Shape:
         case "+=":
             return Shape("math_change", {"VAR": target}, {"DELTA": node.value})
     return Shape("lb_change", {"VAR": target, "OP": node.operator}, {"VALUE": node.value})
+
+
+def _set_entry(node: Assign, target: Index) -> Shape:
+    if node.operator == "=":
+        return entry("lb_dictionary_set", target, VALUE=node.value)
+    shape = entry("lb_dictionary_change", target, VALUE=node.value)
+    return shape._replace(fields={"OP": node.operator})
 
 
 def _set_index(node: Assign, target: Index) -> Shape:
@@ -135,8 +162,13 @@ def _if(_: StatementShaper, node: If) -> Shape:
     return Shape("controls_if", {}, conditions, _busy(bodies), extra or None, NO_NOTES, tuple(ends))
 
 
+def while_shape(node: While) -> Shape:
+    """The shape of a loop with its condition, even if that is always true."""
+    return _loop(WHILE, node, {"BOOL": node.condition}, {"MODE": "WHILE"})
+
+
 def _while(_: StatementShaper, node: While) -> Shape:
-    return _loop("controls_whileUntil", node, {"BOOL": node.condition}, {"MODE": "WHILE"})
+    return _loop(FOREVER, node, {}, {}) if node.is_endless else while_shape(node)
 
 
 def _for_range(_: StatementShaper, node: ForRange) -> Shape:
@@ -209,6 +241,9 @@ _SHAPES: dict[type[Item | Main], Callable[[StatementShaper, Any], Shape]] = {
         "controls_forEach", node, {"LIST": node.values}, {"VAR": node.target}
     ),
     ForRange: _for_range,
+    WaitUntil: lambda _, node: Shape(
+        "lb_wait_until", values={"CONDITION": node.condition}, ends=(node.comment,)
+    ),
     Break: _word("controls_flow_statements", FLOW="BREAK"),
     Continue: _word("controls_flow_statements", FLOW="CONTINUE"),
     Pass: _word("lb_pass"),

@@ -11,6 +11,7 @@ from learnblock.language.blocktext.lexer import KEYWORDS
 COMMENT = "lb_comment"
 MAIN, START, WHEN = "lb_main", "lb_start", "lb_when"
 FUNCTION, ANSWERING_FUNCTION = "procedures_defnoreturn", "procedures_defreturn"
+FOREVER, WHILE = "lb_forever", "controls_whileUntil"
 #: The blocks that begin a part of the program; under any other block, only comments belong to it.
 HATS = frozenset((MAIN, START, WHEN, FUNCTION, ANSWERING_FUNCTION))
 
@@ -80,6 +81,7 @@ LIBRARY: Mapping[tuple[str, int], Library] = MappingProxyType(
         ("strip", 1): Library("text_trim", ("TEXT",), "MODE", "BOTH"),
         ("find", 2): Library("text_indexOf", ("VALUE", "FIND"), "END", "FIRST"),
         ("replace", 3): Library("text_replace", ("TEXT", "FROM", "TO")),
+        ("keys", 1): Library("lb_dictionary_keys", ("DICTIONARY",)),
         ("split", 2): _splitting("SPLIT"),
         ("join", 2): _splitting("JOIN"),
         **_family("math_single", "NUM", "OP", "sqrt=ROOT abs=ABS log=LN log10=LOG10 exp=EXP"),

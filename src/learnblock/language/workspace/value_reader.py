@@ -6,11 +6,15 @@ from learnblock.blocks import BlockConfiguration, Parameter
 from learnblock.blocks.toolbox import SKILL
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.expression_parser import MAX_HEIGHT
+from learnblock.language.tree import texts
 from learnblock.language.tree.nodes import (
+    NOWHERE,
     Binary,
     Call,
     Compare,
+    Conditional,
     Constant,
+    Dictionary,
     Expression,
     Index,
     Keyword,
@@ -104,6 +108,13 @@ class ValueReader(BlockReader):
 
     def list(self, block: Block, name: str) -> Expression:
         return self.value(block, name, List(), "workspace-missing-list")
+
+    def dictionary(self, block: Block) -> Expression:
+        missing = "workspace-missing-dictionary"
+        return self.value(block, "DICTIONARY", Dictionary(), missing)
+
+    def key(self, block: Block) -> Expression:
+        return self.text(block, "KEY")
 
     def expression(self, block: Block, parent: Block) -> Expression:
         """Read a value block."""
@@ -255,6 +266,21 @@ def _list(reader: ValueReader, block: Block) -> Expression:
     return List(reader.items(block, "ADD", extra_count(block, "itemCount")))
 
 
+def _f_string(reader: ValueReader, block: Block) -> Expression:
+    count = extra_count(block, "itemCount")
+    parts = [reader.text(block, f"ADD{place}") for place in range(count)]
+    return reader.made(texts.f_string(parts, NOWHERE) or texts.added(parts, NOWHERE), block)
+
+
+def _dictionary(reader: ValueReader, block: Block) -> Expression:
+    count = extra_count(block, "items")
+    entries = [
+        (reader.text(block, f"KEY{place}"), reader.value(block, f"VALUE{place}"))
+        for place in range(count)
+    ]
+    return Dictionary(tuple([key for key, _ in entries]), tuple([value for _, value in entries]))
+
+
 def _index(reader: ValueReader, block: Block) -> Expression:
     values = reader.list(block, "VALUE")
     if block.fields.get("MODE", "GET") != "GET":
@@ -286,6 +312,7 @@ def _single(reader: ValueReader, block: Block) -> Expression:
 _MISSING = {
     "lists_length": "workspace-missing-text-or-list",
     "math_on_list": "workspace-missing-list",
+    "lb_dictionary_keys": "workspace-missing-dictionary",
 }
 
 
@@ -361,6 +388,14 @@ VALUES: dict[str, Handler] = {
         (reader.choice(block, "OP", _MEMBERSHIPS),), reader_pair(reader, block)
     ),
     "lb_compare_chain": _chain,
+    "logic_ternary": lambda reader, block: Conditional(
+        condition=reader.truth(block, "IF"),
+        yes=reader.value(block, "THEN"),
+        no=reader.value(block, "ELSE"),
+    ),
+    "text_join": _f_string,
+    "lb_dictionary": _dictionary,
+    "lb_dictionary_get": lambda reader, block: Index(reader.dictionary(block), reader.key(block)),
     "lists_create_with": _list,
     "lists_getIndex": _index,
     "procedures_callreturn": lambda reader, block: reader.own_call(block),

@@ -48,11 +48,13 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-counts-up": "workspace-counts-up",
         "check-never-repeats": "workspace-never-repeats",
         "check-idle-loop": "workspace-idle-loop",
+        "check-idle-wait": "workspace-idle-wait",
         "check-speed-as-angle": "workspace-speed-as-angle",
         "check-convert-to-number": "workspace-convert-to-number",
         "check-answer-for-number": "workspace-answer-for-number",
         "check-answer-changed": "workspace-answer-changed",
         "check-list-for-number": "workspace-list-for-number",
+        "check-dictionary-for-number": "workspace-dictionary-for-number",
         "check-join-text": "workspace-join-text",
         "check-append": "workspace-append",
         "check-never-equal": "workspace-never-equal",
@@ -75,7 +77,7 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
             ("check-calls-itself", "check-calls-itself-python"), "workspace-calls-itself"
         ),
         "check-skill-without-answer": "workspace-skill-without-answer",
-        "check-skill-without-base": "workspace-skill-without-effect",
+        "check-skill-impossible": "workspace-skill-impossible",
         "check-skill-without-effect": "workspace-skill-without-effect",
         "check-no-device-of-name": "workspace-no-device-of-name",
         "check-outside-loop": "workspace-outside-loop",
@@ -83,7 +85,10 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-unreachable-after-jump": "workspace-unreachable-after-jump",
         "check-unreachable-after-loop": "workspace-unreachable-after-loop",
         "check-unreachable-after-branches": "workspace-unreachable-after-branches",
-        "check-sensor-outside-loop": "workspace-sensor-outside-loop",
+        **dict.fromkeys(
+            ("check-sensor-outside-loop", "check-sensor-outside-loop-python"),
+            "workspace-sensor-outside-loop",
+        ),
     }
 )
 

@@ -17,6 +17,7 @@ from learnblock.language.tree.nodes import (
     Node,
     Program,
     When,
+    While,
 )
 from learnblock.language.tree.traversal import bodies, expressions, statements
 from learnblock.language.workspace.alignment import Match, aligned
@@ -25,8 +26,16 @@ from learnblock.language.workspace.notes import comment_of
 from learnblock.language.workspace.reader import WorkspaceReader, is_note, is_part, statements_of
 from learnblock.language.workspace.shapes import Shape
 from learnblock.language.workspace.statement_reader import Group
+from learnblock.language.workspace.statement_shapes import while_shape
 from learnblock.language.workspace.survey import Survey, survey
-from learnblock.language.workspace.types import ANSWERING_FUNCTION, COMMENT, FUNCTION, START
+from learnblock.language.workspace.types import (
+    ANSWERING_FUNCTION,
+    COMMENT,
+    FOREVER,
+    FUNCTION,
+    START,
+    WHILE,
+)
 from learnblock.language.workspace.value_writer import ValueWriter
 
 _HATTED = (Def, When, Main)
@@ -154,8 +163,8 @@ class WorkspaceWriter(ValueWriter):
         if old is not None and equal and self.can_stay(group, old):
             return old
         node = group.statement
-        shape = self.shaper.statement(node)
-        same = old if old is not None and old.type == shape.type else None
+        shape = self.shape(node, old)
+        same = old if old is not None and _may_follow(old.type, shape.type) else None
         inner_bodies = {
             name: inner
             for name, body in shape.bodies.items()
@@ -166,6 +175,14 @@ class WorkspaceWriter(ValueWriter):
         block.comment = comment
         self.note_statement(group, block)
         return block
+
+    def shape(self, node: Item | Main, old: Block | None) -> Shape:
+        """The shape of a statement; a user's own 'repeat while true' does not become 'forever'."""
+        if isinstance(node, While) and old is not None and old.type == WHILE:
+            earlier = self.before.groups[old.id].statement
+            if isinstance(earlier, While) and earlier.is_endless:
+                return while_shape(node)
+        return self.shaper.statement(node)
 
     def can_stay(self, group: Group, old: Block) -> bool:
         """Whether a block with the same content can stay; if so, keep it with everything inside."""
@@ -269,6 +286,11 @@ def grouped(items: Sequence[Item | Main]) -> list[Group]:
             groups.append(Group(tuple(lead), item))
             lead = []
     return groups + _alone(lead)
+
+
+def _may_follow(old: str, new: str) -> bool:
+    """Whether a block of a type keeps what is inside one of another type."""
+    return old == new or {old, new} == {WHILE, FOREVER}
 
 
 def _alone(lead: Sequence[Blank | Comment]) -> list[Group]:

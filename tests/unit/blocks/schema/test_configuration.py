@@ -1,6 +1,7 @@
 import pytest
 
 from learnblock.blocks import BlockConfiguration
+from learnblock.senses import equipment
 
 TURN = BlockConfiguration("motor", "Base", "turn", needs=("Base", "JointMotor:CAMERA"))
 
@@ -14,7 +15,7 @@ TURN = BlockConfiguration("motor", "Base", "turn", needs=("Base", "JointMotor:CA
     ],
 )
 def test_a_block_lacks_the_devices_it_needs_and_the_robot_does_not_have(devices, lacking):
-    assert lacking == TURN.lacks(frozenset(devices))
+    assert lacking == TURN.lacks(equipment(devices, None))
 
 
 @pytest.mark.parametrize(

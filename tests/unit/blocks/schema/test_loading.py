@@ -16,6 +16,7 @@ from learnblock.blocks.schema.writing import written
 from learnblock.devices import DEVICE_TYPES
 from learnblock.errors import BlockConfigurationError
 from learnblock.fields import Range
+from learnblock.senses import SENSES
 from places import TESTS
 
 HERE = Path(__file__).parent
@@ -257,9 +258,9 @@ def test_no_two_built_in_blocks_have_the_same_label():
 
 
 @pytest.mark.parametrize("block", builtin().values(), ids=lambda block: block.name)
-def test_built_in_blocks_need_devices_that_exist(block):
+def test_built_in_blocks_need_senses_and_devices_that_exist(block):
     for need in block.needs:
-        assert need.partition(":")[0] in DEVICE_TYPES
+        assert need in SENSES or need.partition(":")[0] in DEVICE_TYPES
 
 
 # The user's configurations.

@@ -37,6 +37,45 @@ def test_a_line_end_closes_a_statement_except_inside_brackets():
     assert ["unexpected"] == codes("x = a\n-b\n")
 
 
+def test_a_conditional_value_may_go_on_in_the_next_line_inside_brackets():
+    assert parse("x = (a if b else c)\n") == parse("x = (a\n  if b\n  else c)\n")
+
+
+def test_a_line_with_if_and_a_colon_begins_a_statement_even_after_an_open_bracket():
+    assert ["unclosed-bracket"] == codes("print(1,\nif x > 3:\n    y = 2\nend\n")
+
+
+@pytest.mark.parametrize("loop", ["forever:", "while True:", "forever :", "while (True):"])
+def test_a_loop_without_end_has_one_canonical_spelling(loop):
+    assert "forever:\n    pass\nend\n" == format_program(parse(f"{loop}\npass\nend\n"))
+
+
+def test_words_of_waiting_and_repeating_are_names_elsewhere():
+    text = "forever = wait\nwait = until(forever)\nuntil()\nforever[0] = 1\n"
+    assert text == format_program(parse(text))
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("a if b else c if d else e", "a if b else (c if d else e)"),
+        ("a or b if c else d", "(a or b) if c else d"),
+        ("a if b or c else d", "a if (b or c) else d"),
+        ("f'{a}{b}'", 'f"{a}{b}"'),
+        ("F'a' + f''", 'f"a" + f""'),
+        ("""f"{'a'}b{x}{f'{y}'}" """, 'f"ab{x}{y}"'),
+        (r"f'\x41{{\N{BULLET}}}{x}'", 'f"A{{•}}{x}"'),
+    ],
+)
+def test_values_with_conditions_and_texts_with_values_are_grouped_as_in_python(text, same):
+    assert value(text) == value(same)
+
+
+def test_a_value_in_a_text_knows_its_position():
+    found = value('f"é {yy}{z}"')
+    assert [Span(1, 10, 1, 12), Span(1, 14, 1, 15)] == [part.span for part in found.parts[1:]]
+
+
 def test_a_space_before_the_colon_is_allowed():
     assert parse("while a :\n pass\nend\n") == parse("while a:\n pass\nend\n")
 

@@ -6,11 +6,12 @@ from learnblock.blocks.schema.configuration import BlockConfiguration, Configura
 from learnblock.fields import Range
 from learnblock.i18n import Phrase
 from learnblock.language import check, from_python, parse
+from learnblock.senses import equipment
 from places import TESTS
 
 CASES = TESTS / "cases"
-EBO = frozenset(
-    ("Base:ROBOT", "Camera:ROBOT", "Display:ROBOT", "JointMotor:CAMERA", "Gyroscope:Z_AXIS")
+EBO = equipment(
+    ("Base:ROBOT", "Camera:ROBOT", "Display:ROBOT", "JointMotor:CAMERA", "Gyroscope:Z_AXIS"), None
 )
 
 
@@ -18,8 +19,8 @@ EBO = frozenset(
 def found(skills):
     """The line, severity and code of each diagnostic of a program."""
 
-    def of(text, devices=None):
-        diagnostics = check(parse(text), skills, devices)
+    def of(text, equipment=None):
+        diagnostics = check(parse(text), skills, equipment)
         return [(one.line, one.severity, one.code) for one in diagnostics]
 
     return of
@@ -43,7 +44,7 @@ def test_a_question_that_can_never_be_answered_is_an_error(found, thymio):
 
 def on(robot, text):
     """Return the severity and message of each diagnostic of a program with the real skills."""
-    devices = robots.find(robot).load().device_names()
+    devices = robots.find(robot).load().known_equipment()
     return [(one.severity, str(one.message)) for one in check(parse(text), builtin(), devices)]
 
 
@@ -53,27 +54,30 @@ def test_a_skill_uses_the_first_led_of_any_robot(robot):
 
 
 @pytest.mark.parametrize(
-    ("call", "message"),
+    ("call", "severity", "message"),
     [
         (
             'RGBled(255, 0, 0, "Up")',
+            "warning",
             "This robot has no coloured LED 'Up': 'function.RGBled' does nothing. Use one of "
             "these: Center, Front, Left, Rear, Right.",
         ),
         (
             'RGBled(255, 0, 0, slot="up")',
+            "warning",
             "This robot has no coloured LED 'up': 'function.RGBled' does nothing. Use one of "
             "these: Center, Front, Left, Rear, Right.",
         ),
         (
             'setAngleMotor("HEAD", 10)',
+            "error",
             "This robot has no motor 'HEAD': 'function.setAngleMotor' does nothing. Use one of "
             "these: ARM, CAMERA.",
         ),
     ],
 )
-def test_a_device_whose_name_the_robot_lacks_is_reported_with_those_it_has(call, message):
-    assert [("warning", message)] == on("sim-cozmo", f"function.{call}")
+def test_a_device_whose_name_the_robot_lacks_is_reported_with_those_it_has(call, severity, message):
+    assert [(severity, message)] == on("sim-cozmo", f"function.{call}")
 
 
 def test_a_name_that_only_the_run_will_tell_is_not_reported():

@@ -32,11 +32,24 @@ def exact(text):
         ("x = x + 1\n", "x = x + 1\n"),
         ("if x == True: robot.turn( 90 )\n", "if x == True:\n    function.turn(90)\nend\n"),
         ("print('a' 'b')\n", 'print("ab")\n'),
-        ("print(f'{x}')\n", "print(`f'{x}'`)\n"),
+        ("print(f'{x}')\n", 'print(f"{x}")\n'),
+        ("print(f'{x:.2f}')\n", "print(`f'{x:.2f}'`)\n"),
+        ("print(f'{x!r} {y}')\n", "print(`f'{x!r} {y}'`)\n"),
+        ("print(f'{x.y} {x.y()}')\n", "print(`f'{x.y} {x.y()}'`)\n"),
+        ("print(f'é {x.y} {2.50}' 'a')\n", 'print(f"é {`x.y`} {2.50}a")\n'),
+        ("del d['a']\n", 'pop(d, "a")\n'),
+        ("x = {**d}\n", "x = `{**d}`\n"),
+        ("x = {'a': 1,}\n", 'x = {"a": 1}\n'),
+        ("for x in d.keys(): pass\n", "for x in `d.keys()`:\n    pass\nend\n"),
+        ("x = list(d.keys())\n", "x = keys(d)\n"),
+        ("robot.wait_until(lambda: x)\n", "wait until x\n"),
+        ("robot.wait_until(lambda y: x)\n", "function.wait_until(`lambda y: x`)\n"),
+        ("while 1:\n    pass\n", "while 1:\n    pass\nend\n"),
+        ("while True: pass\n", "forever:\n    pass\nend\n"),
         ("for i in range(2, 5): pass\n", "for i from 2 to 4:\n    pass\nend\n"),
         ("for i in range(n): pass\n", "for i from 0 to n - 1:\n    pass\nend\n"),
         ("for x in xs:\n  pass\n", "for x in xs:\n    pass\nend\n"),
-        ("x = y if z else 0\n", "x = `y if z else 0`\n"),
+        ("x = y if z else 0\n", "x = y if z else 0\n"),
         ("x = y[1:]\n", "x = `y[1:]`\n"),
         ("a = b = 1\n", "robot()\n\npython:\n    a = b = 1\nend\n"),
         ("with a as b:\n    pass\n", "robot()\n\npython:\n    with a as b:\n        pass\nend\n"),
@@ -52,7 +65,7 @@ def exact(text):
 )
 def test_python_with_an_equivalent_is_converted_and_the_rest_is_raw(python, expected):
     if expected is None:
-        expected = "while a:\n    b = `{}`\n    python:\n        c, d = 1, 2\n    end\nend\n"
+        expected = "while a:\n    b = {}\n    python:\n        c, d = 1, 2\n    end\nend\n"
     assert expected == block_text(python)
 
 
@@ -116,7 +129,7 @@ def test_a_function_that_needs_local_variables_stays_raw(function):
 
 
 def test_a_brace_in_a_string_is_not_a_bracket():
-    assert 'x = `f"{{"`\n\n# note\ny = 1\n' == block_text('x = f"{{"\n\n# note\ny = 1\n')
+    assert 'x = f"{{"\n\n# note\ny = 1\n' == block_text('x = f"{{"\n\n# note\ny = 1\n')
 
 
 def test_a_file_without_our_robot_is_one_block_of_raw_python():

@@ -250,3 +250,98 @@ def test_a_state_block_comes_with_its_when():
     text = "x = state_seen\nwhen seen:\npass\nend\n"
     after = to_workspace(parse(text), CONFIGURATIONS, before).workspace
     assert "seen" == only(after, "lb_state").fields["WHEN"]
+
+
+def test_a_loop_with_true_in_its_slot_stays_one_when_its_inside_changes():
+    always = Block("logic_boolean", "true", fields={"BOOL": "TRUE"})
+    inputs = {"BOOL": Input(always), "DO": Input(stack=[Block("lb_pass", "p")])}
+    loop = Block("controls_whileUntil", "loop", fields={"MODE": "WHILE"}, inputs=inputs)
+    before = Workspace([[Block("lb_main", "main", inputs={"DO": Input(stack=[loop])})]])
+    text = format_program(from_workspace(before, CONFIGURATIONS).program)
+
+    program = parse(text.replace("pass", "break"))
+    after = to_workspace(program, CONFIGURATIONS, before).workspace
+
+    assert "main:\n    forever:\n        pass\n    end\nend\n" == text
+    assert "loop" == only(after, "controls_whileUntil").id
+    assert "true" == only(after, "logic_boolean").id
+
+
+@pytest.mark.parametrize(("old", "new"), [("forever", "while x > 3"), ("while x > 3", "forever")])
+def test_a_loop_that_gets_or_loses_its_condition_keeps_what_is_inside(old, new):
+    text = f"x = 1\n{old}:\n    x = 2\n    x += 3\nend\n"
+    before = to_workspace(parse(text), CONFIGURATIONS).workspace
+
+    program = parse(text.replace(old, new))
+    after = to_workspace(program, CONFIGURATIONS, before).workspace
+
+    assert only(before, "math_change") == only(after, "math_change")
+
+
+def joined(*parts):
+    """Return a workspace that prints a text of the given blocks."""
+    inputs = {f"ADD{place}": Input(part) for place, part in enumerate(parts)}
+    text = Block("text_join", "j", inputs=inputs, extraState={"itemCount": len(parts)})
+    printed = Block("text_print", "p", inputs={"TEXT": Input(text)})
+    return Workspace([[Block("lb_main", "main", inputs={"DO": Input(stack=[printed])})]])
+
+
+def word(text, key):
+    return Block("text", key, fields={"TEXT": text})
+
+
+def test_texts_side_by_side_are_one_and_stay_blocks_when_something_else_changes():
+    two = Block("math_number", "n", fields={"NUM": 2})
+    before = joined(word("a", "1"), word("{b}", "2"), two, word("", "3"))
+    text = format_program(from_workspace(before, CONFIGURATIONS).program)
+
+    after = to_workspace(parse(text + "x = 1\n"), CONFIGURATIONS, before).workspace
+
+    assert 'main:\n    print(f"a{{b}}{2}")\nend\n' == text
+    assert only(before, "text_join") == only(after, "text_join")
+
+
+def test_a_value_that_no_f_string_can_have_is_added_to_the_text():
+    items = {"ADD0": Input(word("\\", "s"))}
+    upper = Block("text_changeCase", "u", fields={"CASE": "UPPERCASE"})
+    upper.inputs["TEXT"] = Input(Block("text_join", "i", inputs=items, extraState={"itemCount": 1}))
+
+    found = from_workspace(joined(word("a ", "1"), upper), CONFIGURATIONS)
+
+    assert 'main:\n    print("a " + str(upper(f"\\\\")))\nend\n' == format_program(found.program)
+
+
+def test_an_empty_slot_in_a_text_is_reported_and_counts_as_no_text():
+    before = joined(word("a", "1"))
+    only(before, "text_join").extraState = {"itemCount": 2}
+    found = from_workspace(before, CONFIGURATIONS)
+    assert 'main:\n    print(f"a")\nend\n' == format_program(found.program)
+    assert ["missing-value"] == [problem.code for _, problem in found.problems]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("x = {}\ny = x[z]\n", "lb_dictionary_get"),
+        ('y = x["a"]\n', "lb_dictionary_get"),
+        ("y = x[z]\n", "lists_getIndex"),
+        ("x = {}\nx[z] = 1\n", "lb_dictionary_set"),
+        ('x["a"] += 1\n', "lb_dictionary_change"),
+        ("x[1] += 1\n", "lb_change_index"),
+        ('pop(x, "a")\n', "lb_dictionary_remove"),
+        ("pop(x, 1)\n", "lists_getIndex"),
+        ('y = pop(x, "a")\n', "lb_call_value"),
+        ("y = keys(x)\n", "lb_dictionary_keys"),
+    ],
+)
+def test_a_key_has_a_block_of_dictionaries_and_a_position_one_of_lists(text, kind):
+    found = to_workspace(parse(text), CONFIGURATIONS).workspace
+    assert kind == only(found, kind).type
+    assert text == format_program(from_workspace(found, CONFIGURATIONS).program)
+
+
+def test_an_entry_of_a_dictionary_without_a_variable_is_reported():
+    block = Block("lb_dictionary_set", "s")
+    before = Workspace([[Block("lb_main", "main", inputs={"DO": Input(stack=[block])})]])
+    problems = from_workspace(before, CONFIGURATIONS).problems
+    assert ["s"] * 3 == [block for block, _ in problems]

@@ -1,0 +1,158 @@
+"""Which robots can run a program: decided by what its skills need, before it runs."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from learnblock.blocks import BlockConfiguration
+from learnblock.i18n import Phrase
+from learnblock.language.tree.nodes import Program, SkillCall, String
+from learnblock.language.tree.traversal import expressions, statements, within
+from learnblock.senses import SENSES, UNSERVED, is_decoration, served_by
+
+Texts = Mapping[str, str | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """A call of a skill, as far as it matters for what a robot needs.
+
+    Args:
+        skill: its block.
+        texts: the text given for each parameter; None for what only the run will tell.
+    """
+
+    skill: BlockConfiguration
+    texts: Texts
+
+    def lack(self, equipment: frozenset[str]) -> "Lack | None":
+        """What a robot lacks for it; None if it can do it."""
+        needs = self.skill.lacks(equipment, self.texts)
+        return Lack(self.skill, needs) if needs else None
+
+
+@dataclass(frozen=True, slots=True)
+class Lack:
+    """A skill that a robot can't do.
+
+    Args:
+        skill: its block.
+        needs: the senses or devices that the robot lacks.
+    """
+
+    skill: BlockConfiguration
+    needs: tuple[str, ...]
+
+    @property
+    def is_harmless(self) -> bool:
+        """Whether the program only loses decoration; a question without an answer is not."""
+        return not self.skill.returns_value and all(map(is_decoration, self.needs))
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """Whether a robot can run a program.
+
+    Args:
+        missed: the skills that would do nothing; they only decorate.
+        refused: the skills without which the program can't run.
+        served: what serves the senses of the program on the robot.
+    """
+
+    missed: tuple[Lack, ...] = ()
+    refused: tuple[Lack, ...] = ()
+    served: tuple[str, ...] = ()
+
+    @property
+    def runs(self) -> bool:
+        """Whether it runs, at least without its decoration."""
+        return not self.refused
+
+    @property
+    def phrase(self) -> Phrase:
+        """The verdict in words."""
+        if self.refused:
+            return Phrase("check-robot-refused", devices=_devices(self.refused))
+        if self.missed:
+            return Phrase("check-robot-without", devices=_devices(self.missed))
+        if self.served:
+            return Phrase("check-robot-runs-with", devices=_serving(self.served))
+        return Phrase("check-robot-runs")
+
+
+def _devices(lacks: tuple[Lack, ...]) -> tuple[Phrase, ...]:
+    needs = dict.fromkeys(need for lack in lacks for need in lack.needs)
+    # Several senses may be served by one device, which is named once.
+    return tuple({str(one): one for one in map(need_phrase, needs)}.values())
+
+
+def serving(needs: Iterable[str], equipment: frozenset[str]) -> tuple[str, ...]:
+    """What serves the senses among some needs on a robot; a device that is needed serves none."""
+    ways = (served_by(need, equipment) for need in needs if need in SENSES)
+    return tuple(dict.fromkeys(way for way in ways if way))
+
+
+def serving_phrase(ways: Iterable[str]) -> Phrase:
+    """What serves the senses of a skill on the chosen robot, in words."""
+    return Phrase("check-serving", devices=_serving(ways))
+
+
+def _serving(ways: Iterable[str]) -> tuple[Phrase, ...]:
+    parts = (way.partition(":") for way in ways)
+    return tuple(Phrase("check-serving-device", kind=kind, key=key) for kind, _, key in parts)
+
+
+def need_phrase(need: str) -> Phrase:
+    """What a skill needs, a sense or a device, as a noun phrase."""
+    device = device_phrase(need)
+    is_nobodys = need.partition(":")[0] in UNSERVED
+    return Phrase("check-device-of-none", device=device) if is_nobodys else device
+
+
+def device_phrase(need: str) -> Phrase:
+    """What a skill needs, without a remark on who has it."""
+    kind, _, key = need.partition(":")
+    return Phrase("check-device", kind=kind, key=key)
+
+
+def demand(call: SkillCall, skill: BlockConfiguration) -> Demand:
+    """What a call of a skill demands."""
+    names = (parameter.name for parameter in skill.parameters)
+    given = dict(zip(names, call.arguments, strict=False))
+    given |= {keyword.name: keyword.value for keyword in call.keywords}
+    texts = {
+        name: value.value if isinstance(value, String) else None for name, value in given.items()
+    }
+    return Demand(skill, texts)
+
+
+def demands(program: Program, skills: Mapping[str, BlockConfiguration]) -> tuple[Demand, ...]:
+    """What a program demands of a robot; calls that demand the same are listed once."""
+    return tuple(dict(_demands(program, skills)).values())
+
+
+def _demands(
+    program: Program, skills: Mapping[str, BlockConfiguration]
+) -> Iterator[tuple[object, Demand]]:
+    main = () if program.main is None else program.main.body
+    for item in statements(program.items + main):
+        for node in (inner for expression in expressions(item) for inner in within(expression)):
+            if isinstance(node, SkillCall) and (skill := skills.get(node.name)) and skill.needs:
+                found = demand(node, skill)
+                yield (skill.name, *sorted(found.texts.items(), key=str)), found
+
+
+def verdict(demanded: tuple[Demand, ...], equipment: frozenset[str]) -> Verdict:
+    """Decide whether a robot can meet all demands.
+
+    Args:
+        demanded: of `demands`.
+        equipment: what the robot has; see `learnblock.senses.equipment`.
+    """
+    lacks = {
+        (lack.skill.name, lack.needs): lack for one in demanded if (lack := one.lack(equipment))
+    }
+    return Verdict(
+        missed=tuple(one for one in lacks.values() if one.is_harmless),
+        refused=tuple(one for one in lacks.values() if not one.is_harmless),
+        served=serving((need for one in demanded for need in one.skill.needs), equipment),
+    )

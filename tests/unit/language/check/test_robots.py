@@ -1,0 +1,80 @@
+"""Which robots can run a program."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from learnblock import parse, robots
+from learnblock.blocks import builtin
+from learnblock.language import check
+from learnblock.language.check.robots import demands, verdict
+from learnblock.senses import equipment
+
+TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo")
+
+
+def judged(text, robot):
+    have = robots.find(robot).load().known_equipment()
+    return verdict(demands(parse(text), builtin()), have)
+
+
+def named(lacks):
+    return {one.skill.name: one.needs for one in lacks}
+
+
+@pytest.mark.parametrize("robot", TWINS)
+def test_a_program_whose_senses_a_robot_serves_runs(robot):
+    found = judged("main:\n    function.turn(90)\n    function.set_orientation(0)\nend", robot)
+    assert found.runs
+    assert found.missed == ()
+
+
+def test_a_program_that_loses_decoration_runs_without_it():
+    found = judged('function.say_Text("hi")\nfunction.expressJoy()', "sim-thymio")
+    assert found.runs
+    assert named(found.missed) == {"say_Text": ("Speaker:say",)}
+
+
+def test_a_program_that_loses_a_sense_is_refused():
+    text = "while function.is_left_obstacle():\n    function.turn(9)\nend"
+    found = judged(text, "sim-ev3")
+    assert not found.runs
+    assert named(found.refused) == {"is_left_obstacle": ("obstacle-left",)}
+
+
+def test_a_question_about_decoration_is_refused_as_it_has_no_answer():
+    assert named(judged("x = function.is_Joy()", "sim-ev3").refused) == {"is_Joy": ("Display",)}
+
+
+def test_a_part_that_moves_things_is_no_decoration():
+    assert not judged('function.setAngleMotor("ARM", 10)', "sim-ebo").runs
+    assert judged('function.setAngleMotor("ARM", 10)', "sim-cozmo").runs
+
+
+def test_calls_that_demand_the_same_are_listed_once():
+    text = "function.turn(1)\nfunction.turn(2)\nx = [function.get_light()]"
+    assert [one.skill.name for one in demands(parse(text), builtin())] == ["turn", "get_light"]
+
+
+def test_a_device_that_serves_several_missing_senses_is_named_once():
+    found = judged("x = function.is_shaken() or function.is_tilted()", "sim-ebo")
+    assert str(found.phrase) == "can't run it: has no accelerometer"
+
+
+CALLS = st.lists(st.sampled_from(sorted(builtin())), min_size=1, max_size=4)
+NEEDS = st.sampled_from(sorted(equipment(
+    ["Base:ROBOT", "Camera:ROBOT", "Gyroscope:Z_AXIS", "Speaker:ROBOT", "Display:ROBOT",
+     "GroundSensors:ROBOT", "DistanceSensors:ROBOT", "JointMotor:CAMERA", "Bumper:ROBOT"], None
+)))  # fmt: skip
+
+
+@given(CALLS, st.frozensets(NEEDS))
+def test_the_verdict_says_what_the_check_reports(names, have):
+    tree = parse("\n".join(f"x = function.{name}()" for name in names))
+    found = verdict(demands(tree, builtin()), have)
+    severities = [
+        one.severity for one in check(tree, builtin(), have) if one.code == "missing-device"
+    ]
+
+    assert found.runs == ("error" not in severities)
+    assert bool(found.missed) == ("warning" in severities)
