@@ -2,19 +2,26 @@
 
 import threading
 from collections.abc import Callable, Collection, Iterator, Mapping
-from contextlib import AbstractContextManager, ExitStack
+from contextlib import ExitStack, contextmanager
 from enum import Enum, auto
 from types import TracebackType
 from typing import Any, ClassVar, Self, TypeVar
 
+from learnblock import senses
 from learnblock.client import endings
 from learnblock.client import skills as skill_registry
+from learnblock.client.announced import Announced
 from learnblock.client.clock import Clock, WallClock
 from learnblock.client.events import Events
+from learnblock.client.keyboard import Keyboard
+from learnblock.client.mailbox import Mailbox
 from learnblock.client.observers import Observer, Outcome, Witness
+from learnblock.client.operations import Operations
 from learnblock.client.readings import SENSORS, Glance, PolledReadings, Readings
-from learnblock.client.rights import Rights
+from learnblock.client.reckoning import Reckoning
+from learnblock.client.senses import Senses
 from learnblock.client.status import RobotStatus
+from learnblock.client.unseen import UnseenTexts
 from learnblock.devices import (
     DEFAULT_KEY,
     FIRST_KEY,
@@ -30,7 +37,6 @@ from learnblock.errors import (
     RobotAttributeError,
     RobotConnectionError,
     RobotStoppedError,
-    SettingsError,
     nearest,
 )
 
@@ -45,7 +51,7 @@ class State(Enum):
     STOPPED = auto()
 
 
-class Client(Events):
+class Client(Announced, Events):
     """A robot as programs see it: its skills are methods, and its hardware is hidden.
 
     A new robot is a subclass that connects, disconnects and adds its devices:
@@ -75,12 +81,8 @@ class Client(Events):
     lockstep: ClassVar[bool] = False
     #: Seconds between readings of a sensor in use; if None, it is read whenever the program asks.
     sensing_period: ClassVar[float | None] = 0.02
-    #: Whether the robot gets the camera that the user's settings add to every robot.
-    has_extra_camera: ClassVar[bool] = True
     #: The simulated robot whose picture is used for it, such as ``ebo``; "" for a plain body.
     model: ClassVar[str] = ""
-    #: What its driver may do on the computer besides reading files.
-    rights: ClassVar[Rights] = Rights()
 
     def __init__(
         self,
@@ -98,11 +100,27 @@ class Client(Events):
         self._question: tuple[object, ...] | None = None
         self._noted: set[str] = set()
         self._state = State.CONNECTING
+        # Asked for at each use of a device, which comparing states would slow down.
+        self._is_stopped = False
         self._stopping = threading.Lock()
         #: Why the robot can no longer be reached; None while it can.
         self.link_error: RobotConnectionError | None = None
         self._readings = self._make_readings()
         self._glance = Glance(self.clock)
+        #: The texts that it has no screen for.
+        self.unseen = UnseenTexts()
+        #: Messages from and to the other robots of the run.
+        self.mailbox = Mailbox()
+        #: The keyboard of the computer that runs the program.
+        self.keyboard = Keyboard()
+        self.senses = Senses(self)
+        #: What its driver calls by name.
+        self.operations = Operations()
+        #: When the program's timer was last at 0, in seconds of the robot's time.
+        self.timer_start = 0.0
+        #: Beats per minute of the notes that the program plays.
+        self.tempo = 120.0
+        self._equipment: frozenset[str] | None = None
         self._attach(skills)
         self._connect()
 
@@ -113,38 +131,6 @@ class Client(Events):
 
     def disconnect(self) -> None:
         """Disconnect from the robot, whose motors have already stopped."""
-
-    @classmethod
-    def device_names(cls) -> frozenset[str] | None:
-        """Devices that every such robot has (``Type:KEY``); None if unknown before connecting."""
-        return None
-
-    @classmethod
-    def known_devices(cls) -> frozenset[str] | None:
-        """`device_names` plus the camera that the user's settings add."""
-        names = cls.device_names()
-        if names is None or not cls.has_extra_camera:
-            return names
-        from learnblock.client.extra_camera import extra_devices  # noqa: PLC0415 - rarely used
-
-        try:
-            return names | extra_devices(names)
-        except SettingsError:
-            # The error is raised when the robot is connected.
-            return names
-
-    @classmethod
-    def known_rights(cls) -> Rights:
-        """`rights` plus those that the user's settings add."""
-        if not cls.has_extra_camera:
-            return cls.rights
-        from learnblock.client.extra_camera import extra_rights  # noqa: PLC0415 - rarely used
-
-        try:
-            return cls.rights | extra_rights()
-        except SettingsError:
-            # As in `known_devices`.
-            return cls.rights
 
     @classmethod
     def check_wishes(cls, wishes: Mapping[str, Any]) -> None:
@@ -174,6 +160,10 @@ class Client(Events):
         chosen = [one.name for one in TABLE.describe() if one.value != one.default]
         robot = type(self).__module__.rpartition(".")[2].replace("_", "-")
         return {"robot": robot, **({"perception": chosen} if chosen else {})}
+
+    def surroundings(self) -> Mapping[str, object]:
+        """What the log of a run must know: a simulated robot's world, a real one's calibration."""
+        return {}
 
     def where(self) -> Pose | None:
         """The robot's true pose (x mm, y mm, heading in degrees); only a simulator knows it."""
@@ -226,11 +216,27 @@ class Client(Events):
         if key in same:
             raise KeyTakenError("robot-key-taken", device=type(device).__name__, key=key)
         same[key] = device
+        self._equipment = None
+        if isinstance(device, Base) and not device.has_odometry:
+            reckoning = Reckoning(device.functions["move"], self.clock)
+            device.functions |= {"move": reckoning.move, "read": reckoning.pose}
 
     def devices(self) -> Iterator[tuple[str, Device]]:
         """Every device with its key."""
         for same in self._devices.values():
             yield from same.items()
+
+    @property
+    def equipment(self) -> frozenset[str]:
+        """The names of its devices (``Type:KEY``), their types, and their abilities."""
+        if self._equipment is None:
+            names = (f"{type(device).__name__}:{key}" for key, device in self.devices())
+            self._equipment = senses.equipment(names, self.abilities())
+        return self._equipment
+
+    def has(self, kind: type[Device], key: str = DEFAULT_KEY) -> bool:
+        """Whether the robot has this device; a missing one is not reported."""
+        return key in self._devices.get(kind, ())
 
     def device(self, kind: type[D], key: str = DEFAULT_KEY) -> D | None:
         """The device of this type and key, or None if the robot does not have it.
@@ -242,7 +248,7 @@ class Client(Events):
         Raises:
             RobotStoppedError: the robot is disconnected.
         """
-        if self._state is State.STOPPED:
+        if self._is_stopped:
             raise RobotStoppedError("robot-stopped")
         if not self._readings.frozen:
             self.clock.charge()
@@ -252,7 +258,7 @@ class Client(Events):
             same = self._devices.get(kind)
             if same and key == FIRST_KEY:
                 return next(iter(same.values()))  # type: ignore[return-value] # as above
-            self._note_missing(f"{kind.__name__}:{key}")
+            self.note_missing(f"{kind.__name__}:{key}")
             return None
 
     def read(self, kind: "type[Sensor[Reading]]", key: str = DEFAULT_KEY) -> Reading | None:
@@ -273,7 +279,7 @@ class Client(Events):
             return None
         found = self._seen((Camera, key, name), lambda: camera.detect(name))
         if found is None:
-            self._note_missing(f"Detector:{name}")
+            self.note_missing(f"Detector:{name}")
         return found
 
     def forget_readings(self) -> None:
@@ -309,7 +315,7 @@ class Client(Events):
 
     @property
     def stopped(self) -> bool:
-        return self._state is State.STOPPED
+        return self._is_stopped
 
     def stop(self) -> None:
         """Stop the motors and disconnect; calling it twice is harmless."""
@@ -324,6 +330,7 @@ class Client(Events):
             if self._state is State.CONNECTED:
                 ending.callback(self._stop_motors)
             self._state = State.STOPPED
+            self._is_stopped = True
 
     def __enter__(self) -> Self:
         return self
@@ -437,13 +444,20 @@ class Client(Events):
         # As text, since a skill's arguments may not be comparable.
         return self._glance.see(repr(self._question or key), key, look)
 
-    def _note_missing(self, device: str) -> None:
+    def note_missing(self, device: str) -> None:
+        """Report to the observer that the skill in use has no effect without a device.
+
+        Args:
+            device: such as ``Camera:ROBOT`` or ``DistanceSensors:left``.
+        """
         if self.observer and self._skill and device not in self._noted:
             self._noted.add(device)
             self.observer.missing(self._skill, device)
 
-    def _snapshot(self) -> AbstractContextManager[None]:
-        return self._readings.snapshot()
+    @contextmanager
+    def _snapshot(self) -> Iterator[None]:
+        with self._readings.snapshot(), self.mailbox.snapshot():
+            yield
 
 
 def _pace(kind: type[Device], key: object) -> str:

@@ -130,6 +130,16 @@ class Events:
         self._start = When(self.clock, body)
         return self._start
 
+    def wait_until(self, condition: Condition) -> None:
+        """Wait until a condition is true; meanwhile the robot keeps moving.
+
+            robot.wait_until(lambda: robot.is_front_obstacle())
+
+        The condition is evaluated at once, and then every `period`.
+        """
+        while not condition():
+            self.clock.sleep(self.period)
+
     def run(self) -> None:
         """Run cycles until the robot is stopped."""
         if self._start:

@@ -1,5 +1,6 @@
 """Observers of a robot while its program runs: calls, poses, goals and the outcome."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -16,8 +17,8 @@ class Observer(Protocol):
         """Record that a skill had no effect because the robot lacks a device (``Type:KEY``)."""
 
 
-class Witness(Protocol):
-    """Records what happens to a robot in its world."""
+class Witness:
+    """Records what happens to a robot in its world; the base class ignores it all."""
 
     def pose(self, time: float, pose: Pose) -> None:
         """Record the robot's pose; called every 0.1 s."""
@@ -25,8 +26,26 @@ class Witness(Protocol):
     def placed(self, time: float, pose: Pose) -> None:
         """Record that a person lifted the robot and put it down at this pose."""
 
+    def handled(self, time: float, how: str) -> None:
+        """Record that a person shook or tilted the robot: ``shake``, ``level`` or a side."""
+
     def goal(self, time: float, name: str, state: str) -> None:
         """Record that a goal of the world was ``reached`` or ``failed``."""
+
+    def collision(self, time: float, thing: str) -> None:
+        """Record that the robot bumped into a thing of its world."""
+
+    def stroke(
+        self,
+        time: float,
+        points: Sequence[tuple[float, float]],
+        color: tuple[int, int, int],
+        width: float,
+    ) -> None:
+        """Record a stroke of the robot's pen that has ended: its points and width in mm."""
+
+    def drawing_full(self, time: float) -> None:
+        """Record that the pen can't draw any further, because the drawing has too many points."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -146,6 +146,8 @@ class PolledReadings(Readings):
         super().__init__(clock)
         self._period = period
         self._pollers: dict[str, _Poller] = {}
+        #: The program, the page and the log may each be the first to ask.
+        self._creating = threading.Lock()
         self._results: dict[Key, tuple[Any, Exception | None]] = {}
         #: The sensors that the program uses.
         self._used: set[Key] = set()
@@ -194,12 +196,13 @@ class PolledReadings(Readings):
         return reading
 
     def _poller(self, pace: str) -> "_Poller":
-        if pace not in self._pollers:
-            watched = pace == WATCHED
-            period = max(self._period, WATCHED_PERIOD) if watched else self._period
-            renew = self._renew_unused if watched else self._renew
-            self._pollers[pace] = _Poller(pace, period, renew)
-        return self._pollers[pace]
+        with self._creating:
+            if pace not in self._pollers:
+                watched = pace == WATCHED
+                period = max(self._period, WATCHED_PERIOD) if watched else self._period
+                renew = self._renew_unused if watched else self._renew
+                self._pollers[pace] = _Poller(pace, period, renew)
+            return self._pollers[pace]
 
     def _renew_unused(self, key: Key, read: Read) -> None:
         """The program's sensors are polled anyway, so they need not be polled twice."""
@@ -231,13 +234,15 @@ class _Poller:
         self._renew = renew
         self._sensors: dict[Key, Read] = {}
         self._ended = threading.Event()
+        self._starting = threading.Lock()
         self._thread = threading.Thread(target=self._run, name=name, daemon=True)
 
     def add(self, key: Key, read: Read) -> None:
         """Poll one more sensor."""
         self._sensors[key] = read
-        if not self._thread.is_alive() and not self._ended.is_set():
-            self._thread.start()
+        with self._starting:
+            if not self._thread.is_alive() and not self._ended.is_set():
+                self._thread.start()
 
     def poll(self) -> None:
         """Read each sensor once."""

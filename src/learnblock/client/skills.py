@@ -22,6 +22,7 @@ Skill = Callable[..., Any]
 # The most common ones come first, so that a program that lists its skills loads only what it needs.
 _MODULES = (
     "base",
+    "driving",
     "others",
     "pose",
     "motor",
@@ -38,7 +39,13 @@ _MODULES = (
     "led",
     "matrix",
     "mp3",
+    "pen",
+    "screen",
     "cozmo",
+    "messages",
+    "keyboard",
+    "handling",
+    "music",
 )
 _OWN_PACKAGE = "learnblock.skills."
 #: The prefix of the modules that Block-Text imports.
@@ -102,7 +109,9 @@ def _ours(names: Collection[str] | None) -> dict[str, Skill]:
 
 
 def _imported(names: Collection[str] | None) -> dict[str, Skill]:
-    loaded = [module for name, module in sys.modules.items() if name.startswith(_LIBRARIES)]
+    # Copied at once, because other threads of a server import modules meanwhile.
+    modules = tuple(sys.modules.items())
+    loaded = [module for name, module in modules if name.startswith(_LIBRARIES)]
     return _of_modules(iter(loaded), names)
 
 

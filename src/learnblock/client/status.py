@@ -11,8 +11,10 @@ class RobotStatus:
         battery: the battery's voltage, V.
         link_quality: the share of the robot's regular messages that arrive, 0 to 1.
         silence: seconds since the robot's last message.
+        round_trip: seconds from a question to its answer, as of late.
     """
 
     battery: float | None = None
     link_quality: float | None = None
     silence: float | None = None
+    round_trip: float | None = None

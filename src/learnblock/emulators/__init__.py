@@ -11,7 +11,6 @@ They are for testing a driver, or for trying it without the robot (``learnblock 
 """
 
 import importlib
-import threading
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from functools import partial
@@ -76,10 +75,6 @@ class Emulation(Closing):
         self._ending.callback(emulator.close)
         self.settings = emulator.settings
         self.note: Phrase | None = getattr(emulator, "note", None)
-
-    def wait(self) -> None:
-        """Wait until Ctrl-C."""
-        threading.Event().wait()
 
     def close(self) -> None:
         """End the emulator and the twin; calling it twice is harmless."""

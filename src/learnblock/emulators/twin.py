@@ -6,6 +6,7 @@ from contextlib import contextmanager
 from typing import Self
 
 from learnblock import robots
+from learnblock.client import Witness
 from learnblock.closing import Closing
 from learnblock.devices import Pose
 from learnblock.errors import LearnBlockError
@@ -13,7 +14,7 @@ from learnblock.robots.simulated import SimulatedRobot
 from learnblock.simulator import RobotBody
 
 
-class Twin(Closing):
+class Twin(Closing, Witness):
     """A robot in a world that runs in real time: a context manager.
 
         with Twin("sim-cozmo", "tags") as twin:
@@ -82,7 +83,8 @@ class Twin(Closing):
         if self._thread.is_alive():
             self._thread.join()
 
-    # The methods of a witness of its world.
+    # As the witness of its world. Its accelerometer reports how it is handled, `goals` reads the
+    # goals, and a robot that is emulated has no pen.
 
     def pose(self, time: float, pose: Pose) -> None:
         self.path.append((time, pose))
@@ -90,9 +92,6 @@ class Twin(Closing):
     def placed(self, time: float, pose: Pose) -> None:
         """Record that a person moved the robot; it is part of the path."""
         self.path.append((time, pose))
-
-    def goal(self, time: float, name: str, state: str) -> None:
-        """Do nothing: `goals` reads the goals."""
 
     def _live(self) -> None:
         while not self._closed.is_set():

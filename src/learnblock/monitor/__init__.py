@@ -4,7 +4,7 @@ A `Monitor` is made by `make_monitor` before a program runs, and by `monitor_of`
 running program.
 """
 
-from learnblock.monitor.making import make_monitor, monitor_of
+from learnblock.monitor.making import make_monitor, make_monitors, monitor_of
 from learnblock.monitor.monitor import (
     GoalNow,
     Link,
@@ -13,6 +13,7 @@ from learnblock.monitor.monitor import (
     RobotNow,
     Scene,
     State,
+    Stroke,
 )
 from learnblock.monitor.sensors import Sensor
 
@@ -25,6 +26,8 @@ __all__ = [
     "Scene",
     "Sensor",
     "State",
+    "Stroke",
     "make_monitor",
+    "make_monitors",
     "monitor_of",
 ]

@@ -14,7 +14,7 @@ from learnblock.client import Client
 from learnblock.devices import Base, Camera, Device, JointMotor, Pose, Sensor
 from learnblock.errors import LearnBlockError
 from learnblock.monitor import plain_stage
-from learnblock.monitor.monitor import Link, LinkState, RobotNow, Scene, Sound, State
+from learnblock.monitor.monitor import Link, LinkState, RobotNow, Scene, Sound, State, Stroke
 from learnblock.monitor.sensors import SENSOR_TYPES, sensors_of
 from learnblock.monitor.sensors import Sensor as SensorNow
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 WEAK_SILENCE = 0.5
 #: Below this share of the usual messages, a link counts as weak.
 WEAK_QUALITY = 0.7
-_COMMANDS = frozenset({"move", "show_emotion", "set", "set_color"})
+_COMMANDS = frozenset({"move", "show_emotion", "show_text", "set", "set_color"})
 
 
 class ClientMonitor:
@@ -97,9 +97,17 @@ class ClientMonitor:
         """None: a real robot plays its sounds itself."""
         return ()
 
+    def strokes(self) -> "Sequence[Stroke]":
+        """None: a real robot has no pen."""
+        return ()
+
     def place(self, x: float, y: float, heading: float) -> None:
         del x, y, heading
         raise LearnBlockError("monitor-place-real")
+
+    def handle(self, how: str) -> None:
+        del how
+        raise LearnBlockError("monitor-handle-real")
 
     def drive(self, advance: float, rotation: float) -> None:
         del advance, rotation
@@ -157,9 +165,14 @@ class ClientMonitor:
 
     def _all_readings_fail(self, client: Client) -> bool:
         """Whether no sensor at all can be read; a single one may just be unplugged."""
-        keys = [(type(device), key) for key, device in client.devices()]
-        errors = [client.readings.error((kind, key)) for kind, key in keys]
-        values = [_newest(client, device, key) for key, device in client.devices()]
+        # A pose that is reckoned from the commands needs no link.
+        devices = [
+            (key, device)
+            for key, device in client.devices()
+            if not isinstance(device, Base) or device.has_odometry
+        ]
+        errors = [client.readings.error((type(device), key)) for key, device in devices]
+        values = [_newest(client, device, key) for key, device in devices]
         return any(errors) and all(value is None for value in values)
 
     def _robot_now(self, client: Client) -> RobotNow:
@@ -174,12 +187,14 @@ class ClientMonitor:
         commanded = {key: float(args[0]) for key, args in self._commanded("move", "JointMotor")}
         speeds = [args for _, args in self._commanded("move", "Base")]
         emotions = [str(args[0]) for _, args in self._commanded("show_emotion", "Display")]
+        texts = [str(args[0]) for _, args in self._commanded("show_text", "Screen")]
         return RobotNow(
             name="robot",
             pose=pose,
             joints=commanded | joints,
             leds=dict(self._leds()),
             emotion=emotions[-1] if emotions else "none",
+            text=texts[-1] if texts else "",
             speed=(float(speeds[-1][0]), float(speeds[-1][1])) if speeds else None,
         )
 

@@ -55,6 +55,7 @@ class Scene:
         robots: name and description of each robot, ours first.
         cameras: the keys of our robot's cameras.
         start: (x mm, y mm, heading in degrees) where the next run starts; None for a real robot.
+        variant: the number of the world's variant; 0 is the world as it is drawn.
         real: whether our robot is a real one, which cannot be placed with a pointer.
     """
 
@@ -64,6 +65,7 @@ class Scene:
     robots: tuple[tuple[str, dict[str, Any]], ...]
     cameras: tuple[str, ...] = ()
     start: Pose | None = None
+    variant: int = 0
     real: bool = False
 
 
@@ -78,6 +80,7 @@ class RobotNow:
         leds: red, green and blue, 0 to 255, by key.
         emotion: the emotion it shows; ``none`` if it shows none.
         speed: (forward in mm/s, clockwise in degrees/s) as last commanded; None if unknown.
+        text: the text on its screen, or beside it in a world; empty if there is none.
     """
 
     name: str
@@ -86,6 +89,7 @@ class RobotNow:
     leds: dict[str, tuple[int, int, int]]
     emotion: str
     speed: tuple[float, float] | None = None
+    text: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,8 +151,21 @@ class Monitor(Protocol):
     def sounds(self) -> "Sequence[Sound]":
         """The sounds that the page should play, since the last call."""
 
+    def strokes(self) -> "Sequence[Stroke]":
+        """The drawing on the floor. Strokes only grow, and those that have ended stay the same."""
+
     def place(self, x: float, y: float, heading: float) -> None:
         """Place the robot elsewhere (mm, mm, degrees); the next run starts there.
+
+        Raises:
+            LearnBlockError: it is a real robot.
+        """
+
+    def handle(self, how: str) -> None:
+        """Shake or tilt the robot, also while a program runs.
+
+        Args:
+            how: ``shake``, ``level``, or the lower side: ``front``, ``back``, ``left``, ``right``.
 
         Raises:
             LearnBlockError: it is a real robot.
@@ -180,3 +197,19 @@ class Sound(Protocol):
 
     @property
     def values(self) -> tuple[Any, ...]: ...
+
+
+class Stroke(Protocol):
+    """A line drawn on the floor; points are only added to it, at the end."""
+
+    @property
+    def colour(self) -> tuple[int, int, int]:
+        """Red, green and blue, 0 to 255."""
+
+    @property
+    def width(self) -> float:
+        """The width in mm."""
+
+    @property
+    def points(self) -> Sequence[tuple[float, float]]:
+        """Places in mm."""

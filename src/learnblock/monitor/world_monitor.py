@@ -12,7 +12,7 @@ import msgspec
 from learnblock.devices import Pose
 from learnblock.errors import LearnBlockError
 from learnblock.monitor.manual_drive import ManualDrive
-from learnblock.monitor.monitor import GoalNow, Link, LinkState, RobotNow, Scene, State
+from learnblock.monitor.monitor import GoalNow, Link, LinkState, RobotNow, Scene, State, Stroke
 from learnblock.monitor.pictures import Picture, develop
 from learnblock.monitor.sensors import Sensor, sensors_of
 from learnblock.monitor.worlds import world_lines, world_values
@@ -27,6 +27,7 @@ class WorldMonitor:
         simulation: the world.
         start: (x mm, y mm, heading in degrees) where the user placed the robot.
         client: the robot of the program that runs in this world.
+        name: the robot's name, without a client.
     """
 
     def __init__(
@@ -34,11 +35,13 @@ class WorldMonitor:
         simulation: Simulation,
         start: Pose | None = None,
         client: SimulatedRobot | None = None,
+        *,
+        name: str = "robot",
     ) -> None:
         self._start = start
         self._simulation = simulation
         self._client = client
-        self._name = client.name if client else "robot"
+        self._name = client.name if client else name
         self._first = self._body.pose
         self._heard = 0
         self._drive: ManualDrive | None = None
@@ -65,6 +68,7 @@ class WorldMonitor:
             ),
             cameras=tuple(camera.key for camera in self._body.description.camera),
             start=self._start or self._first,
+            variant=world.description.variant,
         )
 
     def link(self) -> Link:
@@ -94,6 +98,10 @@ class WorldMonitor:
         """
         self._simulation.place(self._name, x, y, heading)
         self._start = (x, y, heading)
+
+    def handle(self, how: str) -> None:
+        """Shake or tilt the robot, also while a program runs; see `RobotBody.handle`."""
+        self._simulation.handle(self._name, how)
 
     def drive(self, advance: float, rotation: float) -> None:
         """Drive by hand; the robot stops half a second after the last call.
@@ -150,6 +158,9 @@ class WorldMonitor:
             self._heard = body.noted
             return body.log[-new:] if new else ()
 
+    def strokes(self) -> Sequence[Stroke]:
+        return tuple(self._simulation.world.drawing.strokes)
+
     def close(self) -> None:
         """End manual driving; calling it twice is harmless."""
         if self._drive:
@@ -184,7 +195,10 @@ class WorldMonitor:
 
 
 def make_world_monitor(
-    robot: type[SimulatedRobot], world: str | None = None, start: Pose | None = None
+    robot: type[SimulatedRobot],
+    world: str | None = None,
+    start: Pose | None = None,
+    variant: int = 0,
 ) -> WorldMonitor:
     """A simulated robot in its own world, without a program.
 
@@ -192,11 +206,12 @@ def make_world_monitor(
         robot: its class.
         world: a world's name or the path of its file; by default the robot's own.
         start: (x mm, y mm, heading in degrees); by default the world's own start.
+        variant: the number of the world's variant; 0 is the world as it is drawn.
 
     Raises:
-        LearnBlockError: there is no such world, or it has no room.
+        LearnBlockError: there is no such world or variant, or it has no room.
     """
-    simulation = robot.make_simulation(world=world)
+    simulation = robot.make_simulation(world=world, variant=variant)
     simulation.world.add_robot(robot.description(), start=start)
     return WorldMonitor(simulation, start)
 
@@ -204,7 +219,7 @@ def make_world_monitor(
 def _robot_now(body: RobotBody) -> RobotNow:
     joints = {joint.key: body.joint(joint.key) for joint in body.description.joint}
     speed = body.chassis.speed
-    return RobotNow(body.name, body.pose, joints, dict(body.leds), body.emotion, speed)
+    return RobotNow(body.name, body.pose, joints, dict(body.leds), body.emotion, speed, body.text)
 
 
 def _sensors(body: RobotBody) -> Iterator[Sensor]:

@@ -11,8 +11,23 @@ from learnblock.i18n import Phrase
 from learnblock.monitor.monitor import Lines
 from learnblock.monitor.pictures import png
 from learnblock.robots.simulated import check_file_name, find_world, own_worlds
-from learnblock.simulator import WorldFile, read_world, write_world
+from learnblock.simulator import Template, WorldFile, read_world, write_world
 from learnblock.storage.files import save
+
+__all__ = [
+    "Template",
+    "check_world",
+    "face_picture",
+    "floor_picture",
+    "made_world",
+    "save_world",
+    "tag_picture",
+    "unreachable",
+    "world_from_values",
+    "world_lines",
+    "world_values",
+]
+_TWIN = "sim-"
 
 
 def world_values(world: WorldFile) -> dict[str, Any]:
@@ -44,6 +59,32 @@ def check_world(values: Mapping[str, Any]) -> tuple[Phrase, ...]:
     except WorldError as error:
         return tuple(diagnostic.message for diagnostic in error.diagnostics)
     return ()
+
+
+def made_world(template: Template, size: int, seed: int) -> WorldFile:
+    """Make a world from a template; the same three values always make the same world."""
+    from learnblock.simulator import make_world  # noqa: PLC0415 - most callers don't need it
+
+    return make_world(template, size, seed)
+
+
+def unreachable(world: WorldFile, robot: str) -> tuple[tuple[str, int, Phrase], ...]:
+    """The goals that a kind of robot can't reach: kind, index and reason."""
+    from learnblock.simulator import unreachable_goals  # noqa: PLC0415 - it loads OpenCV
+
+    found = unreachable_goals(world, _radius(robot))
+    return tuple((goal.kind, goal.index, goal.reason) for goal in found)
+
+
+def _radius(robot: str) -> float:
+    """Half of a robot's width in mm."""
+    from learnblock.simulator import load_robot, robot_names  # noqa: PLC0415 - as above
+    from learnblock.simulator.reachability import ROBOT_RADIUS  # noqa: PLC0415 - as above
+
+    name = robot.removeprefix(_TWIN)
+    if name not in robot_names():
+        return ROBOT_RADIUS
+    return max(abs(left) for _, left in load_robot(name).body.outline)
 
 
 def save_world(name: str, values: Mapping[str, Any]) -> Path:

@@ -11,6 +11,7 @@ from learnblock.language import check
 from learnblock.new.client import client_source, function_names, literal
 from learnblock.new.robot_plan import RobotPlan
 from learnblock.new.template import fill
+from learnblock.senses import equipment
 from learnblock.simulator import RobotDescription, World, load_world
 from learnblock.simulator.robot_description import RobotFile
 from learnblock.storage import toml_source
@@ -139,7 +140,7 @@ def _suitable(plan: RobotPlan) -> list[tuple[str, str]]:
 
 def _can_run(plan: RobotPlan, example: str) -> bool:
     tree = running.read(running.example(example)).tree
-    found = check(tree, builtin(), frozenset(plan.devices()))
+    found = check(tree, builtin(), equipment(plan.devices(), plan.abilities()))
     return not any(one.severity == "error" for one in found)
 
 

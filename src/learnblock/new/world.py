@@ -2,17 +2,21 @@
 
 from pathlib import Path
 
+import msgspec
+
 from learnblock.errors import NewNameError
 from learnblock.new.template import fill
 from learnblock.robots.simulated import check_file_name, known_worlds, own_worlds
+from learnblock.simulator import WorldFile, write_world
 
 
-def world_files(name: str, folder: Path) -> dict[Path, str]:
-    """A new world with one object of most kinds.
+def world_files(name: str, folder: Path, made: WorldFile | None = None) -> dict[Path, str]:
+    """A new world.
 
     Args:
         name: the name of the world and its file.
         folder: `learnblock.storage.home.home`, or another folder with the same structure.
+        made: what is in it; by default one object of most kinds.
 
     Raises:
         WorldError: the name is not allowed.
@@ -22,4 +26,7 @@ def world_files(name: str, folder: Path) -> dict[Path, str]:
     if name in known_worlds() and not (own_worlds() / f"{name}.toml").is_file():
         raise NewNameError("new-world-exists", name=name)
     title = name.replace("_", " ").replace("-", " ").capitalize()
-    return {folder / "worlds" / f"{name}.toml": fill("world.toml", title=title)}
+    text = fill("world.toml", title=title)
+    if made is not None:
+        text = write_world(msgspec.structs.replace(made, title=title), name)
+    return {folder / "worlds" / f"{name}.toml": text}

@@ -6,6 +6,7 @@ from entry points of the group ``learnblock.robots`` (id = module) and from the 
 """
 
 import importlib
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -13,6 +14,7 @@ from typing import Any
 
 from learnblock.client import Client
 from learnblock.errors import LearnBlockError, UnknownNameError
+from learnblock.storage import installed
 from learnblock.storage.home import home, import_file
 
 _OURS = (
@@ -60,8 +62,13 @@ class RobotEntry:
 
 
 def entries() -> dict[str, RobotEntry]:
-    """All robots by name; a built-in robot wins over others with the same name."""
+    """All robots by name; a built-in robot wins over others with the same name.
+
+    With ``LEARNBLOCK_ROBOTS=simulated``, as in a class, only our simulated ones.
+    """
     ours = {name: _our_own(name) for name in _OURS}
+    if _only_simulated():
+        return {name: entry for name, entry in ours.items() if entry.simulated}
     return {**_users(), **_plugins(), **ours}
 
 
@@ -71,7 +78,7 @@ def find(name: str) -> RobotEntry:
     Raises:
         UnknownNameError: there is no such robot.
     """
-    if name in _OURS:
+    if name in _OURS and not _only_simulated():
         return _our_own(name)
     known = entries()
     for entry in known.values():
@@ -104,14 +111,16 @@ def module_name(name: str) -> str:
     return "learnblock.robots." + name.replace("-", "_")
 
 
+def _only_simulated() -> bool:
+    return os.environ.get("LEARNBLOCK_ROBOTS") == "simulated"
+
+
 def _our_own(name: str) -> RobotEntry:
     return RobotEntry(name, module_name(name), simulated=name.startswith("sim-"))
 
 
 def _plugins() -> dict[str, RobotEntry]:
-    from importlib.metadata import entry_points  # noqa: PLC0415 - it searches all packages
-
-    points = entry_points(group="learnblock.robots")
+    points = installed.entry_points("learnblock.robots")
     return {point.name: RobotEntry(point.name, point.module) for point in points}
 
 

@@ -12,6 +12,7 @@ from learnblock.client.clock import Clock
 from learnblock.errors import LearnBlockError, MissingPackageError, NotWrittenError, SettingsError
 from learnblock.i18n import Phrase
 from learnblock.robots import settings as user_settings
+from learnblock.robots.calibration import Calibration
 from learnblock.robots.settings import SettingsT
 
 
@@ -41,6 +42,10 @@ class RealRobot(Client, Generic[SettingsT]):
 
     #: The settings of such a robot.
     settings_type: ClassVar[type[Any]]
+    #: The settings that correct how far it drives and turns; None for a robot that needs none.
+    calibration: ClassVar[Calibration | None] = None
+    #: The voltages of its empty and its full battery; None if it does not report the voltage.
+    battery_range: ClassVar[tuple[float, float] | None] = None
 
     def __init__(
         self,
@@ -77,10 +82,24 @@ class RealRobot(Client, Generic[SettingsT]):
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:  # noqa: ARG003 - for subclasses
         """Look for such robots, and yield the settings for reaching each of them.
 
+        The page repeats this every few seconds, so it must not move a robot.
+
         Args:
             seconds: the time limit.
         """
         yield from ()
+
+    @classmethod
+    def is_in_use(cls) -> bool:
+        """Whether `scan` leaves the robot out, because looking for it would disturb its user."""
+        return False
+
+    def surroundings(self) -> Mapping[str, object]:
+        if self.calibration is None:
+            return {}
+        names = {"distance": self.calibration.distance, "angle": self.calibration.angle}
+        sizes = self.calibration.sizes(self.settings)
+        return {"calibration": {**names, "sizes": sizes}}
 
     @classmethod
     def halt(cls, settings: SettingsT) -> None:

@@ -5,6 +5,7 @@ of a user or a plugin, plain text. The user's choices are stored in a table of
 `learnblock.storage.settings` for each robot, such as ``[robots.cozmo]``.
 """
 
+import tomllib
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, TypeVar
 
@@ -13,9 +14,11 @@ from msgspec import Meta
 from learnblock.storage.settings import Described, Patience, Settings, Table, file
 
 __all__ = [
+    "LONGEST_NAME",
     "Address",
     "Baud",
     "Described",
+    "GivenName",
     "Length",
     "Patience",
     "Port",
@@ -26,6 +29,7 @@ __all__ = [
     "change",
     "describe",
     "file",
+    "given_names",
     "load",
     "table",
 ]
@@ -36,12 +40,18 @@ SerialPort = Annotated[
     str, Meta(min_length=1, max_length=200, description="robot-setting-serial-port")
 ]
 Baud = Annotated[int, Meta(ge=300, le=4_000_000, description="robot-setting-baud")]
+#: The limit in characters of the name that a user gives a robot.
+LONGEST_NAME = 40
+#: What the user calls the robot, such as ``Ada``.
+GivenName = Annotated[str, Meta(max_length=LONGEST_NAME, description="robot-setting-name")]
 Length = Annotated[float, Meta(ge=1, le=1000, description="robot-setting-length")]
 Speed = Annotated[float, Meta(ge=1, le=5000, description="robot-setting-speed")]
 
 
-class RobotSettings(Settings, frozen=True):
+class RobotSettings(Settings, frozen=True, kw_only=True):
     """The base class of every robot's settings; each field has a default."""
+
+    name: GivenName = ""
 
 
 SettingsT = TypeVar("SettingsT", bound=RobotSettings)
@@ -78,6 +88,20 @@ def describe(robot: str, kind: type[RobotSettings]) -> Iterator[Described]:
         SettingsError: the user's file is invalid.
     """
     return table(robot, kind).describe()
+
+
+def given_names() -> dict[str, str]:
+    """What the user calls robots, by their ids; read without their drivers, which load slowly."""
+    try:
+        whole = tomllib.loads(file().read_text("utf-8"))
+    except (OSError, ValueError, RecursionError):
+        # A file that can't be read is reported when its settings are used.
+        return {}
+    tables = whole.get("robots")
+    if not isinstance(tables, dict):
+        return {}
+    names = {robot: one.get("name") for robot, one in tables.items() if isinstance(one, dict)}
+    return {robot: name[:LONGEST_NAME] for robot, name in names.items() if isinstance(name, str)}
 
 
 def table(robot: str, kind: type[SettingsT]) -> Table[SettingsT]:

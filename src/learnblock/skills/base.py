@@ -2,23 +2,15 @@
 
 from typing import TYPE_CHECKING
 
+from learnblock.client.senses.heading import UPRIGHT
 from learnblock.devices import Base, Gyroscope, number
-from learnblock.skills.turning import (
-    UPRIGHT,
-    Manner,
-    has_gyroscope,
-    heading,
-    shortest,
-    turn_blind,
-    turn_by,
-)
+from learnblock.skills.turning import Manner, shortest, turn_by
 
 if TYPE_CHECKING:
     from learnblock.client import Client
 
 _BRISK = Manner(gain=1, slowest=10, fastest=30, settled_within=1)
 _CAREFUL = Manner(gain=0.5, slowest=5, fastest=15, settled_within=2)
-_BLIND_SPEED = 20.0
 _SLOWING_PERIOD = 0.1
 
 
@@ -87,8 +79,8 @@ def stop_bot(robot: "Client") -> None:
 def turn(robot: "Client", angle: float) -> None:
     """Turn on the spot by an angle, then continue with the program.
 
-    With a gyroscope the robot turns at 10 to 30 degrees/s and stops within 1 degree of the angle;
-    without one it turns at 20 degrees/s for the time this takes.
+    The robot turns at 10 to 30 degrees/s and stops within 1 degree of the angle by its gyroscope
+    or, without one, by its wheels.
 
     Args:
         angle: degrees; positive to the right, negative to the left; 720 is two full turns.
@@ -98,12 +90,8 @@ def turn(robot: "Client", angle: float) -> None:
     """
     angle = number("angle", angle)
     base = robot.device(Base)
-    if base is None:
-        return
-    if has_gyroscope(robot):
+    if base is not None:
         turn_by(robot, base, angle, _BRISK)
-    else:
-        turn_blind(robot, base, angle, _BLIND_SPEED)
 
 
 def turn_90_left(robot: "Client") -> None:
@@ -121,23 +109,32 @@ def turn_back(robot: "Client") -> None:
     turn(robot, 180)
 
 
-def reset_orientation(robot: "Client", keygyro: str = "Z_AXIS") -> None:
+def reset_orientation(robot: "Client", keygyro: str = UPRIGHT) -> None:
     """Set the current heading to 0 degrees.
 
     Args:
-        keygyro: which gyroscope; the one whose axis points up measures turns on the floor.
+        keygyro: which gyroscope; the one whose axis points up measures turns on the floor. A
+            robot without it uses its wheels.
     """
+    if keygyro == UPRIGHT:
+        robot.senses.reset_heading()
+        return
     gyroscope = robot.device(Gyroscope, keygyro)
     if gyroscope is not None:
         gyroscope.reset()
         robot.forget_readings()
 
 
+def get_heading(robot: "Client") -> float | None:
+    """How many degrees has the robot turned to the right since the last `reset_orientation`?"""
+    return robot.senses.heading()
+
+
 def set_orientation(robot: "Client", angle: float) -> None:
     """Turn on the spot to face a direction, the shorter way.
 
-    The robot turns at 5 to 15 degrees/s, stops within 1 degree, and corrects an error of more than
-    2 degrees after it has stopped.
+    The robot turns at 5 to 15 degrees/s, stops within 1 degree by its gyroscope or, without one,
+    by its wheels, and corrects an error of more than 2 degrees after it has stopped.
 
     Args:
         angle: degrees to the right of the heading at the last `reset_orientation`.
@@ -146,9 +143,9 @@ def set_orientation(robot: "Client", angle: float) -> None:
         StillTurningError: the turn takes far too long; the robot may be stuck.
     """
     angle = number("angle", angle)
-    base, gyroscope = robot.device(Base), robot.device(Gyroscope, UPRIGHT)
-    if base is not None and gyroscope is not None:
-        turn_by(robot, base, shortest(angle - heading(robot)), _CAREFUL)
+    base, heading = robot.device(Base), robot.senses.heading()
+    if base is not None and heading is not None:
+        turn_by(robot, base, shortest(angle - heading), _CAREFUL)
 
 
 def slow_down(robot: "Client", decAdv: float = 4, decRot: float = 2) -> None:

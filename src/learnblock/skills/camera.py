@@ -18,75 +18,75 @@ def get_image(robot: "Client") -> "Frame | None":
 
 
 def is_center_black_line(robot: "Client") -> bool:
-    """Does the camera see a black line mostly in the middle of the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.black.is_center
+    """Is a black line mostly in the middle of the camera's picture?
+
+    A robot without a camera uses its ground sensors; a single one follows the line's right edge.
+    """
+    return robot.senses.line("black").is_center
 
 
 def is_left_black_line(robot: "Client") -> bool:
-    """Does the camera see a black line mostly on the left of the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.black.is_left
+    """Is a black line mostly on the left of the camera's picture?
+
+    A robot without a camera uses its ground sensors; a single one follows the line's right edge.
+    """
+    return robot.senses.line("black").is_left
 
 
 def is_right_black_line(robot: "Client") -> bool:
-    """Does the camera see a black line mostly on the right of the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.black.is_right
+    """Is a black line mostly on the right of the camera's picture?
+
+    A robot without a camera uses its ground sensors; a single one follows the line's right edge.
+    """
+    return robot.senses.line("black").is_right
 
 
 def is_there_black_line(robot: "Client") -> bool:
-    """Does the camera see a black line anywhere in the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.black.is_there
+    """Is there a black line in the camera's picture?
+
+    A robot without a camera uses its ground sensors; a single one follows the line's right edge.
+    """
+    return robot.senses.line("black").is_there
 
 
 def is_center_red_line(robot: "Client") -> bool:
     """Does the camera see a red line mostly in the middle of the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.red.is_center
+    return robot.senses.line("red").is_center
 
 
 def is_left_red_line(robot: "Client") -> bool:
     """Does the camera see a red line mostly on the left of the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.red.is_left
+    return robot.senses.line("red").is_left
 
 
 def is_right_red_line(robot: "Client") -> bool:
     """Does the camera see a red line mostly on the right of the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.red.is_right
+    return robot.senses.line("red").is_right
 
 
 def is_there_red_line(robot: "Client") -> bool:
     """Does the camera see a red line anywhere in the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.red.is_there
+    return robot.senses.line("red").is_there
 
 
 def is_center_blue_line(robot: "Client") -> bool:
     """Does the camera see a blue line mostly in the middle of the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.blue.is_center
+    return robot.senses.line("blue").is_center
 
 
 def is_left_blue_line(robot: "Client") -> bool:
     """Does the camera see a blue line mostly on the left of the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.blue.is_left
+    return robot.senses.line("blue").is_left
 
 
 def is_right_blue_line(robot: "Client") -> bool:
     """Does the camera see a blue line mostly on the right of the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.blue.is_right
+    return robot.senses.line("blue").is_right
 
 
 def is_there_blue_line(robot: "Client") -> bool:
     """Does the camera see a blue line anywhere in the picture?"""
-    lines = _lines(robot)
-    return lines is not None and lines.blue.is_there
+    return robot.senses.line("blue").is_there
 
 
 def is_line_crossing(robot: "Client") -> bool:

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from learnblock.devices import DistanceSensors, number
+from learnblock.devices import Bumper, number
 
 if TYPE_CHECKING:
     from learnblock.client import Client
@@ -50,8 +50,9 @@ def is_obstacle_free(robot: "Client", threshold: float = 200) -> bool:
     Args:
         threshold: the distance in mm that must be clear.
     """
-    nearest = _nearest(robot, "front", "left", "right")
-    return nearest is not None and nearest >= number("threshold", threshold)
+    threshold = number("threshold", threshold)
+    distances = [robot.senses.distance(side) for side in ("front", "left", "right")]
+    return all(mm is not None and mm >= threshold for mm in distances)
 
 
 def get_min_distance(
@@ -69,15 +70,15 @@ def get_min_distance(
     """
     asked = {"left": left, "front": front, "right": right}
     sides = [side for side, wanted in asked.items() if wanted] or list(asked)
-    return _nearest(robot, *sides)
+    distances = (robot.senses.distance(side) for side in sides)
+    return min((mm for mm in distances if mm is not None), default=None)
 
 
 def _is_obstacle(robot: "Client", side: str, threshold: float) -> bool:
-    nearest = _nearest(robot, side)
+    nearest = robot.senses.distance(side)
     return nearest is not None and nearest < number("threshold", threshold)
 
 
-def _nearest(robot: "Client", *sides: str) -> float | None:
-    """Millimetres to the nearest obstacle on these sides; None without a sensor there."""
-    readings = robot.read(DistanceSensors) or {}
-    return min((mm for side in sides for mm in readings.get(side, ())), default=None)
+def is_bumped(robot: "Client") -> bool:
+    """Does the robot's bumper touch something?"""
+    return robot.read(Bumper) or False

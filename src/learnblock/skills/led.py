@@ -9,13 +9,18 @@ if TYPE_CHECKING:
 
 
 def led(robot: "Client", intensity: float, slot: str = FIRST_KEY) -> None:
-    """Switch an LED on or off.
+    """Switch an LED on or off; a coloured one is white when it is on.
 
     Args:
         intensity: 0 switches it off, anything above switches it on.
         slot: which LED, by its position, such as ``Left``; ``first`` is any robot's first.
     """
     on = number("intensity", intensity) > 0
+    kinds = {type(device) for _, device in robot.devices()}
+    if RGBLed in kinds and Led not in kinds:
+        level = 255 if on else 0
+        RGBled(robot, level, level, level, slot)
+        return
     lamp = robot.device(Led, slot)
     if lamp is not None:
         lamp.set(on)

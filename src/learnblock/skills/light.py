@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from learnblock.devices import LightSensor, number
+from learnblock.devices import number
 
 if TYPE_CHECKING:
     from learnblock.client import Client
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 def get_light(robot: "Client") -> float | None:
     """How bright is it? From 0 (dark) to 1023."""
-    return robot.read(LightSensor)
+    return robot.senses.brightness()
 
 
 def is_illuminated(robot: "Client", threshold: float = 500) -> bool:

@@ -24,3 +24,13 @@ def elapsedTime(robot: "Client", seconds: float = 0) -> bool:
         seconds: since it started.
     """
     return robot.time() > number("seconds", seconds)
+
+
+def reset_timer(robot: "Client") -> None:
+    """Start the timer again at 0."""
+    robot.timer_start = robot.time()
+
+
+def get_timer(robot: "Client") -> float:
+    """How many seconds have passed since the last `reset_timer`, or since the program started?"""
+    return round(robot.time() - robot.timer_start, 3)

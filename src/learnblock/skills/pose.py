@@ -1,7 +1,8 @@
 """The robot's pose, and the direction to places.
 
 Places are in mm, x to the east and y to the north; the heading is in degrees clockwise from the
-x axis. A robot that only counts its wheels' turns starts at (0, 0) and heading 0.
+x axis. A robot that counts its wheels' turns, or only knows its commands, starts at (0, 0) and
+heading 0.
 """
 
 import math
@@ -16,8 +17,7 @@ if TYPE_CHECKING:
 def get_pose(robot: "Client") -> Pose | None:
     """Where is the robot? Its x and y in mm and its heading in degrees."""
     base = robot.device(Base)
-    read = None if base is None else base.functions.get("read")
-    return None if read is None else read()
+    return None if base is None else base.pose()
 
 
 def near_to_target(robot: "Client", x: float, y: float, nearDist: float = 50) -> bool:

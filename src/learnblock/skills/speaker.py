@@ -15,8 +15,8 @@ def say_Text(robot: "Client", text: str) -> None:
         text: what to say.
     """
     speaker = robot.device(Speaker)
-    if speaker is not None:
-        speaker.say(text)
+    if speaker is not None and not speaker.say(text):
+        robot.note_missing("Speaker:say")
 
 
 def play_audio(robot: "Client", audio: str = "Do") -> None:
@@ -26,8 +26,8 @@ def play_audio(robot: "Client", audio: str = "Do") -> None:
         audio: the sound's name.
     """
     speaker = robot.device(Speaker)
-    if speaker is not None:
-        speaker.play(audio)
+    if speaker is not None and not speaker.play(audio):
+        robot.note_missing("Speaker:play")
 
 
 def play_frequency(robot: "Client", frequency: float, time: float) -> None:
@@ -38,5 +38,5 @@ def play_frequency(robot: "Client", frequency: float, time: float) -> None:
         time: milliseconds.
     """
     speaker = robot.device(Speaker)
-    if speaker is not None:
-        speaker.tone(frequency, time)
+    if speaker is not None and not speaker.tone(frequency, time):
+        robot.note_missing("Speaker:tone")

@@ -1,21 +1,22 @@
-"""Turning to a heading by the gyroscope: the control loop that the turning skills share."""
+"""Turning to a heading: the control loop that the turning skills share."""
 
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from learnblock.devices import Base, Gyroscope
+from learnblock.devices import Base
 from learnblock.errors import StillTurningError
 
 if TYPE_CHECKING:
     from learnblock.client import Client
 
-#: The key of the gyroscope whose axis points up.
-UPRIGHT = "Z_AXIS"
-#: Degrees from the target at which the wheels are stopped.
-WITHIN = 1.0
+#: Degrees from the target at which the wheels are stopped; what remains adds up over many turns.
+WITHIN = 0.3
 #: Seconds between two commands; at 10 degrees/s the robot turns a fifth of a degree meanwhile.
 PERIOD = 0.02
+#: Degrees/s by which two commands differ at most while the robot speeds up. A pose that is reckoned
+#: from the commands takes for granted that the robot can follow them.
+SPEEDING_UP = 5.0
 #: Seconds a robot rocks after its wheels have stopped.
 SETTLING = 0.2
 
@@ -36,27 +37,20 @@ class Manner:
     fastest: float
     settled_within: float
 
-    def speed(self, remaining: float) -> float:
-        """The speed in degrees/s, with the sign of the remaining degrees."""
+    def speed(self, remaining: float, before: float) -> float:
+        """The speed in degrees/s, with the sign of the remaining degrees.
+
+        Args:
+            remaining: degrees.
+            before: the previous speed in degrees/s.
+        """
         magnitude = min(max(self.gain * abs(remaining), self.slowest), self.fastest)
+        magnitude = min(magnitude, abs(before) + SPEEDING_UP)
         return math.copysign(magnitude, remaining)
 
     def time_limit(self, angle: float) -> float:
         """The most seconds that a robot that is not stuck needs for a turn by `angle`."""
         return 5 + abs(angle) / self.slowest
-
-
-def has_gyroscope(robot: "Client") -> bool:
-    """Whether the robot has a gyroscope, without reporting a missing one.
-
-    A turn works without it.
-    """
-    return any(isinstance(device, Gyroscope) and key == UPRIGHT for key, device in robot.devices())
-
-
-def heading(robot: "Client") -> float:
-    """Degrees turned since the gyroscope's reset, clockwise positive."""
-    return robot.read(Gyroscope, UPRIGHT) or 0.0
 
 
 def turn_by(robot: "Client", base: Base, angle: float, manner: Manner) -> None:
@@ -65,13 +59,16 @@ def turn_by(robot: "Client", base: Base, angle: float, manner: Manner) -> None:
     Raises:
         StillTurningError: the turn exceeds the manner's time limit.
     """
-    target = heading(robot) + angle
+    # A robot that still rolls turns less than its commands say.
+    base.stop()
+    robot.clock.sleep(SETTLING)
+    target = _heading(robot) + angle
     began = robot.clock.time()
     deadline = began + manner.time_limit(angle)
     remaining = angle
     while robot.clock.time() < deadline:
         _approach(robot, base, target, manner, deadline)
-        remaining = target - heading(robot)
+        remaining = target - _heading(robot)
         if abs(remaining) <= manner.settled_within:
             return
     raise StillTurningError(
@@ -83,18 +80,17 @@ def turn_by(robot: "Client", base: Base, angle: float, manner: Manner) -> None:
 
 
 def _approach(robot: "Client", base: Base, target: float, manner: Manner, deadline: float) -> None:
-    while abs(remaining := target - heading(robot)) > WITHIN and robot.clock.time() < deadline:
-        base.move(0, manner.speed(remaining))
+    speed = 0.0
+    while abs(remaining := target - _heading(robot)) > WITHIN and robot.clock.time() < deadline:
+        speed = manner.speed(remaining, speed)
+        base.move(0, speed)
         robot.clock.sleep(PERIOD)
     base.stop()
     robot.clock.sleep(SETTLING)
 
 
-def turn_blind(robot: "Client", base: Base, angle: float, speed: float) -> None:
-    """Turn by `angle` degrees for the time this takes at `speed` degrees/s (positive)."""
-    base.move(0, math.copysign(speed, angle))
-    robot.clock.sleep(abs(angle) / speed)
-    base.stop()
+def _heading(robot: "Client") -> float:
+    return robot.senses.heading() or 0.0
 
 
 def shortest(angle: float) -> float:

@@ -37,10 +37,9 @@ def pose(base: Base) -> Pose:
     Raises:
         SkippedClaimError: it has no odometry.
     """
-    read = base.functions.get("read")
-    if read is None:
+    if not base.has_odometry:
         raise SkippedClaimError("its base has no odometry")
-    x, y, heading = read()
+    x, y, heading = base.pose()
     return float(x), float(y), float(heading)
 
 

@@ -55,7 +55,7 @@ def _require_rest(bench: Bench) -> None:
     """Check with a second client that the robot does not move."""
     with bench.robot() as robot:
         base = robot.device(Base)
-        if base is None or "read" not in base.functions:
+        if base is None or not base.has_odometry:
             return
         before = pose(base)
         robot.clock.sleep(0.5)

@@ -25,7 +25,9 @@ from learnblock.devices import (
     Led,
     LightSensor,
     Matrix,
+    Pen,
     RGBLed,
+    Screen,
     Sensor,
     Speaker,
 )
@@ -48,7 +50,7 @@ class FakeRobot(Client):
         True
         >>> robot.turn(90)
         >>> round(robot.wheels.pose[2])
-        89
+        90
         >>> robot.commands[-1]
         ('Base.move', 0.0, 0.0)
         >>> robot.stop()
@@ -102,6 +104,8 @@ class FakeRobot(Client):
             Display(self._note("Display.show_emotion"), self._note("Display.show_image")),
             Speaker(**self._notes("Speaker", "say", "play", "tone")),
             Matrix(**self._notes("Matrix", "icon", "number", "text")),
+            Pen(**self._notes("Pen", "set", "set_color", "set_width", "clear")),
+            Screen(self._note("Screen.show_text")),
             MP3(**self._notes("MP3", "select", "action", "volume", "equalizer", "loop")),
         ]
         devices += [kind(self._reader(kind)) for kind in _PLAIN_SENSORS]

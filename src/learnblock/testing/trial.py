@@ -120,8 +120,7 @@ def _drive(robot: Client, base: Base, ask: Ask) -> Phrase:
 
 
 def _pose(base: Base) -> tuple[float, float, float] | None:
-    read = base.functions.get("read")
-    return read() if read else None
+    return base.pose() if base.has_odometry else None
 
 
 def _odometry(poses: list[tuple[float, float, float] | None]) -> Phrase:

@@ -395,3 +395,47 @@ def performed(programs):
             made.append(robot.when(lambda c=condition: c[CYCLES - robot._left])(body))
     robot.run()
     return robot.seen
+
+
+def test_waiting_until_a_condition_asks_it_at_once_and_in_every_period():
+    robot = Stage()
+    answers = iter([False, False, True])
+
+    def asked():
+        robot.note("asked")
+        return next(answers)
+
+    robot.wait_until(asked)
+
+    assert robot.seen == [("asked", 0.0), ("asked", 0.02), ("asked", 0.04)]
+
+
+def test_waiting_until_what_is_true_already_takes_no_time():
+    robot = Stage()
+    robot.wait_until(lambda: True)
+    assert robot.clock.time() == 0
+
+
+def test_waiting_reads_the_sensors_anew():
+    ahead = iter([900, 900, 100])
+    with FakeRobot() as robot:
+        robot.device(DistanceSensors).read = lambda: {"front": [next(ahead)]}
+        robot.wait_until(lambda: robot.is_front_obstacle(200))
+    assert list(ahead) == []
+
+
+def test_an_event_that_waits_holds_the_others():
+    robot = Stage(cycles=1)
+
+    @robot.when(lambda: True)
+    def first():
+        robot.wait_until(lambda: robot.clock.time() > 0.05)
+        robot.note("first")
+
+    @robot.when(lambda: True)
+    def second():
+        robot.note("second")
+
+    robot.run()
+
+    assert robot.seen == [("first", 0.06), ("second", 0.06)]

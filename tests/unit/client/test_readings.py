@@ -283,3 +283,30 @@ def test_the_error_of_a_watched_sensor_is_kept_for_observers():
     assert isinstance(readings.error("a"), OSError)
     assert readings.age() is None
     readings.close()
+
+
+def test_observers_that_begin_together_share_one_thread(monkeypatch):
+    begin = threading.Thread.start
+    started = []
+
+    def start(thread):
+        started.append(thread.name)
+        # Long enough for the other observers to see that it does not run yet.
+        threading.Event().wait(0.01)
+        begin(thread)
+
+    readings = PolledReadings(WallClock(), period=0.001)
+    together = threading.Barrier(4)
+
+    def observe():
+        together.wait()
+        readings.watch("a", lambda: 1)
+
+    monkeypatch.setattr(threading.Thread, "start", start)
+    observers = [threading.Thread(target=observe) for _ in range(4)]
+    for observer in observers:
+        observer.start()
+    for observer in observers:
+        observer.join()
+    readings.close()
+    assert started.count(WATCHED) == 1

@@ -161,8 +161,10 @@ def test_commands_are_shown_and_reach_the_robot(robot):
     assert robot.done == [(40, -10), "joy", True, (1, 2, 3), 20]
 
 
-def test_the_pose_is_that_of_the_odometry(robot):
-    assert look(robot, monitor_of(robot)).robots[0].pose is None
+def test_the_pose_is_that_of_the_odometry_or_else_of_the_commands(robot):
+    robot.device(Base).move(50, 0)
+    robot.clock.sleep(2)
+    assert look(robot, monitor_of(robot)).robots[0].pose == (100, 0, 0)
     with Robot(odometry=lambda: (10.0, 20.0, 30.0)) as other:
         assert look(other, monitor_of(other)).robots[0].pose == (10, 20, 30)
 
@@ -293,6 +295,9 @@ def test_a_real_robot_is_neither_placed_nor_driven_from_the_page(robot):
     with pytest.raises(LearnBlockError) as refused:
         monitor.place(0, 0, 0)
     assert refused.value.phrase.code == "monitor-place-real"
+    with pytest.raises(LearnBlockError) as refused:
+        monitor.handle("shake")
+    assert refused.value.phrase.code == "monitor-handle-real"
     with pytest.raises(LearnBlockError) as refused:
         monitor.drive(1, 0)
     assert refused.value.phrase.code == "monitor-drive-real"

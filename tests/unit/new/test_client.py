@@ -43,7 +43,8 @@ READERS = {
 }
 COMMANDS = (
     "animate", "show_emotion", "send_code", "switch_lamp", "select_song", "press", "set_volume",
-    "set_equalizer", "set_loop", "show_icon", "show_number", "show_text", "colour_lamp", "say",
+    "set_equalizer", "set_loop", "light_icon", "light_number",
+    "light_text", "colour_lamp", "say",
     "play", "tone",
 )  # fmt: skip
 
@@ -148,7 +149,12 @@ def test_an_unwritten_function_names_its_position_and_its_task(client):
     assert "from left to right, mm: 0 to 2000" in tasks["DistanceSensors:ROBOT.read"]
     assert "'switch_lamp('Back', False)'" in tasks["Led:Back.set"]
     written = {name for name, task in tasks.items() if not task}
-    assert written == {"Base:ROBOT.move", "Gyroscope:Z_AXIS.read", "Gyroscope:Z_AXIS.reset"}
+    assert written == {
+        "Base:ROBOT.move",
+        "Base:ROBOT.read",
+        "Gyroscope:Z_AXIS.read",
+        "Gyroscope:Z_AXIS.reset",
+    }
 
 
 def task_of(robot, function):

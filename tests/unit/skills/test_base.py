@@ -46,13 +46,14 @@ def test_turning_with_a_gyroscope_ends_within_a_degree_and_stops(robot, angle):
     assert ("Base.move", 0, 0) == robot.commands[-1]
 
 
-def test_turning_slows_down_near_the_target(robot):
+def test_turning_speeds_up_and_slows_down_gently(robot):
     robot.turn(90)
 
     speeds = [rot for _, _, rot in robot.commands if rot]
-    assert 30 == speeds[0]
-    assert 10 == min(speeds)
-    assert sorted(speeds, reverse=True) == speeds
+    fastest = speeds.index(30)
+    assert [5, 10, 15, 20, 25] == speeds[:fastest]
+    assert sorted(speeds[fastest:], reverse=True) == speeds[fastest:]
+    assert 10 == speeds[-1]
 
 
 def test_turning_by_zero_does_not_move(robot):
@@ -64,8 +65,8 @@ def test_turning_by_zero_does_not_move(robot):
 def test_a_robot_that_rocks_too_far_turns_back(robot):
     def rock(seconds: float) -> None:
         sleep(seconds)
-        # The first time the robot comes to rest, it is pushed by ten degrees.
-        if seconds == pytest.approx(0.2) and not pushes:
+        # The first time the robot comes to rest after turning, it is pushed by ten degrees.
+        if seconds == pytest.approx(0.2) and robot.wheels.pose[2] and not pushes:
             pushes.append(10)
             robot.wheels.pose = (0, 0, robot.wheels.pose[2] + 10)
 
@@ -86,13 +87,12 @@ def test_a_stuck_robot_raises_instead_of_waiting_forever(robot):
     assert ("Base.move", 0, 0) == robot.commands[-1]
 
 
-def test_without_a_gyroscope_a_turn_is_timed_at_twenty_degrees_per_second():
+def test_without_a_gyroscope_a_turn_follows_the_wheels():
     with FakeRobot(only=[Base]) as robot:
         robot.turn(-90)
 
-        assert [("Base.move", 0, -20), ("Base.move", 0, 0)] == robot.commands
-        assert 4.5 == robot.clock.time()
-        assert -90 == robot.wheels.pose[2]
+        assert robot.wheels.pose[2] == pytest.approx(-90, abs=1)
+        assert ("Base.move", 0, 0) == robot.commands[-1]
 
 
 @pytest.mark.parametrize(
@@ -157,11 +157,14 @@ def test_the_paper_s_square_ends_where_it_began(robot):
     assert heading == pytest.approx(360, abs=2)
 
 
-def test_without_a_gyroscope_setting_the_orientation_has_no_effect():
+def test_without_a_gyroscope_the_orientation_follows_the_wheels():
     with FakeRobot(only=[Base]) as robot:
-        robot.set_orientation(90)
+        robot.turn(30)
+        robot.reset_orientation()
+        robot.set_orientation(180)
+        robot.set_orientation(270)
 
-        assert [] == robot.commands
+        assert robot.wheels.pose[2] % 360 == pytest.approx(300, abs=4)
 
 
 def test_a_stuck_robot_cannot_be_oriented(robot):
@@ -218,3 +221,11 @@ def test_questions_about_movement_use_the_last_command(robot, speed, questions):
     robot.set_move(*speed)
 
     assert questions == {question for question in asked if getattr(robot, question)()}
+
+
+def test_the_heading_counts_since_its_reset(robot):
+    robot.turn(30)
+    robot.reset_orientation()
+    robot.turn(-90)
+
+    assert robot.get_heading() == pytest.approx(-90, abs=1)

@@ -1,6 +1,6 @@
 import pytest
 
-from learnblock.devices import DistanceSensors
+from learnblock.devices import Bumper, DistanceSensors
 
 
 @pytest.mark.parametrize("side", ["front", "left", "right", "back"])
@@ -23,7 +23,7 @@ def test_an_obstacle_must_be_nearer_than_the_threshold(robot):
     [
         ({"front": [200], "left": [300], "right": [2000]}, True),
         ({"front": [2000], "left": [199], "right": [2000]}, False),
-        ({"front": [2000], "back": [10]}, True),
+        ({"front": [2000], "back": [10]}, False),
         ({}, False),
     ],
 )
@@ -53,3 +53,10 @@ def test_a_side_without_a_sensor_has_no_distance(robot):
     robot.set_reading(DistanceSensors, {"front": [300]})
 
     assert robot.get_min_distance(front=False, left=True) is None
+
+
+def test_a_bumper_that_is_pressed_bumps(robot):
+    before = robot.is_bumped()
+    robot.set_reading(Bumper, True)
+
+    assert (before, robot.is_bumped()) == (False, True)

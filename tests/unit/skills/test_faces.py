@@ -78,3 +78,13 @@ def test_people_are_seen_by_a_robot_that_looks_up(twin):
         robot.look_front()
         robot.sleep(1)
         assert not robot.is_center_face()
+
+
+@pytest.mark.parametrize("twin", ["sim-ebo", "sim-cozmo"])
+@pytest.mark.parametrize("look", ["look_front", "look_up"])
+def test_faces_are_seen_by_a_robot_that_looks_ahead_and_by_one_that_looks_up(twin, look):
+    with robots.find(twin).load()(world="faces") as robot:
+        getattr(robot, look)()
+        robot.sleep(1)
+        assert robot.is_there_face()
+        assert robot.is_any_face_happy()

@@ -1,6 +1,8 @@
 import pytest
 
 from learnblock import robots
+from learnblock.devices import RGBLed
+from learnblock.testing import FakeRobot
 
 
 @pytest.mark.parametrize(("intensity", "on"), [(0, False), (1, True), (255, True), (-1, False)])
@@ -30,3 +32,10 @@ def test_lighting_a_missing_lamp_has_no_effect(robot):
     robot.RGBled(1, 2, 3, "Down")
 
     assert [] == robot.commands
+
+
+@pytest.mark.parametrize(("intensity", "level"), [(1, 255), (0, 0)])
+def test_a_coloured_lamp_is_white_on_a_robot_without_plain_ones(intensity, level):
+    with FakeRobot(only=[RGBLed]) as robot:
+        robot.led(intensity, "Up")
+        assert robot.commands == [("RGBLed:Up.set_color", level, level, level)]

@@ -13,12 +13,16 @@ def test_the_pose_follows_the_drive(robot):
     assert (200, 0, 90) == pytest.approx(robot.get_pose())
 
 
-def test_without_odometry_the_pose_is_none():
+def test_without_odometry_the_pose_is_reckoned_from_the_commands():
     with FakeRobot(only=[]) as robot:
         robot.add(Base(move=lambda adv, rot: None))
+        robot.set_move(100, 0)
+        robot.sleep(2)
+        robot.set_move(0, 45)
+        robot.sleep(2)
 
-        assert robot.get_pose() is None
-        assert robot.near_to_target(0, 0) is False
+        assert robot.get_pose() == pytest.approx((200, 0, 90))
+        assert robot.near_to_target(200, 0) is True
 
 
 @pytest.mark.parametrize(("x", "near"), [(100, True), (150, True), (151, False)])

@@ -1,6 +1,7 @@
 import pytest
 
 from learnblock.devices import Speaker
+from learnblock.testing import FakeRobot
 
 
 @pytest.mark.parametrize(
@@ -23,3 +24,28 @@ def test_a_speaker_that_cannot_speak_stays_silent(robot):
     robot.say_Text("hello")
 
     assert [] == robot.commands
+
+
+@pytest.mark.parametrize(
+    ("skill", "arguments", "ability"),
+    [
+        ("say_Text", ("hi",), "say"),
+        ("play_audio", (), "play"),
+        ("play_frequency", (440, 100), "tone"),
+    ],
+)
+def test_what_a_speaker_cannot_do_is_reported(skill, arguments, ability):
+    noted = []
+
+    class Listener:
+        def called(self, skill, args, kwargs):
+            pass
+
+        def missing(self, skill, device):
+            noted.append((skill, device))
+
+    with FakeRobot(only=[Speaker], observer=Listener()) as robot:
+        del robot.device(Speaker).functions[ability]
+        getattr(robot, skill)(*arguments)
+
+    assert noted == [(skill, f"Speaker:{ability}")]

@@ -3,6 +3,7 @@
 import io
 import socket
 import struct
+import threading
 from time import monotonic
 from typing import Self
 
@@ -272,6 +273,26 @@ def test_it_stops_and_forgets_a_client_after_a_long_silence(there, monkeypatch):
         with pytest.raises(TimeoutError):
             client.hear_on()
         assert there.machine.received["Enable"] == before
+
+
+def test_slow_reports_do_not_delay_commands_ever_more(there, monkeypatch):
+    before = there.machine.received["SetHeadAngle"]
+    obeyed = []
+
+    def report():
+        obeyed.append(there.machine.received["SetHeadAngle"] - before)
+        threading.Event().wait(0.1)
+        return ()
+
+    with Client(there) as client:
+        client.enable()
+        monkeypatch.setattr(there.machine, "tick", report)
+        wait_for(lambda: obeyed, "it reports")
+        for _ in range(30):
+            client.command(packets.SetHeadAngle(angle_rad=0.1))
+        wait_for(lambda: 30 in obeyed, "every command is obeyed")
+    # Some may come after the first of these reports.
+    assert len([count for count in obeyed if 0 < count < 30]) <= 1
 
 
 def test_it_reports_thirty_three_times_per_second_and_sends_fifteen_pictures(there):

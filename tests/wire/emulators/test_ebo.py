@@ -2,12 +2,13 @@
 
 import math
 import threading
+from contextlib import nullcontext
 
 import pytest
 from click.testing import CliRunner
 
 from learnblock import cli
-from learnblock.emulators import Emulation, emulate
+from learnblock.emulators import emulate
 from learnblock.emulators.ebo import Emulator
 from learnblock.emulators.ebo_camera import Broker
 from learnblock.emulators.twin import Twin
@@ -91,7 +92,7 @@ def test_its_face_shows_emotions_and_talks(emulation, ask):
 
 def test_without_a_broker_it_has_no_camera_and_explains_why(emulation, monkeypatch):
     assert emulation.settings["camera_port"] == 0
-    monkeypatch.setattr(Emulation, "wait", lambda self: None)
+    monkeypatch.setattr("learnblock.cli.interrupts.served_until_ctrl_c", nullcontext)
     said = CliRunner().invoke(cli.main, ["emulate", "ebo"]).output
     assert "learnblock robots set ebo camera_port 0" in said
     assert str(Phrase("emulator-no-camera")) in said

@@ -98,7 +98,9 @@ def test_a_speed_takes_effect_with_the_next_command_and_one_out_of_range_not_at_
         motor = tree.motors["D"]
 
         def write(name, text):
-            motor[name].path.write_text(text)
+            # In a single write, as ev3dev2 does: the brick must not find the file empty.
+            with motor[name].path.open("r+b", buffering=0) as file:
+                file.write(text.encode())
 
         write("speed_sp", "300\n")
         write("command", "run-forever\n")

@@ -29,7 +29,7 @@ from learnblock.robots import connect, find
 from learnblock.robots import settings as user_settings
 from learnblock.robots.ev3 import Robot, Settings
 from learnblock.robots.ev3.brick import State
-from learnblock.robots.ev3.wheels import Odometry, turns
+from learnblock.robots.ev3.wheels import WheelCounts, turns
 from learnblock.running import Options, ProgramRun, program, read
 from learnblock.runtime.process import ThreadWorker
 from learnblock.testing import Fault, check_robot
@@ -59,7 +59,7 @@ def degrees(drive):
 
 
 def test_odometry_counts_mm_forward_and_degrees_clockwise():
-    odometry = Odometry(30, 120)
+    odometry = WheelCounts(30, 120)
     odometry.follow(State(1000, -500))
     odometry.follow(State(1360, -140))
     assert odometry.pose == pytest.approx((math.tau * 30, 0, 0))
@@ -70,7 +70,7 @@ def test_odometry_counts_mm_forward_and_degrees_clockwise():
 
 
 def test_the_heading_of_odometry_stays_between_minus_180_and_180():
-    odometry = Odometry(30, 120)
+    odometry = WheelCounts(30, 120)
     odometry.follow(State(0, 0))
     odometry.follow(State(540, -540))
     assert odometry.pose[2] == pytest.approx(-90)
@@ -135,6 +135,29 @@ def test_legos_firmware_sounds_and_cannot_speak():
         assert robot.device(Speaker).tone(440, 250)
         assert not robot.device(Speaker).say("hello")
         assert said(emulation) == [("tone", 440, 250)]
+
+
+def test_legos_firmware_shows_text_and_clears_it():
+    with brick("direct") as emulation, ev3(emulation.settings) as robot:
+        robot.show_text("¿Dónde estás, robot?")
+        assert shown(emulation) == "Donde\nestas,\nrobot?"
+        robot.show_number(2.5)
+        assert shown(emulation) == "2.5"
+        robot.clear_screen()
+        assert shown(emulation) == ""
+
+
+@pytest.mark.parametrize("way", ["agent", "rpyc"])
+def test_a_brick_with_ev3dev_has_its_text_printed(way, capsys):
+    with brick(way) as emulation, ev3(emulation.settings) as robot:
+        robot.show_text("hello")
+        assert capsys.readouterr().out == "hello\n"
+        assert shown(emulation) == ""
+
+
+def shown(emulation):
+    with emulation.twin.body() as body:
+        return body.text
 
 
 def said(emulation):

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from bricks import stands_after, x_of
 from ev3_wires import Bytes
-from learnblock.devices import Base, Gyroscope
+from learnblock.devices import LONGEST_TEXT, Base, Gyroscope
 from learnblock.emulators.ev3.firmware import Firmware
 from learnblock.emulators.ev3.vehicle import Vehicle
 from learnblock.emulators.twin import Twin
@@ -22,6 +22,7 @@ from learnblock.robots.ev3 import direct, scan
 from learnblock.robots.ev3.brick import Look
 from learnblock.robots.ev3.direct_link import Motor
 from learnblock.robots.ev3.link import Link
+from learnblock.robots.ev3.screen import LARGE, NORMAL, laid_out
 from waiting import wait_for
 
 # Examples of LEGO's "EV3 Communication Developer Kit", chapter 4.
@@ -36,6 +37,41 @@ def test_numbers_take_as_few_bytes_as_in_legos_examples():
 
 def test_a_tone_is_legos_example():
     assert direct.tone(1000, 1000, volume=2).hex() == "94010282e80382e803"
+
+
+def test_text_is_written_line_by_line_on_an_empty_screen():
+    shown = direct.show(LARGE, ("Hi", "you"))
+    emptied = "841200" + "8413000000" + "841102"
+    lines = "8405010000" + "84486900" + "8405010012" + "84796f7500"
+    assert shown.hex() == emptied + lines + "8400"
+
+
+def test_a_screen_without_text_shows_the_top_line_of_the_menu():
+    assert direct.show(LARGE, ()).hex() == "841201" + "8413000000" + "841102" + "8400"
+
+
+@pytest.mark.parametrize(
+    ("text", "font", "lines"),
+    [
+        ("hello", LARGE, ("hello",)),
+        ("¿Dónde estás?", LARGE, ("Donde", "estas?")),
+        ("one\ntwo", LARGE, ("one", "two")),
+        ("名", LARGE, ("?",)),
+        ("", LARGE, ()),
+        ("word " * 20, NORMAL, ("word word word word",) * 5),
+    ],
+)
+def test_a_text_is_laid_out_in_the_largest_font_in_which_it_fits(text, font, lines):
+    assert laid_out(text) == (font, lines)
+
+
+@settings(max_examples=100)
+@given(st.text(max_size=LONGEST_TEXT))
+def test_any_text_fits_on_the_screen_and_into_a_message(text):
+    font, lines = laid_out(text)
+    assert len(lines) <= font.rows
+    assert all(len(line) <= font.columns for line in lines)
+    assert len(direct.show(font, lines)) < direct.LARGEST - 200
 
 
 def test_a_motor_is_turned_for_a_time_and_stopped():

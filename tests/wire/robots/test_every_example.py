@@ -19,18 +19,18 @@ pytestmark = pytest.mark.spread
 
 
 def missing(name, robot):
-    """The devices whose absence prevents an example from running on a robot."""
+    """The devices and abilities whose absence prevents an example from running on a robot."""
     found = running.check(running.read(EXAMPLES / name), robots.find(robot))
     needs = [one.message.values["devices"] for one in found if one.severity == "error"]
-    return sorted({device.values["kind"] for devices in needs for device in devices})
+    named = [device.values for devices in needs for device in devices]
+    return {f"{one['kind']}:{one['key']}".rstrip(":") for one in named}
 
 
 @pytest.mark.parametrize(("name", "robot"), list(itertools.product(NAMES, sorted(TWINS))))
 def test_an_example_runs_on_a_real_robot_or_is_refused_by_naming_the_missing_device(name, robot):
     lacking = missing(name, robot)
     if lacking:
-        devices = robots.find(robot).load().device_names()
-        assert not {device.partition(":")[0] for device in devices} & set(lacking)
+        assert not robots.find(robot).load().known_equipment() & lacking
         return
     with reachable(robot, WORLDS.get(name, "empty")):
         finished = run_example(name, robot, seconds=SECONDS, worker=ProcessWorker)

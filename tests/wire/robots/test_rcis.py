@@ -20,7 +20,7 @@ from learnblock.errors import RobotConnectionError, SettingsError
 from learnblock.ice.robocomp import Layout
 from learnblock.robots.rcis import Robot
 from learnblock.robots.rcis.camera import Pictures, shape_of
-from learnblock.robots.rcis.face import draw_face
+from learnblock.robots.rcis.face import draw_face, draw_text
 from learnblock.testing import Fault, Relay, check_robot
 from runs import run_file
 
@@ -120,6 +120,24 @@ def test_its_screen_shows_our_face_for_each_emotion(simulator, emotion):
         robot.device(Display).show_emotion(emotion)
         face = draw_face(emotion)
         assert running.told() == ["setImage", 480, 320, 3, face.nbytes, int(face.sum())]
+
+
+def test_its_screen_shows_a_text_and_then_its_face_again(simulator):
+    with robot_on(simulator) as (robot, running):
+        robot.show_text("¡Hola!")
+        text = draw_text("¡Hola!")
+        assert running.told() == ["setImage", 480, 320, 3, text.nbytes, int(text.sum())]
+        robot.clear_screen()
+        face = draw_face("none")
+        assert running.told() == ["setImage", 480, 320, 3, face.nbytes, int(face.sum())]
+
+
+@pytest.mark.parametrize("text", ["a", "W" * 100, "word " * 20, "one\ntwo"])
+def test_a_text_is_black_within_the_white_edge_of_the_screen(text):
+    dark = draw_text(text).min(axis=2) < 128
+    assert dark.any()
+    assert not dark[[0, -1]].any()
+    assert not dark[:, [0, -1]].any()
 
 
 def test_every_emotion_has_its_own_symmetric_face():

@@ -32,7 +32,7 @@ from learnblock.robots.thymio.frames import Frames
 from learnblock.robots.thymio.program import DONE, LEFT, RIGHT, SOUND, TONE, TOP
 from learnblock.robots.thymio.units import level
 from learnblock.simulator.geometry import Pose
-from learnblock.simulator.goals import goals
+from learnblock.simulator.goals import RobotState, goals
 from learnblock.testing import Fault, Relay, check_robot
 from playground import Playground, missing
 from runs import run_example
@@ -158,6 +158,23 @@ def test_speeds_are_true_mm_and_degrees_per_second(ground, robot):
     assert 30 < math.degrees(turned) / (end - begin) < 48
 
 
+def test_its_odometry_follows_its_true_way(ground, robot):
+    with ground.watching() as path:
+        for command in ((80, 0), (40, 45), (0, -60)):
+            robot.set_move(*command)
+            robot.sleep(1)
+        robot.stop_bot()
+        robot.sleep(0.5)
+    first, last = path[0][1], path[-1][1]
+    x, y, heading = robot.get_pose()
+    turned = math.radians(first.heading)
+    east, north = last.x - first.x, last.y - first.y
+    ahead = east * math.cos(turned) - north * math.sin(turned)
+    left = east * math.sin(turned) + north * math.cos(turned)
+    assert math.dist((x, y), (ahead, left)) < 12
+    assert (heading - (last.heading - first.heading) + 180) % 360 - 180 == pytest.approx(0, abs=6)
+
+
 @pytest.mark.parametrize("mm", [20, 60, 110])
 def test_the_distance_to_a_wall_in_front_is_correct(ground, robot, mm):
     # The front sensor is 79.5 mm in front of the middle, and the border is at 1 m.
@@ -268,7 +285,7 @@ def test_the_papers_program_follows_a_line(tmp_path):
         finished = run_example("line-thymio.bt", "thymio", seconds=12)
     (goal,) = goals(ground.world)
     for time, pose in path:
-        goal.look(time, {"robot": pose})
+        goal.look(time, [RobotState("robot", time, pose)])
     assert (finished.report.error, finished.report.ended) == (None, "time limit")
     assert goal.state.reached_at is not None, goal.state
     line = ground.world.line[0].polyline()

@@ -141,6 +141,25 @@ def test_our_program_is_loaded_and_its_variables_are_read(thymio):
     assert until(lambda: thymio.status == ThymioFB.NODE_STATUS_AVAILABLE)
 
 
+@pytest.mark.parametrize(
+    # Gravity towards the left, the rear and down: 23 is 1 g.
+    ("acc", "felt"),
+    [
+        ([0, 0, 23], []),
+        ([0, -12, 20], ["front"]),
+        ([0, 12, 20], ["back"]),
+        ([12, 0, 20], ["left"]),
+        ([-12, 0, 20], ["right"]),
+        ([31, 0, 23], ["shaken"]),
+    ],
+)
+def test_it_feels_that_it_is_tilted_and_shaken(thymio, acc, felt):
+    thymio.variables["acc"] = acc
+    with suite(thymio) as opened, connect(opened.port) as robot:
+        sides = [side for side in ("front", "back", "left", "right") if robot.is_tilted(side)]
+        assert [*sides, *(["shaken"] if robot.is_shaken() else [])] == felt
+
+
 def test_a_thymio_in_use_by_another_program_is_not_taken(thymio):
     refused = pytest.raises(RobotConnectionError, match="has no free Thymio")
     with suite(thymio) as opened, connect(opened.port), refused:

@@ -127,14 +127,18 @@ class Server:
     def _live(self) -> None:
         due = monotonic()
         while not self._closed.is_set():
-            wait = max(0.0, due - monotonic())
-            if select.select((self._socket,), (), (), wait)[0]:
-                self._receive()
+            self._receive_all(max(0.0, due - monotonic()))
             if (now := monotonic()) >= due:
                 # After a delay, missed reports are skipped.
                 due = max(due + self._period, now)
                 self._tick(now)
         self._leave()
+
+    def _receive_all(self, wait: float) -> None:
+        """Handle all that has arrived, so that slow reports do not delay commands ever more."""
+        while select.select((self._socket,), (), (), wait)[0]:
+            self._receive()
+            wait = 0.0
 
     def _receive(self) -> None:
         try:

@@ -48,6 +48,15 @@ class Code:
         value: int = struct.unpack(form, self._bytes(struct.calcsize(form)))[0]
         return value
 
+    def text(self) -> str:
+        """A constant text, which ends with a zero."""
+        if self.byte() != 0x84:
+            raise ByteCodeError("no text")
+        letters = bytearray()
+        while letter := self.byte():
+            letters.append(letter)
+        return letters.decode("ascii", "replace")
+
     def variable(self) -> int:
         """A parameter that names a position in the reply."""
         head = self.byte()
@@ -78,7 +87,10 @@ class Machine:
         self._now = now
         #: For each running motor: percent of its full speed, and the time of its end.
         self._runs: dict[str, tuple[int, float]] = {}
+        #: What has been drawn on the screen since it was emptied: places of lines, and the lines.
+        self._drawn: dict[tuple[int, int], str] = {}
         self._operations: dict[int, Callable[[Code, bytearray], None]] = {
+            0x84: self._draw,
             0x94: self._sound,
             0x99: self._input_device,
             0xA3: self._output_stop,
@@ -115,6 +127,27 @@ class Machine:
         if number not in self._operations:
             raise ByteCodeError(f"the operation {number:#x}")
         return self._operations[number]
+
+    def _draw(self, code: Code, reply: bytearray) -> None:
+        del reply
+        match code.byte():
+            case 0x00:
+                lines = [line for (_, _), line in sorted(self._drawn.items())]
+                self._vehicle.show("\n".join(lines))
+            case 0x05:
+                colour, x, y = code.constant(), code.constant(), code.constant()
+                line = code.text()
+                if colour:
+                    self._drawn[y, x] = line
+            case 0x11 | 0x12:
+                code.constant()
+            case 0x13:
+                colour, top, bottom = code.constant(), code.constant(), code.constant()
+                if colour or top or bottom:
+                    raise ByteCodeError("only the whole screen can be emptied")
+                self._drawn.clear()
+            case other:
+                raise ByteCodeError(f"the subcode {other:#x}")
 
     def _sound(self, code: Code, reply: bytearray) -> None:
         del reply

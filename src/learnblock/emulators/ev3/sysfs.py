@@ -105,11 +105,12 @@ class Motor(Device):
 
     def execute(self) -> None:
         """Execute the values written since the last call."""
+        # First, so that the values that a client has written before its command are there.
+        command = self["command"].written()
         for name in ("speed_sp", "stop_action"):
             written = self[name].written()
             if written is not None:
                 self[name].show(written)
-        command = self["command"].written()
         if command == "run-forever":
             self.speed = _speed(self["speed_sp"].value)
         elif command in {"stop", "reset"}:

@@ -61,6 +61,11 @@ class Vehicle:
         with self._twin.body() as body:
             return body.bumper()
 
+    def show(self, text: str) -> None:
+        """Show a text on the screen."""
+        with self._twin.body() as body:
+            body.show_text(text)
+
     def note(self, action: str, *values: object) -> None:
         """Record a command for the loudspeaker."""
         with self._twin.body() as body:

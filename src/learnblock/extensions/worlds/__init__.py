@@ -2,7 +2,13 @@
 
 from learnblock.extensions.worlds.archive import ENDINGS, pack, unpack
 from learnblock.extensions.worlds.folder import delete, find, install, own_names, rename, restore
-from learnblock.extensions.worlds.packed_world import PackedWorld, is_same, plain_name, staged
+from learnblock.extensions.worlds.packed_world import (
+    PackedWorld,
+    is_same,
+    picture_name,
+    plain_name,
+    staged,
+)
 
 __all__ = [
     "ENDINGS",
@@ -13,6 +19,7 @@ __all__ = [
     "is_same",
     "own_names",
     "pack",
+    "picture_name",
     "plain_name",
     "rename",
     "restore",

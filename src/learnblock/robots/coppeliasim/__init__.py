@@ -55,6 +55,15 @@ class Robot(RealRobot[Settings]):
             return paper_scene.DEVICES
         return named_parts.devices_of(settings) if settings.scene == "names" else None
 
+    @classmethod
+    def abilities(cls) -> frozenset[str] | None:
+        """The sides to which it has sensors; None, which is all, for a scene with our script."""
+        settings = user_settings.load(cls.name(), Settings)
+        if settings.scene == "script":
+            return None
+        sides = ("front",) if settings.scene == "paper" else named_parts.sides_of(settings)
+        return frozenset({"GroundSensors:line", *(f"DistanceSensors:{side}" for side in sides)})
+
     def connect(self) -> None:
         settings = self.settings
         self._ending = ExitStack()

@@ -34,6 +34,7 @@ from learnblock.wheels import wheel_speeds
 
 T = TypeVar("T")
 Matrix = tuple[float, ...]
+SIDES = ("front", "left", "right", "back")
 
 
 def devices_of(settings: Settings) -> frozenset[str]:
@@ -45,6 +46,11 @@ def devices_of(settings: Settings) -> frozenset[str]:
     }
     found = {f"{device}:ROBOT" for device, paths in named.items() if any(paths)}
     return frozenset(found | {"Base:ROBOT", "Gyroscope:Z_AXIS"})
+
+
+def sides_of(settings: Settings) -> tuple[str, ...]:
+    """The sides on which the settings name distance sensors."""
+    return tuple(side for side in SIDES if getattr(settings, side))
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,7 +144,7 @@ class NamedParts:
     def _distances(self) -> Callable[[], Mapping[str, Sequence[float]]]:
         sides = {
             side: [self._object(path, side) for path in getattr(self._settings, side)]
-            for side in ("front", "left", "right", "back")
+            for side in SIDES
         }
         return lambda: {
             side: [self._ask(distance, "readProximitySensor", one) for one in sensors]

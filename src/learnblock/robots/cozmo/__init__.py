@@ -1,6 +1,5 @@
 """Anki's Cozmo, over its own Wi-Fi with pycozmo."""
 
-import importlib.util
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack
 from functools import partial
@@ -18,13 +17,15 @@ from learnblock.devices import (
     GroundSensors,
     Gyroscope,
     JointMotor,
+    Pose,
     RGBLed,
+    Screen,
     Speaker,
 )
-from learnblock.errors import RobotConnectionError
 from learnblock.robots import settings as user_settings
 from learnblock.robots.cozmo import units
-from learnblock.robots.cozmo.halt import halt
+from learnblock.robots.cozmo.halt import halt, responds
+from learnblock.robots.cozmo.use import Use, is_used
 from learnblock.robots.guardian import Guardian
 from learnblock.robots.real import RealRobot, require
 from learnblock.robots.settings import Address, Patience, Port, RobotSettings
@@ -74,14 +75,19 @@ class Robot(RealRobot[CozmoSettings]):
 
     settings_type = CozmoSettings
     model = "cozmo"
+    # One lithium cell; below 3.5 V, Cozmo asks for its charger.
+    battery_range = (3.4, 4.2)
     # Its guardian, and espeak-ng.
     rights = Rights(network=True, programs=True)
     _session: "Session | None" = None
     _guardian: Guardian | None = None
+    _use: Use | None = None
+    #: The emotion that its screen shows when there is no text.
+    _emotion = "none"
 
     @classmethod
     def device_names(cls) -> frozenset[str]:
-        one_each = (Accelerometer, Animator, Base, Camera, Display, GroundSensors, Speaker)
+        one_each = (Accelerometer, Animator, Base, Camera, Display, GroundSensors, Screen, Speaker)
         return frozenset(
             [f"{kind.__name__}:ROBOT" for kind in one_each]
             + ["Gyroscope:Z_AXIS", "JointMotor:ARM", "JointMotor:CAMERA"]
@@ -89,16 +95,25 @@ class Robot(RealRobot[CozmoSettings]):
         )
 
     @classmethod
+    def abilities(cls) -> frozenset[str]:
+        return frozenset(f"Speaker:{action}" for action in ("say", "play", "tone"))
+
+    @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
-        """Try the address in the settings; this briefly takes over a robot that answers."""
-        if importlib.util.find_spec("pycozmo") is None:
-            return
+        """Try the address in the settings, unless a program on this computer uses the robot.
+
+        The robot doesn't move, but it ends its conversation with any program that is elsewhere.
+        """
         known: CozmoSettings = user_settings.load(cls.name(), cls.settings_type)
-        try:
-            _session(known.address, known.port, seconds).close()
-        except RobotConnectionError:
+        if is_used(known.address, known.port):
             return
-        yield {"address": known.address, "port": known.port}
+        if responds(known.address, known.port, seconds):
+            yield {"address": known.address, "port": known.port}
+
+    @classmethod
+    def is_in_use(cls) -> bool:
+        known: CozmoSettings = user_settings.load(cls.name(), cls.settings_type)
+        return is_used(known.address, known.port)
 
     @classmethod
     def halt(cls, settings: CozmoSettings) -> None:
@@ -107,6 +122,7 @@ class Robot(RealRobot[CozmoSettings]):
     def connect(self) -> None:
         chosen = self.settings
         self._session = session = _session(chosen.address, chosen.port, chosen.patience)
+        self._use = Use(chosen.address, chosen.port)
         session.prepare(
             colour=chosen.colour, stop_at_cliff=chosen.stop_at_cliff, volume=chosen.volume
         )
@@ -122,6 +138,8 @@ class Robot(RealRobot[CozmoSettings]):
     def disconnect(self) -> None:
         # Both run even if one fails, in reverse order.
         with ExitStack() as ending:
+            if self._use is not None:
+                ending.callback(self._use.end)
             if self._guardian is not None:
                 ending.callback(self._guardian.dismiss)
             if self._session is not None:
@@ -137,9 +155,18 @@ class Robot(RealRobot[CozmoSettings]):
     def _add_sensors(self, session: "Session") -> None:
         odometry = session.odometry
         self.add(Gyroscope(read=odometry.turned, reset=odometry.reset), "Z_AXIS")
-        self.add(Accelerometer(read=lambda: units.acceleration(*session.accelerations)))
-        self.add(GroundSensors(read=lambda: _ground(on_cliff=session.on_cliff())))
+        self.add(Accelerometer(read=partial(self._acceleration, session)))
+        self.add(GroundSensors(read=partial(self._ground, session)))
         self.add(Camera(read=session.frame))
+
+    def _acceleration(self, session: "Session") -> tuple[float, float, float]:
+        return units.acceleration(*session.accelerations)
+
+    def _ground(self, session: "Session") -> dict[str, float | None]:
+        return _ground(on_cliff=session.on_cliff())
+
+    def _pose(self, session: "Session") -> Pose:
+        return session.odometry.pose
 
     def _add_joints(self, session: "Session") -> None:
         def lift(degrees: float) -> None:
@@ -165,13 +192,19 @@ class Robot(RealRobot[CozmoSettings]):
         def say(text: str) -> None:
             stage.play(sound.speech(text, self.settings.voice))
 
-        self.add(Base(move=move, read=lambda: session.odometry.pose))
+        self.add(Base(move=move, read=partial(self._pose, session)))
+
+        def express(name: str) -> None:
+            self._emotion = name
+            stage.show(face.emotion(name))
+
+        def write(text: str) -> None:
+            stage.show(face.text(text) if text else face.emotion(self._emotion))
+
         self.add(
-            Display(
-                show_emotion=lambda name: stage.show(face.emotion(name)),
-                show_image=lambda frame: stage.show(face.picture(frame)),
-            )
+            Display(show_emotion=express, show_image=lambda frame: stage.show(face.picture(frame)))
         )
+        self.add(Screen(write))
         self.add(
             Speaker(
                 say=say if sound.can_speak() else None,

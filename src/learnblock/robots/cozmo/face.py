@@ -1,11 +1,12 @@
-"""Cozmo's screen: faces for emotions, and pictures."""
+"""Cozmo's screen: faces for emotions, pictures and texts."""
 
 from functools import cache
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image, ImageOps
+from PIL import Image, ImageDraw, ImageFont, ImageOps
 from pycozmo import expressions
 from pycozmo.image_encoder import ImageEncoder
 
@@ -15,6 +16,8 @@ WIDTH, HEIGHT = 128, 64
 """The size of the screen in pixels; only every other row can be lit."""
 LONGEST = 1000
 """The limit of an encoded picture in bytes; the robot drops frames of more than 1037 bytes."""
+LARGEST_LETTERS, SMALLEST_LETTERS = 48, 12
+"""Pixels."""
 
 _FACES = {
     Emotion.ANGER: expressions.Anger,
@@ -41,6 +44,29 @@ def picture(frame: NDArray[np.uint8]) -> bytes:
     # More detail takes more bytes: use the finest that fits into one frame.
     fitting = (coded for coded in (_coarse(grey, one) for one in blocks) if coded)
     return next(fitting)
+
+
+def text(words: str) -> bytes:
+    """A text in the largest letters with which it fits on the screen and into a frame."""
+    screens = (_written(words, size) for size in range(LARGEST_LETTERS, SMALLEST_LETTERS, -2))
+    fitting = (_encoded(screen) for screen in screens if screen)
+    coded = next((one for one in fitting if len(one) <= LONGEST), None)
+    return coded or text(words[: len(words) * 3 // 4])
+
+
+def _written(words: str, size: int) -> Any | None:
+    """The screen with a text in letters of a size; None if it does not fit."""
+    font = ImageFont.load_default(size)
+    columns = int(WIDTH / font.getlength("n"))
+    lines = "\n".join(part for line in words.splitlines() for part in wrap(line, columns))
+    screen = Image.new("1", (WIDTH, HEIGHT))
+    pen = ImageDraw.Draw(screen)
+    left, top, right, bottom = pen.multiline_textbbox((0, 0), lines, font, align="center")
+    if right - left > WIDTH or bottom - top > HEIGHT:
+        return None
+    place = ((WIDTH - right - left) // 2, (HEIGHT - bottom - top) // 2)
+    pen.multiline_text(place, lines, 1, font, align="center")
+    return screen
 
 
 def _coarse(grey: Any, block: int) -> bytes | None:

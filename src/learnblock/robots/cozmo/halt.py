@@ -1,4 +1,4 @@
-"""Stops a Cozmo whose program is gone.
+"""Stops a Cozmo whose program is gone, and finds out whether there is one.
 
 The guardian's process must be quick, so this module sends the few packets itself: loading pycozmo
 and numpy would take too long.
@@ -47,6 +47,26 @@ def halt(address: str, port: int, timeout: float) -> None:
         _insist(wire, stop, FAREWELL, least=_PACKETS_IN_STOP)
         goodbye = _PACKETS_IN_STOP + 1
         _send(wire, _frame(_PACKETS, goodbye, goodbye, 1, _DISCONNECT))
+
+
+def responds(address: str, port: int, timeout: float) -> bool:
+    """Whether a robot is there; it is greeted and left, and doesn't move.
+
+    Args:
+        address: its host name or IP address.
+        port: its UDP port.
+        timeout: how long to wait for an answer, in seconds.
+    """
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as wire:
+        try:
+            wire.connect(resolved(address, port))
+        except (RobotConnectionError, OSError):
+            # Unknown address, or no network.
+            return False
+        if not _insist(wire, _frame(_RESET, 1, 1, 0), timeout, least=1, kind=_CONNECT):
+            return False
+        _send(wire, _frame(_PACKETS, 1, 1, 1, _DISCONNECT))
+    return True
 
 
 def resolved(address: str, port: int) -> Address:

@@ -14,7 +14,7 @@ import select
 import threading
 from collections.abc import Iterator, Sequence
 from queue import Empty
-from time import monotonic
+from time import monotonic, perf_counter
 from typing import Any
 
 from pycozmo import protocol_encoder as packets
@@ -155,6 +155,8 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
         self.send_thread = Sender(self.sock, address)
         self.recv_thread = Receiver(self.sock, self.send_thread, address, self._on_packet)
         self._welcomed = threading.Event()
+        #: Seconds from the newest answered ping to its answer; None before the first one.
+        self.round_trip: float | None = None
 
     @property
     def is_open(self) -> bool:
@@ -192,6 +194,10 @@ class Link(Connection):  # type: ignore[misc] # pycozmo has no types
     def _on_connect(self, cli: Any, pkt: Any) -> None:
         super()._on_connect(cli, pkt)
         self._welcomed.set()
+
+    def _on_ping(self, cli: Any, pkt: Any) -> None:  # noqa: ARG002 - as pycozmo calls it
+        # The robot returns the time at which the ping was sent.
+        self.round_trip = max(0.0, perf_counter() - pkt.time_sent_ms)
 
     def _deliver_all(self) -> None:
         until = monotonic() + FAREWELL

@@ -77,8 +77,17 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
         self.anim_controller.stop()
         if self.conn.is_open:
             self.stop_all_motors()
+            self._show_last_picture()
         self.conn.hang_up()
         self.del_all_handlers()
+
+    def _show_last_picture(self) -> None:
+        """Show the picture that a program has set as it ended, and for which no frame was left."""
+        queue = self.anim_controller.queue
+        pictures = [one for one in queue.image_queue if one is not None]
+        # A behaviour that has been cut off has pictures for later.
+        if pictures and not queue.pkt_queue:
+            self.conn.send(pictures[-1])
 
     def check(self) -> None:
         """Check that the robot is still responding.
@@ -96,6 +105,7 @@ class Session(pycozmo.Client):  # type: ignore[misc] # pycozmo has no types
             battery=round(self.battery_voltage, 2) if self._reported else None,
             link_quality=self._reception.quality,
             silence=self.conn.silence,
+            round_trip=self.conn.round_trip,
         )
 
     # Reports.

@@ -11,15 +11,17 @@ from learnblock.devices import (
     DistanceSensors,
     GroundSensors,
     Gyroscope,
+    Screen,
     Speaker,
 )
 from learnblock.errors import RobotConnectionError
 from learnblock.i18n import Phrase
-from learnblock.robots.ev3.brick import Say, State, Tone, Word
+from learnblock.robots.calibration import Calibration
+from learnblock.robots.ev3.brick import Say, Show, State, Tone, Word
 from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.ways import open_link
-from learnblock.robots.ev3.wheels import Odometry, turns
+from learnblock.robots.ev3.wheels import WheelCounts, turns
 from learnblock.robots.real import RealRobot
 
 __all__ = ["Robot", "Settings"]
@@ -30,6 +32,9 @@ class Robot(RealRobot[Settings]):
 
     settings_type = Settings
     model = "ev3"
+    calibration = Calibration(distance="wheel_radius", angle="track")
+    # Six cells or LEGO's accumulator; below 6.2 V, ev3dev switches off.
+    battery_range = (6.2, 8.2)
     # Bluetooth's serial port, and the USB cable.
     rights = Rights(network=True, devices=("/dev/rfcomm*", "/dev/hidraw*"))
 
@@ -42,30 +47,27 @@ class Robot(RealRobot[Settings]):
                 "DistanceSensors:ROBOT",
                 "GroundSensors:ROBOT",
                 "Gyroscope:Z_AXIS",
+                "Screen:ROBOT",
                 "Speaker:ROBOT",
             }
         )
 
+    @classmethod
+    def abilities(cls) -> frozenset[str]:
+        return frozenset(
+            {"DistanceSensors:front", "GroundSensors:line", "Speaker:say", "Speaker:tone"}
+        )
+
     def connect(self) -> None:
         self._link: Link | None = None
-        radius, track = self.settings.wheel_radius, self.settings.track
-        self._odometry = Odometry(radius, track)
+        self._counts = WheelCounts(self.settings.wheel_radius, self.settings.track)
         self._zero = 0.0
-        link = self._link = open_link(self.settings, self._odometry.follow)
+        link = self._link = open_link(self.settings, self._counts.follow)
         state = link.begin()
-        self.add(
-            Base(
-                move=lambda adv, rot: _send(link, turns(adv, rot, radius, track)),
-                read=self._pose,
-            )
-        )
+        self.add(Base(move=self._drive, read=self._pose))
         self._add_sensors(state)
-        self.add(
-            Speaker(
-                say=(lambda text: _send(link, Say(text))) if link.speaks else None,
-                tone=lambda hertz, milliseconds: _send(link, Tone(hertz, milliseconds)),
-            )
-        )
+        self.add(Speaker(say=self._say if link.speaks else None, tone=self._tone))
+        self.add(Screen(self._show if link.shows else None))
 
     def disconnect(self) -> None:
         if self._link:
@@ -76,8 +78,11 @@ class Robot(RealRobot[Settings]):
             self._link.check()
 
     def status(self) -> RobotStatus:
-        state = self._link.known if self._link else None
-        return RobotStatus(battery=state.battery if state else None)
+        link = self._link
+        if link is None:
+            return RobotStatus()
+        state = link.known
+        return RobotStatus(battery=state.battery if state else None, round_trip=link.round_trip)
 
     @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
@@ -99,11 +104,26 @@ class Robot(RealRobot[Settings]):
         if state.gyroscope is not None:
             self.add(Gyroscope(read=self._angle, reset=self._reset_angle), "Z_AXIS")
         if state.touch is not None:
-            self.add(Bumper(lambda: self._reading("touch") > 0))
+            self.add(Bumper(self._touched))
+
+    def _drive(self, adv: float, rot: float) -> None:
+        self._send(turns(adv, rot, self.settings.wheel_radius, self.settings.track))
+
+    def _say(self, text: str) -> None:
+        self._send(Say(text))
+
+    def _tone(self, hertz: float, milliseconds: float) -> None:
+        self._send(Tone(hertz, milliseconds))
+
+    def _show(self, text: str) -> None:
+        self._send(Show(text))
+
+    def _touched(self) -> bool:
+        return self._reading("touch") > 0
 
     def _pose(self) -> tuple[float, float, float]:
         self._now()
-        return self._odometry.pose
+        return self._counts.pose
 
     def _distances(self) -> dict[str, list[float]]:
         return {"front": [min(self._reading("ultrasonic"), NOTHING_SEEN)]}
@@ -128,7 +148,7 @@ class Robot(RealRobot[Settings]):
         assert self._link  # noqa: S101 - devices exist only with a link
         return self._link.latest()
 
-
-def _send(link: Link, word: Word) -> None:
-    """Send a command, and ignore the brick's state in the answer."""
-    link.say(word)
+    def _send(self, word: Word) -> None:
+        """Send a command, and ignore the brick's state in the answer."""
+        assert self._link  # noqa: S101 - devices exist only with a link
+        self._link.say(word)

@@ -51,4 +51,10 @@ class Say(NamedTuple):
     text: str
 
 
-Word = Look | Drive | Tone | Say
+class Show(NamedTuple):
+    """Show a text on the screen, instead of what was there; an empty one clears it."""
+
+    text: str
+
+
+Word = Look | Drive | Tone | Say | Show

@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 
+from learnblock.robots.ev3.screen import Font
+
 #: The size of the firmware's largest message in bytes.
 LARGEST = 1024
 WITH_REPLY, REPLY, REPLY_ERROR = 0x00, 0x02, 0x04
@@ -20,6 +22,8 @@ LAYER = b"\x00"
 OUTPUT_STOP, OUTPUT_TIME_SPEED, OUTPUT_GET_COUNT = b"\xa3", b"\xaf", b"\xb3"
 INPUT_TYPE_MODE, INPUT_READY_SI = b"\x99\x05", b"\x99\x1d"
 SOUND_TONE = b"\x94\x01"
+DRAW_UPDATE, DRAW_TEXT, DRAW_FONT = b"\x84\x00", b"\x84\x05", b"\x84\x11"
+DRAW_TOP_LINE, DRAW_WINDOW = b"\x84\x12", b"\x84\x13"
 
 #: The header of a command (length, counter, type, size of the reply), and that of a reply.
 _HEAD, _REPLY = struct.Struct("<HHBH"), struct.Struct("<HB")
@@ -108,6 +112,22 @@ def reading(port: int, mode: int) -> Query:
 def tone(hertz: int, milliseconds: int, volume: int = 50) -> bytes:
     """Play a tone."""
     return SOUND_TONE + number(volume) + number(hertz) + number(milliseconds)
+
+
+def text(letters: str) -> bytes:
+    """A constant text in ASCII."""
+    return b"\x84" + letters.encode("ascii") + b"\x00"
+
+
+def show(font: Font, lines: Sequence[str]) -> bytes:
+    """Show lines on an empty screen; without lines, show the menu's top line again."""
+    top_line = DRAW_TOP_LINE + number(not lines)
+    window = DRAW_WINDOW + number(0) + number(0) + number(0)
+    drawn = (
+        DRAW_TEXT + number(1) + number(0) + number(row * font.line) + text(line)
+        for row, line in enumerate(lines)
+    )
+    return b"".join([top_line, window, DRAW_FONT, number(font.number), *drawn, DRAW_UPDATE])
 
 
 def command(counter: int, orders: bytes, question: Question) -> bytes:

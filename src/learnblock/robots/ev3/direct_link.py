@@ -6,9 +6,10 @@ from time import monotonic
 
 from learnblock.errors import RobotConnectionError, RobotNotFoundError
 from learnblock.robots.ev3 import direct
-from learnblock.robots.ev3.brick import Drive, Say, State, Tone, Word
+from learnblock.robots.ev3.brick import Drive, Say, Show, State, Tone, Word
 from learnblock.robots.ev3.direct import Question
 from learnblock.robots.ev3.link import Link
+from learnblock.robots.ev3.screen import laid_out
 from learnblock.robots.ev3.settings import Settings
 from learnblock.robots.ev3.wires import open_wire
 
@@ -39,6 +40,8 @@ class DirectLink(Link):
         RobotNotFoundError: no such firmware answers.
         RobotConnectionError: a motor or sensor is missing at its port in the settings.
     """
+
+    shows = True
 
     def __init__(self, settings: Settings, on_state: Callable[[State], None]) -> None:
         super().__init__(settings.device or f"{settings.address}:{settings.direct_port}", on_state)
@@ -84,6 +87,8 @@ class DirectLink(Link):
                 return direct.tone(
                     round(min(max(hertz, 250), 10000)), round(min(max(milliseconds, 0), 32767))
                 )
+            case Show(text):
+                return direct.show(*laid_out(text))
             case Say():
                 raise RobotConnectionError("ev3-no-speech", place=self.place)
         return b""

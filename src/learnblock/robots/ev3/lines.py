@@ -7,7 +7,7 @@ from typing import TypeVar
 import msgspec
 
 from learnblock.errors import RobotBusyError, RobotConnectionError
-from learnblock.robots.ev3.brick import Drive, Look, Say, State, Tone, Word
+from learnblock.robots.ev3.brick import Drive, Look, Say, Show, State, Tone, Word
 from learnblock.robots.ev3.settings import Settings
 
 #: The maximum number of bytes of a line.
@@ -104,7 +104,8 @@ def spoken(word: Word) -> bytes:
             return _ENCODER.encode({"tone": [hertz, milliseconds]})
         case Say(text):
             return _ENCODER.encode({"say": text[:500]})
-        case Look():
+        case Look() | Show():
+            # The brick's own menu has the screen: links with the agent do not show.
             return b"{}"
 
 

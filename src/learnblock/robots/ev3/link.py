@@ -41,10 +41,14 @@ class Link(ABC):
         self._driven = 0.0
         self._state: State | None = None
         self._heard = 0.0
+        #: Seconds that the last exchange took; None before the first one.
+        self.round_trip: float | None = None
         self._thread = threading.Thread(target=self._keep_alive, name="ev3", daemon=True)
 
     #: Whether the brick can speak.
     speaks = False
+    #: Whether it can show text on its screen.
+    shows = False
 
     @abstractmethod
     def exchange(self, word: Word) -> State:
@@ -79,6 +83,7 @@ class Link(ABC):
             self.check()
             if self._closed.is_set():
                 raise RobotConnectionError("ev3-closed", place=self.place)
+            asked = monotonic()
             try:
                 state = self.exchange(self._due(word))
             except RobotConnectionError:
@@ -88,6 +93,7 @@ class Link(ABC):
                 self.check()
                 raise
             self._state, self._heard = state, monotonic()
+            self.round_trip = self._heard - asked
             self._on_state(state)
             return state
 

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from learnblock.devices import Base, Camera, Display, DistanceSensors, JointMotor
+from learnblock.devices import Base, Camera, Display, DistanceSensors, JointMotor, Screen
 from learnblock.ice.robocomp import Image, Layout
 from learnblock.robots.rcis.camera import Pictures
 from learnblock.robots.robocomp import RoboCompRobot, RoboCompSettings, by_side, in_range
@@ -32,6 +32,13 @@ class Robot(RoboCompRobot[Settings]):
     # In RCIS the servo turns the other way.
     servo_scale = -RoboCompRobot.servo_scale
 
+    #: The emotion that its screen shows when there is no text.
+    _emotion = "none"
+
+    @classmethod
+    def device_names(cls) -> frozenset[str]:
+        return super().device_names() | {"Screen:ROBOT"}
+
     def laser_ports(self) -> tuple[int, ...]:
         return self.settings.laser_ports
 
@@ -43,6 +50,7 @@ class Robot(RoboCompRobot[Settings]):
         self.add(Base(move=self.drive, read=self.pose))
         self.add(DistanceSensors(read=self._distances))
         self.add(Display(show_emotion=self._express))
+        self.add(Screen(self._write))
         self.add(Camera(read=self._look))
         self.add(JointMotor(move=self.tilt, read=self.tilted), "CAMERA")
 
@@ -59,6 +67,17 @@ class Robot(RoboCompRobot[Settings]):
         # Imported here so that OpenCV is loaded only with the first face.
         from learnblock.robots.rcis.face import draw_face  # noqa: PLC0415
 
-        face = draw_face(emotion)
-        height, width, depth = face.shape
-        self._display.ask("setImage", Image(width, height, depth, face.tobytes()))
+        self._emotion = emotion
+        self._show(draw_face(emotion))
+
+    def _write(self, text: str) -> None:
+        from learnblock.robots.rcis.face import draw_text  # noqa: PLC0415 - as above
+
+        if text:
+            self._show(draw_text(text))
+        else:
+            self._express(self._emotion)
+
+    def _show(self, picture: "Frame") -> None:
+        height, width, depth = picture.shape
+        self._display.ask("setImage", Image(width, height, depth, picture.tobytes()))

@@ -1,12 +1,15 @@
-"""Draws faces for RCIS's screen, which has no built-in faces."""
+"""Draws faces and texts for RCIS's screen, which has none built in."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
+from textwrap import wrap
 from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
+
+from learnblock.robots.plain_letters import in_ascii
 
 if TYPE_CHECKING:
     from learnblock.devices import Frame
@@ -14,6 +17,8 @@ if TYPE_CHECKING:
 WIDTH, HEIGHT = 480, 320
 """The size of EBO's screen."""
 _WHITE, _BLACK = (255, 255, 255), (0, 0, 0)
+_FONT = cv2.FONT_HERSHEY_SIMPLEX
+_TEXT_SCALES = (3.0, 2.0, 1.4, 1.0, 0.8)
 _EYES = (160, 320)
 _EYE_LEVEL, _BROW_LEVEL, _MOUTH_LEVEL = 140, 80, 235
 
@@ -61,6 +66,23 @@ def draw_face(emotion: str) -> "Frame":
     _draw_mouth(face, look)
     face.flags.writeable = False
     return face
+
+
+def draw_text(text: str) -> "Frame":
+    """A text in the largest letters with which it fits on the screen."""
+    for scale in _TEXT_SCALES:
+        (widest, _), _ = cv2.getTextSize("W", _FONT, scale, 2)
+        line, columns = int(40 * scale), (WIDTH - 20) // widest
+        lines = [part for one in in_ascii(text).splitlines() for part in wrap(one, columns)]
+        if len(lines) * line <= HEIGHT:
+            break
+    screen = np.full((HEIGHT, WIDTH, 3), 255, np.uint8)
+    top = (HEIGHT - len(lines) * line) // 2
+    for row, one in enumerate(lines):
+        (width, _), _ = cv2.getTextSize(one, _FONT, scale, 2)
+        place = (WIDTH - width) // 2, top + int((row + 0.75) * line)
+        cv2.putText(screen, one, place, _FONT, scale, _BLACK, 2, cv2.LINE_AA)
+    return screen
 
 
 def _draw_mouth(face: "Frame", look: _Look) -> None:

@@ -1,5 +1,6 @@
 """A component of a RoboComp robot."""
 
+from collections.abc import Callable
 from typing import Any
 
 from learnblock.errors import IceEncodingError, IceError, IceRefusedError, RobotConnectionError
@@ -18,10 +19,14 @@ class Component:
         robot: the robot's id.
         part: base, joint, laser, face, screen or camera.
         proxy: calls the component.
+        note: told the name of each operation that is called.
     """
 
-    def __init__(self, robot: str, part: str, proxy: Proxy) -> None:
+    def __init__(
+        self, robot: str, part: str, proxy: Proxy, note: Callable[[str], object] = str
+    ) -> None:
         self._proxy = proxy
+        self._note = note
         self._robot = robot
         self._part = part
 
@@ -36,6 +41,7 @@ class Component:
         Raises:
             RobotConnectionError: the component cannot be reached, or refuses the call.
         """
+        self._note(f"{self._proxy.identity}.{operation}")
         try:
             return self._proxy.call(operation, *values)
         except IceError as error:

@@ -65,6 +65,10 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
             }
         )
 
+    @classmethod
+    def abilities(cls) -> frozenset[str]:
+        return frozenset(f"DistanceSensors:{side}" for side in ("front", "left", "right"))
+
     def connect(self) -> None:
         self._ending = ExitStack()
         self._stopped = True
@@ -136,7 +140,7 @@ class RoboCompRobot(RealRobot[RoboCompT], Generic[RoboCompT]):
     def component(self, identity: str, part: str, port: int) -> Component:
         """Connect to one of the components; it is closed with the robot."""
         proxy = self.proxy(identity, self.settings, port, layout=self.layout)
-        component = Component(self.name(), part, proxy)
+        component = Component(self.name(), part, proxy, self.operations.note)
         self._ending.callback(component.close)
         component.check()
         return component

@@ -9,6 +9,8 @@ from learnblock.robots.simulated.worlds import (
     find_world,
     known_worlds,
     own_worlds,
+    robots_for,
+    world_of_data,
     worlds,
 )
 
@@ -23,5 +25,7 @@ __all__ = [
     "known_worlds",
     "own_worlds",
     "pace_factor",
+    "robots_for",
+    "world_of_data",
     "worlds",
 ]

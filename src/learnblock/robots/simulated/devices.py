@@ -1,7 +1,7 @@
 """The devices of simulated robots: one function for each type, built from a body in the world."""
 
 from collections.abc import Callable
-from functools import partial
+from functools import partial, wraps
 from typing import Any
 
 from learnblock.devices import (
@@ -21,11 +21,16 @@ from learnblock.devices import (
     Led,
     LightSensor,
     Matrix,
+    Pen,
     RGBLed,
+    Screen,
     Speaker,
 )
+from learnblock.senses import ABILITIES
 from learnblock.simulator import RobotBody
 
+#: What every robot has in a world, whatever it has in reality.
+WORLD_DEVICES = ("Pen:ROBOT", "Screen:ROBOT")
 #: Decimals of every reading: the last digits of sines differ between computers.
 DECIMALS = 3
 
@@ -36,7 +41,11 @@ def make_device(body: RobotBody, kind: str, key: str) -> Device:
 
 
 def _reading(read: Callable[[], Any]) -> Callable[[], Any]:
-    return lambda: _rounded(read())
+    @wraps(read)
+    def rounded() -> Any:
+        return _rounded(read())
+
+    return rounded
 
 
 def _rounded(value: Any) -> Any:
@@ -51,7 +60,8 @@ def _rounded(value: Any) -> Any:
 
 
 def _base(body: RobotBody, _key: str) -> Base:
-    return Base(move=body.drive, read=_reading(lambda: body.pose))
+    counts = body.description.wheels.encoders
+    return Base(body.drive, _reading(lambda: body.odometry) if counts else None)
 
 
 def _logged(body: RobotBody, device: str, action: str) -> Callable[..., None]:
@@ -59,8 +69,9 @@ def _logged(body: RobotBody, device: str, action: str) -> Callable[..., None]:
 
 
 def _speaker(body: RobotBody, _key: str) -> Speaker:
-    note = partial(_logged, body, "Speaker")
-    return Speaker(say=note("say"), play=note("play"), tone=note("tone"))
+    able = body.description.abilities()
+    actions = [one for one in ABILITIES["Speaker"] if f"Speaker:{one}" in able]
+    return Speaker(**{action: _logged(body, "Speaker", action) for action in actions})
 
 
 def _matrix(body: RobotBody, _key: str) -> Matrix:
@@ -87,6 +98,11 @@ def _rgb_led(body: RobotBody, key: str) -> RGBLed:
     return RGBLed(set_color=lambda red, green, blue: body.set_led(key, (red, green, blue)))
 
 
+def _pen(body: RobotBody, _key: str) -> Pen:
+    pen = body.pen
+    return Pen(set=pen.set, set_color=pen.set_color, set_width=pen.set_width, clear=pen.clear)
+
+
 def _joint(body: RobotBody, key: str) -> JointMotor:
     return JointMotor(move=partial(body.set_joint, key), read=_reading(partial(body.joint, key)))
 
@@ -107,6 +123,8 @@ _MAKERS: dict[str, Callable[[RobotBody, str], Device]] = {
     "LightSensor": lambda body, _: LightSensor(_reading(body.light)),
     "MP3": _mp3,
     "Matrix": _matrix,
+    "Pen": _pen,
     "RGBLed": _rgb_led,
+    "Screen": lambda body, _: Screen(body.show_text),
     "Speaker": _speaker,
 }

@@ -1,33 +1,66 @@
 """Pictures of runs on simulated robots."""
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from learnblock.client import Client
 from learnblock.errors import LearnBlockError
 from learnblock.robots.simulated.robot import SimulatedRobot
 from learnblock.runtime.trace import Recorder
 
+if TYPE_CHECKING:
+    from learnblock.simulator.picture import Drive
 
-def draw(robot: Client, recorder: Recorder, path: Path, title: str) -> None:
-    """Draw a run on a simulated robot, as .png or .svg.
+
+def draw(drawn: Mapping[str, tuple[Client, Recorder]], path: Path, title: str) -> None:
+    """Draw a run on simulated robots in one world, as .png or .svg.
+
+    Args:
+        drawn: the robots with what they did, by name.
+        path: the file of the picture.
+        title: the title.
 
     Raises:
-        LearnBlockError: the robot is not simulated.
+        LearnBlockError: there is no simulated robot.
     """
-    if not isinstance(robot, SimulatedRobot):
-        raise LearnBlockError("world-not-drawable")
     from learnblock.simulator.picture import Scene, draw_png, draw_svg  # noqa: PLC0415 - optional
 
+    twins = {
+        name: (robot, recorder)
+        for name, (robot, recorder) in drawn.items()
+        if isinstance(robot, SimulatedRobot)
+    }
+    if not twins:
+        raise LearnBlockError("world-not-drawable")
+    named = len(drawn) > 1
     scene = Scene(
-        world=robot.simulation.world.description,
+        world=next(iter(twins.values()))[0].simulation.world.description,
+        drives=tuple(_drive(name if named else "", *twin) for name, twin in twins.items()),
+        title=title,
+    )
+    picture = draw_svg(scene).encode() if path.suffix == ".svg" else draw_png(scene)
+    path.write_bytes(picture)
+
+
+def _drive(name: str, robot: SimulatedRobot, recorder: Recorder) -> "Drive":
+    from learnblock.simulator.picture import Drive  # noqa: PLC0415 - as above
+
+    drawing = robot.simulation.world.drawing
+    strokes = tuple(stroke for stroke in drawing.strokes if stroke.robot == robot.name)
+    return Drive(
         body=robot.body.description.body,
         path=tuple((time, *pose) for time, pose in recorder.path),
         marks=tuple(
-            (mark.time, mark.kind, mark.text, mark.pose[0], mark.pose[1])
+            # Where a robot's path ends, its name is shown.
+            (mark.time, mark.kind, _named(name, mark.kind, mark.text), mark.pose[0], mark.pose[1])
             for mark in recorder.marks
-            if mark.pose
+            # Texts would cover a drawing.
+            if mark.pose and not (strokes and mark.kind == "text")
         ),
-        title=title,
+        strokes=strokes,
     )
-    drawn = draw_svg(scene).encode() if path.suffix == ".svg" else draw_png(scene)
-    path.write_bytes(drawn)
+
+
+def _named(name: str, kind: str, text: str) -> str:
+    return f"{name}: {text}" if name and kind == "end" else text

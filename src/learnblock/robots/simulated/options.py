@@ -39,6 +39,17 @@ def chosen_seed(seed: int | None) -> int:
         raise DeviceValueError("world-bad-seed", seed=str(chosen)) from None
 
 
+def chosen_variant(variant: int | None) -> int:
+    chosen = os.environ.get("LEARNBLOCK_VARIANT") or 0 if variant is None else variant
+    try:
+        number = int(chosen)
+    except ValueError:
+        number = -1
+    if number < 0:
+        raise DeviceValueError("world-bad-variant", variant=str(chosen))
+    return number
+
+
 def chosen_start(start: Sequence[float] | None) -> Pose | None:
     if start is None:
         return None

@@ -12,15 +12,27 @@ from typing import Any, ClassVar, Self
 from learnblock.client import Client, Goal, Outcome, Witness
 from learnblock.client.clock import Clock
 from learnblock.devices import Pose
-from learnblock.robots.simulated.devices import make_device
-from learnblock.robots.simulated.options import chosen_pace, chosen_seed, chosen_start
+from learnblock.robots.simulated.devices import WORLD_DEVICES, make_device
+from learnblock.robots.simulated.options import (
+    chosen_pace,
+    chosen_seed,
+    chosen_start,
+    chosen_variant,
+)
 from learnblock.robots.simulated.simulation import Simulation, WorldClock
-from learnblock.robots.simulated.worlds import find_world
+from learnblock.robots.simulated.worlds import described_world, find_world
 from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.pacing import Pacing
 from learnblock.runtime.standalone import trace_main_program
 from learnblock.runtime.usertime import use_robot_time
-from learnblock.simulator import GoalState, RobotBody, RobotDescription, World, load_robot
+from learnblock.simulator import (
+    GoalState,
+    RobotBody,
+    RobotDescription,
+    World,
+    load_robot,
+    make_variant,
+)
 
 
 class SimulatedRobot(Client):
@@ -41,6 +53,8 @@ class SimulatedRobot(Client):
         seed: the seed of all noise; by default ``LEARNBLOCK_SEED``, else 0.
         pace: ``"free"``, ``"real"`` or a factor of real time; by default ``LEARNBLOCK_PACE``, else
             free.
+        variant: the number of the world's variant; by default ``LEARNBLOCK_VARIANT``, else 0, the
+            world as it is drawn.
         start: (x mm, y mm, heading in degrees) where it starts; by default a start pose of the
             world.
         simulation: a world that its host advances.
@@ -48,11 +62,12 @@ class SimulatedRobot(Client):
 
     Raises:
         UnknownNameError: there is no such world.
-        WorldError: the world's file is invalid.
-        DeviceValueError: the seed or pace is invalid.
+        WorldError: the world's file is invalid, or has no such variant.
+        DeviceValueError: the seed, the pace or the variant is invalid.
     """
 
     lockstep = True
+    sees_drawn_faces = True
     #: The name of the robot's description.
     description_name: ClassVar[str]
 
@@ -62,6 +77,7 @@ class SimulatedRobot(Client):
         world: str | None = None,
         seed: int | None = None,
         pace: str | float | None = None,
+        variant: int | None = None,
         start: Pose | None = None,
         simulation: Simulation | None = None,
         name: str = "robot",
@@ -70,9 +86,12 @@ class SimulatedRobot(Client):
         self.start = chosen_start(start)
         self._restore_time: Callable[[], None] | None = None
         self._end_trace: Callable[[], None] | None = None
-        self.simulation = simulation or self.make_simulation(world=world, seed=seed, pace=pace)
+        self.simulation = simulation or self.make_simulation(
+            world=world, seed=seed, pace=pace, variant=variant
+        )
         clock: Clock = WorldClock(self.simulation) if simulation else self._own_clock()
-        super().__init__(clock=clock)
+        # A host calls no skills, and attaches those that something else may call.
+        super().__init__(skills=() if simulation else None, clock=clock)
         if simulation is None:
             self._hold_the_program()
 
@@ -83,7 +102,11 @@ class SimulatedRobot(Client):
 
     @classmethod
     def device_names(cls) -> frozenset[str]:
-        return frozenset(cls.description().devices())
+        return frozenset((*cls.description().devices(), *WORLD_DEVICES))
+
+    @classmethod
+    def abilities(cls) -> frozenset[str]:
+        return cls.description().abilities()
 
     @classmethod
     def make_simulation(
@@ -92,17 +115,20 @@ class SimulatedRobot(Client):
         world: str | None = None,
         seed: int | None = None,
         pace: str | float | None = None,
+        variant: int | None = None,
     ) -> Simulation:
         """The world for such a robot, from arguments, environment or defaults."""
         chosen = world or os.environ.get("LEARNBLOCK_WORLD") or cls.description().world
-        description = find_world(chosen)
+        description = make_variant(find_world(chosen), chosen_variant(variant))
         return Simulation(World(description, seed=chosen_seed(seed)), Pacing(chosen_pace(pace)))
 
     @cached_property
     def body(self) -> RobotBody:
-        """The robot in its world."""
+        """The robot in its world, where its host may have put it."""
         world = self.simulation.world
-        return world.add_robot(self.description(), name=self.name, start=self.start)
+        return world.robots.get(self.name) or world.add_robot(
+            self.description(), name=self.name, start=self.start
+        )
 
     @classmethod
     def check_wishes(cls, wishes: Mapping[str, Any]) -> None:
@@ -121,9 +147,15 @@ class SimulatedRobot(Client):
     def conditions(self) -> dict[str, object]:
         world = self.simulation.world
         named = {"world": world.description.name, "seed": world.seed}
+        if world.description.variant:
+            named["variant"] = world.description.variant
         # Only if it was chosen; otherwise the world decides.
         start = {} if self.start is None else {"start": list(self.start)}
         return {**super().conditions(), **named, **start}
+
+    def surroundings(self) -> Mapping[str, object]:
+        world = self.simulation.world.description
+        return {"world": described_world(world)}
 
     def where(self) -> Pose:
         return self.body.pose
@@ -141,12 +173,15 @@ class SimulatedRobot(Client):
         )
 
     def connect(self) -> None:
-        names = (name.partition(":") for name in self.body.description.devices())
+        devices = (*self.body.description.devices(), *WORLD_DEVICES)
+        names = (name.partition(":") for name in devices)
         # The first device of a type, which skills use by default, is the first of the file.
         for kind, _, key in sorted(names, key=itemgetter(0)):
             self.add(make_device(self.body, kind, key), key)
 
     def disconnect(self) -> None:
+        if self.name in self.simulation.world.robots:
+            self.simulation.finish(self.name)
         if self._restore_time:
             self._restore_time()
         if self._end_trace:

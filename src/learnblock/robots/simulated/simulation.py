@@ -3,12 +3,14 @@
 import threading
 
 from learnblock.client import Witness
-from learnblock.devices import Pose
 from learnblock.runtime.pacing import Pacing
 from learnblock.simulator import World, WorldEvent
 
 #: Steps between two entries of a robot's path: 0.1 s.
 STEPS_PER_POSE = 10
+#: Decimals of a pose at which a hand puts a robot down: those of the trace, so that the world can
+#: be run again exactly.
+_DECIMALS = 3
 
 
 class Simulation:
@@ -28,7 +30,6 @@ class Simulation:
         self.lock = threading.RLock()
         #: Receive the poses of a robot, by its name, and the world's goals.
         self.witnesses: dict[str, Witness] = {}
-        self._placed: list[tuple[str, float, Pose]] = []
 
     @property
     def steps(self) -> int:
@@ -47,7 +48,8 @@ class Simulation:
             given_up: ends this early, see `Pacing.wait`.
         """
         while self.world.steps < step:
-            self.pacing.wait(self.world.time, given_up)
+            if not self.pacing.is_free:
+                self.pacing.wait(self.world.time, given_up)
             if given_up and given_up.is_set():
                 return
             with self.lock:
@@ -60,26 +62,69 @@ class Simulation:
         Raises:
             ValueError: one of them is not a finite number.
         """
+        pose = round(x, _DECIMALS), round(y, _DECIMALS), round(heading, _DECIMALS)
         with self.lock:
-            self.world.robots[name].place(x, y, heading)
-            # Reported with the next step, because only one thread writes a trace.
-            self._placed.append((name, self.world.time, (x, y, heading)))
+            self.world.robots[name].place(*pose)
+            # At once: the trace has it in its place among the commands of this moment.
+            if name in self.witnesses:
+                self.witnesses[name].placed(self.world.time, pose)
+
+    def handle(self, name: str, how: str) -> None:
+        """Shake or tilt a robot; may be called from any thread.
+
+        Args:
+            name: the robot.
+            how: see `RobotBody.handle`.
+        """
+        with self.lock:
+            self.world.robots[name].handle(how)
+            if name in self.witnesses:
+                self.witnesses[name].handled(self.world.time, how)
+
+    def finish(self, name: str) -> None:
+        """Note that a robot's program has ended, so that it stays where it is."""
+        with self.lock:
+            self.world.finish(name)
+            self._report_goals()
+            self._report_drawing()
 
     def _report(self) -> None:
-        for name, time, pose in self._placed:
-            if name in self.witnesses:
-                self.witnesses[name].placed(time, pose)
-        self._placed.clear()
-        for event in self.world.take_events():
-            self._report_goal(event)
-        if self.world.steps % STEPS_PER_POSE == 0:
+        world = self.world
+        if world.has_events:
+            self._report_goals()
+        if world.drawing.ended or world.drawing.unable:
+            self._report_drawing()
+        if world.steps % STEPS_PER_POSE == 0:
             for name, witness in self.witnesses.items():
                 witness.pose(self.world.time, self.world.robots[name].pose)
 
+    def _report_goals(self) -> None:
+        for event in self.world.take_events():
+            if event.kind == "collision":
+                self._report_collision(event)
+            else:
+                self._report_goal(event)
+
+    def _report_drawing(self) -> None:
+        drawing, time = self.world.drawing, self.world.time
+        for stroke in drawing.ended:
+            if stroke.robot in self.witnesses:
+                self.witnesses[stroke.robot].stroke(
+                    time, stroke.points, stroke.colour, stroke.width
+                )
+        for name in drawing.unable:
+            if name in self.witnesses:
+                self.witnesses[name].drawing_full(time)
+        drawing.ended.clear()
+        drawing.unable.clear()
+
+    def _report_collision(self, event: WorldEvent) -> None:
+        for robot, thing in ((event.subject, event.other), (event.other, event.subject)):
+            if robot in self.witnesses:
+                self.witnesses[robot].collision(event.time, thing)
+
     def _report_goal(self, event: WorldEvent) -> None:
-        kind, _, state = event.kind.partition("-")
-        if kind != "goal":
-            return
+        _, _, state = event.kind.partition("-")
         for name, witness in self.witnesses.items():
             # A missed goal was missed by all robots.
             if event.other in ("", name):

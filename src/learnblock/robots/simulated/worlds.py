@@ -1,12 +1,17 @@
 """All worlds: built in, in the user's folder and from plugins."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import Any
+
+import msgspec
+from msgspec import structs
 
 from learnblock.errors import Diagnostic, UnknownNameError, WorldError
 from learnblock.i18n import Phrase
-from learnblock.simulator import WorldDescription, load_world, world_names
+from learnblock.simulator import WorldDescription, WorldFile, load_world, read_world, world_names
+from learnblock.storage import installed
 from learnblock.storage.files import is_device_name
 from learnblock.storage.home import home
 
@@ -38,6 +43,39 @@ def known_worlds() -> tuple[str, ...]:
     return world_names(folders=(own_worlds(), *_plugin_worlds()))
 
 
+def robots_for(world: WorldDescription) -> int:
+    """How many robots a world is for."""
+    needs_others = any(goal.together or goal.alone or goal.robot for goal in world.goal.reach)
+    # Some worlds for one robot have a place for a second one.
+    return len(world.start) if needs_others or len(world.start) > 2 else 1
+
+
+def described_world(world: WorldDescription) -> dict[str, Any]:
+    """A world as plain data, without the folder of its picture."""
+    data: dict[str, Any] = msgspec.to_builtins(structs.replace(world, folder=""))
+    return data
+
+
+def world_of_data(data: Mapping[str, Any]) -> WorldDescription:
+    """The world that `described_world` described, perhaps on another computer.
+
+    Its floor's picture, which is not part of the data, is that of the same world here.
+
+    Raises:
+        WorldError: the data is not a world.
+        UnknownNameError: its floor has a picture, and there is no such world here.
+    """
+    values = {name: value for name, value in data.items() if name in WorldFile.__struct_fields__}
+    name, variant = str(data.get("name", "world")), data.get("variant", 0)
+    has_picture = bool((data.get("floor") or {}).get("picture"))
+    folder = find_world(name).folder if has_picture else ""
+    world = read_world(values, Path(folder))
+    fields = {field: getattr(world, field) for field in WorldFile.__struct_fields__}
+    return WorldDescription(
+        name=name, folder=folder, variant=variant if isinstance(variant, int) else 0, **fields
+    )
+
+
 def own_worlds() -> Path:
     """The folder of the user's worlds, which may not exist."""
     return home() / "worlds"
@@ -55,10 +93,9 @@ def check_file_name(name: str) -> None:
 
 def _plugin_worlds() -> Iterator[Path]:
     """The folders of the packages named by entry points of the group ``learnblock.worlds``."""
-    from importlib.metadata import entry_points  # noqa: PLC0415 - see `find_world`
     from importlib.util import find_spec  # noqa: PLC0415
 
-    for point in entry_points(group="learnblock.worlds"):
+    for point in installed.entry_points("learnblock.worlds"):
         found = find_spec(point.module)
         if found and found.submodule_search_locations:
             yield Path(found.submodule_search_locations[0])

@@ -24,6 +24,7 @@ from learnblock.devices import (
     Speaker,
 )
 from learnblock.robots import settings as user_settings
+from learnblock.robots.calibration import Calibration
 from learnblock.robots.real import RealRobot
 from learnblock.robots.thymio import equipment, finding, opening, units
 from learnblock.robots.thymio.link import Link
@@ -38,6 +39,7 @@ class Robot(RealRobot[ThymioSettings]):
 
     settings_type = ThymioSettings
     model = "thymio"
+    calibration = Calibration(distance="speed_unit", angle="track")
     # Thymio Suite and simulators; the cable and the radio's dongle.
     rights = Rights(network=True, devices=("/dev/ttyACM*", "/dev/ttyUSB*"))
     _link: Link | None = None
@@ -50,16 +52,23 @@ class Robot(RealRobot[ThymioSettings]):
         return frozenset(lamps | {f"{kind}:ROBOT" for kind in kinds.split()})
 
     @classmethod
+    def abilities(cls) -> frozenset[str]:
+        return frozenset(
+            [f"DistanceSensors:{side}" for side in ("front", "left", "right", "back")]
+            + ["GroundSensors:line", "Speaker:play", "Speaker:tone"]
+        )
+
+    @classmethod
     def scan(cls, seconds: float) -> Iterator[Mapping[str, Any]]:
         yield from finding.scan(user_settings.load(cls.name(), ThymioSettings), seconds)
 
     def connect(self) -> None:
         link = self._link = opening.open_link(self.settings)
-        motors = self._motors = Motors(link)
-        self.add(Base(partial(self._move, motors)))
-        self.add(DistanceSensors(lambda: units.distances(link.read("prox.horizontal"))))
-        self.add(GroundSensors(lambda: units.ground(link.read("prox.ground.delta"))))
-        self.add(Accelerometer(lambda: units.acceleration(link.read("acc"))))
+        motors = self._motors = Motors(link, self.settings.track, self.settings.speed_unit)
+        self.add(Base(partial(self._move, motors), motors.pose))
+        self.add(DistanceSensors(partial(self._distances, link)))
+        self.add(GroundSensors(partial(self._ground, link)))
+        self.add(Accelerometer(partial(self._acceleration, link)))
         self.add(Controller(partial(equipment.buttons, link)))
         self.add(Speaker(play=partial(equipment.play, link), tone=partial(equipment.tone, link)))
         lamps = {slot: equipment.Lamp(link, event) for slot, event in equipment.SLOTS.items()}
@@ -81,3 +90,12 @@ class Robot(RealRobot[ThymioSettings]):
     def _move(self, motors: Motors, adv: float, rot: float) -> None:
         track, unit = self.settings.track, self.settings.speed_unit
         motors.drive(*units.wheels(adv, rot, track=track, unit=unit))
+
+    def _distances(self, link: Link) -> dict[str, list[float]]:
+        return units.distances(link.read("prox.horizontal"))
+
+    def _ground(self, link: Link) -> dict[str, float | None]:
+        return units.ground(link.read("prox.ground.delta"))
+
+    def _acceleration(self, link: Link) -> tuple[float, float, float]:
+        return units.acceleration(link.read("acc"))

@@ -1,14 +1,19 @@
-"""A Thymio's motors, which need their command repeatedly."""
+"""A Thymio's motors, which need their command repeatedly, and the way that they have driven."""
 
 import threading
 from contextlib import suppress
+from time import monotonic
 
+from learnblock.devices import Pose
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.thymio.link import Link
 from learnblock.robots.thymio.program import DRIVE
+from learnblock.wheels import Odometry, Wheels
 
 #: Seconds between two commands; without one the robot stops after `program.LIVES` ticks.
 REPEATING = 0.1
+#: Seconds between two looks at the wheels' speeds.
+COUNTING = 0.02
 #: Seconds to wait for the robot to stop before the connection is closed.
 STANDING = 0.3
 
@@ -16,13 +21,21 @@ STANDING = 0.3
 class Motors:
     """Repeats the last command, because the robot's watchdog would otherwise stop it.
 
+    Between two commands it adds up the speeds that the motors measure, which gives the pose.
+
     Args:
         link: the link to the robot.
+        track: mm between the wheels.
+        unit: mm/s of a wheel at motor speed 1.
     """
 
-    def __init__(self, link: Link) -> None:
+    def __init__(self, link: Link, track: float, unit: float) -> None:
         self._link = link
+        self._unit = unit
         self._speeds = (0, 0)
+        self._odometry = Odometry(track)
+        self._counted: tuple[float, Wheels] = (monotonic(), (0.0, 0.0))
+        self._counting = threading.Lock()
         # A stop must not be overtaken by the repetition of an earlier command.
         self._telling = threading.Lock()
         self._closed = threading.Event()
@@ -47,6 +60,16 @@ class Motors:
                 self._speeds = left, right
                 self._link.tell(DRIVE, left, right)
 
+    def pose(self) -> Pose:
+        """The pose by the measured speeds, relative to the start of the connection.
+
+        Raises:
+            RobotConnectionError: the connection is lost.
+        """
+        with self._counting:
+            self._count()
+            return self._odometry.pose
+
     def close(self) -> None:
         """Stop repeating, and wait briefly for the robot to stop."""
         self._closed.set()
@@ -60,12 +83,29 @@ class Motors:
         return targets == (0, 0)
 
     def _repeat(self) -> None:
-        while not self._closed.wait(REPEATING):
+        told = monotonic()
+        while not self._closed.wait(COUNTING):
             try:
-                self._tell_again()
+                with self._counting:
+                    self._count()
+                if monotonic() - told >= REPEATING:
+                    told = monotonic()
+                    self._tell_again()
             except RobotConnectionError:
                 # The next use of the robot raises it again; without commands it stops.
                 return
+
+    def _count(self) -> None:
+        """Process the way since the last look, at the mean of both speeds."""
+        since, (left_before, right_before) = self._counted
+        now = monotonic()
+        (left,), (right,) = (
+            self._link.read("motor.left.speed"),
+            self._link.read("motor.right.speed"),
+        )
+        scale = self._unit * (now - since) / 2
+        self._odometry.roll((left_before + left) * scale, (right_before + right) * scale)
+        self._counted = now, (left, right)
 
     def _tell_again(self) -> None:
         with self._telling:

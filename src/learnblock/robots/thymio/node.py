@@ -21,6 +21,8 @@ READ: Mapping[str, int] = {
     "prox.ground.delta": 2,
     "motor.left.target": 1,
     "motor.right.target": 1,
+    "motor.left.speed": 1,
+    "motor.right.speed": 1,
     "acc": 3,
 }
 

@@ -18,6 +18,7 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Trace, record
 from learnblock.simulator import World, load_world
+from runs import run_file
 
 TWINS = ("sim-ebo", "sim-thymio", "sim-ev3", "sim-cozmo")
 
@@ -48,6 +49,36 @@ def test_a_gyroscope_turns_with_the_robot_and_can_be_reset():
         robot.device(Gyroscope, "Z_AXIS").reset()
         robot.forget_readings()
         assert abs(robot.read(Gyroscope, "Z_AXIS")) < 1
+
+
+def test_a_pen_draws_on_the_floor_and_its_stroke_is_in_the_trace(tmp_path):
+    source = tmp_path / "line.bt"
+    source.write_text(
+        "main:\n    function.pen_down()\n    function.drive_distance(100)\n"
+        "    function.pen_up()\n    function.sleep(0.1)\nend\n"
+    )
+    finished = run_file(source, "sim-ev3", world="empty")
+    (stroke,) = finished.entries("stroke")
+    assert stroke["stroke"][0] == [0, 0]
+    assert 95 < stroke["stroke"][-1][0] < 105
+    assert (stroke["color"], stroke["width"]) == ([25, 70, 215], 6)
+
+
+def test_a_text_is_on_the_screen_until_the_next_emotion():
+    with Cozmo(world="empty") as robot:
+        robot.show_text("hello")
+        assert robot.body.text == "hello"
+        robot.expressJoy()
+        assert robot.body.text == ""
+
+
+def test_a_text_beside_a_robot_stays_when_its_lamps_show_an_emotion():
+    with robots.find("sim-thymio").load()(world="empty") as robot:
+        robot.show_text("hello")
+        robot.expressJoy()
+        assert robot.body.text == "hello"
+        robot.clear_screen()
+        assert robot.body.text == ""
 
 
 def test_commands_without_another_effect_are_logged():
@@ -165,3 +196,10 @@ def test_programs_of_one_world_leave_the_same_trace_every_time():
         return trace.sha256, [body.pose for body in simulation.world.robots.values()]
 
     assert run_three() == run_three()
+
+
+def test_a_twin_in_the_world_of_its_host_attaches_a_skill_when_it_is_called():
+    with Ebo(simulation=Simulation(World(load_world("empty")))) as robot:
+        assert "move_straight" not in vars(robot)
+        robot.move_straight()
+        assert robot.device(Base).speed == (40.0, 0.0)

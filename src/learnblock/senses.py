@@ -1,0 +1,100 @@
+"""The senses that programs use, and the devices that can serve each of them.
+
+A program asks whether there is a line on the left; whether a camera or a sensor under the robot
+answers depends on the robot. This table is what checks, lists of skills and running programs share.
+
+A need is a device (``Camera``, ``JointMotor:CAMERA``) or an ability that not every device of its
+type has (``DistanceSensors:front``, ``Speaker:say``).
+"""
+
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
+from itertools import chain
+
+#: The needs that can serve each sense, best first.
+SENSES: Mapping[str, tuple[str, ...]] = {
+    "heading": ("Gyroscope:Z_AXIS", "Base"),
+    "black-line": ("Camera", "GroundSensors:line"),
+    "red-line": ("Camera",),
+    "blue-line": ("Camera",),
+    "ground-line": ("GroundSensors:line", "Camera"),
+    "obstacle-front": ("DistanceSensors:front", "Bumper"),
+    "obstacle-left": ("DistanceSensors:left",),
+    "obstacle-right": ("DistanceSensors:right",),
+    "obstacle-back": ("DistanceSensors:back",),
+    "brightness": ("LightSensor", "Camera"),
+    "shaking": ("Accelerometer",),
+    "tilting": ("Accelerometer",),
+    "text-display": ("Matrix", "Screen"),
+}
+
+#: Devices that can serve for another one with the same key: a coloured LED can be white, too.
+STAND_INS: Mapping[str, str] = {"Led": "RGBLed"}
+
+#: The abilities that not every device of a type has.
+ABILITIES: Mapping[str, tuple[str, ...]] = {
+    "Camera": ("emotions",),
+    "DistanceSensors": ("front", "left", "right", "back"),
+    "GroundSensors": ("line",),
+    "Speaker": ("say", "play", "tone"),
+}
+
+#: What a program can do without, if it is missing: it only decorates. A robot that can't tilt its
+#: camera sees only what is ahead, and a robot without a camera has nothing to tilt.
+DECORATIONS = frozenset(
+    (
+        "Animator",
+        "Display",
+        "JointMotor:CAMERA",
+        "Led",
+        "MP3",
+        "Matrix",
+        "RGBLed",
+        "Screen",
+        "Speaker",
+    )
+)
+
+
+#: The devices that none of LearnBlock's robots has; those of users and plugins can have them.
+UNSERVED = frozenset(("Infrared", "LightSensor", "MP3", "Matrix"))
+
+
+def equipment(devices: Iterable[str], abilities: frozenset[str] | None) -> frozenset[str]:
+    """The devices of a robot, their types and their abilities, any of which may be a need.
+
+    Args:
+        devices: such as ``Camera:ROBOT``.
+        abilities: such as ``Speaker:say``; None if its devices have every ability.
+    """
+    names = frozenset(devices)
+    types = {name.partition(":")[0] for name in names}
+    if abilities is None:
+        every = ((f"{kind}:{one}" for one in ABILITIES.get(kind, ())) for kind in types)
+        return names | types | frozenset(chain.from_iterable(every))
+    return names | types | {one for one in abilities if one.partition(":")[0] in types}
+
+
+@lru_cache(maxsize=1000)
+def served_by(need: str, equipment: frozenset[str]) -> str | None:
+    """What serves a sense on a robot, or the need itself if the robot has it; None if nothing does.
+
+    >>> served_by("heading", frozenset({"Base"}))
+    'Base'
+    >>> served_by("Camera", frozenset({"Base"}))
+    """
+    kind, colon, key = need.partition(":")
+    stand_in = (f"{STAND_INS[kind]}{colon}{key}",) if kind in STAND_INS else ()
+    ways = SENSES.get(need, (need, *stand_in))
+    return next((way for way in ways if way in equipment), None)
+
+
+def is_decoration(need: str) -> bool:
+    """Whether a program without this sense or device loses nothing but decoration.
+
+    >>> is_decoration("Speaker:say"), is_decoration("Base")
+    (True, False)
+    """
+    if need in SENSES:
+        return all(map(is_decoration, SENSES[need]))
+    return need in DECORATIONS or need.partition(":")[0] in DECORATIONS

@@ -1,0 +1,88 @@
+"""Notes, by name and in beats."""
+
+import re
+from typing import TYPE_CHECKING
+
+from learnblock.devices import Speaker, number
+from learnblock.errors import UnknownNameError
+
+if TYPE_CHECKING:
+    from learnblock.client import Client
+
+#: The notes in a block's menu; others of the same form can be played as well.
+NOTES = tuple(
+    f"{name}{octave}"
+    for octave in (3, 4, 5, 6)
+    for name in (
+        *("C", "C#", "Db", "D", "D#", "Eb", "E", "F", "F#", "Gb"),
+        *("G", "G#", "Ab", "A", "A#", "Bb", "B"),
+    )
+)
+#: Beats per minute.
+SLOWEST, FASTEST = 20, 500
+
+_NOTE = re.compile(r"([A-G])([#b]?)([0-8])")
+_SEMITONES = {"C": 0, "D": 2, "E": 4, "F": 5, "G": 7, "A": 9, "B": 11}
+_ACCIDENTALS = {"": 0, "#": 1, "b": -1}
+#: The rest of a note's time is silent, so that equal notes are heard one after the other.
+_SOUNDING = 0.9
+
+
+def play_note(robot: "Client", note: str = "C4", beats: float = 1) -> None:
+    """Play a note, then continue with the program.
+
+    A robot without a loudspeaker waits as long.
+
+    Args:
+        note: the English name with the octave, from C0 to B8: C4 is middle C (do), F#4 is higher
+            and Bb3 lower by a semitone.
+        beats: how long; `set_tempo` sets how long a beat is.
+
+    Raises:
+        UnknownNameError: there is no such note.
+    """
+    seconds = _seconds(robot, beats)
+    hertz = _frequency(note)
+    speaker = robot.device(Speaker)
+    if speaker is not None and not speaker.tone(hertz, round(1000 * seconds * _SOUNDING, 3)):
+        robot.note_missing("Speaker:tone")
+    robot.clock.sleep(seconds)
+
+
+def rest(robot: "Client", beats: float = 1) -> None:
+    """Stay silent, then continue with the program.
+
+    Args:
+        beats: how long; `set_tempo` sets how long a beat is.
+    """
+    robot.clock.sleep(_seconds(robot, beats))
+
+
+def set_tempo(robot: "Client", bpm: float = 120) -> None:
+    """Set how fast notes are played; without this it is 120 beats per minute.
+
+    Args:
+        bpm: beats per minute, 20 to 500.
+    """
+    robot.tempo = min(max(number("bpm", bpm), SLOWEST), FASTEST)
+
+
+def _frequency(note: str) -> float:
+    """The frequency of a note in hertz, in equal temperament with A4 at 440 Hz.
+
+    >>> _frequency("A4"), _frequency("C4")
+    (440.0, 261.63)
+
+    Raises:
+        UnknownNameError: there is no such note.
+    """
+    found = _NOTE.fullmatch(note) if isinstance(note, str) else None
+    if found is None:
+        raise UnknownNameError("note", str(note), NOTES)
+    name, accidental, octave = found.groups()
+    semitones = _SEMITONES[name] + _ACCIDENTALS[accidental] + 12 * (int(octave) - 4)
+    return float(round(440 * 2 ** ((semitones - _SEMITONES["A"]) / 12), 2))
+
+
+def _seconds(robot: "Client", beats: float) -> float:
+    return max(0.0, number("beats", beats)) * 60 / robot.tempo
