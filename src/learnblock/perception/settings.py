@@ -18,23 +18,20 @@ ComponentAddress = Annotated[
     Meta(
         pattern=rf"^([\w.-]{{1,253}}:{_PORT})?\Z",
         max_length=259,
-        description="HOST:PORT of a component to use; empty for LearnBlock's own detector",
+        description="perception-setting-component",
     ),
 ]
 PictureLayout = Annotated[
     Literal["auto", "rows", "columns"],
-    Meta(
-        description="meaning of a picture's width for components: rows (RoboComp's), columns or"
-        " auto"
-    ),
+    Meta(description="perception-setting-layout"),
 ]
 WebcamChoice = Annotated[
     Annotated[int, Meta(ge=0, le=63)] | Literal["none"],
-    Meta(description="this computer's webcam to use as an extra camera: 0 is the first one"),
+    Meta(description="perception-setting-webcam"),
 ]
 Video = Annotated[
     str,
-    Meta(max_length=4096, description="a video file to use in place of the webcam; empty for none"),
+    Meta(max_length=4096, description="perception-setting-video"),
 ]
 
 
@@ -43,7 +40,7 @@ class PerceptionSettings(Settings, frozen=True):
 
     emotions_on_cameras: Annotated[
         bool,
-        Meta(description="recognise emotions on real cameras; the law may forbid it"),
+        Meta(description="perception-setting-emotions"),
     ] = False
     apriltag: ComponentAddress = ""
     emotionrecognition: ComponentAddress = ""

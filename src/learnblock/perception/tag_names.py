@@ -12,6 +12,8 @@ from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 
+from greenlet import getcurrent, greenlet
+
 from learnblock.errors import Diagnostic, TagNamesError, TagNumberError, UnknownNameError
 from learnblock.i18n import Phrase
 from learnblock.storage.files import save
@@ -26,18 +28,25 @@ LARGEST = 256 * 1024
 #: The name in a line of TOML or CSV.
 _NAME = re.compile(r"""(?:"([^"]*)"|'([^']*)'|([^=,]*))""")
 
-#: The numbers that the running program uses instead of the user's.
-_preferred: dict[str, int] = {}
+#: The numbers that a running program uses instead of the user's.
+_preferred: dict[greenlet | None, Mapping[str, int]] = {}
 
 
 @contextmanager
-def preferring(names: Mapping[str, int]) -> Iterator[None]:
-    """Let this process look up these names before the user's."""
-    _preferred.update(names)
+def preferring(names: Mapping[str, int], *, alone: bool = True) -> Iterator[None]:
+    """Let a program look up these names before the user's.
+
+    Args:
+        names: the tags' numbers by name.
+        alone: whether it is the only program in this process; if not, its own threads use the
+            user's names.
+    """
+    program = None if alone else getcurrent()
+    _preferred[program] = names
     try:
         yield
     finally:
-        _preferred.clear()
+        del _preferred[program]
 
 
 def tag_id(tag: int | str) -> int:
@@ -50,8 +59,9 @@ def tag_id(tag: int | str) -> int:
     """
     number = _whole(tag)
     if number is None:
-        if str(tag) in _preferred:
-            return _preferred[str(tag)]
+        preferred = _preferred.get(getcurrent()) or _preferred.get(None, {})
+        if str(tag) in preferred:
+            return preferred[str(tag)]
         names = tag_names()
         if str(tag) not in names:
             raise UnknownNameError("tag", str(tag), names)

@@ -8,9 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from learnblock.simulator.camera import CameraModel, CameraPose, Surface, View, render
+    from learnblock.simulator.drawing import Stroke
     from learnblock.simulator.goals import GoalState
+    from learnblock.simulator.reachability import Unreachable, unreachable_goals
     from learnblock.simulator.robot_body import LogEntry, RobotBody
     from learnblock.simulator.robot_description import RobotDescription, load_robot, robot_names
+    from learnblock.simulator.templates import Template, make_world
+    from learnblock.simulator.vary import make_variant
     from learnblock.simulator.world import World, WorldEvent
     from learnblock.simulator.world_description import WorldDescription, WorldFile
     from learnblock.simulator.world_files import load_world, read_world, world_names, write_world
@@ -22,7 +26,10 @@ __all__ = [
     "LogEntry",
     "RobotBody",
     "RobotDescription",
+    "Stroke",
     "Surface",
+    "Template",
+    "Unreachable",
     "View",
     "World",
     "WorldDescription",
@@ -30,18 +37,25 @@ __all__ = [
     "WorldFile",
     "load_robot",
     "load_world",
+    "make_variant",
+    "make_world",
     "read_world",
     "render",
     "robot_names",
+    "unreachable_goals",
     "world_names",
     "write_world",
 ]
 
 _MODULES = {
     "camera": ("CameraModel", "CameraPose", "Surface", "View", "render"),
+    "drawing": ("Stroke",),
     "goals": ("GoalState",),
+    "reachability": ("Unreachable", "unreachable_goals"),
     "robot_body": ("LogEntry", "RobotBody"),
     "robot_description": ("RobotDescription", "load_robot", "robot_names"),
+    "templates": ("Template", "make_world"),
+    "vary": ("make_variant",),
     "world": ("World", "WorldEvent"),
     "world_description": ("WorldDescription", "WorldFile"),
     "world_files": ("load_world", "read_world", "world_names", "write_world"),

@@ -1,16 +1,20 @@
 """A robot's body on its wheels: its motion, and its contact with other objects."""
 
 import math
+from collections.abc import Callable
+from copy import copy
 
 import pymunk
 
 from learnblock.simulator import robot_description
 from learnblock.simulator.geometry import Point, Pose, forward, wrapped
-from learnblock.simulator.physics import DT, GRAVITY, ROBOT, Physics
-from learnblock.wheels import Wheels, accelerated, body_speeds, limited, wheel_speeds
+from learnblock.simulator.physics import DT, GRAVITY, ROBOT, Physics, motion
+from learnblock.wheels import Odometry, Wheels, accelerated, body_speeds, limited, wheel_speeds
 
 TYRE_FRICTION = 0.9
 """The friction of rubber on a dry floor, which limits how hard a robot can push."""
+SLIP_PERIOD = 10
+"""Steps for which a wheel loses the same part of its rotation: 0.1 s."""
 
 
 class Chassis:
@@ -25,6 +29,8 @@ class Chassis:
         name: the name in events.
         group: unique to the robot; makes the rays of its sensors pass through its hull.
         errors: the relative errors of the diameters of the left and the right wheel.
+        slip: the parts of its rotation that each wheel loses, by the number of periods since the
+            start; None on a floor without slip.
     """
 
     def __init__(
@@ -34,6 +40,8 @@ class Chassis:
         name: str,
         group: int,
         errors: Wheels,
+        *,
+        slip: Callable[[int], Wheels] | None = None,
     ) -> None:
         hull, self._wheels = description.body, description.wheels
         self._factors = 1 + errors[0], 1 + errors[1]
@@ -49,13 +57,21 @@ class Chassis:
         physics.brake(self._body, self._control, force, force * self._wheels.track / 2)
         self._space = physics.space
         self._target: Wheels = (0.0, 0.0)
+        #: The command that set the target.
+        self._command = (0.0, 0.0)
         self._speeds: Wheels = (0.0, 0.0)
         #: The distance each wheel has rolled, mm, as counted by an encoder.
         self.rolled: Wheels = (0.0, 0.0)
+        self._odometry = Odometry(self._wheels.track)
+        self._counted: Wheels = (0.0, 0.0)
+        self._slip = slip
+        self._lost: Wheels = (0.0, 0.0)
+        self._steps = 0
         self._adv = 0.0
         self._omega = 0.0
         self._x = self._y = 0.0
         self._pose: Pose | None = None
+        self._ahead: Point | None = None
         self._moved = self._moved_before = (0.0, 0.0)
         self.distance_driven = 0.0
 
@@ -81,11 +97,20 @@ class Chassis:
         along, across = math.cos(angle), math.sin(angle)
         return (x * along + y * across) * scale, (y * along - x * across) * scale
 
+    @property
+    def odometry(self) -> tuple[float, float, float]:
+        """The pose by the wheels' encoders, relative to the start; see `Odometry`."""
+        # Computed each time, because reading it must not change its last digits.
+        now = copy(self._odometry)
+        now.roll(*self._uncounted)
+        return now.pose
+
     def to_world(self, x: float, y: float) -> Point:
         """The world coordinates of a point on the robot (mm forward and left of its middle)."""
-        pose = self.pose
-        along, across = forward(pose.heading)
-        return pose.x + x * along - y * across, pose.y + x * across + y * along
+        if self._ahead is None:
+            self._ahead = forward(self.pose.heading)
+        along, across = self._ahead
+        return self._x + x * along - y * across, self._y + x * across + y * along
 
     def place(self, pose: Pose) -> None:
         """Lift it to `pose` and set it down at rest; the distance driven is unchanged."""
@@ -96,9 +121,14 @@ class Chassis:
         self._body.angular_velocity = self._control.angular_velocity = 0.0
         self._speeds = (0.0, 0.0)
         self._adv = self._omega = 0.0
-        self._pose = None
+        self._pose = self._ahead = None
         self._moved = self._moved_before = (0.0, 0.0)
         self._space.reindex_shapes_for_body(self._body)
+
+    @property
+    def motion(self) -> tuple[object, ...]:
+        """How it moves now: where its body and its wheels are, and how fast."""
+        return motion(self._body), self.rolled, self.distance_driven
 
     @property
     def speed(self) -> tuple[float, float]:
@@ -107,22 +137,32 @@ class Chassis:
 
     def drive(self, adv: float, rot: float) -> None:
         """Set the target speeds, mm/s and degrees/s clockwise, as far as the wheels allow."""
+        if (adv, rot) == self._command:
+            # A loop may command the same a hundred times per second.
+            return
+        self._command = adv, rot
         wheels = wheel_speeds(adv, rot, self._wheels.track)
         self._target = limited(wheels, self._wheels.maximum_speed)
 
     def before_step(self) -> None:
         """Set the direction in which the tyres pull."""
-        if self._speeds != self._target:
-            self._accelerate()
+        accelerates = self._speeds != self._target
+        if accelerates:
+            self._count()
+            change = self._wheels.acceleration * DT
+            self._speeds = accelerated(self._speeds, self._target, change)
         left, right = self._speeds
         if left != 0.0 or right != 0.0:
             self.rolled = self.rolled[0] + left * DT, self.rolled[1] + right * DT
+        if accelerates or (self._slip and self._steps % SLIP_PERIOD == 0):
+            self._pull()
+        self._steps += 1
         if self._adv != 0.0:
             # The heading halfway through the next step, in which this velocity takes effect:
             # with it a driven circle neither grows nor shrinks.
             angle = self._body.angle + 1.5 * DT * self._omega
             adv = self._adv
-            self._control.velocity = adv * math.cos(angle), adv * math.sin(angle)
+            _set_velocity(self._control, (adv * math.cos(angle), adv * math.sin(angle)))
 
     def after_step(self) -> None:
         """Update pose, distance and acceleration after a step."""
@@ -131,17 +171,34 @@ class Chassis:
         self._moved_before, self._moved = self._moved, moved
         self.distance_driven += math.hypot(*moved)
         self._x, self._y = x, y
-        self._pose = None
+        self._pose = self._ahead = None
 
-    def _accelerate(self) -> None:
-        change = self._wheels.acceleration * DT
-        self._speeds = accelerated(self._speeds, self._target, change)
-        left, right = self._speeds[0] * self._factors[0], self._speeds[1] * self._factors[1]
+    def _count(self) -> None:
+        """Process what the wheels have rolled at their speeds so far."""
+        self._odometry.roll(*self._uncounted)
+        self._counted = self.rolled
+
+    @property
+    def _uncounted(self) -> Wheels:
+        return self.rolled[0] - self._counted[0], self.rolled[1] - self._counted[1]
+
+    def _pull(self) -> None:
+        """Set the velocity to which the tyres pull, from the speeds of the wheels."""
+        if self._slip and self._steps % SLIP_PERIOD == 0:
+            self._lost = self._slip(self._steps // SLIP_PERIOD)
+        left, right = (
+            speed * factor * (1 - lost)
+            for speed, factor, lost in zip(self._speeds, self._factors, self._lost, strict=True)
+        )
         self._adv = (left + right) / 2
         self._omega = (right - left) / self._wheels.track
         self._control.angular_velocity = self._omega
         if self._adv == 0.0:
             self._control.velocity = 0.0, 0.0
+
+
+#: As `body.velocity = ...`, which takes several calls more.
+_set_velocity: Callable[[pymunk.Body, tuple[float, float]], None] = pymunk.Body.velocity.fset  # type: ignore[attr-defined] # a property
 
 
 def _disc(hull: robot_description.Body) -> tuple[pymunk.Body, pymunk.Shape]:

@@ -13,7 +13,7 @@ from learnblock.errors import Diagnostic, WorldError
 from learnblock.i18n import Phrase
 from learnblock.simulator import world_description
 from learnblock.simulator.colours import RGB, reflectance, rgb
-from learnblock.simulator.geometry import Polyline
+from learnblock.simulator.geometry import Point, Polyline
 from learnblock.simulator.world_description import WorldDescription
 
 if TYPE_CHECKING:
@@ -36,21 +36,24 @@ class PaintedLine:
     middle: Polyline
     width: float
     colour: RGB
-    low: NDArray[np.float64]
-    high: NDArray[np.float64]
+    low: Point
+    high: Point
+    #: What a ground sensor reads above it.
+    level: float
 
     @classmethod
     def from_description(cls, line: world_description.Line) -> "PaintedLine":
         middle = line.polyline()
         margin = line.width
-        low, high = middle.points.min(axis=0) - margin, middle.points.max(axis=0) + margin
-        return cls(middle, line.width, rgb(line.colour), low, high)
+        (west, south), (east, north) = middle.points.min(axis=0), middle.points.max(axis=0)
+        low = float(west - margin), float(south - margin)
+        high = float(east + margin), float(north + margin)
+        colour = rgb(line.colour)
+        return cls(middle, line.width, colour, low, high, reflectance(colour))
 
     def coverage(self, x: float, y: float, spot: float) -> float:
         """The part of a spot (diameter in mm) at (x, y) that is on the line, 0 to 1."""
-        if not (self.low[0] < x < self.high[0] and self.low[1] < y < self.high[1]):
-            return 0.0
-        distance, _ = self.middle.nearest(x, y)
+        distance = self.middle.distance(x, y)
         return min(1.0, max(0.0, (self.width / 2 - distance) / spot + 0.5))
 
 
@@ -60,6 +63,7 @@ class Floor:
     def __init__(self, world: WorldDescription) -> None:
         self.size = world.floor.size
         self._colour = rgb(world.floor.colour)
+        self._level = reflectance(self._colour)
         self._lines = [PaintedLine.from_description(line) for line in world.line]
         self._picture = Path(world.folder, world.floor.picture) if world.floor.picture else None
 
@@ -73,9 +77,10 @@ class Floor:
             return 0.0
         if self._picture is not None:
             return self._pictured(x, y, spot)
-        level = reflectance(self._colour)
+        level = self._level
         for line in self._lines:
-            level += line.coverage(x, y, spot) * (reflectance(line.colour) - level)
+            if line.low[0] < x < line.high[0] and line.low[1] < y < line.high[1]:
+                level += line.coverage(x, y, spot) * (line.level - level)
         return level
 
     @cached_property

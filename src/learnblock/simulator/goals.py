@@ -1,22 +1,61 @@
 """The goals of a world, and the progress of robots towards them."""
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
-from learnblock.simulator.geometry import Polyline, Pose, forward, wrapped
-from learnblock.simulator.world_description import Follow, Reach, Tag, Visit, WorldDescription
+from learnblock.simulator.geometry import Point, Polyline, Pose, forward, wrapped
+from learnblock.simulator.goal_description import (
+    AnyGoal,
+    Avoid,
+    Follow,
+    Reach,
+    Show,
+    Stop,
+    Tour,
+    Visit,
+)
+from learnblock.simulator.physics import Pushed
+from learnblock.simulator.world_description import Tag, WorldDescription
 
 LINE_PIECE = 10.0
 """The length in mm of the pieces of a line that are checked."""
 LONGEST_GAP = 100.0
 """The distance in mm that a robot may drive along a line between two checks, 50 ms apart."""
 
-GoalKind = Literal["reach", "follow", "visit"]
+STILL = (2.0, 2.0)
+"""The mm and degrees by which a robot may move and still count as standing still."""
+
+ROUNDING = 0.001
+"""Seconds by which the difference of two rounded times may be too short."""
+
+GoalKind = Literal["reach", "follow", "visit", "tour", "stop", "show", "avoid"]
+
+
+@dataclass(frozen=True, slots=True)
+class RobotState:
+    """What goals see of a robot.
+
+    Args:
+        name: its name in the world.
+        time: the world's time in s.
+        pose: its pose.
+        emotion: the emotion that it shows.
+        distance: mm driven so far.
+        bumps: how often it bumped into something.
+        is_on_floor: whether its middle is above the floor.
+        has_ended: whether its program has ended, so that it stays where it is.
+    """
+
+    name: str
+    time: float
+    pose: Pose
+    emotion: str = "none"
+    distance: float = 0.0
+    bumps: int = 0
+    is_on_floor: bool = True
+    has_ended: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,10 +64,10 @@ class GoalState:
 
     Args:
         name: unique in the world.
-        kind: reaching a region, following a line or visiting a tag.
+        kind: the kind of goal, as in a world's file.
         progress: 0 to 1.
         reached_at: when it was reached, in s, or None.
-        failed_at: when its time limit passed, in s, or None.
+        failed_at: when it could no longer be reached, in s, or None.
         robot: the robot that reached it, or "".
     """
 
@@ -53,31 +92,49 @@ class Goal:
         described: the goal in the world's file.
     """
 
-    def __init__(self, kind: GoalKind, described: Reach | Follow | Visit) -> None:
+    def __init__(self, kind: GoalKind, described: AnyGoal) -> None:
         self._described = described
         self.state = GoalState(described.name, kind)
+        #: The goal that has to be reached before this one.
+        self.first: Goal | None = None
 
-    def look(self, time: float, poses: Mapping[str, Pose]) -> None:
-        """Update the state from the current poses of the robots."""
-        for robot, pose in poses.items():
-            if self.state.is_open and self._described.robot in (None, robot):
-                self._note(time, robot, self.progress(robot, pose))
+    def look(self, time: float, robots: Iterable[RobotState]) -> None:
+        """Update the state from the current states of the robots."""
+        if not self.state.is_open:
+            return
+        if self.first is None or self.first.state.reached_at is not None:
+            self._look([robot for robot in robots if self._described.robot in (None, robot.name)])
         limit = self._described.time_limit
-        if self.state.is_open and limit is not None and time >= limit:
-            self.state = GoalState(
-                self.state.name, self.state.kind, self.state.progress, failed_at=time
-            )
+        is_late = limit is not None and time >= limit
+        is_lost = self.first is not None and self.first.state.failed_at is not None
+        if self.state.is_open and (is_late or is_lost):
+            self._fail(time)
 
-    def progress(self, robot: str, pose: Pose) -> float:
+    def progress(self, robot: RobotState) -> float:
         """The progress of a robot, 0 to 1."""
         raise NotImplementedError
 
-    def _note(self, time: float, robot: str, progress: float) -> None:
+    def can_reach(self, robot: RobotState) -> bool:  # noqa: ARG002 - most goals stay possible
+        """Whether a robot can still reach the goal."""
+        return True
+
+    def _look(self, robots: Sequence[RobotState]) -> None:
+        able = [robot for robot in robots if self.can_reach(robot)]
+        for robot in able:
+            if self.state.is_open:
+                self._note(robot, self.progress(robot))
+        if robots and not able:
+            self._fail(robots[0].time)
+
+    def _note(self, robot: RobotState, progress: float) -> None:
         name, kind = self.state.name, self.state.kind
         if progress >= 1.0:
-            self.state = GoalState(name, kind, 1.0, reached_at=time, robot=robot)
+            self.state = GoalState(name, kind, 1.0, reached_at=robot.time, robot=robot.name)
         elif progress > self.state.progress:
             self.state = GoalState(name, kind, progress)
+
+    def _fail(self, time: float) -> None:
+        self.state = replace(self.state, failed_at=time)
 
 
 class ReachGoal(Goal):
@@ -87,10 +144,58 @@ class ReachGoal(Goal):
         super().__init__("reach", described)
         self._region = described
 
-    def progress(self, robot: str, pose: Pose) -> float:  # noqa: ARG002 - the same for every robot
-        region = self._region
-        distance = math.hypot(pose.x - region.x, pose.y - region.y)
-        return 1.0 if distance <= region.radius else 0.0
+    def progress(self, robot: RobotState) -> float:
+        return float(_is_in(self._region, robot.pose))
+
+
+class BringGoal(Goal):
+    """Bring an object into a region; the robot nearest to it has most likely brought it.
+
+    Args:
+        described: the goal.
+        thing: the object.
+    """
+
+    def __init__(self, described: Reach, thing: Pushed) -> None:
+        super().__init__("reach", described)
+        self._region, self._thing = described, thing
+
+    def _look(self, robots: Sequence[RobotState]) -> None:
+        if robots and _is_in(self._region, self._thing.pose):
+            self._note(min(robots, key=self._away), 1.0)
+
+    def _away(self, robot: RobotState) -> float:
+        thing = self._thing.pose
+        return math.hypot(robot.pose.x - thing.x, robot.pose.y - thing.y)
+
+
+class TogetherGoal(Goal):
+    """Be within a region with all other robots; the one at the edge has most likely come last."""
+
+    def __init__(self, described: Reach) -> None:
+        super().__init__("reach", described)
+        self._region = described
+
+    def _look(self, robots: Sequence[RobotState]) -> None:
+        if robots:
+            inside = sum(_is_in(self._region, robot.pose) for robot in robots)
+            self._note(max(robots, key=self._away), inside / len(robots))
+
+    def _away(self, robot: RobotState) -> float:
+        return math.hypot(robot.pose.x - self._region.x, robot.pose.y - self._region.y)
+
+
+class AloneGoal(Goal):
+    """Be the only one of several robots within a region."""
+
+    def __init__(self, described: Reach) -> None:
+        super().__init__("reach", described)
+        self._region = described
+
+    def _look(self, robots: Sequence[RobotState]) -> None:
+        inside = [robot for robot in robots if _is_in(self._region, robot.pose)]
+        if len(inside) == 1 < len(robots):
+            self._note(inside[0], 1.0)
 
 
 class FollowGoal(Goal):
@@ -101,27 +206,26 @@ class FollowGoal(Goal):
         self._follow, self._line = described, line
         self._length = line.length
         self._pieces = max(10, round(self._length / LINE_PIECE))
-        self._passed: dict[str, NDArray[np.bool_]] = {}
+        self._passed: dict[str, set[int]] = {}
         self._last: dict[str, int] = {}
 
-    def progress(self, robot: str, pose: Pose) -> float:
-        distance, along = self._line.nearest(pose.x, pose.y)
+    def progress(self, robot: RobotState) -> float:
+        distance, along = self._line.nearest(robot.pose.x, robot.pose.y)
         if distance > self._follow.distance:
-            self._last.pop(robot, None)
+            self._last.pop(robot.name, None)
         else:
-            self._pass(robot, int(along / self._length * self._pieces) % self._pieces)
-        passed = self._passed.get(robot)
-        share = 0.0 if passed is None else float(passed.mean())
+            self._pass(robot.name, int(along / self._length * self._pieces) % self._pieces)
+        share = len(self._passed.get(robot.name, ())) / self._pieces
         return min(1.0, share / self._follow.fraction)
 
     def _pass(self, robot: str, piece: int) -> None:
-        passed = self._passed.setdefault(robot, np.zeros(self._pieces, np.bool_))
+        passed = self._passed.setdefault(robot, set())
         last = self._last.get(robot, piece)
         steps = (piece - last + self._pieces // 2) % self._pieces - self._pieces // 2
         if abs(steps) * self._length / self._pieces > LONGEST_GAP:
             steps = 0
         between = range(min(0, steps), max(0, steps) + 1)
-        passed[[(piece - step) % self._pieces for step in between]] = True
+        passed.update((piece - step) % self._pieces for step in between)
         self._last[robot] = piece
 
 
@@ -132,7 +236,8 @@ class VisitGoal(Goal):
         super().__init__("visit", described)
         self._visit, self._tag = described, tag
 
-    def progress(self, robot: str, pose: Pose) -> float:  # noqa: ARG002 - the same for every robot
+    def progress(self, robot: RobotState) -> float:
+        pose = robot.pose
         x, y = self._tag.x - pose.x, self._tag.y - pose.y
         bearing = math.degrees(math.atan2(-y, x))
         front = forward(self._tag.heading)
@@ -142,12 +247,122 @@ class VisitGoal(Goal):
         return 1.0 if is_before_it and is_near and faces_it else 0.0
 
 
-def goals(world: WorldDescription) -> tuple[Goal, ...]:
-    """Create the goals of a world's file."""
+class TourGoal(Goal):
+    """Be at several places in order."""
+
+    def __init__(self, described: Tour) -> None:
+        super().__init__("tour", described)
+        self._tour = described
+        self._passed: dict[str, int] = {}
+
+    def progress(self, robot: RobotState) -> float:
+        points, passed = self._tour.points, self._passed.get(robot.name, 0)
+        if _is_near(robot.pose, points[passed], self._tour.radius):
+            passed += 1
+        self._passed[robot.name] = passed
+        return passed / len(points)
+
+
+class StopGoal(Goal):
+    """Stand still in a region, in a direction if the goal has one."""
+
+    def __init__(self, described: Stop) -> None:
+        super().__init__("stop", described)
+        self._stop = described
+        self._stood: dict[str, RobotState] = {}
+
+    def progress(self, robot: RobotState) -> float:
+        before = self._stood.get(robot.name)
+        if before is None or not self._is_in_place(robot.pose) or _has_moved(before, robot):
+            before = self._stood[robot.name] = robot
+        if not self._is_in_place(robot.pose):
+            return 0.0
+        share = (robot.time - before.time + ROUNDING) / self._stop.seconds
+        return 1.0 if robot.has_ended else min(1.0, share)
+
+    def _is_in_place(self, pose: Pose) -> bool:
+        goal = self._stop
+        faces = goal.heading is None or abs(wrapped(pose.heading - goal.heading)) <= goal.angle
+        return faces and _is_near(pose, (goal.x, goal.y), goal.radius)
+
+
+class ShowGoal(Goal):
+    """Show an emotion, in a region if the goal has one."""
+
+    def __init__(self, described: Show) -> None:
+        super().__init__("show", described)
+        self._show = described
+
+    def progress(self, robot: RobotState) -> float:
+        show = self._show
+        is_there = show.radius is None or _is_near(robot.pose, (show.x, show.y), show.radius)
+        return float(is_there and robot.emotion == show.emotion)
+
+
+class AvoidGoal(Goal):
+    """Drive a distance without a bump."""
+
+    def __init__(self, described: Avoid) -> None:
+        super().__init__("avoid", described)
+        self._distance = described.distance
+        self._fallen: set[str] = set()
+
+    def progress(self, robot: RobotState) -> float:
+        return min(1.0, robot.distance / self._distance)
+
+    def can_reach(self, robot: RobotState) -> bool:
+        if robot.bumps or not robot.is_on_floor:
+            self._fallen.add(robot.name)
+        return robot.name not in self._fallen
+
+
+def goals(world: WorldDescription, pushed: Sequence[Pushed] = ()) -> tuple[Goal, ...]:
+    """Create the goals of a world's file.
+
+    Args:
+        world: the file's content.
+        pushed: the objects that can be pushed.
+    """
+    made = tuple(_made(world, {one.thing.name: one for one in pushed}))
+    named = {goal.state.name: goal for goal in made}
+    for goal, (_, _, described) in zip(made, world.goal.all(), strict=True):
+        goal.first = named[described.after] if described.after else None
+    return made
+
+
+def _made(world: WorldDescription, pushed: Mapping[str, Pushed]) -> Iterator[Goal]:
+    """The goals in the order of `Goals.all`."""
     lines = {line.name: line for line in world.line}
     tags = {tag.id: tag for tag in world.tag}
-    return (
-        *(ReachGoal(reach) for reach in world.goal.reach),
-        *(FollowGoal(follow, lines[follow.line].polyline()) for follow in world.goal.follow),
-        *(VisitGoal(visit, tags[visit.id]) for visit in world.goal.visit),
-    )
+    for reach in world.goal.reach:
+        yield _reaching(reach, pushed)
+    for follow in world.goal.follow:
+        yield FollowGoal(follow, lines[follow.line].polyline())
+    for visit in world.goal.visit:
+        yield VisitGoal(visit, tags[visit.id])
+    yield from map(TourGoal, world.goal.tour)
+    yield from map(StopGoal, world.goal.stop)
+    yield from map(ShowGoal, world.goal.show)
+    yield from map(AvoidGoal, world.goal.avoid)
+
+
+def _reaching(reach: Reach, pushed: Mapping[str, Pushed]) -> Goal:
+    if reach.object is not None:
+        return BringGoal(reach, pushed[reach.object])
+    if reach.together:
+        return TogetherGoal(reach)
+    return AloneGoal(reach) if reach.alone else ReachGoal(reach)
+
+
+def _is_in(region: Reach, pose: Pose) -> bool:
+    return _is_near(pose, (region.x, region.y), region.radius)
+
+
+def _is_near(pose: Pose, place: Point, distance: float) -> bool:
+    return math.hypot(pose.x - place[0], pose.y - place[1]) <= distance
+
+
+def _has_moved(before: RobotState, now: RobotState) -> bool:
+    moved, turned = STILL
+    is_near = _is_near(now.pose, (before.pose.x, before.pose.y), moved)
+    return not is_near or abs(wrapped(now.pose.heading - before.pose.heading)) > turned

@@ -42,6 +42,9 @@ class Joints:
         """
         joint = self._find(key)
         target = min(max(degrees, joint.minimum), joint.maximum)
+        if target == self._motions[key].target:
+            # On its way, or there: telling it again changes nothing, not even the last digit.
+            return
         self._motions[key] = _Motion(self.angle(key), target, self._clock.steps)
 
     def angle(self, key: str) -> float:

@@ -5,11 +5,11 @@ value, and neither other robots or sensors nor the order of reading change it. N
 generator is used, because their streams differ between versions.
 """
 
-import hashlib
 from dataclasses import dataclass
+from hashlib import blake2b
 from statistics import NormalDist
 
-_NORMAL = NormalDist()
+_inverse = NormalDist().inv_cdf
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,17 +19,20 @@ class Noise:
     Args:
         seed: the world's seed.
         robot: the robot's name.
+        factor: by which all its sensors' noise is multiplied.
     """
 
     seed: int
     robot: str
+    factor: float = 1.0
 
     def bits(self, sensor: str, step: int) -> int:
         """64 random bits for this sensor at this step."""
         key = f"{self.seed}\0{self.robot}\0{sensor}\0{step}".encode()
-        return int.from_bytes(hashlib.blake2b(key, digest_size=8).digest(), "big")
+        return int.from_bytes(blake2b(key, digest_size=8).digest(), "big")
 
     def normal(self, sensor: str, step: int = 0) -> float:
-        """A normally distributed number with mean 0 and standard deviation 1."""
+        """A normally distributed number with mean 0 and the factor as standard deviation."""
         # 52 bits leave room for adding one half, which keeps the value between 0 and 1 exclusively.
-        return _NORMAL.inv_cdf(((self.bits(sensor, step) >> 12) + 0.5) / 2**52)
+        share = ((self.bits(sensor, step) >> 12) + 0.5) / 2**52
+        return self.factor * _inverse(share)

@@ -12,7 +12,15 @@ from itertools import pairwise
 import pymunk
 
 from learnblock.simulator.geometry import Point, Pose, forward
-from learnblock.simulator.world_description import Box, Cylinder, Face, Tag, WorldDescription
+from learnblock.simulator.props import solid_props
+from learnblock.simulator.world_description import (
+    Box,
+    Cylinder,
+    Face,
+    Tag,
+    WorldDescription,
+    thing_name,
+)
 
 DT = 0.01
 """Seconds per step."""
@@ -71,6 +79,15 @@ class Physics:
         seen = self.space.segment_query_first(start, end, 0.0, looker)
         return None if seen is None else seen.alpha
 
+    def seen(
+        self, start: Point, end: Point, looker: pymunk.ShapeFilter
+    ) -> tuple[float, str] | None:
+        """The fraction of the way that is free, and the name of what is there; None for nothing."""
+        seen = self.space.segment_query_first(start, end, 0.0, looker)
+        if seen is None or seen.shape is None:
+            return None
+        return seen.alpha, self.names.get(seen.shape, "")
+
     def touches(self, place: Point, radius: float, ignored_group: int) -> bool:
         """Whether any object outside `ignored_group` is within `radius` mm of `place`."""
         ignored = pymunk.ShapeFilter(group=ignored_group)
@@ -112,13 +129,7 @@ class Physics:
 
     def _add_boards(self, world: WorldDescription) -> None:
         for name, board in _boards(world):
-            x, y = forward(board.heading + 90)
-            half = board.size / 2
-            ends = [
-                (board.x - half * x, board.y - half * y),
-                (board.x + half * x, board.y + half * y),
-            ]
-            self._add_segments(ends, BOARD_THICKNESS, name)
+            self._add_segments(_ends(board), BOARD_THICKNESS, name)
 
     def _add_segments(self, points: Sequence[Point], thickness: float, name: str) -> None:
         for start, end in pairwise(points):
@@ -130,8 +141,7 @@ class Physics:
         else:
             body = pymunk.Body(thing.mass, _moment(thing, thing.mass))
             self.pushed.append(Pushed(body, thing))
-        body.position = (thing.x, thing.y)
-        body.angle = -math.radians(thing.heading) if isinstance(thing, Box) else 0.0
+        _place(body, thing)
         self.space.add(body)
         self.add(_shape(body, thing), thing.name)
         if thing.mass is not None:
@@ -140,17 +150,44 @@ class Physics:
             self.brake(body, self.space.static_body, force, force * _mean_radius(thing) * 2 / 3)
 
 
+def motion(body: pymunk.Body) -> tuple[object, ...]:
+    """Where a body is, and how fast it moves."""
+    return tuple(body.position), body.angle, tuple(body.velocity), body.angular_velocity
+
+
 def things(world: WorldDescription) -> Iterator[Box | Cylinder]:
-    """The boxes and cylinders, in order."""
+    """The boxes, the cylinders and the bodies of solid props, in order."""
     yield from world.box
     yield from world.cylinder
+    yield from solid_props(world.prop)
+
+
+def footprint(thing: Box | Cylinder | Tag | Face) -> pymunk.Shape:
+    """The shape of an object on the floor, which is in no space yet."""
+    body = pymunk.Body(body_type=pymunk.Body.STATIC)
+    if isinstance(thing, Tag | Face):
+        start, end = _ends(thing)
+        return pymunk.Segment(body, start, end, BOARD_THICKNESS / 2)
+    _place(body, thing)
+    return _shape(body, thing)
+
+
+def _place(body: pymunk.Body, thing: Box | Cylinder) -> None:
+    body.position = (thing.x, thing.y)
+    body.angle = -math.radians(thing.heading) if isinstance(thing, Box) else 0.0
+
+
+def _ends(board: Tag | Face) -> tuple[Point, Point]:
+    """The ends of a board, seen from above."""
+    x, y = forward(board.heading + 90)
+    half = board.size / 2
+    return (board.x - half * x, board.y - half * y), (board.x + half * x, board.y + half * y)
 
 
 def _boards(world: WorldDescription) -> Iterator[tuple[str, Tag | Face]]:
-    for tag in world.tag:
-        yield f"tag {tag.id}", tag
-    for face in world.face:
-        yield f"face {face.emotion}", face
+    boards: tuple[Tag | Face, ...] = (*world.tag, *world.face)
+    for board in boards:
+        yield thing_name(board), board
 
 
 def _moment(thing: Box | Cylinder, mass: float) -> float:

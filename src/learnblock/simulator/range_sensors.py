@@ -55,6 +55,18 @@ class RangeSensors:
             for side in ("front", "left", "right", "back")
         }
 
+    def looked_at(self, side: str) -> str | None:
+        """The name of what is nearest to the sensors of a side; None if they see nothing."""
+        found: list[tuple[float, str]] = []
+        for sensor in self._description.distance:
+            start = self._chassis.to_world(sensor.x, sensor.y)
+            heading = self._chassis.pose.heading + sensor.direction
+            for offset in _beam_offsets(sensor.beam) if side in sensor.sides else ():
+                end = _ahead(start, heading + offset, sensor.maximum)
+                if seen := self._world.physics.seen(start, end, self._chassis.filter):
+                    found.append((seen[0] * sensor.maximum, seen[1]))
+        return min(found)[1] or None if found else None
+
     def ground(self) -> dict[str, float | None]:
         """The reflectances of the floor, from 0 to 100."""
         readings: dict[str, float | None] = {"left": None, "central": None, "right": None}
@@ -79,8 +91,7 @@ class RangeSensors:
         ]
 
     def _ray(self, start: Point, heading: float, reach: float) -> float:
-        x, y = forward(heading)
-        end = start[0] + reach * x, start[1] + reach * y
+        end = _ahead(start, heading, reach)
         part = self._world.physics.ray(start, end, self._chassis.filter)
         return reach if part is None else part * reach
 
@@ -91,6 +102,11 @@ class RangeSensors:
         level = self._world.floor.reflectance(x, y, sensor.spot)
         noise = sensor.noise * self._noise.normal(f"ground {sensor.side}", self._world.steps)
         return round(min(max(level + noise, 0.0), 100.0), 2)
+
+
+def _ahead(start: Point, heading: float, reach: float) -> Point:
+    x, y = forward(heading)
+    return start[0] + reach * x, start[1] + reach * y
 
 
 def _beam_offsets(beam: float) -> Sequence[float]:

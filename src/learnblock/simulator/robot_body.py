@@ -12,6 +12,7 @@ from learnblock.errors import UnknownNameError
 from learnblock.simulator import robot_description
 from learnblock.simulator.chassis import Chassis
 from learnblock.simulator.colours import RGB
+from learnblock.simulator.drawing import Drawing, Pen
 from learnblock.simulator.geometry import Pose
 from learnblock.simulator.joints import Joints
 from learnblock.simulator.noise import Noise
@@ -30,6 +31,20 @@ STANDARD_GRAVITY = 9.80665
 BUMPER_PARTS = 5
 """Points along a bumper's bar that detect a touch."""
 LOG_LENGTH = 10_000
+
+TILTS: Mapping[str, tuple[float, float]] = {
+    "level": (0, 0),
+    "front": (-30, 0),
+    "back": (30, 0),
+    "left": (0, -30),
+    "right": (0, 30),
+}
+"""Degrees by which a hand raises the front and the left side to tilt a robot to a side."""
+SHAKE_SECONDS = 1.0
+SHAKE_RATE = 7.0
+"""Hz."""
+SHAKE_STRENGTH = 20.0
+"""m/s²; the amplitude to the left and right."""
 
 EMOTION_COLOURS: Mapping[str, RGB] = {
     "fear": (124, 0, 255),
@@ -64,6 +79,11 @@ class Surroundings(RangeSurroundings, Protocol):
     """The parts of the world that a robot needs."""
 
     seed: int
+    sensor_noise: float
+    drawing: Drawing
+
+    @property
+    def slip(self) -> float: ...
 
     @property
     def time(self) -> float: ...
@@ -93,21 +113,29 @@ class RobotBody:
         self.description = description
         self.name = name
         self.emotion = "none"
+        #: The text on its screen, or beside a robot without one; empty if there is none.
+        self.text = ""
         self.leds: dict[str, RGB] = {led.slot: (0, 0, 0) for led in description.led}
+        self._coloured = [led.slot for led in description.led if led.kind == "rgb"]
+        self._tilt = TILTS["level"]
+        self._shaken_from = -math.inf
         self._world = world
         self._group = group
-        self._noise = Noise(world.seed, name)
+        self._noise = Noise(world.seed, name, world.sensor_noise)
         error = description.wheels.error
         errors = self._wheel_error("left", error), self._wheel_error("right", error)
-        self.chassis = Chassis(world.physics, description, name, group, errors)
+        slip = self._slip if world.slip else None
+        self.chassis = Chassis(world.physics, description, name, group, errors, slip=slip)
         self.chassis.place(pose)
+        # A method, not a lambda: a copy of the world has to draw where its own robot is.
+        self.pen = Pen(world.drawing, name, self._where)
         self._log: deque[LogEntry] = deque(maxlen=LOG_LENGTH)
         #: The number of all commands so far, including those no longer in the log.
         self.noted = 0
         self._gyroscope_zero = (self.chassis.turned, world.steps)
         self._range_sensors = RangeSensors(description, self.chassis, world, self._noise)
         self._joints = Joints(description.joint, world)
-        self._frames: dict[str, tuple[int, NDArray[np.uint8]]] = {}
+        self._frames: dict[str, tuple[int, View, NDArray[np.uint8]]] = {}
 
     def __repr__(self) -> str:
         x, y, heading = self.pose
@@ -134,6 +162,11 @@ class RobotBody:
         return self.chassis.rolled
 
     @property
+    def odometry(self) -> tuple[float, float, float]:
+        """The pose by its wheels' encoders: (x mm, y mm, degrees clockwise), from its start."""
+        return self.chassis.odometry
+
+    @property
     def log(self) -> list[LogEntry]:
         """The last commands to devices that have no other effect, oldest first."""
         return list(self._log)
@@ -146,7 +179,8 @@ class RobotBody:
         Raises:
             ValueError: one of them is not a finite number.
         """
-        _require_finite("speed", adv, rot)
+        if not (math.isfinite(adv) and math.isfinite(rot)):
+            _require_finite("speed", adv, rot)
         self.chassis.drive(adv, rot)
 
     def place(self, x: float, y: float, heading: float) -> None:
@@ -157,6 +191,7 @@ class RobotBody:
         """
         _require_finite("place", x, y, heading)
         self.chassis.place(Pose(x, y, heading))
+        self.pen.jump()
 
     def distances(self) -> dict[str, list[float]]:
         """The readings of the distance sensors, in mm, from left to right on each side.
@@ -165,6 +200,10 @@ class RobotBody:
             ``front``, ``left``, ``right`` and ``back``; 2000 means that nothing is seen.
         """
         return self._range_sensors.distances()
+
+    def looked_at(self, side: str) -> str | None:
+        """The name of what is nearest to the distance sensors of a side; None for nothing."""
+        return self._range_sensors.looked_at(side)
 
     def ground(self) -> dict[str, float | None]:
         """The readings of the ground sensors ``left``, ``central`` and ``right``.
@@ -207,7 +246,21 @@ class RobotBody:
             sensor.noise * self._noise.normal(f"accelerometer {axis}", self._world.steps)
             for axis in "xyz"
         )
-        return along + x, across + y, STANDARD_GRAVITY + z
+        forward, left, up = self._held_acceleration()
+        return along + forward + x, across + left + y, up + z
+
+    def handle(self, how: str) -> None:
+        """Let a hand tilt the robot until further notice, or ``shake`` it for a second.
+
+        Only its accelerometer notices.
+
+        Args:
+            how: ``shake``, or one of `TILTS`.
+        """
+        if how == "shake":
+            self._shaken_from = self._world.time
+        else:
+            self._tilt = TILTS[how]
 
     def bumper(self) -> bool:
         """Whether the bumper is pressed.
@@ -267,12 +320,14 @@ class RobotBody:
         Raises:
             UnknownNameError: the robot has no such camera.
         """
-        camera = self._camera(key)
-        taken, picture = self._frames.get(key, (0, None))
-        if picture is None or self._world.steps - taken >= camera.period:
-            picture = self.view(key).picture()
-            picture.flags.writeable = False
-            self._frames[key] = (self._world.steps, picture)
+        taken, seen, picture = self._frames.get(key, (0, None, None))
+        if picture is None or self._world.steps - taken >= self._camera(key).period:
+            view = self.view(key)
+            # A noisy view is never the same: it has a generator of its own.
+            if picture is None or view != seen:
+                picture = view.picture()
+                picture.flags.writeable = False
+            self._frames[key] = (self._world.steps, view, picture)
         return picture
 
     def view(self, key: str = "ROBOT") -> "View":
@@ -310,9 +365,18 @@ class RobotBody:
         if name not in EMOTION_COLOURS:
             raise UnknownNameError("emotion", name, EMOTION_COLOURS)
         self.emotion = name
+        if display.kind == "screen":
+            self.text = ""
         if display.kind == "leds":
-            coloured = [led.slot for led in self.description.led if led.kind == "rgb"]
-            self.leds.update(dict.fromkeys(coloured, EMOTION_COLOURS[name]))
+            self.leds.update(dict.fromkeys(self._coloured, EMOTION_COLOURS[name]))
+
+    def show_text(self, text: str) -> None:
+        """Show a text on the screen, instead of the face; without a screen, beside the robot.
+
+        Args:
+            text: an empty one clears the screen.
+        """
+        self.text = text
 
     def set_led(self, slot: str, colour: RGB) -> None:
         """Light an LED: red, green and blue, 0 to 255.
@@ -336,9 +400,32 @@ class RobotBody:
         self._log.append(LogEntry(self._world.time, device, action, values))
         self.noted += 1
 
+    def _where(self) -> Pose:
+        return self.chassis.pose
+
     def _wheel_error(self, wheel: str, deviation: float) -> float:
-        error = deviation * self._noise.normal(f"{wheel} wheel")
+        # The size of a wheel is no reading, so the factor of the sensors' noise is left out.
+        error = deviation * Noise(self._world.seed, self.name).normal(f"{wheel} wheel")
         return min(max(error, -3 * deviation), 3 * deviation)
+
+    def _slip(self, period: int) -> tuple[float, float]:
+        """The part of its rotation that each wheel loses: on average the slip of the floor."""
+        return self._lost("left", period), self._lost("right", period)
+
+    def _lost(self, wheel: str, period: int) -> float:
+        evenly = self._noise.bits(f"{wheel} slip", period) / 2**63
+        return self._world.slip * evenly
+
+    def _held_acceleration(self) -> tuple[float, float, float]:
+        """What the accelerometer measures because of gravity and the hand that holds the robot."""
+        pitch, roll = map(math.radians, self._tilt)
+        forward = STANDARD_GRAVITY * math.sin(pitch)
+        left = STANDARD_GRAVITY * math.cos(pitch) * math.sin(roll)
+        up = STANDARD_GRAVITY * math.cos(pitch) * math.cos(roll)
+        shaken = self._world.time - self._shaken_from
+        if shaken < SHAKE_SECONDS:
+            left += SHAKE_STRENGTH * math.cos(2 * math.pi * SHAKE_RATE * shaken)
+        return forward, left, up
 
     def _require(self, part: PartT | None, device: str) -> PartT:
         if part is None:
@@ -358,7 +445,7 @@ class RobotBody:
         if not camera.noise:
             return None
         bits = self._noise.bits(f"camera {camera.key}", self._world.steps)
-        return np.random.Generator(np.random.PCG64(bits)), camera.noise
+        return np.random.Generator(np.random.PCG64(bits)), camera.noise * self._noise.factor
 
 
 def _require_finite(what: str, *values: float) -> None:

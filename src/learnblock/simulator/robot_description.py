@@ -14,6 +14,7 @@ from msgspec import Meta, Struct
 
 from learnblock.errors import RobotDescriptionError, UnknownNameError
 from learnblock.i18n import Phrase
+from learnblock.senses import ABILITIES
 from learnblock.simulator.colours import Colour
 from learnblock.storage import toml_source
 from learnblock.storage.toml_source import Finding
@@ -81,6 +82,7 @@ class Wheels(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     error: Annotated[
         float, Meta(ge=0, le=0.02, description="difference between its wheels, standard deviation")
     ] = 0.001
+    encoders: Annotated[bool, Meta(description="whether it counts its wheels' turns")] = True
 
 
 class DistanceSensor(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
@@ -200,7 +202,16 @@ class Led(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     ] = "rgb"
 
 
-Output = Literal["Speaker", "Matrix", "MP3", "Infrared", "Animator"]
+Output = Literal[
+    "Speaker",
+    "Speaker:say",
+    "Speaker:play",
+    "Speaker:tone",
+    "Matrix",
+    "MP3",
+    "Infrared",
+    "Animator",
+]
 
 
 class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
@@ -231,7 +242,8 @@ class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
 
         Devices of one type are in the order of the file.
         """
-        found = ["Base:ROBOT", *(f"{output}:ROBOT" for output in self.outputs)]
+        outputs = dict.fromkeys(output.partition(":")[0] for output in self.outputs)
+        found = ["Base:ROBOT", *(f"{output}:ROBOT" for output in outputs)]
         found += [f"Camera:{camera.key}" for camera in self.camera]
         found += [f"JointMotor:{joint.key}" for joint in self.joint]
         found += [f"{'RGBLed' if led.kind == 'rgb' else 'Led'}:{led.slot}" for led in self.led]
@@ -246,6 +258,20 @@ class RobotFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
             "Display": self.display,
         }
         return (*found, *(f"{device}:ROBOT" for device, part in single.items() if part))
+
+    def abilities(self) -> frozenset[str]:
+        """What its devices can do, such as ``DistanceSensors:front``; see `learnblock.senses`."""
+        sides = {side for sensor in self.distance for side in sensor.sides}
+        spoken = ABILITIES["Speaker"] if "Speaker" in self.outputs else ()
+        reflected = any(sensor.kind == "reflected" for sensor in self.ground)
+        return frozenset(
+            [
+                *(f"DistanceSensors:{side}" for side in sides),
+                *(["GroundSensors:line"] if reflected else []),
+                *(f"Speaker:{one}" for one in spoken),
+                *(output for output in self.outputs if ":" in output),
+            ]
+        )
 
 
 class RobotDescription(RobotFile, kw_only=True, frozen=True, forbid_unknown_fields=True):

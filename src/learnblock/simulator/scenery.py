@@ -44,9 +44,15 @@ class Solid:
             Surface(corners, texture, name, two_sided=False)
             for corners in _prism(self._outline, height)
         ]
+        self._pose: Pose | None = None
 
-    def at(self, pose: Pose) -> Iterator[Surface]:
-        """The surfaces of its sides and its top at `pose`."""
+    def at(self, pose: Pose) -> Sequence[Surface]:
+        """The surfaces of its sides and its top at `pose`: the same as before until it moves."""
+        if pose != self._pose:
+            self._surfaces, self._pose = [*self._moved(pose)], pose
+        return self._surfaces
+
+    def _moved(self, pose: Pose) -> Iterator[Surface]:
         x, y = forward(pose.heading)
         turn = np.array([(x, y), (-y, x)])
         outline = self._outline @ turn + (pose.x, pose.y)

@@ -1,9 +1,10 @@
 """The world: a step counter, the bodies in it, and their collisions."""
 
+import copy
 import math
-from collections import deque
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections import Counter, deque
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -11,10 +12,12 @@ import pymunk
 
 from learnblock.errors import Diagnostic, KeyTakenError, UnknownNameError, WorldError
 from learnblock.i18n import Phrase
+from learnblock.simulator.chassis import Chassis
+from learnblock.simulator.drawing import Drawing
 from learnblock.simulator.floor import Floor
 from learnblock.simulator.geometry import Pose
-from learnblock.simulator.goals import GoalState, goals
-from learnblock.simulator.physics import DT, ROBOT, Physics
+from learnblock.simulator.goals import GoalState, RobotState, goals
+from learnblock.simulator.physics import DT, ROBOT, Physics, motion
 from learnblock.simulator.robot_body import RobotBody
 from learnblock.simulator.robot_description import RobotDescription
 from learnblock.simulator.world_description import WorldDescription
@@ -64,15 +67,19 @@ class World:
     def __init__(self, description: WorldDescription, seed: int = 0) -> None:
         self.description = description
         self.seed = seed
+        self.sensor_noise = description.sensor_noise
         self.dt = DT
         self.steps = 0
         self.floor = Floor(description)
         self.physics = Physics(description)
         self.physics.space.on_collision(ROBOT, None, begin=self._touch)
         self.robots: dict[str, RobotBody] = {}
-        self._goals = goals(description)
+        self._chassis: list[Chassis] = []
+        self.drawing = Drawing()
+        self._goals = goals(description, self.physics.pushed)
         self._events: deque[WorldEvent] = deque(maxlen=EVENTS_KEPT)
         self._touched: set[tuple[str, str]] = set()
+        self._bumps: Counter[str] = Counter()
         self._solids: dict[str, Solid] = {}
 
     def __repr__(self) -> str:
@@ -85,8 +92,13 @@ class World:
 
     @property
     def goals(self) -> tuple[GoalState, ...]:
-        """The states of the goals, in the order reach, follow, visit."""
+        """The states of the goals, kind by kind."""
         return tuple(goal.state for goal in self._goals)
+
+    @property
+    def slip(self) -> float:
+        """The part of their rotation that wheels lose, on average."""
+        return self.description.floor.slip
 
     def add_robot(
         self,
@@ -113,21 +125,58 @@ class World:
         pose = Pose(*start) if isinstance(start, tuple) else self._free_pose(start, radius)
         group = len(self.robots) + 1
         self.robots[name] = RobotBody(description, name, self, group, pose)
+        self._chassis.append(self.robots[name].chassis)
         return self.robots[name]
 
     def step(self) -> None:
         """Advance by 10 ms."""
-        chassis = [robot.chassis for robot in self.robots.values()]
-        for body in chassis:
+        for body in self._chassis:
             body.before_step()
         self.physics.space.step(DT)
         self.steps += 1
-        for body in chassis:
+        for body in self._chassis:
             body.after_step()
+        if self.drawing.pens:
+            self.drawing.extend()
         if self._touched:
             self._report_collisions()
         if self._goals and self.steps % GOAL_PERIOD == 0:
-            self._check_goals()
+            self._check_goals(list(map(self._state_of, self.robots.values())))
+
+    def copy(self) -> "World":
+        """The same world once more, to go on from here on its own.
+
+        The physics forgets the contacts of the last step, so after one the copy may go on slightly
+        differently.
+        """
+        kinds = (robot.description for robot in self.robots.values())
+        shared = (self.description, self.floor, *kinds, *self._solids.values())
+        memo: dict[int, Any] = {id(one): one for one in shared}
+        if "_scenery" in self.__dict__:
+            memo[id(self._scenery)] = self._scenery
+        return copy.deepcopy(self, memo)
+
+    @property
+    def state(self) -> tuple[object, ...]:
+        """How everything in it moves now; two worlds that agree go on alike."""
+        return (
+            self.steps,
+            *(robot.chassis.motion for robot in self.robots.values()),
+            *(motion(thing.body) for thing in self.physics.pushed),
+            *self.goals,
+            dict(self._bumps),
+        )
+
+    def finish(self, name: str) -> None:
+        """Check the goals once more when a robot's program has ended and it stays where it is."""
+        states = map(self._state_of, self.robots.values())
+        self._check_goals([replace(one, has_ended=one.name == name) for one in states])
+        self.robots[name].pen.set(False)
+
+    @property
+    def has_events(self) -> bool:
+        """Whether there are events to take."""
+        return bool(self._events)
 
     def take_events(self) -> list[WorldEvent]:
         """The events since the last call, oldest first."""
@@ -185,13 +234,25 @@ class World:
     def _report_collisions(self) -> None:
         for robot, other in sorted(self._touched):
             self._events.append(WorldEvent(self.time, "collision", robot, other))
+            self._bumps.update({robot, other} & self.robots.keys())
         self._touched.clear()
 
-    def _check_goals(self) -> None:
-        poses = {name: robot.chassis.pose for name, robot in self.robots.items()}
+    def _check_goals(self, robots: Sequence[RobotState]) -> None:
         for goal in filter(lambda goal: goal.state.is_open, self._goals):
-            goal.look(self.time, poses)
+            goal.look(self.time, robots)
             self._tell_end(goal.state)
+
+    def _state_of(self, robot: RobotBody) -> RobotState:
+        pose = robot.chassis.pose
+        return RobotState(
+            robot.name,
+            self.time,
+            pose,
+            robot.emotion,
+            robot.chassis.distance_driven,
+            self._bumps[robot.name],
+            self.floor.reaches(pose.x, pose.y),
+        )
 
     def _tell_end(self, state: GoalState) -> None:
         if state.reached_at is not None:

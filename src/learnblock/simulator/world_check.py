@@ -2,13 +2,13 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from learnblock.errors import UnknownNameError
 from learnblock.i18n import Phrase
 from learnblock.simulator.geometry import Polyline
-from learnblock.simulator.world_description import Follow, Reach, Visit, WorldFile
+from learnblock.simulator.world_description import Box, Cylinder, Face, Tag, WorldFile, thing_name
 from learnblock.storage.struct_types import KeyPath
 from learnblock.storage.toml_source import Finding
 
@@ -25,6 +25,7 @@ def check_world(world: WorldFile, folder: Path) -> Iterator[Finding]:
     yield from _check_places(world)
     yield from _check_names(world)
     yield from _check_goals(world)
+    yield from _check_vary(world)
     if world.floor.picture is not None:
         yield from _check_picture(folder, world.floor.picture)
 
@@ -74,12 +75,12 @@ def _check_names(world: WorldFile) -> Iterator[Finding]:
     groups: tuple[list[KeyPath], ...] = (
         [("line", i) for i in range(len(world.line))],
         [("start", i) for i in range(len(world.start))],
-        [("goal", kind, i) for kind, i, _ in _goals(world)],
+        [("goal", kind, i) for kind, i, _ in world.goal.all()],
     )
     names = (
         [line.name for line in world.line],
         [start.name for start in world.start],
-        [goal.name for _, _, goal in _goals(world)],
+        [goal.name for _, _, goal in world.goal.all()],
     )
     for paths, given in zip(groups, names, strict=True):
         seen: Counter[str] = Counter()
@@ -90,9 +91,19 @@ def _check_names(world: WorldFile) -> Iterator[Finding]:
                 yield Finding((*path, "name"), "name-taken", message)
 
 
-def _goals(world: WorldFile) -> list[tuple[str, int, Reach | Follow | Visit]]:
-    kinds = ("reach", "follow", "visit")
-    return [(kind, i, goal) for kind in kinds for i, goal in enumerate(getattr(world.goal, kind))]
+def _check_vary(world: WorldFile) -> Iterator[Finding]:
+    """Report names of objects that do not exist."""
+    things: list[Box | Cylinder | Tag | Face] = [
+        *world.box,
+        *world.cylinder,
+        *world.tag,
+        *world.face,
+    ]
+    names = list(dict.fromkeys(map(thing_name, things)))
+    for index, moved in enumerate(world.vary.thing if world.vary else ()):
+        if moved.name not in names:
+            message = UnknownNameError("thing", moved.name, names).phrase
+            yield Finding(("vary", "thing", index, "name"), "unknown-thing", message)
 
 
 def _check_goals(world: WorldFile) -> Iterator[Finding]:
@@ -101,11 +112,41 @@ def _check_goals(world: WorldFile) -> Iterator[Finding]:
         if follow.line not in lines:
             message = UnknownNameError("line", follow.line, lines).phrase
             yield Finding(("goal", "follow", index, "line"), "unknown-line", message)
+    things: tuple[Box | Cylinder, ...] = (*world.box, *world.cylinder)
+    light = [thing.name for thing in things if thing.mass is not None]
+    for index, reach in enumerate(world.goal.reach):
+        if reach.object is not None and reach.object not in light:
+            message = UnknownNameError("light-object", reach.object, light).phrase
+            yield Finding(("goal", "reach", index, "object"), "unknown-object", message)
     tags = [tag.id for tag in world.tag]
     for index, visit in enumerate(world.goal.visit):
         if visit.id not in tags:
             message = UnknownNameError("tag", str(visit.id), map(str, tags)).phrase
             yield Finding(("goal", "visit", index, "id"), "unknown-tag", message)
+    yield from _check_order(world)
+
+
+def _check_order(world: WorldFile) -> Iterator[Finding]:
+    """Report goals after goals that do not exist, and those that wait for each other."""
+    after = {goal.name: goal.after for _, _, goal in world.goal.all()}
+    for kind, index, goal in world.goal.all():
+        path = ("goal", kind, index, "after")
+        if goal.after is not None and goal.after not in after:
+            others = [name for name in after if name != goal.name]
+            message = UnknownNameError("goal", goal.after, others).phrase
+            yield Finding(path, "unknown-goal", message)
+        elif goal.name in _before(goal.after, after):
+            message = Phrase("world-goal-circle", name=goal.name, after=str(goal.after))
+            yield Finding(path, "goal-circle", message)
+
+
+def _before(name: str | None, after: Mapping[str, str | None]) -> set[str]:
+    """A goal and all goals that have to be reached before it."""
+    found: set[str] = set()
+    while name is not None and name not in found:
+        found.add(name)
+        name = after.get(name)
+    return found
 
 
 def _check_picture(folder: Path, picture: str) -> Iterator[Finding]:

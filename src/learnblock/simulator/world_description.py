@@ -6,29 +6,47 @@ middle of the floor; headings are degrees clockwise, 0 is east.
 """
 
 from collections.abc import Iterable
-from typing import Annotated, Literal, get_args
+from typing import Annotated, Literal
 
 from msgspec import Meta, Struct
 
 from learnblock.simulator.colours import Colour
+from learnblock.simulator.description_types import (
+    HEADING,
+    XY,
+    Emotion,
+    Heading,
+    Mass,
+    Name,
+    ObjectHeight,
+    Place,
+    Side,
+    TagNumber,
+    Text,
+    X,
+    Y,
+)
 from learnblock.simulator.geometry import Point, Polyline, Pose, arc
+from learnblock.simulator.goal_description import Goals
 
-Place = Annotated[float, Meta(ge=-5000, le=5000)]
-XY = tuple[Place, Place]
-Heading = Annotated[float, Meta(ge=-360, le=360)]
-Side = Annotated[float, Meta(ge=5, le=2000)]
-ObjectHeight = Annotated[float, Meta(ge=1, le=1000)]
-Mass = Annotated[float, Meta(ge=0.01, le=50)]
-Text = Annotated[str, Meta(max_length=200)]
-Name = Annotated[str, Meta(min_length=1, max_length=40)]
-Seconds = Annotated[float, Meta(ge=0.1, le=3600)]
-TagNumber = Annotated[int, Meta(ge=0, le=586)]
-Emotion = Literal["fear", "surprise", "anger", "sadness", "disgust", "joy", "neutral"]
-EMOTIONS: tuple[str, ...] = get_args(Emotion)
+#: What is around the floor when the page draws the world; robots and their cameras don't notice.
+Theme = Literal["playground", "city", "space", "warehouse", "garden", "night", "maze"]
 
-_X = Meta(description="position to the east, mm")
-_Y = Meta(description="position to the north, mm")
-_HEADING = Meta(description="degrees clockwise; 0 is east")
+PropKind = Literal[
+    "ball",
+    "barrel",
+    "block",
+    "cone",
+    "crate",
+    "flowers",
+    "house",
+    "lamp",
+    "pile",
+    "planet",
+    "post",
+    "rocket",
+    "tree",
+]
 
 
 class Floor(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
@@ -54,6 +72,9 @@ class Floor(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
         Annotated[float, Meta(ge=0, le=1000)],
         Meta(description="height of the wall around the floor, mm; 0 leaves an open edge"),
     ] = 100.0
+    slip: Annotated[
+        float, Meta(ge=0, le=0.3, description="part of their rotation that wheels lose, on average")
+    ] = 0.005
 
 
 class Part(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
@@ -119,9 +140,9 @@ class Wall(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
 class Box(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """A box; one with a mass can be pushed."""
 
-    x: Annotated[Place, _X]
-    y: Annotated[Place, _Y]
-    heading: Annotated[Heading, _HEADING] = 0.0
+    x: Annotated[Place, X]
+    y: Annotated[Place, Y]
+    heading: Annotated[Heading, HEADING] = 0.0
     length: Annotated[Side, Meta(description="along its heading, mm")] = 100.0
     width: Annotated[Side, Meta(description="across its heading, mm")] = 100.0
     height: Annotated[ObjectHeight, Meta(description="mm")] = 100.0
@@ -133,8 +154,8 @@ class Box(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
 class Cylinder(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """A standing cylinder; one with a mass can be pushed."""
 
-    x: Annotated[Place, _X]
-    y: Annotated[Place, _Y]
+    x: Annotated[Place, X]
+    y: Annotated[Place, Y]
     radius: Annotated[float, Meta(ge=5, le=1000, description="mm")] = 50.0
     height: Annotated[ObjectHeight, Meta(description="mm")] = 100.0
     mass: Annotated[Mass, Meta(description="kg; without it the cylinder is fixed")] | None = None
@@ -146,8 +167,8 @@ class Tag(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """An AprilTag of family 36h11 on a square board; robots bump into the board and see it."""
 
     id: Annotated[TagNumber, Meta(description="the tag's number")]
-    x: Annotated[Place, _X]
-    y: Annotated[Place, _Y]
+    x: Annotated[Place, X]
+    y: Annotated[Place, Y]
     heading: Annotated[
         Heading, Meta(description="direction of its front, degrees clockwise; 0 is east")
     ]
@@ -161,8 +182,8 @@ class Face(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """A drawn face that shows an emotion, on a square board."""
 
     emotion: Annotated[Emotion, Meta(description="the emotion it shows")]
-    x: Annotated[Place, _X]
-    y: Annotated[Place, _Y]
+    x: Annotated[Place, X]
+    y: Annotated[Place, Y]
     heading: Annotated[
         Heading, Meta(description="direction of its front, degrees clockwise; 0 is east")
     ]
@@ -173,93 +194,63 @@ class Face(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
 class Lamp(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """A lamp over the floor, for light sensors: its light falls off with the distance squared."""
 
-    x: Annotated[Place, _X]
-    y: Annotated[Place, _Y]
+    x: Annotated[Place, X]
+    y: Annotated[Place, Y]
     z: Annotated[float, Meta(ge=50, le=5000, description="height, mm")] = 500.0
     brightness: Annotated[
         float, Meta(ge=0, le=1023, description="light added directly below it, of 1023")
     ] = 600.0
 
 
+class Prop(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """Decoration, on the floor or around it; robots and their cameras notice only a solid one."""
+
+    kind: Annotated[PropKind, Meta(description="what it is")]
+    x: Annotated[Place, X]
+    y: Annotated[Place, Y]
+    heading: Annotated[Heading, HEADING] = 0.0
+    scale: Annotated[float, Meta(ge=0.2, le=4, description="a factor of its usual size")] = 1.0
+    solid: Annotated[bool, Meta(description="whether robots bump into it and see it")] = False
+
+
 class Start(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """A start pose; the first robot takes the first one, the second robot the second."""
 
-    x: Annotated[Place, _X]
-    y: Annotated[Place, _Y]
-    heading: Annotated[Heading, _HEADING] = 0.0
+    x: Annotated[Place, X]
+    y: Annotated[Place, Y]
+    heading: Annotated[Heading, HEADING] = 0.0
     name: Annotated[Name, Meta(description="by which a robot can select it")] = "start"
 
 
-class Reach(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """Bring a robot's middle into a round region."""
+class Moved(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """Objects that are elsewhere in each variant of the world."""
 
-    x: Annotated[Place, _X]
-    y: Annotated[Place, _Y]
-    radius: Annotated[float, Meta(ge=10, le=5000, description="of the region, mm")] = 150.0
-    name: Annotated[Name, Meta(description="shown on the page")] = "reach"
-    robot: (
-        Annotated[Name, Meta(description="the name of the robot; without it any robot")] | None
-    ) = None
-    time_limit: (
-        Annotated[Seconds, Meta(description="seconds; after that the goal has failed")] | None
-    ) = None
+    name: Annotated[Name, Meta(description='of boxes or cylinders, or as in "tag 3" or "face joy"')]
+    distance: Annotated[float, Meta(ge=0, le=2000, description="largest change of x and y, mm")]
 
 
-class Follow(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """Drive along a line."""
+class Vary(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """How variants of the world differ from it: each value is a largest difference."""
 
-    line: Annotated[Name, Meta(description="the line's name")] = "line"
-    fraction: Annotated[
-        float, Meta(ge=0.01, le=1, description="how much of the line; 1 is all of it, one lap")
-    ] = 1.0
-    distance: Annotated[
-        float,
-        Meta(ge=5, le=1000, description="largest distance of a robot's middle from the line, mm"),
-    ] = 100.0
-    name: Annotated[Name, Meta(description="shown on the page")] = "follow"
-    robot: (
-        Annotated[Name, Meta(description="the name of the robot; without it any robot")] | None
-    ) = None
-    time_limit: (
-        Annotated[Seconds, Meta(description="seconds; after that the goal has failed")] | None
-    ) = None
-
-
-class Visit(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """Come close to the front of a tag and face it."""
-
-    id: Annotated[TagNumber, Meta(description="the tag's number")]
-    distance: Annotated[
-        float,
-        Meta(ge=10, le=5000, description="largest distance from the robot's middle to the tag, mm"),
-    ] = 350.0
-    angle: Annotated[
-        float, Meta(ge=1, le=180, description="largest angle off the robot's heading, degrees")
-    ] = 25.0
-    name: Annotated[Name, Meta(description="shown on the page")] = "visit"
-    robot: (
-        Annotated[Name, Meta(description="the name of the robot; without it any robot")] | None
-    ) = None
-    time_limit: (
-        Annotated[Seconds, Meta(description="seconds; after that the goal has failed")] | None
-    ) = None
-
-
-class Goals(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
-    """The goals of robots; checked every 50 ms."""
-
-    reach: Annotated[tuple[Reach, ...], Meta(max_length=50)] = ()
-    follow: Annotated[tuple[Follow, ...], Meta(max_length=50)] = ()
-    visit: Annotated[tuple[Visit, ...], Meta(max_length=50)] = ()
+    start: Annotated[float, Meta(ge=0, le=2000, description="of x and y of a start, mm")] = 0.0
+    heading: Annotated[float, Meta(ge=0, le=180, description="of a start's heading, degrees")] = 0.0
+    light: Annotated[float, Meta(ge=0, le=1023, description="of the ambient light, of 1023")] = 0.0
+    noise: Annotated[float, Meta(ge=0, le=10, description="of the factor sensor_noise")] = 0.0
+    slip: Annotated[float, Meta(ge=0, le=0.3, description="of the floor's slip")] = 0.0
+    thing: Annotated[tuple[Moved, ...], Meta(max_length=100)] = ()
 
 
 class WorldFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     """The content of a world's file."""
 
     title: Annotated[Text, Meta(description="shown on the page")] = ""
+    theme: Annotated[Theme, Meta(description="what the page draws around the floor")] = "playground"
     ambient_light: Annotated[
         float, Meta(ge=0, le=1023, description="the light everywhere, of 1023")
     ] = 400.0
+    sensor_noise: Annotated[
+        float, Meta(ge=0, le=10, description="a factor of the noise of all sensors")
+    ] = 1.0
     floor: Annotated[Floor, Meta(description="the ground")] = Floor()
     line: Annotated[tuple[Line, ...], Meta(max_length=50)] = ()
     wall: Annotated[tuple[Wall, ...], Meta(max_length=50)] = ()
@@ -268,8 +259,10 @@ class WorldFile(Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
     tag: Annotated[tuple[Tag, ...], Meta(max_length=50)] = ()
     face: Annotated[tuple[Face, ...], Meta(max_length=50)] = ()
     light: Annotated[tuple[Lamp, ...], Meta(max_length=50)] = ()
+    prop: Annotated[tuple[Prop, ...], Meta(max_length=100)] = ()
     start: Annotated[tuple[Start, ...], Meta(max_length=100)] = ()
     goal: Annotated[Goals, Meta(description="the goals of robots")] = Goals()
+    vary: Annotated[Vary, Meta(description="how variants of the world differ")] | None = None
 
 
 class WorldDescription(WorldFile, kw_only=True, frozen=True, forbid_unknown_fields=True):
@@ -278,10 +271,19 @@ class WorldDescription(WorldFile, kw_only=True, frozen=True, forbid_unknown_fiel
     Args:
         name: the file's name without its suffix.
         folder: the folder of the floor's picture.
+        variant: the number of the variant; 0 is the world as it is drawn.
     """
 
     name: str = "world"
     folder: str = ""
+    variant: int = 0
+
+
+def thing_name(thing: Box | Cylinder | Tag | Face | Start) -> str:
+    """The name of an object in messages and events."""
+    if isinstance(thing, Tag):
+        return f"tag {thing.id}"
+    return f"face {thing.emotion}" if isinstance(thing, Face) else thing.name
 
 
 def _walk(start: Pose, path: Iterable[Part]) -> list[Point]:

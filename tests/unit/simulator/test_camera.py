@@ -2,8 +2,11 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from learnblock.simulator.camera import CameraModel, CameraPose, Surface, render
+from learnblock.simulator.camera.mip_chain import MipChain
 
 MODEL = CameraModel(320, 240, 290)
 BLACK = (0, 0, 0)
@@ -280,7 +283,7 @@ def test_noise_stops_at_black_and_white(level, sign):
 
 def test_a_moved_surface_shares_its_smaller_textures():
     surface = facing_west(500, texture=np.zeros((64, 64, 3), np.uint8))
-    assert surface.moved(surface.corners + 1).level(3) is surface.level(3)
+    assert surface.moved(surface.corners + 1).mips.level(3) is surface.mips.level(3)
 
 
 def test_a_moved_surface_is_seen_where_it_is_now():
@@ -292,7 +295,24 @@ def test_a_moved_surface_is_seen_where_it_is_now():
 
 def test_the_mip_chain_ends_with_a_single_pixel():
     surface = facing_west(500, texture=np.zeros((100, 300, 3), np.uint8))
-    assert surface.level(surface.last_level).shape == (1, 1, 3)
+    assert surface.mips.level(surface.mips.last).shape == (1, 1, 3)
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_the_short_ways_for_plain_and_grey_textures_draw_the_same_picture(seed):
+    generator = np.random.default_rng(seed)
+    size = (*generator.integers(2, 300, 2), 1)
+    plain_floor = np.full((*size[:2], 3), generator.integers(0, 256, 3), np.uint8)
+    grey_board = np.repeat(generator.integers(0, 256, size, np.uint8), 3, axis=2)
+    surfaces = [ground(plain_floor), Surface(random_quad(generator), grey_board)]
+    pose = CameraPose(*generator.uniform(-50, 50, 2), 120, *generator.uniform(-25, 25, 2))
+    picture = render(surfaces, MODEL, pose, BLACK)
+    with pytest.MonkeyPatch.context() as patches:
+        patches.setattr(MipChain, "is_plain", False)
+        patches.setattr(MipChain, "is_grey", False)
+        again = [Surface(surface.corners, surface.texture) for surface in surfaces]
+
+        assert np.array_equal(render(again, MODEL, pose, BLACK), picture)
 
 
 def test_a_picture_without_surfaces_is_its_background():
@@ -329,3 +349,26 @@ def test_a_texture_that_is_not_an_rgb_image_is_refused_by_name(texture):
 def test_a_lens_without_size_is_refused(values):
     with pytest.raises(ValueError, match="must be above 0"):
         CameraModel(*values)
+
+
+@given(seed=st.integers(0, 10_000))
+def test_a_surface_that_fills_the_picture_is_drawn_as_one_that_does_not(seed):
+    generator = np.random.default_rng(seed)
+    texture = generator.integers(0, 256, (300, 300, 3), dtype=np.uint8)
+    model, pose = CameraModel(40, 30, 40), CameraPose(0, 0, 100, generator.uniform(-9, 9), -60)
+    # Something small, nearer to the camera, takes its pixels from the floor.
+    x, y, z = np.array((0, 0, 100)) + 20 * pose.axes[2]
+    near = facing_west(x, y=y, z=z, width=3, height=3, texture=plain(1, 2, 3))
+    filled = render([ground(texture)], model, pose, background=(9, 9, 9))
+    partly = render([near, ground(texture)], model, pose, background=(9, 9, 9))
+    covered = (partly == (1, 2, 3)).all(axis=2)
+
+    assert 0 < covered.sum() < covered.size
+    assert (filled[~covered] == partly[~covered]).all()
+
+
+def test_a_picture_does_not_show_what_was_drawn_into_another_one():
+    model, pose = CameraModel(8, 6, 8), CameraPose(0, 0, 100)
+    first = render([], model, pose)
+    first[:] = 0
+    assert (render([], model, pose) == (200, 215, 230)).all()

@@ -25,8 +25,13 @@ def run(world: World, seconds: float) -> None:
 def alone(
     description: RobotDescription, start: tuple[float, float, float] = (0, 0, 0)
 ) -> tuple[World, RobotBody]:
-    world = World(load_world("empty"))
+    world = World(floor_with(slip=0.0))
     return world, world.add_robot(description, start=start)
+
+
+def floor_with(*, slip: float) -> WorldDescription:
+    world = load_world("empty")
+    return msgspec.structs.replace(world, floor=msgspec.structs.replace(world.floor, slip=slip))
 
 
 def test_driving_forward_at_heading_0_goes_east() -> None:
@@ -192,3 +197,74 @@ def test_a_speed_that_is_not_a_number_is_refused(speeds: tuple[float, float]) ->
 
     with pytest.raises(ValueError, match="expected a finite number"):
         robot.drive(*speeds)
+
+
+def driven(slip: float, seed: int = 0) -> RobotBody:
+    """A robot after a straight way of 500 mm by its wheels."""
+    world = World(floor_with(slip=slip), seed=seed)
+    robot = world.add_robot(exact(), start=(0, 0, 0))
+    robot.drive(100, 0)
+    run(world, 5)
+    return robot
+
+
+def test_slip_loses_its_part_of_the_way_on_average() -> None:
+    robots = [driven(0.1, seed) for seed in range(20)]
+
+    assert sum(robot.pose[0] for robot in robots) / 20 == pytest.approx(450, abs=3)
+    assert len({robot.pose for robot in robots}) == 20
+
+
+def test_encoders_do_not_notice_slip() -> None:
+    robot = driven(0.2)
+
+    assert robot.odometry == pytest.approx((500, 0, 0), abs=0.001)
+    assert robot.wheels_rolled == pytest.approx((500, 500))
+
+
+def test_odometry_follows_curves_exactly_without_slip() -> None:
+    world, robot = alone(exact())
+    for adv, rot in ((100, 45), (80, -60), (0, 90), (-50, 10)):
+        robot.drive(adv, rot)
+        run(world, 1)
+
+    assert robot.odometry == pytest.approx(robot.pose, abs=1)
+
+
+def test_odometry_does_not_depend_on_how_often_it_is_read() -> None:
+    _, once = alone(exact())
+    world, often = alone(exact())
+    for robot, reads in ((once, False), (often, True)):
+        world = robot._world
+        for speed in (60, 30, 90):
+            robot.drive(speed, speed / 2)
+            for _ in range(50):
+                world.step()
+                assert not reads or len(robot.odometry) == 3
+
+    assert once.odometry == pytest.approx(often.odometry, abs=1e-9)
+
+
+SPEEDS = st.tuples(st.sampled_from([0.0, -0.0, 40.0, 900.0]), st.floats(-90, 90))
+
+
+@given(st.lists(SPEEDS, max_size=6))
+@settings(max_examples=20, deadline=None)
+def test_the_same_command_again_changes_nothing(commands: list[tuple[float, float]]) -> None:
+    once, often = (alone(exact()) for _ in range(2))
+    for speeds in commands:
+        for (world, robot), times in ((once, 1), (often, 3)):
+            for _ in range(times):
+                robot.drive(*speeds)
+            run(world, 0.05)
+    assert once[0].state == often[0].state
+
+
+def test_a_command_after_a_hand_has_moved_the_robot_is_obeyed() -> None:
+    world, robot = alone(exact())
+    robot.drive(40, 0)
+    run(world, 1)
+    robot.place(0, 0, 0)
+    robot.drive(40, 0)
+    run(world, 1)
+    assert robot.pose[0] > 30

@@ -236,6 +236,7 @@ def test_a_joint_reversed_on_its_way_does_not_jump() -> None:
 def test_a_frame_stays_the_newest_until_the_cameras_rate_allows_another() -> None:
     world, robot = in_world(load_robot("ebo"))
     first = robot.frame()
+    robot.drive(100, 0)
     frames = []
     for _ in range(4):
         frames.append(robot.frame())
@@ -244,6 +245,19 @@ def test_a_frame_stays_the_newest_until_the_cameras_rate_allows_another() -> Non
     assert first.shape == (240, 320, 3)
     assert first.dtype == np.uint8
     assert [frame is first for frame in frames] == [True, True, True, False]
+
+
+def test_a_camera_that_sees_nothing_new_keeps_its_frame() -> None:
+    world, robot = in_world(load_robot("ebo"))
+    other = world.add_robot(load_robot("ebo"), "other", start=(400, 0, 0))
+    first = robot.frame()
+    run(world, 1)
+    unmoved = robot.frame()
+    other.drive(100, 0)
+    run(world, 1)
+
+    assert unmoved is first
+    assert not np.array_equal(robot.frame(), first)
 
 
 def test_a_frame_is_read_only() -> None:

@@ -5,6 +5,7 @@ import msgspec
 import pytest
 from msgspec import Struct, inspect
 
+from learnblock.simulator import goal_description as goals
 from learnblock.simulator import load_robot, load_world, robot_names, world_names
 from learnblock.simulator import robot_description as robots
 from learnblock.simulator import world_description as worlds
@@ -22,10 +23,17 @@ TABLES: dict[str, type[Struct]] = {
     "[[tag]]": worlds.Tag,
     "[[face]]": worlds.Face,
     "[[light]]": worlds.Lamp,
+    "[[prop]]": worlds.Prop,
     "[[start]]": worlds.Start,
-    "[[goal.reach]]": worlds.Reach,
-    "[[goal.follow]]": worlds.Follow,
-    "[[goal.visit]]": worlds.Visit,
+    "[[goal.reach]]": goals.Reach,
+    "[[goal.follow]]": goals.Follow,
+    "[[goal.visit]]": goals.Visit,
+    "[[goal.tour]]": goals.Tour,
+    "[[goal.stop]]": goals.Stop,
+    "[[goal.show]]": goals.Show,
+    "[[goal.avoid]]": goals.Avoid,
+    "[vary]": worlds.Vary,
+    "[[vary.thing]]": worlds.Moved,
     "[body]": robots.Body,
     "[wheels]": robots.Wheels,
     "[[distance]]": robots.DistanceSensor,
@@ -79,7 +87,7 @@ def test_the_page_lists_each_key_with_its_bounds_and_default(heading: str) -> No
 
 def test_every_table_of_a_file_has_its_section() -> None:
     told = PAGE.read_text(encoding="utf-8")
-    simple = {"title", "ambient_light", "world", "outputs"}
+    simple = {"title", "theme", "ambient_light", "sensor_noise", "world", "outputs"}
     files = (worlds.WorldFile, robots.RobotFile)
     keys = {key for file in files for key in file.__struct_fields__} - simple - {"goal"}
 
@@ -94,11 +102,13 @@ def test_the_page_names_every_shipped_world_and_robot() -> None:
 
 
 def test_the_examples_of_files_load(tmp_path: Path) -> None:
-    world, robot = blocks("toml")
+    world, task, robot = blocks("toml")
     (tmp_path / "garden.toml").write_text(world)
+    (tmp_path / "task.toml").write_text(task)
     (tmp_path / "beetle.toml").write_text(robot)
 
     assert load_world("garden", [tmp_path]).title == "A garden"
+    assert len(list(load_world("task", [tmp_path]).goal.all())) == 3
     assert load_robot("beetle", [tmp_path]).title == "Beetle"
 
 

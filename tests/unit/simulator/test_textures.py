@@ -163,3 +163,15 @@ def test_another_number_is_another_person():
 def test_a_person_below_zero_is_refused():
     with pytest.raises(ValueError, match="count from 0"):
         face("joy", 100, -1)
+
+
+def test_lines_change_the_pixels_that_they_touch_as_if_all_were_mixed():
+    colour, ground = (20, 90, 200), (240, 239, 9)
+    points = [(-50, 3), (60, -20)]
+    picture = floor((200, 100), ground, [FloorLine(points, 17, colour)])
+    # The same line in black on white shows how much of each pixel it covers, in 255 steps.
+    parts = 1 - floor((200, 100), (255,) * 3, [FloorLine(points, 17)])[..., :1] / 255
+    mixed = ground + parts * (np.array(colour) - ground)
+    assert np.abs(picture - mixed).max() <= 1
+    assert (picture[parts[..., 0] == 0] == ground).all()
+    assert (picture[parts[..., 0] == 1] == colour).all()

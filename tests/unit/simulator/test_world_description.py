@@ -7,25 +7,47 @@ import pytest
 from learnblock.errors import WorldError
 from learnblock.i18n import Phrase
 from learnblock.simulator import load_world, textures, world_names
-from learnblock.simulator.world_description import EMOTIONS
+from learnblock.simulator.description_types import EMOTIONS
 from places import ROOT
 
 EXPECTED = {
+    "arena",
+    "bumper",
+    "distance",
+    "edge",
     "empty",
+    "face-ahead",
     "faces",
+    "heading",
+    "convoy",
+    "football",
+    "race",
+    "run-away",
     "labyrinth",
+    "relay",
+    "sumo",
+    "swarm",
     "line",
     "line-and-box",
-    "red-line",
     "lines",
     "obstacles",
+    "parking",
+    "applause",
+    "patrol",
     "people",
+    "polygons",
+    "flower",
+    "red-line",
+    "square",
+    "stage",
+    "table",
+    "tag-ahead",
     "tags",
     "walls",
 }
 
 
-def test_the_worlds_of_the_paper_are_built_in() -> None:
+def test_all_worlds_of_the_docs_are_built_in() -> None:
     assert set(world_names()) == EXPECTED
 
 
@@ -55,6 +77,23 @@ def test_an_empty_file_is_a_floor_of_two_by_two_metres_with_a_border(tmp_path: P
     assert floor.border == 100
 
 
+def test_a_world_is_a_playground_unless_it_names_another_theme(tmp_path: Path) -> None:
+    (tmp_path / "plain.toml").write_text("")
+    (tmp_path / "own.toml").write_text('theme = "space"')
+
+    assert load_world(tmp_path / "plain.toml").theme == "playground"
+    assert load_world(tmp_path / "own.toml").theme == "space"
+
+
+def test_an_unknown_theme_is_refused_with_its_place_and_the_themes_that_exist(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "w.toml").write_text('title = "x"\ntheme = "jungle"\n')
+
+    with pytest.raises(WorldError, match=r"w\.toml:2:1: .*\"jungle\".* maze, night, playground"):
+        load_world(tmp_path / "w.toml")
+
+
 def test_the_line_bends_gently_and_both_ways() -> None:
     (line,) = load_world("line").line
     turns = [part.turn for part in line.path if part.turn]
@@ -65,7 +104,7 @@ def test_the_line_bends_gently_and_both_ways() -> None:
     assert line.closed
 
 
-@pytest.mark.parametrize("name", ["line", "line-and-box"])
+@pytest.mark.parametrize("name", ["line", "line-and-box", "red-line"])
 def test_a_robot_starts_on_the_line_and_faces_along_it(name: str) -> None:
     world = load_world(name)
     (line,), (start, *_) = world.line, world.start
@@ -122,8 +161,7 @@ def test_the_page_has_words_for_every_title_and_goal_of_our_worlds(language: str
         "utf-8"
     )
     for world in map(load_world, world_names()):
-        goals = (*world.goal.reach, *world.goal.follow, *world.goal.visit)
-        for name in (world.title, *(goal.name for goal in goals)):
+        for name in (world.title, *(goal.name for _, _, goal in world.goal.all())):
             # As in frontend/src/i18n/index.ts.
             code = "name-" + re.sub(r"[^a-z0-9]+", "-", name.lower())
             code = "goal-tag" if re.fullmatch(r"tag \d+", name) else code

@@ -1,6 +1,7 @@
 """The picture so far, and its depth."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import cv2
 import numpy as np
@@ -24,10 +25,8 @@ class Canvas:
 
     @classmethod
     def blank(cls, model: CameraModel, background: Colour) -> "Canvas":
-        image = np.empty((model.height, model.width, 3), np.uint8)
-        cv2.rectangle(image, (0, 0), (model.width, model.height), background, cv2.FILLED)
         return cls(
-            image,
+            _plain(model.width, model.height, background).copy(),
             np.zeros((model.height, model.width), np.float32),
             np.arange(model.width, dtype=np.float32)[None, :],
             np.arange(model.height, dtype=np.float32)[:, None],
@@ -43,7 +42,12 @@ class Canvas:
         for edge in edges(patch.outline, window):
             visible &= self._affine(window, edge) >= 0
         mask = visible.view(np.uint8)
-        if cv2.hasNonZero(mask):
+        count = cv2.countNonZero(mask)
+        if count == mask.size:
+            # As below, without the mask.
+            self.image[window.slices] = texels(facet, patch, window)
+            self.nearness[window.slices] = nearness
+        elif count:
             cv2.copyTo(texels(facet, patch, window), mask, self.image[window.slices])
             cv2.copyTo(nearness, mask, self.nearness[window.slices])
 
@@ -53,3 +57,11 @@ class Canvas:
         columns = self.columns[:, : window.right - window.left] * np.float32(a)
         rows = self.rows[: window.bottom - window.top] * np.float32(b) + np.float32(c)
         return columns + rows
+
+
+# Every frame of a camera begins with the same one; a copy takes a fifth of the time.
+@lru_cache(maxsize=16)
+def _plain(width: int, height: int, colour: Colour) -> Image:
+    image = np.empty((height, width, 3), np.uint8)
+    cv2.rectangle(image, (0, 0), (width, height), colour, cv2.FILLED)
+    return image

@@ -61,7 +61,7 @@ class Facet:
 
     def _octave(self, depth: float) -> int:
         fineness = math.floor(0.5 * math.log2(self.texels_per_pixel * depth**3))
-        return min(max(0, fineness), self.surface.last_level)
+        return min(max(0, fineness), self.surface.mips.last)
 
     def _depth(self, octave: int) -> float:
         return float((4.0**octave / self.texels_per_pixel) ** (1 / 3))

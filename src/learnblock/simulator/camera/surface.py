@@ -4,10 +4,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from learnblock.simulator.camera.mip_chain import MipChain
 from learnblock.simulator.camera.vectors import Image, Vector, cross, dot, minus
 
 # One minus the cosine by which the normals at a quad's corners may differ.
@@ -35,30 +35,18 @@ class Surface:
     texture: Image
     name: str = ""
     two_sided: bool = True
-    _levels: dict[int, Image] = field(default_factory=dict, repr=False)
+    mips: MipChain = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         _check_corners(self)
         _check_texture(self)
-        self._levels.setdefault(0, self.texture)
+        object.__setattr__(self, "mips", MipChain(self.texture))
 
     def moved(self, corners: NDArray[np.float64]) -> "Surface":
         """The same surface elsewhere; it shares the mip chain, which is slow to compute."""
-        return Surface(corners, self.texture, self.name, self.two_sided, self._levels)
-
-    @property
-    def last_level(self) -> int:
-        """The level of the mip chain whose longer side is a single pixel."""
-        return int(max(self.texture.shape[:2]).bit_length()) - 1
-
-    def level(self, number: int) -> Image:
-        """The texture at 1/2**number of its size, computed on first use."""
-        if number not in self._levels:
-            finer = self.level(number - 1)
-            height, width = (max(1, size // 2) for size in finer.shape[:2])
-            # Bound to the same array even if two threads compute it at once.
-            self._levels.setdefault(number, _shrunk(finer, width, height))
-        return self._levels[number]
+        surface = Surface(corners, self.texture, self.name, self.two_sided)
+        object.__setattr__(surface, "mips", self.mips)
+        return surface
 
 
 def _check_corners(surface: Surface) -> None:
@@ -96,7 +84,3 @@ def _check_texture(surface: Surface) -> None:
             f"surface `{surface.name}` has a texture of {texture.dtype} and shape {texture.shape}; "
             "expected RGB uint8 of shape (height, width, 3)"
         )
-
-
-def _shrunk(texture: Image, width: int, height: int) -> Image:
-    return np.asarray(cv2.resize(texture, (width, height), interpolation=cv2.INTER_AREA), np.uint8)

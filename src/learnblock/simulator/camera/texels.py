@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from learnblock.simulator.camera.facet import Facet, Patch
 from learnblock.simulator.camera.vectors import Image, Vector
@@ -21,12 +20,11 @@ SPACING = 2.5
 def texels(facet: Facet, patch: Patch, window: Window) -> Image:
     """The shaded texture over the whole window."""
     size = (window.right - window.left, window.bottom - window.top)
-    if facet.surface.last_level == 0:
-        return _plain(size, facet.surface.texture[0, 0] * facet.shade)
-    seen = _warped(facet, _sampling(facet, patch, window), window, size)
-    if facet.shade < 1:
-        cv2.convertScaleAbs(seen, seen, facet.shade)
-    return np.asarray(seen, np.uint8)
+    mips = facet.surface.mips
+    if mips.is_plain:
+        return _plain(size, _shaded(mips.level(mips.last), facet.shade))
+    seen = _shaded(_warped(facet, _sampling(facet, patch, window), window, size), facet.shade)
+    return _coloured(seen) if mips.is_grey else seen
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +47,7 @@ def _sampling(facet: Facet, patch: Patch, window: Window) -> Sampling:
     right, down = _footprint(facet, patch, window)
     narrow, wide = min(right, down), max(right, down)
     fineness = math.log2(max(narrow, wide / (MOST_SAMPLES * SPACING), 1e-9)) - SHARPNESS
-    level = min(max(0, math.floor(fineness + 0.5)), facet.surface.last_level)
+    level = min(max(0, math.floor(fineness + 0.5)), facet.surface.mips.last)
 
     def samples(footprint: float) -> int:
         texels = footprint / 2**level / SPACING
@@ -87,7 +85,7 @@ def clamped(value: float, low: float, high: float) -> float:
 def _warped(
     facet: Facet, sampling: Sampling, window: Window, size: tuple[int, int]
 ) -> cv2.typing.MatLike:
-    texture = facet.surface.level(sampling.level)
+    texture = facet.surface.mips.samples(sampling.level)
     height, width = texture.shape[:2]
     across, along, nearness = (
         sampling.over_samples(window.shift(plane)) for plane in facet.pixel_to_texture
@@ -119,7 +117,15 @@ def _averaged(samples: cv2.typing.MatLike, columns: int, rows: int) -> cv2.typin
     return samples
 
 
-def _plain(size: tuple[int, int], colour: NDArray[np.float64]) -> Image:
+def _shaded(seen: cv2.typing.MatLike, shade: float) -> Image:
+    return np.asarray(cv2.convertScaleAbs(seen, alpha=shade) if shade < 1 else seen, np.uint8)
+
+
+def _coloured(seen: Image) -> Image:
+    return np.asarray(cv2.cvtColor(seen, cv2.COLOR_GRAY2RGB), np.uint8)
+
+
+def _plain(size: tuple[int, int], pixel: Image) -> Image:
     image = np.empty((size[1], size[0], 3), np.uint8)
-    cv2.rectangle(image, (0, 0), size, np.rint(colour).tolist(), cv2.FILLED)
+    cv2.rectangle(image, (0, 0), size, pixel[0, 0].tolist(), cv2.FILLED)
     return image

@@ -1,5 +1,5 @@
-"""The picture of a run: the world from above, with the robot's path coloured by time."""
+"""The picture of a run: the world from above, with the robots' paths coloured by time."""
 
-from learnblock.simulator.picture.scene import Scene, draw_png, draw_svg
+from learnblock.simulator.picture.scene import Drive, Scene, draw_png, draw_svg
 
-__all__ = ["Scene", "draw_png", "draw_svg"]
+__all__ = ["Drive", "Scene", "draw_png", "draw_svg"]

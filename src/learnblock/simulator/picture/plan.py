@@ -11,9 +11,9 @@ from learnblock.simulator import textures
 from learnblock.simulator.colours import RGB, rgb
 from learnblock.simulator.floor import Floor
 from learnblock.simulator.geometry import forward
-from learnblock.simulator.picture import icons
+from learnblock.simulator.picture import goals, icons
 from learnblock.simulator.picture.labels import Box as LabelBox
-from learnblock.simulator.picture.palette import BLACK, GREEN, INK, PALE, WHITE, is_dark
+from learnblock.simulator.picture.palette import BLACK, INK, PALE, WHITE, is_dark
 from learnblock.simulator.picture.svg import (
     Circle,
     Image,
@@ -26,15 +26,13 @@ from learnblock.simulator.picture.svg import (
     rectangle,
 )
 from learnblock.simulator.picture.view import View, round_step
+from learnblock.simulator.props import body_of
 from learnblock.simulator.world_description import (
     Box,
     Cylinder,
     Face,
-    Follow,
-    Reach,
     Start,
     Tag,
-    Visit,
     Wall,
     WorldDescription,
 )
@@ -48,11 +46,11 @@ BOARD = (34.0, 84.0)
 def drawn(world: WorldDescription, view: View) -> Iterator[Shape]:
     """Everything in the world except the robots."""
     yield from _ground(world, view)
-    yield from _goals(world, view)
+    yield from goals.regions(world, view)
     for line in world.line:
         points = _points(line.polyline().points)
         yield Polyline(view.all(points), rgb(line.colour), line.width * view.scale)
-    yield from _outlines(world, view)
+    yield from goals.outlines(world, view)
     yield from _things(world, view)
     for lamp in world.light:
         yield from icons.sun(view.at(lamp.x, lamp.y), 15.0)
@@ -148,50 +146,6 @@ def _multiples(step: float, limit: float) -> list[float]:
     return [k * step for k in range(-count, count + 1)]
 
 
-def _goals(world: WorldDescription, view: View) -> Iterator[Shape]:
-    for reach in world.goal.reach:
-        yield _region(reach, view)
-    for follow in world.goal.follow:
-        yield from _followed(follow, world, view)
-    for visit in world.goal.visit:
-        yield from _visited(visit, world, view)
-
-
-def _region(reach: Reach, view: View) -> Circle:
-    paint = Paint(GREEN, opacity=0.16)
-    return Circle(view.at(reach.x, reach.y), reach.radius * view.scale, paint)
-
-
-def _outlines(world: WorldDescription, view: View) -> Iterator[Shape]:
-    """The edges of goals' regions, drawn over the lines, which may fill a region."""
-    for reach in world.goal.reach:
-        ring = Paint(stroke=GREEN, width=2.5, dash=(9.0, 6.0))
-        yield Circle(view.at(reach.x, reach.y), reach.radius * view.scale, ring)
-
-
-def _followed(goal: Follow, world: WorldDescription, view: View) -> Iterator[Shape]:
-    """A green glow under the line."""
-    for line in world.line:
-        if line.name == goal.line:
-            points = view.all(_points(line.polyline().points))
-            yield Polyline(points, GREEN, line.width * view.scale + 18, 0.22)
-
-
-def _visited(goal: Visit, world: WorldDescription, view: View) -> Iterator[Shape]:
-    """The half disc in front of the tag within which it is near enough."""
-    for tag in world.tag:
-        if tag.id == goal.id:
-            region = view.all(_half_disc(tag, goal.distance))
-            yield Polygon(region, Paint(GREEN, opacity=0.09))
-            yield Polygon(region, Paint(stroke=GREEN, width=1.6, opacity=0.6, dash=(7, 6)))
-
-
-def _half_disc(tag: Tag, radius: float) -> list[Point]:
-    angles = [tag.heading + 7.5 * k for k in range(-12, 13)]
-    units = [forward(angle) for angle in angles]
-    return [(tag.x + radius * x, tag.y + radius * y) for x, y in units]
-
-
 def start(start: Start, view: View) -> Iterator[Shape]:
     """A start that no robot took: a ring with an arrow along the heading."""
     x, y = view.at(start.x, start.y)
@@ -209,6 +163,9 @@ def _things(world: WorldDescription, view: View) -> Iterator[Shape]:
         yield from _box(box, view)
     for cylinder in world.cylinder:
         yield from _cylinder(cylinder, view)
+    for prop in world.prop:
+        body = body_of(prop)
+        yield from _box(body, view) if isinstance(body, Box) else _cylinder(body, view)
     for tag in world.tag:
         yield from _board(tag, view, textures.tag(tag.id, 10 * textures.TAG_CELLS))
         yield from _number(tag, view)

@@ -1,15 +1,16 @@
 """The drawing of a run: the page from its title to its scale bar, in layers."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from operator import itemgetter
 
 import numpy as np
 from numpy.typing import NDArray
 
-from learnblock.simulator.geometry import Pose
-from learnblock.simulator.picture import icons, marks, plan, svg, time_bar
+from learnblock.simulator.drawing import Stroke
+from learnblock.simulator.picture import goals, icons, marks, plan, svg, time_bar
 from learnblock.simulator.picture.labels import Box, Room
 from learnblock.simulator.picture.palette import INK, PALE, PAPER
 from learnblock.simulator.picture.svg import (
@@ -43,8 +44,30 @@ TALLEST_BAR = 520.0
 """Pixels."""
 SPREAD = 6.0
 """Pixels between the points that labels should not cover."""
+THINNEST_STROKE = 3.0
+"""The least width of a stroke of a pen in pixels."""
 START_SLACK = 30.0
 """The distance in mm from a start within which a path begins there."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drive:
+    """What a robot did in a run.
+
+    Args:
+        body: the robot's hull, for its outline and colour.
+        path: (time in s, x in mm, y in mm, heading in degrees), in chronological order; may be
+            empty.
+        marks: (time in s, kind, text, x in mm, y in mm). The kinds "emotion", "goal" (whose text
+            ends in "failed" if it was missed) and "end" have their own icons, others a dot.
+        strokes: what its pen has drawn on the floor. Its path is thin then, so that the drawing is
+            what one sees.
+    """
+
+    body: Body
+    path: tuple[tuple[float, float, float, float], ...] = ()
+    marks: tuple[tuple[float, str, str, float, float], ...] = ()
+    strokes: tuple[Stroke, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,19 +76,31 @@ class Scene:
 
     Args:
         world: the description; objects that were pushed are at their start.
-        body: the robot's hull, for its outline and colour.
-        path: (time in s, x in mm, y in mm, heading in degrees), in chronological order; may be
-            empty.
-        marks: (time in s, kind, text, x in mm, y in mm). The kinds "emotion", "goal" (whose text
-            ends in "failed" if it was missed) and "end" have their own icons, others a dot.
+        drives: what each robot did.
         title: the program and the robot.
     """
 
     world: WorldDescription
-    body: Body
-    path: tuple[tuple[float, float, float, float], ...] = ()
-    marks: tuple[tuple[float, str, str, float, float], ...] = ()
+    drives: tuple[Drive, ...] = ()
     title: str = ""
+
+    @property
+    def moves(self) -> tuple[Drive, ...]:
+        """The drives with a path."""
+        return tuple(drive for drive in self.drives if drive.path)
+
+    @property
+    def shows_time(self) -> bool:
+        """Whether a path is coloured by time."""
+        return not all(drive.strokes for drive in self.moves)
+
+    @property
+    def times(self) -> tuple[float, float]:
+        """When the first path begins and the last one ends, in s."""
+        return (
+            min(drive.path[0][0] for drive in self.moves),
+            max(drive.path[-1][0] for drive in self.moves),
+        )
 
 
 def draw_svg(scene: Scene) -> str:
@@ -81,25 +116,38 @@ def draw_png(scene: Scene) -> bytes:
 
 
 def _view(scene: Scene) -> View:
-    places = [(x, y) for _, x, y, _ in scene.path] + [(x, y) for *_, x, y in scene.marks]
-    return fitted(scene.world.floor.size, np.array(places).reshape(-1, 2), bar=bool(scene.path))
+    places = [(x, y) for drive in scene.drives for _, x, y, _ in drive.path]
+    places += [(x, y) for drive in scene.drives for *_, x, y in drive.marks]
+    return fitted(scene.world.floor.size, np.array(places).reshape(-1, 2), bar=scene.shows_time)
 
 
 def _layers(scene: Scene, view: View) -> Iterator[Shape]:
-    driven = Track.of(scene.path, view) if scene.path else None
+    tracks = [Track.of(drive.path, view, scene.times) for drive in scene.moves]
     yield Polygon(rectangle(0, 0, WIDTH, view.page_height), Paint(PAPER))
     yield from _heading(scene)
     yield from plan.drawn(scene.world, view)
     for start in scene.world.start:
-        if not _is_taken(start, scene):
+        if _starter(start, scene) is None:
             yield from plan.start(start, view)
-    if driven is not None:
-        yield from icons.robot(scene.body, view, scene.path[0][1:], faint=True)
-        yield from driven.drawn()
-        yield from icons.robot(scene.body, view, scene.path[-1][1:])
+    for drive in scene.moves:
+        yield from icons.robot(drive.body, view, drive.path[0][1:], faint=True)
+    for drive, track in zip(scene.moves, tracks, strict=True):
+        yield from track.thinly_drawn() if drive.strokes else track.drawn()
+    for drive in scene.drives:
+        yield from (_stroke(stroke, view) for stroke in drive.strokes)
+    for drive in scene.moves:
+        yield from icons.robot(drive.body, view, drive.path[-1][1:])
+    if scene.shows_time:
         yield from _time_bar(scene, view)
-    yield from _labels(scene, view, driven)
+    yield from _labels(scene, view, tracks)
     yield from _footer(scene, view)
+
+
+def _stroke(stroke: Stroke, view: View) -> Shape:
+    # A dot is a line that ends where it begins: its round ends remain.
+    points = stroke.points if len(stroke.points) > 1 else stroke.points * 2
+    width = max(stroke.width * view.scale, THINNEST_STROKE)
+    return Polyline(view.all(points), stroke.colour, width)
 
 
 def _heading(scene: Scene) -> Iterator[Shape]:
@@ -117,40 +165,59 @@ def _fitting(text: str, size: float) -> float:
 def _facts(scene: Scene) -> Iterator[str]:
     if scene.title and scene.world.title:
         yield scene.world.title
-    if scene.path:
-        places = np.array(scene.path)[:, 1:3]
-        metres = float(np.hypot(*np.diff(places, axis=0).T).sum()) / 1000
-        yield f"{metres:.2f} m in {scene.path[-1][0] - scene.path[0][0]:.1f} s"
+    if scene.moves:
+        begin, end = scene.times
+        metres = sum(map(_length, scene.moves)) / 1000
+        yield f"{metres:.2f} m in {end - begin:.1f} s"
+
+
+def _length(drive: Drive) -> float:
+    """The mm driven."""
+    places = np.array(drive.path)[:, 1:3]
+    return float(np.hypot(*np.diff(places, axis=0).T).sum())
 
 
 def _time_bar(scene: Scene, view: View) -> Iterator[Shape]:
     corner = (WIDTH - MARGIN - BAR_COLUMN + 34, HEADER + 50)
     height = min(view.plot[1] - 60, TALLEST_BAR)
-    yield from time_bar.drawn(scene.path[0][0], scene.path[-1][0], corner, height)
+    yield from time_bar.drawn(*scene.times, corner, height)
 
 
-def _labels(scene: Scene, view: View, driven: Track | None) -> Iterator[Shape]:
-    room = Room(_bounds(view), _busy(scene, view, driven))
-    reach = scene.body.reach * view.scale
+def _labels(scene: Scene, view: View, tracks: Sequence[Track]) -> Iterator[Shape]:
+    room = Room(_bounds(view), _busy(scene, view, tracks))
     for board in plan.boards(scene.world):
         center, side = plan.board_picture(board, view)
         room.take(Box.around(center, side / 2 + 4))
     for tag in scene.world.tag:
         room.take(plan.tag_number_box(tag, view))
-    if scene.path:
-        room.take(Box.around(view.at(*scene.path[-1][1:3]), reach * 0.8))
-    events = [marks.Event(t, kind, text, view.at(x, y)) for t, kind, text, x, y in scene.marks]
+    for drive in scene.moves:
+        room.take(Box.around(view.at(*drive.path[-1][1:3]), _reach(drive, view) * 0.8))
     # Labels of events matter more than names of objects, so they are placed first, and on top.
-    happened = list(marks.events_drawn(events, room, reach))
+    happened = list(marks.events_drawn(_events(scene, view), room, _widest(scene, view)))
     for name in _names(scene, view):
         yield from marks.name_drawn(name, room)
     yield from happened
 
 
+def _events(scene: Scene, view: View) -> list[marks.Event]:
+    marked = sorted((mark for drive in scene.drives for mark in drive.marks), key=itemgetter(0))
+    return [marks.Event(t, kind, text, view.at(x, y)) for t, kind, text, x, y in marked]
+
+
+def _reach(drive: Drive, view: View) -> float:
+    """The radius of a robot in pixels."""
+    return drive.body.reach * view.scale
+
+
+def _widest(scene: Scene, view: View) -> float:
+    return max((_reach(drive, view) for drive in scene.drives), default=0.0)
+
+
 def _names(scene: Scene, view: View) -> Iterator[marks.Name]:
     """The names of the world's goals, named objects and starts."""
-    told = [text for _, kind, text, _, _ in scene.marks if kind == "goal"]
-    for name in _goal_names(scene.world, view):
+    marked = [mark for drive in scene.drives for mark in drive.marks]
+    told = [text for _, kind, text, _, _ in marked if kind == "goal"]
+    for name in goals.names(scene.world, view):
         if not any(text.startswith(f"{name.text}:") for text in told):
             yield name
     for thing in plan.things(scene.world):
@@ -158,13 +225,16 @@ def _names(scene: Scene, view: View) -> Iterator[marks.Name]:
             clear = _radius(thing) * view.scale + 4
             yield marks.Name(thing.name, view.at(thing.x, thing.y), clear)
     for start in scene.world.start:
-        clear = scene.body.reach * view.scale if _is_taken(start, scene) else 18.0
+        starter = _starter(start, scene)
+        clear = _reach(starter, view) if starter else 18.0
         yield marks.Name(start.name, view.at(start.x, start.y), clear)
 
 
-def _is_taken(start: Start, scene: Scene) -> bool:
-    """Whether the path begins at a start."""
-    return bool(scene.path) and math.dist((start.x, start.y), scene.path[0][1:3]) < START_SLACK
+def _starter(start: Start, scene: Scene) -> Drive | None:
+    """The robot whose path begins at a start."""
+    place = (start.x, start.y)
+    near = (drive for drive in scene.moves if math.dist(place, drive.path[0][1:3]) < START_SLACK)
+    return next(near, None)
 
 
 def _radius(thing: WorldBox | Cylinder) -> float:
@@ -173,37 +243,20 @@ def _radius(thing: WorldBox | Cylinder) -> float:
     return math.hypot(thing.length, thing.width) / 2
 
 
-def _goal_names(world: WorldDescription, view: View) -> Iterator[marks.Name]:
-    for reach in world.goal.reach:
-        yield marks.Name(reach.name, view.at(reach.x, reach.y), is_goal=True)
-    lines = {line.name: line for line in world.line}
-    for follow in world.goal.follow:
-        line = lines[follow.line]
-        points = line.polyline().points
-        x, y = points[len(points) // 2].tolist()
-        clear = line.width * view.scale / 2 + 10
-        yield marks.Name(follow.name, view.at(x, y), clear, is_goal=True)
-    tags = {tag.id: tag for tag in world.tag}
-    for visit in world.goal.visit:
-        tag = tags[visit.id]
-        place = Pose(tag.x, tag.y, tag.heading).ahead(0.55 * visit.distance)
-        yield marks.Name(visit.name, view.at(place.x, place.y), is_goal=True)
-
-
 def _bounds(view: View) -> Box:
     width, height = view.plot
     return Box(MARGIN - 12, HEADER - 6, MARGIN + width - 14, HEADER + height - 10)
 
 
-def _busy(scene: Scene, view: View, driven: Track | None) -> NDArray[np.float64]:
+def _busy(scene: Scene, view: View, tracks: Sequence[Track]) -> NDArray[np.float64]:
     """The shapes that labels should not cover: lines, walls, objects, path and start."""
     parts = [_within(plan.outline(thing, view)) for thing in plan.things(scene.world)]
     lines = [line.polyline().points.tolist() for line in scene.world.line]
     for points in [*lines, *(wall.points for wall in scene.world.wall)]:
         parts += [_between(*ends) for ends in pairwise(view.all(points))]
-    if driven is not None:
-        parts.append(driven.spread(SPREAD))
-        parts.append(_within(view.placed(scene.body.outline, *scene.path[0][1:])))
+    parts += [track.spread(SPREAD) for track in tracks]
+    for drive in scene.moves:
+        parts.append(_within(view.placed(drive.body.outline, *drive.path[0][1:])))
     return np.vstack([np.empty((0, 2)), *parts])
 
 

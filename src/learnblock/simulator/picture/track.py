@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from learnblock.simulator.colours import RGB
-from learnblock.simulator.picture.palette import WHITE, time_colour
+from learnblock.simulator.picture.palette import PALE, WHITE, time_colour
 from learnblock.simulator.picture.svg import Paint, Point, Polygon, Polyline, Shape
 from learnblock.simulator.picture.view import View
 
@@ -22,6 +22,7 @@ TOLERANCE = 0.3
 LINE = 6.0
 """The width of the path in pixels; its white edge is wider."""
 EDGE = 10.0
+THIN_LINE = 2.0
 ARROW_GAP = 105.0
 """Pixels between arrowheads, more if there would be over `MOST_ARROWS`."""
 MOST_ARROWS = 48
@@ -44,15 +45,27 @@ class Track:
     along: NDArray[np.float64]
 
     @classmethod
-    def of(cls, path: Sequence[tuple[float, float, float, float]], view: View) -> "Track":
-        """The track of a path of (time in s, x in mm, y in mm, heading); it has at least one."""
+    def of(
+        cls,
+        path: Sequence[tuple[float, float, float, float]],
+        view: View,
+        span: tuple[float, float] | None = None,
+    ) -> "Track":
+        """The track of a path of (time in s, x in mm, y in mm, heading); it has at least one.
+
+        Args:
+            path: the path.
+            view: the mapping to pixels.
+            span: the times of the first and the last colour; by default those of the path.
+        """
         times = np.array([time for time, *_ in path])
         points = np.array([view.at(x, y) for _, x, y, _ in path])
         pieces = _pieces(times, points)
         line = np.vstack(pieces)
         steps = np.hypot(*np.diff(line, axis=0).T)
-        parts = [np.linspace(k, k + 1, len(piece)) / STEPS for k, piece in enumerate(pieces)]
-        return cls(line, np.concatenate(parts), np.concatenate([[0.0], np.cumsum(steps)]))
+        within = [np.linspace(k, k + 1, len(piece)) / STEPS for k, piece in enumerate(pieces)]
+        parts = _of_span(np.concatenate(within), (times[0], times[-1]), span)
+        return cls(line, parts, np.concatenate([[0.0], np.cumsum(steps)]))
 
     @property
     def length(self) -> float:
@@ -79,10 +92,16 @@ class Track:
         step = np.minimum((self.parts * STEPS).astype(int), STEPS - 1)
         for k in range(STEPS):
             places = np.flatnonzero(step == k)
+            if not len(places):
+                continue
             # A line ends where the next one begins.
             piece = self.points[places[0] : places[-1] + 2]
             yield Polyline(_values(piece), time_colour((k + 0.5) / STEPS), LINE)
         yield from self._arrows()
+
+    def thinly_drawn(self) -> Iterator[Shape]:
+        """A thin dotted line, which covers nothing."""
+        yield Polyline(_values(self.points), PALE, THIN_LINE, 0.6, dash=(1.0, 5.0))
 
     def _arrows(self) -> Iterator[Shape]:
         gap = max(ARROW_GAP, self.length / MOST_ARROWS)
@@ -91,6 +110,16 @@ class Track:
             # Where the path turns back on itself, it has no direction to show.
             if math.dist(back, tip) > ARROW_SLACK:
                 yield _arrowhead(self.at(place), back, tip, self.colour(place))
+
+
+def _of_span(
+    parts: NDArray[np.float64], own: tuple[float, float], span: tuple[float, float] | None
+) -> NDArray[np.float64]:
+    """Fractions of a path's own time as fractions of a longer time."""
+    if span is None or span == own or span[0] == span[1]:
+        return parts
+    times = own[0] + parts * (own[1] - own[0])
+    return (times - span[0]) / (span[1] - span[0])
 
 
 def _pieces(times: NDArray[np.float64], points: NDArray[np.float64]) -> list[NDArray[np.float64]]:

@@ -1,7 +1,13 @@
+from itertools import pairwise
+
+import cv2
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from learnblock.errors import FrameError
+from learnblock.perception.detectors import lines
 from learnblock.perception.detectors.lines import detect_lines
 from learnblock.simulator.camera import CameraModel, CameraPose, Surface, render
 from learnblock.simulator.textures import FloorLine, floor
@@ -134,3 +140,88 @@ def test_a_tiny_frame_is_searched_like_any_other(shape):
 def test_anything_but_a_picture_is_refused():
     with pytest.raises(FrameError):
         detect_lines(np.zeros((240, 320, 3)))
+
+
+def as_defined(frame):
+    """The counts of red and blue as defined: by hue, saturation and value of the whole frame."""
+    height, width = frame.shape[:2]
+    hsv = cv2.cvtColor(frame, cv2.COLOR_RGB2HSV)
+    red = cv2.inRange(hsv, (0, 50, 100), (10, 255, 255)) | cv2.inRange(
+        hsv, (170, 50, 100), (180, 255, 255)
+    )
+    blue = cv2.inRange(hsv, (100, 50, 50), (130, 255, 255))
+    times = max(1, round(3 * height / 240))
+    dilated = [
+        cv2.dilate(mask, np.ones((3, 3), np.uint8), iterations=times) for mask in (red, blue)
+    ]
+    black = cv2.inRange(hsv, (0, 0, 0), (180, 255, 50))
+    rows = slice(round(15 * height / 240), round(225 * height / 240))
+    borders = [round(column * width / 320) for column in (0, 120, 200, 320)]
+    return [
+        [int(np.count_nonzero(mask[rows, a:b])) for a, b in pairwise(borders)]
+        for mask in (black, *dilated)
+    ]
+
+
+@given(st.integers(0, 2**32 - 1), st.integers(0, 60))
+def test_the_counts_are_those_of_hue_saturation_and_value(seed, variety):
+    generator = np.random.default_rng(seed)
+    height, width = generator.integers(4, 200, 2)
+    base = generator.integers(0, 256, (height, width, 1))
+    colours = generator.integers(-variety, variety + 1, (height, width, 3))
+    frame = np.clip(base + colours, 0, 255).astype(np.uint8)
+    lines = detect_lines(frame)
+
+    found = [[view.left, view.center, view.right] for view in (lines.black, lines.red, lines.blue)]
+    assert found == as_defined(frame)
+
+
+def test_every_colour_is_judged_as_by_hue_saturation_and_value():
+    levels = np.arange(0, 256, 5)
+    colours = np.stack(np.meshgrid(levels, levels, levels), axis=-1).reshape(-1, 1, 3)
+    for colour in colours[:: len(colours) // 3000].astype(np.uint8):
+        frame = np.broadcast_to(colour, (16, 16, 3)).copy()
+        lines = detect_lines(frame)
+        found = [[x.left, x.center, x.right] for x in (lines.black, lines.red, lines.blue)]
+        assert found == as_defined(frame), colour
+
+
+def the_long_way(frame):
+    """Count as the detector does, always by all colours of all pixels."""
+    height, width = frame.shape[:2]
+    top, bottom = (round(row * height / 240) for row in lines.ROWS)
+    reach = max(1, round(lines.DILATION * height / 240))
+    hsv = cv2.cvtColor(frame, cv2.COLOR_RGB2HSV)
+    masks = {"black": cv2.inRange(frame, (0, 0, 0), (50, 50, 50))[top:bottom]}
+    for colour, ranges in lines.COLOURS.items():
+        found = np.zeros((height, width), np.uint8)
+        for low, high in ranges:
+            found |= cv2.inRange(hsv, low, high)
+        above = max(0, top - reach)
+        part = found[above : bottom + reach]
+        part = cv2.dilate(part, np.ones((3, 3), np.uint8), iterations=reach)
+        masks[colour] = part[top - above :][: bottom - top]
+    borders = [round(column * width / 320) for column in lines.COLUMNS]
+    return {
+        colour: [int(np.count_nonzero(mask[:, a:b])) for a, b in pairwise(borders)]
+        for colour, mask in masks.items()
+    }
+
+
+@given(st.integers(0, 2**32 - 1), st.sampled_from(["any", "grey", "nearly grey", "dark"]))
+def test_the_short_ways_count_as_the_long_one(seed, kind):
+    generator = np.random.default_rng(seed)
+    height, width = generator.integers(12, 60, 2)
+    frame = generator.integers(0, 256, (height, width, 3), dtype=np.uint8)
+    if kind == "dark":
+        frame //= 4
+    if kind in ("grey", "nearly grey"):
+        frame[:] = frame[..., :1]
+    if kind == "nearly grey":
+        frame[generator.integers(height), generator.integers(width)] = generator.integers(0, 256, 3)
+    found = detect_lines(frame)
+    counted = {
+        colour: [view.left, view.center, view.right]
+        for colour, view in (("black", found.black), ("red", found.red), ("blue", found.blue))
+    }
+    assert counted == the_long_way(frame)

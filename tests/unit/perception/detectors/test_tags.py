@@ -2,10 +2,12 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
 
 from learnblock.errors import FrameError, TagSizeError
 from learnblock.i18n import Phrase
-from learnblock.perception.detectors.tags import detect_tags
+from learnblock.perception.detectors.tags import crossing, detect_tags
 from learnblock.simulator.textures import tag
 
 # A tag's black square takes eight tenths of its poster.
@@ -184,3 +186,15 @@ def test_a_lens_or_tag_without_size_is_refused(focal, size, wrong):
 def test_anything_but_a_picture_is_refused():
     with pytest.raises(FrameError):
         detect_tags(None)
+
+
+columns = st.floats(0, 1920, width=32)
+
+
+@given(st.lists(st.tuples(columns, columns), min_size=4, max_size=4))
+def test_the_diagonals_meet_where_numpy_says_to_the_last_bit(corners):
+    a, b, c, d = np.column_stack([np.array(corners), np.ones(4)])
+    meeting = np.cross(np.cross(a, c), np.cross(b, d))
+    assume(meeting[2])
+
+    assert crossing(corners) == (meeting[0] / meeting[2], meeting[1] / meeting[2])

@@ -3,12 +3,12 @@ from typing import get_args
 import numpy as np
 import pytest
 
+from learnblock.simulator.description_types import Emotion
 from learnblock.simulator.picture import icons
 from learnblock.simulator.picture.palette import WHITE
 from learnblock.simulator.picture.svg import Circle, Polygon
 from learnblock.simulator.picture.view import fitted
 from learnblock.simulator.robot_description import Body, load_robot
-from learnblock.simulator.world_description import Emotion
 
 VIEW = fitted((2000, 2000), np.empty((0, 2)), bar=True)
 EMOTIONS = get_args(Emotion)

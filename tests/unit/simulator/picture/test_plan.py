@@ -4,6 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
+from learnblock.simulator.goal_description import Goals, Reach, Show, Stop, Tour
 from learnblock.simulator.picture import plan
 from learnblock.simulator.picture.svg import Circle, Image, Polygon, Polyline, Text
 from learnblock.simulator.picture.view import fitted
@@ -12,9 +13,7 @@ from learnblock.simulator.world_description import (
     Cylinder,
     Face,
     Floor,
-    Goals,
     Lamp,
-    Reach,
     Tag,
     Wall,
     WorldDescription,
@@ -70,6 +69,18 @@ def test_a_region_to_reach_is_outlined():
     drawn = shapes(goal=Goals(reach=[Reach(x=100, y=100, radius=120)]))
     rings = [shape for shape in drawn if isinstance(shape, Circle) and shape.paint.dash]
     assert [120 * VIEW.scale] == pytest.approx([ring.radius for ring in rings])
+
+
+def test_every_round_region_of_a_goal_is_outlined_at_its_place():
+    regions = Goals(
+        stop=[Stop(x=100, y=0, radius=50)],
+        show=[Show(emotion="joy", x=300, y=0, radius=80), Show(emotion="fear", name="anywhere")],
+        tour=[Tour(points=[(0, 0), (0, 500)], radius=60)],
+    )
+    rings = [one for one in shapes(goal=regions) if isinstance(one, Circle) and one.paint.dash]
+    radii = [round(ring.radius / VIEW.scale) for ring in rings]
+    assert [50, 80, 60, 60] == radii
+    assert VIEW.at(0, 500) == pytest.approx(rings[-1].center)
 
 
 def test_a_lamp_shines_where_it_hangs():
