@@ -8,13 +8,22 @@ from learnblock.running.network import (
     may_use_network,
     move_network,
 )
-from learnblock.running.preparing import DEFAULT_ROBOT, check, choose_robot, program
+from learnblock.running.preparing import (
+    DEFAULT_ROBOT,
+    MOST_ROBOTS,
+    check,
+    choose_robot,
+    program,
+    runs_on,
+    verdicts,
+)
 from learnblock.running.program_run import Options, ProgramRun
 from learnblock.running.report import Report
 from learnblock.running.source import Source, read, read_text, source_of
 
 __all__ = [
     "DEFAULT_ROBOT",
+    "MOST_ROBOTS",
     "Options",
     "ProgramRun",
     "Report",
@@ -30,5 +39,7 @@ __all__ = [
     "program",
     "read",
     "read_text",
+    "runs_on",
     "source_of",
+    "verdicts",
 ]

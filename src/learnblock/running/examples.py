@@ -6,7 +6,7 @@ from learnblock.errors import UnknownNameError
 
 
 def example(name: str) -> Path:
-    """Find an example by its file name.
+    """Find an example by its file name, with its folder if it is in one: ``several/sumo.bt``.
 
     Raises:
         UnknownNameError: there is no example with this name.
@@ -15,7 +15,7 @@ def example(name: str) -> Path:
     package = Path(__file__).parents[1]
     for folder in (package / "examples", package.parents[1] / "examples"):
         if folder.is_dir():
-            known = {path.name: path for path in folder.iterdir()}
+            known = {path.relative_to(folder).as_posix(): path for path in folder.rglob("*.*")}
             if name in known:
                 return known[name]
             raise UnknownNameError("example", name, known)

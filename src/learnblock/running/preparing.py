@@ -1,17 +1,25 @@
 """From a program's file to a program on a robot: choose, check and translate."""
 
+from collections.abc import Mapping
 from importlib.util import find_spec
+from pathlib import Path
 
 from learnblock import language, robots
-from learnblock.blocks import builtin, installed_libraries
+from learnblock.blocks import BlockConfiguration, builtin, installed_libraries
 from learnblock.blocks.importable import Importable
 from learnblock.blocks.known import all_configurations
-from learnblock.errors import Diagnostic
+from learnblock.blocks.schema.configuration import Configurations
+from learnblock.errors import Diagnostic, LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.language.check.robots import Demand, Verdict, demands, verdict
+from learnblock.language.tree.nodes import Program as Tree
 from learnblock.robots import RobotEntry
 from learnblock.running.source import Source
 from learnblock.runtime.program import Program
 
 DEFAULT_ROBOT = "sim-ebo"
+#: The most robots in one run.
+MOST_ROBOTS = 30
 
 
 def choose_robot(source: Source, name: str | None = None) -> RobotEntry:
@@ -25,23 +33,51 @@ def choose_robot(source: Source, name: str | None = None) -> RobotEntry:
 
 def check(source: Source, robot: RobotEntry | None = None) -> list[Diagnostic]:
     """Check a program, for a robot if one is given; return its mistakes and warnings."""
-    devices = robot.load().known_devices() if robot else None
-    folder = source.path.resolve().parent
-    beside = {one.name: one for one in installed_libraries.blocks_beside(folder, source.libraries)}
-    skills = all_configurations().extended({**beside, **builtin()})
-    found = installed_libraries.importable(folder, source.imports)
+    equipment = robot.load().known_equipment() if robot else None
+    found = installed_libraries.importable(_folder(source), source.imports)
     python = source.text if source.is_python else None
     packages = _with_packages(found, source)
-    return language.check(source.tree, skills, devices, packages, python=python)
+    return language.check(source.tree, _skills(source), equipment, packages, python=python)
+
+
+def runs_on(source: Source) -> dict[str, Verdict | Phrase]:
+    """For each robot, whether it can run a program, or why that is unknown."""
+    return verdicts(source.tree, _skills(source))
+
+
+def verdicts(tree: Tree, skills: Mapping[str, BlockConfiguration]) -> dict[str, Verdict | Phrase]:
+    """For each robot, whether it can run a program with these skills, as `runs_on`."""
+    demanded = demands(tree, skills)
+    return {entry.name: _verdict(demanded, entry) for entry in robots.entries().values()}
 
 
 def program(source: Source, robot: RobotEntry) -> Program:
     """Make the program that is run: the file itself if it is Python, else its translation."""
-    folder = str(source.path.resolve().parent)
+    folder = str(_folder(source))
     if source.is_python:
         return Program(source.path.name, source.text, source.text, folder=folder)
     python = language.to_python(source.tree, robot.module)
     return Program(source.path.name, python.text, source.text, python.source_map, folder)
+
+
+def _verdict(demanded: tuple[Demand, ...], robot: RobotEntry) -> Verdict | Phrase:
+    try:
+        equipment = robot.load().known_equipment()
+    except LearnBlockError as error:
+        # A robot of the user's or of a plugin, whose file is broken.
+        return error.phrase
+    return Phrase("check-robot-unknown") if equipment is None else verdict(demanded, equipment)
+
+
+def _skills(source: Source) -> Configurations:
+    """The skills that a program can use."""
+    beside = installed_libraries.blocks_beside(_folder(source), source.libraries)
+    named = {one.name: one for one in beside}
+    return all_configurations().extended({**named, **builtin()})
+
+
+def _folder(source: Source) -> Path:
+    return source.path.resolve().parent
 
 
 def _with_packages(found: Importable, source: Source) -> Importable:

@@ -5,6 +5,8 @@ from contextlib import nullcontext
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, BinaryIO
 
+import msgspec
+
 from learnblock import robots
 from learnblock.client import Client
 from learnblock.devices import Pose
@@ -15,10 +17,12 @@ from learnblock.runtime.containment.driver import give_up, in_own_thread
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.host import Host
 from learnblock.runtime.limits import Limits
+from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.process import ProcessWorker, Worker, one_processor
 from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Recorder, Trace, record
+from learnblock.runtime.values import plain
 from learnblock.runtime.watcher import Watcher
 
 if TYPE_CHECKING:
@@ -34,6 +38,7 @@ class Options:
         seed: the seed of all noise.
         pace: ``free``, ``real`` or a factor.
         seconds: the limit of the run, in the robot's time.
+        variant: the number of the world's variant; 0 is the world as it is drawn.
         start: (x mm, y mm, heading in degrees) where a simulated robot starts.
         network: whether the program may use the network.
     """
@@ -42,6 +47,7 @@ class Options:
     seed: int | None = None
     pace: str | None = None
     seconds: float | None = None
+    variant: int | None = None
     start: Pose | None = None
     network: bool = False
 
@@ -52,6 +58,7 @@ class Options:
             "world": self.world,
             "seed": self.seed,
             "pace": self.pace,
+            "variant": self.variant,
             "start": self.start,
         }
         return {name: value for name, value in given.items() if value is not None}
@@ -69,6 +76,7 @@ class ProgramRun:
         limits: the resources that the program may use.
         worker: creates the worker that runs the program; a process by default.
         debugger: pauses and steps the program, and stops it at breakpoints.
+        log: keeps what the program does, for questions about the run; None for no log.
     """
 
     def __init__(
@@ -82,11 +90,12 @@ class ProgramRun:
         limits: Limits | None = None,
         worker: Callable[[], Worker] = ProcessWorker,
         debugger: Debugger | None = None,
+        log: RunLog | None = None,
     ) -> None:
         self.program = program
         self.robot = robot
         self.options = options or Options()
-        self.trace = Trace(trace)
+        self.trace = Trace(trace, log)
         #: The robot as the page shows it, once the program has created it.
         self.monitor: Monitor | None = None
         self._debugger = debugger
@@ -100,14 +109,21 @@ class ProgramRun:
             worker=worker,
             network=self.options.network,
             robots=tuple(entry.module for entry in robots.entries().values()),
+            log=log,
         )
         self._host = Host(self._run, seconds=self.options.seconds)
         self._is_contained = False
+        self._has_process = worker is ProcessWorker
 
     @property
     def client(self) -> Client | None:
         """The robot in the host, once the program has created it."""
         return self._run.client
+
+    @property
+    def is_deterministic(self) -> bool:
+        """Whether the same program, world and seed give the same run."""
+        return self.robot.load().lockstep
 
     @property
     def recorder(self) -> Recorder | None:
@@ -117,7 +133,10 @@ class ProgramRun:
     def run(self) -> Report:
         """Run the program to its end."""
         in_own_thread(self._serve, self.stop)
-        return report(self.program, self._run, self.trace.sha256)
+        done = report(self.program, self._run, self.trace.sha256)
+        if self.trace.log:
+            self.trace.log.end(msgspec.to_builtins(done, enc_hook=plain))
+        return done
 
     # The methods below can be called from any thread at any time.
 
@@ -154,7 +173,8 @@ class ProgramRun:
         self._run.variables.enabled = enabled
 
     def _serve(self) -> None:
-        with one_processor() if self.robot.load().lockstep else nullcontext():
+        takes_turns = self._has_process and self.robot.load().lockstep
+        with one_processor() if takes_turns else nullcontext():
             self._host.run()
 
     @property
@@ -168,7 +188,7 @@ class ProgramRun:
         del module
         self._contain()
         client = self.robot.load().hosted(arguments, self.options.wishes)
-        self.monitor = _monitor(client)
+        self.monitor = monitor_of(client)
         return client
 
     def _contain(self) -> None:
@@ -181,7 +201,8 @@ class ProgramRun:
         return record(client, self.program.identity, self.trace)
 
 
-def _monitor(client: Client) -> "Monitor":
-    from learnblock.monitor import monitor_of  # noqa: PLC0415 - it is slow to load
+def monitor_of(client: Client) -> "Monitor":
+    """The robot as the page shows it."""
+    from learnblock.monitor import making  # noqa: PLC0415 - it is slow to load
 
-    return monitor_of(client)
+    return making.monitor_of(client)

@@ -12,7 +12,7 @@ from learnblock.i18n import Phrase
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
-from learnblock.runtime.trace import Recorder
+from learnblock.runtime.trace import Collision, Recorder
 from learnblock.storage import skill_files
 
 
@@ -28,6 +28,7 @@ class Report:
         goals: the world's goals.
         emotions: the emotions shown, in order.
         no_effect: skills that had no effect: skill, missing device, number of calls.
+        collisions: what it bumped into, at most 1,000 times.
         trace_sha256: the hash of the trace.
         output: the printed text, if it was not shown while the program ran.
         error: what went wrong, or None: `message` (a `Phrase`), `file`, `line` and the `text` of
@@ -41,6 +42,7 @@ class Report:
     goals: tuple[Goal, ...] = ()
     emotions: tuple[str, ...] = ()
     no_effect: tuple[Mapping[str, object], ...] = ()
+    collisions: tuple[Collision, ...] = ()
     trace_sha256: str = ""
     output: str = ""
     error: Mapping[str, object] | None = None
@@ -58,16 +60,22 @@ def report(program: Program, run: Run, trace_sha256: str) -> Report:
     ending = run.ending or Ending(How.STOPPED, Phrase("run-stopped"))
     outcome = client.outcome() if client else Outcome()
     return Report(
-        time=recorder.time() if recorder else 0.0,
+        time=_time(recorder) if recorder else 0.0,
         distance=outcome.distance,
         pose=outcome.pose,
         goals=outcome.goals,
         emotions=tuple(recorder.emotions) if recorder else (),
         no_effect=_no_effect(recorder) if recorder else (),
+        collisions=tuple(recorder.collisions) if recorder else (),
         trace_sha256=trace_sha256,
         ended=ending.how,
         error=None if ending.well else _error(program, ending),
     )
+
+
+def _time(recorder: Recorder) -> float:
+    """When the program ended: its world may go on with the programs of other robots."""
+    return recorder.time() if recorder.ended_at is None else recorder.ended_at
 
 
 def _error(program: Program, ending: Ending) -> Mapping[str, object]:

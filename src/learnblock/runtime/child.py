@@ -1,5 +1,6 @@
 """The child: the process or thread that runs the user's program and nothing else."""
 
+import ast
 import builtins
 import os
 import random
@@ -24,19 +25,23 @@ from learnblock.runtime.lines import (
     program_frame,
     start_line_events,
 )
-from learnblock.runtime.link import Link
+from learnblock.runtime.link import Link, SocketLink
 from learnblock.runtime.lockstep import LockStepClock
+from learnblock.runtime.log.instrumenting import instrument
+from learnblock.runtime.log.noting import Noting
 from learnblock.runtime.messages import (
     Control,
     Ended,
     Fault,
     FromHost,
+    Logged,
     Printed,
     Setup,
     Variables,
 )
 from learnblock.runtime.output import LineWriter
 from learnblock.runtime.own_files import own_frame, own_place
+from learnblock.runtime.userrandom import use_own_random
 from learnblock.runtime.usertime import use_robot_time
 from learnblock.runtime.values import described, encodable
 from learnblock.runtime.wire import Wire
@@ -47,7 +52,7 @@ _ROBOTS = "learnblock.robots."
 
 def main() -> None:
     """Run as ``python -m learnblock.runtime.child FD``: FD is our end of the link."""
-    link: Link[FromHost] = Link(socket.socket(fileno=int(sys.argv[1])), FromHost)
+    link: Link[FromHost] = SocketLink(socket.socket(fileno=int(sys.argv[1])), FromHost)
     signal.signal(signal.SIGTERM, _stop_program)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     run(link, contain)
@@ -88,10 +93,10 @@ def _ended(link: Link[FromHost], fence: Callable[[Setup], None] | None) -> Ended
         return Ended(Fault(error.phrase, ()))
 
 
-def _preferring(tags: dict[str, int]) -> AbstractContextManager[None]:
+def _preferring(tags: dict[str, int], *, alone: bool) -> AbstractContextManager[None]:
     from learnblock.perception import tag_names  # noqa: PLC0415 - few projects have their own tags
 
-    return tag_names.preferring(tags)
+    return tag_names.preferring(tags, alone=alone)
 
 
 class _Program:
@@ -105,6 +110,7 @@ class _Program:
         self._cleanup = ExitStack()
         self._end_lines: Callable[[], object] = bool
         self._gate: Gate | None = None
+        self._noting: Noting | None = None
         self._output = LineWriter(self._printed, self._wire.flush)
 
     def run(self) -> Ended:
@@ -120,22 +126,35 @@ class _Program:
         return Ended()
 
     def _execute(self) -> None:
-        code = compile(self._setup.source, self._setup.filename, "exec", dont_inherit=True)
+        builtin_names = self._builtins()
+        code = self._compile(builtin_names)
         namespace = {
             "__name__": "__main__",
             "__file__": os.path.join(self._setup.folder, self._setup.filename),  # noqa: PTH118 - text
-            "__builtins__": self._builtins(),
+            "__builtins__": builtin_names,
         }
         if self._owns_process:
             self._cleanup.enter_context(self._own_process(namespace))
+        else:
+            self._cleanup.callback(use_own_random())
         if self._setup.tags:
-            self._cleanup.enter_context(_preferring(self._setup.tags))
+            self._cleanup.enter_context(_preferring(self._setup.tags, alone=self._owns_process))
         self._cleanup.callback(self._output.finish)
         self._cleanup.callback(self._stop_robot)
         self._code = code
         if self._setup.debug:
             self._watch_gate(self._setup.debug)
         exec(code, namespace)  # noqa: S102 - running the user's program is the purpose
+
+    def _compile(self, builtin_names: dict[str, Any]) -> CodeType:
+        program: str | ast.Module = self._setup.source
+        if self._setup.log:
+            # Mistakes are those of the source itself.
+            compile(program, self._setup.filename, "exec", dont_inherit=True)
+            program = instrument(self._setup.source).tree
+            self._noting = Noting(self._log, self._setup.filename)
+            self._noting.install(builtin_names)
+        return compile(program, self._setup.filename, "exec", dont_inherit=True)
 
     def _interrupt(self, number: int, frame: FrameType | None) -> None:  # noqa: ARG002
         stopped = ProgramStopped("stopped")
@@ -147,8 +166,12 @@ class _Program:
 
     def _stop_robot(self) -> None:
         self._end_lines()
+        if self._noting:
+            self._noting.flush()
         if self._robot:
             self._robot.stop()
+        # Commands to a stopped robot, which its host refuses.
+        self._wire.flush()
 
     # The environment of the program.
 
@@ -189,12 +212,12 @@ class _Program:
     def _connect(self, module: str, **arguments: Any) -> Client:
         if self._robot and not self._robot.stopped:
             raise LearnBlockError("run-second-robot")
-        robot = remote.connect(self._wire, self._setup.skills, module, arguments)
+        robot = remote.connect(self._wire, self._setup.skills, module, arguments, self._noting)
         if self._wire.lockstep:
             random.seed(robot.seed)
             self._cleanup.callback(use_robot_time(robot.clock))
         self._robot = robot
-        self._begin_lines(LineBudget(robot.clock, self._wire.note_line))
+        self._begin_lines(LineBudget(robot.clock, self._wire.note_line, self._wire.turn))
         return robot
 
     def _watch_gate(self, control: Control) -> None:
@@ -211,19 +234,23 @@ class _Program:
             return
         self._end_lines()
         frame = sys._getframe()  # noqa: SLF001 - the documented way to walk the stack
-        on_line = unless_shown(self._wire.turn, budget)
-        self._end_lines = start_line_events(self._code, self._setup.source, on_line, frame)
+        self._end_lines = start_line_events(self._code, self._setup.source, budget, frame)
 
     def _input(self, prompt: object = "") -> str:
         self._output.finish()
         answer, steps = self._wire.input(str(prompt))
         if self._robot and isinstance(self._robot.clock, LockStepClock) and steps is not None:
             self._robot.clock.instant = steps
+            if self._noting:
+                self._noting.woke(steps)
         if answer is None:
             raise InputEndedError("run-input-ended")
         return answer
 
     # Messages to the host.
+
+    def _log(self, first: int, last: int, events: bytes) -> None:
+        self._wire.note(Logged(first, last, events))
 
     def _printed(self, text: str) -> None:
         self._wire.note_soon(Printed(encodable(text)))
@@ -244,11 +271,17 @@ class _Program:
     def _lines(self, error: BaseException) -> tuple[int, ...]:
         if isinstance(error, SyntaxError) and error.filename == self._setup.filename:
             return (error.lineno or 0,)
-        return tuple(
-            number
+        steps = [
+            (code, number)
             for code, number in _walk(error.__traceback__)
             if code.co_filename == self._setup.filename
-        )
+        ]
+        if isinstance(error, RecursionError) and len(steps) > 1:
+            code, number = steps[-1]
+            # The stack may be full before a function has begun: then the call is to blame.
+            if number == code.co_firstlineno:
+                steps.pop()
+        return tuple(number for _, number in steps)
 
     def _left(self, leaving: SystemExit) -> Ended:
         """`sys.exit()` ends a program normally; with a message or a status it is an error."""

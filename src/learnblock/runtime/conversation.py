@@ -8,6 +8,7 @@ from learnblock.errors import LearnBlockError
 from learnblock.runtime import messages
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.limits import Limits
+from learnblock.runtime.link import AtOnce
 from learnblock.runtime.process import Worker
 from learnblock.runtime.program import Program
 
@@ -27,7 +28,13 @@ class Conversation:
         self._control = debugger.control if debugger else None
 
     def begin(
-        self, program: Program, limits: Limits, robots: tuple[str, ...], *, network: bool
+        self,
+        program: Program,
+        limits: Limits,
+        robots: tuple[str, ...],
+        *,
+        network: bool,
+        log: bool,
     ) -> None:
         """Send the program, with the modules that are robots and what it may use."""
         self._link.send(
@@ -41,8 +48,23 @@ class Conversation:
                 limits=limits,
                 network=network,
                 tags=dict(program.tags),
+                log=log,
             )
         )
+
+    def offer(self, at_once: AtOnce | None) -> None:
+        """Offer a program in this thread what needs no message; see `Link.offer`."""
+        # A debugger decides before each line whether it may run.
+        if self._debugger is None:
+            self._link.offer(at_once)
+
+    def fail(self, error: Exception) -> None:
+        """Raise an error at the next turn of the host; see `Link.fail`."""
+        self._link.fail(error)
+
+    def copied(self, value: Any) -> Any:
+        """A value as it arrives at a program in this thread; see `Link.copied`."""
+        return self._link.copied(value)
 
     def send(self, message: messages.Message) -> None:
         """Send a message that the program is waiting for.

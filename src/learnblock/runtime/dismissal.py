@@ -45,10 +45,19 @@ def dismiss(
                 case messages.Interrupted(line, file, file_line):
                     waits = True
                     ending = replace(ending, line=line, file=file, file_line=file_line)
-                case messages.Ask() | messages.Sleep() | messages.Input() | messages.Line():
+                case (
+                    messages.Ask()
+                    | messages.Sleep()
+                    | messages.Input()
+                    | messages.Line()
+                    | messages.Collect()
+                ):
                     conversation.send(messages.Stop())
                 case messages.Connect() | messages.Disconnect() | None:
                     continue
+                case messages.Logged():
+                    # What it did before: the last batch.
+                    handle(message)
                 case event if not waits:
                     handle(event)
     except (EOFError, LearnBlockError):

@@ -1,7 +1,10 @@
 """The events of a program, passed on to the trace and to the watcher."""
 
+from collections.abc import Callable, Sequence
+
 from learnblock.runtime import messages
 from learnblock.runtime.hosted_robot import HostedRobot
+from learnblock.runtime.messages import Called, Command
 from learnblock.runtime.watcher import Watcher
 
 
@@ -16,13 +19,32 @@ class Events:
     def __init__(self, robot: HostedRobot, watcher: Watcher) -> None:
         self._robot = robot
         self._watcher = watcher
+        #: Whether the watcher wants to know the lines.
+        self.shows_lines = type(watcher).line is not Watcher.line
 
-    def lines(self, message: messages.Lines) -> None:
-        """Record that lines are about to run."""
-        if recorder := self._robot.active_recorder:
-            recorder.lines(message.numbers)
-        for number in message.numbers:
-            self._watcher.line(number)
+    def steps(
+        self, steps: Sequence[int | str | Called | Command], obey: Callable[[Command], object]
+    ) -> None:
+        """Record that lines are about to run and skills are called, and obey commands.
+
+        Args:
+            steps: the lines, calls and commands, in order.
+            obey: carries out a command.
+        """
+        recorder = self._robot.active_recorder
+        for step in steps:
+            kind = type(step)
+            if kind is Command:
+                obey(step)  # type: ignore[arg-type] # by its kind
+            elif recorder and kind is Called:
+                recorder.note_call(step.skill, step.args)  # type: ignore[union-attr] # as above
+            elif recorder:
+                recorder.note(step)  # type: ignore[arg-type] # as above
+            if self.shows_lines and kind is int:
+                self._watcher.line(step)  # type: ignore[arg-type] # as above
+        if recorder:
+            # Together: only few commands leave a line between them.
+            recorder.write_noted()
 
     def called(self, message: messages.Called) -> None:
         """Record the call of a skill."""

@@ -4,8 +4,9 @@ from collections.abc import Callable
 from threading import get_ident
 from time import monotonic
 
-from learnblock.runtime.lines import OnLine, depth
+from learnblock.runtime.lines import depth
 from learnblock.runtime.messages import Mode
+from learnblock.runtime.statements import OnLine
 from learnblock.runtime.turn import Turn
 from learnblock.runtime.wire import Wire
 

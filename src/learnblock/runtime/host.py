@@ -4,16 +4,20 @@ In a simulated world programs take turns: each runs until it waits, then the wor
 first wake-up. One thread does all this, so a run depends only on program, world and seed.
 """
 
+import math
 from collections.abc import Sequence
 from contextlib import ExitStack
+from time import monotonic
 
 from learnblock.i18n import Phrase
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.run import Run
 from learnblock.runtime.world import Simulation
 
-#: Steps between checks on watchers and debuggers: 25 checks per second in real time.
+#: Steps between turns of watchers: 25 per second in real time.
 STRIDE = 4
+#: Seconds of the wall clock between checks on debuggers, resources and variables, at least.
+LOOKING_PERIOD = 0.005
 
 
 class Host:
@@ -27,6 +31,8 @@ class Host:
     def __init__(self, *runs: Run, seconds: float | None = None) -> None:
         self._runs = runs
         self._seconds = seconds
+        #: When the runs last looked around, in seconds of the wall clock.
+        self._looked = -LOOKING_PERIOD
         for run in runs:
             run.supervision.seconds = seconds
             run.world.is_private = len(runs) == 1
@@ -49,12 +55,12 @@ class Host:
         while parked := [run for run in self._runs if run.wake is not None]:
             simulation = parked[0].simulation
             assert simulation is not None  # noqa: S101 - only a simulated program parks
-            wake = min(run.wake for run in parked if run.wake is not None)
             limit = self._last_step(simulation)
-            self._advance(simulation, wake if limit is None else min(wake, limit))
-            if limit is not None and simulation.steps >= limit:
+            wake = min([run.wake for run in parked if run.wake is not None])
+            self._advance(simulation, min(wake, limit))
+            if simulation.steps >= limit:
                 self._stop(Ending.time_is_up(limit * simulation.dt))
-            self._wake([run for run in parked if run.wake == wake or run.stopping])
+            self._wake([run for run in parked if run.stopping or _is_due(run, simulation)])
 
     def _wake(self, due: Sequence[Run]) -> None:
         """Wake programs together, on all processors, but serve them in turn.
@@ -71,16 +77,40 @@ class Host:
             else:
                 run.serve()
 
-    def _advance(self, simulation: Simulation, step: int) -> None:
+    def _advance(self, simulation: Simulation, step: float) -> None:
         """Advance in short strides, so that a watcher sees progress during a long wait."""
-        while simulation.steps < step and not any(run.stopping for run in self._runs if run.wake):
-            simulation.advance(min(step, simulation.steps + STRIDE))
-            for run in self._runs:
-                run.look()
+        while simulation.steps < step and not self._is_stopping:
+            simulation.advance(min(int(step), simulation.steps + STRIDE))
+            self._look()
 
-    def _last_step(self, simulation: Simulation) -> int | None:
-        return None if self._seconds is None else round(self._seconds / simulation.dt)
+    def _look(self) -> None:
+        """Give the watchers a turn after each stride, on which what they do to a world depends.
+
+        Runs look around as well, unless they have just done so: a world may be very fast.
+        """
+        now = monotonic()
+        is_due = now - self._looked >= LOOKING_PERIOD
+        if is_due:
+            self._looked = now
+        for run in self._runs:
+            if run.ending is None:
+                run.watcher.tick()
+                if is_due:
+                    run.look()
+
+    @property
+    def _is_stopping(self) -> bool:
+        """Whether a program that waits for the world has to be stopped."""
+        return any(run.stopping and run.wake for run in self._runs)
+
+    def _last_step(self, simulation: Simulation) -> float:
+        return math.inf if self._seconds is None else round(self._seconds / simulation.dt)
 
     def _stop(self, ending: Ending) -> None:
         for run in self._runs:
             run.stop(ending)
+
+
+def _is_due(run: Run, simulation: Simulation) -> bool:
+    """Whether its step has come; a run that has to be stopped interrupts the wait of the others."""
+    return run.wake is not None and run.wake <= simulation.steps

@@ -108,8 +108,10 @@ class HostedRobot:
         )
         simulation = self.world.simulation
         if simulation is None:
-            return messages.Connected(devices, None, 0.0, None)
-        return messages.Connected(devices, simulation.steps, simulation.dt, simulation.seed)
+            return messages.Connected(devices, client.equipment, None, 0.0, None)
+        return messages.Connected(
+            devices, client.equipment, simulation.steps, simulation.dt, simulation.seed
+        )
 
 
 def failure(error: LearnBlockError) -> messages.Failed:

@@ -5,7 +5,7 @@ import socket
 import struct
 from collections import deque
 from time import monotonic
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 
 import msgspec
 
@@ -15,7 +15,8 @@ from learnblock.runtime.values import described
 
 Incoming = TypeVar("Incoming")
 
-_LENGTH = 4
+#: The bytes before a message that say how long it is.
+LENGTH = 4
 _CHUNK = 65536
 #: How often to poll for a message before sleeping: most answers arrive within about 30
 #: microseconds, and waking up takes twice as long.
@@ -31,21 +32,44 @@ _FRAME = 1
 _SHAPE = struct.Struct(">III")
 
 
+class AtOnce(Protocol):
+    """What a host in the same thread does at once, so that no message has to be sent.
+
+    The values of arguments have to be small (`learnblock.runtime.values.is_small`).
+    """
+
+    def note(self, step: int | str) -> None:
+        """Note that a line is about to run, or that a skill without arguments is called."""
+
+    def note_call(self, skill: str, args: tuple[Any, ...]) -> None:
+        """Note that a skill is called."""
+
+    def obey(self, device: int, function: str, args: tuple[Any, ...]) -> bool:
+        """Call a function of a device; return whether the next thing may be done at once, too."""
+
+    def answer(self, device: int, function: str, args: tuple[Any, ...]) -> Any:
+        """Call a function of a device, and return a copy of its value.
+
+        Raises:
+            LearnBlockError: the call failed.
+        """
+
+
 class Link(Generic[Incoming]):
     """One end of a conversation.
 
     Args:
-        connection: a connected stream socket.
         incoming: the union of the messages that may arrive.
     """
 
-    def __init__(self, connection: socket.socket, incoming: Any) -> None:
-        self._connection = connection
+    #: What the other end does without a message; None for nothing.
+    at_once: AtOnce | None = None
+
+    def __init__(self, incoming: Any) -> None:
         self._encoder = msgspec.msgpack.Encoder(enc_hook=_as_plain)
         self._decoder: msgspec.msgpack.Decoder[Incoming] = msgspec.msgpack.Decoder(
             incoming, ext_hook=_from_extension
         )
-        self._received = bytearray()
         self._messages: deque[Incoming] = deque()
         self._outgoing = bytearray()
 
@@ -59,11 +83,11 @@ class Link(Generic[Incoming]):
         start = len(outgoing)
         try:
             outgoing += b"\0\0\0\0"
-            self._encoder.encode_into(message, outgoing, start + _LENGTH)
-            length = len(outgoing) - start - _LENGTH
+            self._encoder.encode_into(message, outgoing, start + LENGTH)
+            length = len(outgoing) - start - LENGTH
             if length > MAX_MESSAGE:
                 raise DeviceValueError("run-value-too-large", size=length, limit=MAX_MESSAGE)
-            outgoing[start : start + _LENGTH] = length.to_bytes(_LENGTH)
+            outgoing[start : start + LENGTH] = length.to_bytes(LENGTH)
         except (OverflowError, RecursionError, TypeError, UnicodeEncodeError) as error:
             del outgoing[start:]
             raise DeviceValueError("run-value-not-sendable", reason=str(error)) from error
@@ -79,14 +103,7 @@ class Link(Generic[Incoming]):
         Raises:
             EOFError: the other end is gone.
         """
-        if self._outgoing:
-            queued, self._outgoing = self._outgoing, bytearray()
-            try:
-                if self._connection.gettimeout() is not None:
-                    self._connection.settimeout(None)
-                self._connection.sendall(queued)
-            except OSError as error:
-                raise EOFError("the other end of the link is gone") from error
+        raise NotImplementedError
 
     def send(self, message: Message) -> None:
         """Send a message, after everything that is queued."""
@@ -100,10 +117,7 @@ class Link(Generic[Incoming]):
             EOFError: the other end is gone.
             RobotConnectionError: the received data is not a message of this conversation.
         """
-        while not self._messages:
-            if not self._fill(timeout):
-                return None
-        return self._messages.popleft()
+        raise NotImplementedError
 
     def receive_now(self) -> Incoming | None:
         """The next message if it has arrived, else None.
@@ -112,6 +126,65 @@ class Link(Generic[Incoming]):
             EOFError: the other end is gone.
             RobotConnectionError: the received data is not a message of this conversation.
         """
+        raise NotImplementedError
+
+    def close(self) -> None:
+        """End the conversation."""
+        raise NotImplementedError
+
+    def offer(self, at_once: "AtOnce | None") -> None:
+        """Offer the other end what needs no message if it is in this thread; None ends that."""
+
+    def fail(self, error: Exception) -> None:
+        """Raise an error in the next `receive`; only needed by those who offer something."""
+        raise NotImplementedError
+
+    def copied(self, value: Any) -> Any:
+        """A value as it arrives at the other end; only needed by those who offer something."""
+        raise NotImplementedError
+
+    def decode(self, message: bytearray) -> Incoming:
+        """An arrived message.
+
+        Raises:
+            RobotConnectionError: it is not a message of this conversation.
+        """
+        try:
+            return self._decoder.decode(message)
+        except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError, TypeError) as error:
+            raise RobotConnectionError("run-not-a-message", reason=str(error)) from error
+
+
+class SocketLink(Link[Incoming]):
+    """One end of a conversation over a socket.
+
+    Args:
+        connection: a connected stream socket.
+        incoming: the union of the messages that may arrive.
+    """
+
+    def __init__(self, connection: socket.socket, incoming: Any) -> None:
+        super().__init__(incoming)
+        self._connection = connection
+        self._received = bytearray()
+
+    def flush(self) -> None:
+        if self._outgoing:
+            queued, self._outgoing = self._outgoing, bytearray()
+            try:
+                if self._connection.gettimeout() is not None:
+                    self._connection.settimeout(None)
+                self._connection.sendall(queued)
+            except OSError as error:
+                raise EOFError("the other end of the link is gone") from error
+
+    def receive(self, timeout: float | None = None) -> Incoming | None:
+        while not self._messages:
+            if not self._fill(timeout):
+                return None
+        return self._messages.popleft()
+
+    def receive_now(self) -> Incoming | None:
         if not self._messages:
             self._connection.settimeout(0)
             try:
@@ -162,22 +235,16 @@ class Link(Generic[Incoming]):
 
     def _split(self) -> None:
         received, start = self._received, 0
-        while len(received) - start >= _LENGTH:
-            body = start + _LENGTH
+        while len(received) - start >= LENGTH:
+            body = start + LENGTH
             end = body + int.from_bytes(received[start:body])
             if end - body > MAX_MESSAGE:
                 raise RobotConnectionError("run-message-too-long", size=end - body)
             if end > len(received):
                 break
-            self._messages.append(self._decode(received[body:end]))
+            self._messages.append(self.decode(received[body:end]))
             start = end
         del received[:start]
-
-    def _decode(self, message: bytearray) -> Incoming:
-        try:
-            return self._decoder.decode(message)
-        except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError, TypeError) as error:
-            raise RobotConnectionError("run-not-a-message", reason=str(error)) from error
 
 
 def _as_plain(value: Any) -> Any:

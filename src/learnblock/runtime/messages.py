@@ -64,6 +64,7 @@ class Setup(Message, frozen=True):
         limits: the resources that it may use.
         network: whether it may use the network.
         tags: the numbers of tags, by name, that it uses instead of the user's.
+        log: whether it tells what it does, for the log of the run.
     """
 
     source: str
@@ -75,6 +76,7 @@ class Setup(Message, frozen=True):
     limits: Limits
     network: bool = False
     tags: dict[str, int] = {}
+    log: bool = False
 
 
 class DeviceOffer(msgspec.Struct, frozen=True, array_like=True):
@@ -90,12 +92,14 @@ class Connected(Message, frozen=True):
 
     Args:
         devices: in the order in which `Ask` and `Command` count them.
+        equipment: what the robot has; see `learnblock.senses.equipment`.
         steps: the world's step counter, or None for a real robot.
         dt: seconds per step.
         seed: seeds the program's own random numbers; None leaves them alone.
     """
 
     devices: tuple[DeviceOffer, ...]
+    equipment: frozenset[str]
     steps: int | None
     dt: float
     seed: int | None
@@ -167,22 +171,43 @@ class Sleep(Message, frozen=True):
     reads: tuple[int, ...] = ()
 
 
+class Send(Message, frozen=True):
+    """Send a message to the other robots of the run."""
+
+    name: str
+    value: Any
+
+
+class Collect(Message, frozen=True):
+    """Request the messages of other robots that have arrived; the answer is (name, value) each."""
+
+
+class Keys(Message, frozen=True):
+    """Request the keys of the keyboard that are held down; the answer is their names."""
+
+
 class Disconnect(Message, frozen=True):
     """The program has stopped its robot."""
 
 
-class Lines(Message, frozen=True):
-    """The lines that ran since the previous message."""
-
-    numbers: tuple[int, ...]
-
-
 class Called(Message, frozen=True):
-    """The program called a skill."""
+    """The program called a skill with arguments."""
 
     skill: str
     args: tuple[Any, ...]
     kwargs: dict[str, Any]
+
+
+class Steps(Message, frozen=True):
+    """What the program did since the previous message, in order.
+
+    Args:
+        steps: the numbers of lines that ran, the names of skills called without arguments, skills
+            called with a few small ones, and commands that take effect with the next step of the
+            robot's world.
+    """
+
+    steps: tuple[int | str | Called | Command, ...]
 
 
 class Missing(Message, frozen=True):
@@ -196,6 +221,20 @@ class Printed(Message, frozen=True):
     """A line that the program printed, with its line end if there is one yet."""
 
     text: str
+
+
+class Logged(Message, frozen=True):
+    """What the program has done, for the log of the run.
+
+    Args:
+        first: the time of the first event, in ticks.
+        last: the time of the last one.
+        events: the events (`learnblock.runtime.log.events`), encoded with msgpack.
+    """
+
+    first: int
+    last: int
+    events: bytes
 
 
 class Input(Message, frozen=True):
@@ -276,12 +315,16 @@ FromChild = (
     | Ask
     | Command
     | Sleep
+    | Send
+    | Collect
+    | Keys
     | Disconnect
-    | Lines
+    | Steps
     | Line
     | Called
     | Missing
     | Printed
+    | Logged
     | Input
     | Variables
     | Interrupted

@@ -39,10 +39,14 @@ class Pacing:
             world_time: the world's time.
             given_up: ends the waiting early once it is set and `wake` is called.
         """
-        # Without the lock at first: a free world calls this before every step.
-        if self._paused or self.factor is not None:
+        if not self.is_free:
             with self._changed:
                 self._wait(world_time, given_up or threading.Event())
+
+    @property
+    def is_free(self) -> bool:
+        """Whether the world may take its next step at once; a free world asks before every step."""
+        return self.factor is None and not self._paused
 
     def wake(self) -> None:
         """Make those who wait look whether they have given up."""

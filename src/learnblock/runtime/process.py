@@ -18,7 +18,7 @@ from learnblock.runtime.activity import Activity, of_process, of_thread
 from learnblock.runtime.containment.environment import environment
 from learnblock.runtime.containment.scratch import Scratch, Usage
 from learnblock.runtime.limits import Limits
-from learnblock.runtime.link import Link
+from learnblock.runtime.link import Link, SocketLink
 from learnblock.runtime.messages import FromChild, FromHost
 
 
@@ -71,7 +71,7 @@ class ProcessWorker:
         self._scratch = Scratch()
         with theirs:
             self._process = self._start(theirs.fileno(), environment(self._scratch.path))
-        self.link: Link[FromChild] = Link(ours, FromChild)
+        self.link: Link[FromChild] = SocketLink(ours, FromChild)
 
     def interrupt(self) -> None:
         self._process.terminate()
@@ -126,7 +126,7 @@ class ThreadWorker:
 
     def __init__(self) -> None:
         ours, theirs = socket.socketpair()
-        self.link: Link[FromChild] = Link(ours, FromChild)
+        self.link: Link[FromChild] = SocketLink(ours, FromChild)
         self._thread = threading.Thread(
             target=self._run, args=(theirs,), name="program", daemon=True
         )
@@ -157,4 +157,4 @@ class ThreadWorker:
     @staticmethod
     def _run(connection: socket.socket) -> None:
         with connection, contextlib.suppress(ProgramStopped):
-            child.run(Link(connection, FromHost))
+            child.run(SocketLink(connection, FromHost))

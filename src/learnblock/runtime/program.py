@@ -7,7 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from learnblock.client.keyboard import KEYS, Key
 from learnblock.language.python.source_map import SourceMap
+
+#: The skill that asks whether a key is held down.
+KEY_SKILL = "is_key_pressed"
 
 _ROBOT_IMPORT = re.compile(r"^from [\w.]+ import Robot\b", re.MULTILINE)
 
@@ -41,12 +45,22 @@ class Program:
     @cached_property
     def names(self) -> tuple[str, ...]:
         """Every attribute it uses, including skills; none if it cannot be parsed."""
+        found = {node.attr for node in self._nodes if isinstance(node, ast.Attribute)}
+        return tuple(sorted(found))
+
+    @property
+    def keys(self) -> tuple[Key, ...]:
+        """The keys it asks for; every key if its text does not tell which."""
+        calls = (node for node in self._nodes if isinstance(node, ast.Call))
+        asked = {_asked_key(call) for call in calls if _is_for_key(call)}
+        return tuple(key for key in KEYS if key in asked or None in asked or not asked)
+
+    @cached_property
+    def _nodes(self) -> tuple[ast.AST, ...]:
         try:
-            tree = ast.parse(self.python)
+            return tuple(ast.walk(ast.parse(self.python)))
         except (SyntaxError, ValueError, RecursionError, MemoryError):
             return ()
-        found = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
-        return tuple(sorted(found))
 
     def written_line(self, python_line: int) -> int:
         """The author's line that became `python_line`; 0 if there is none."""
@@ -54,7 +68,25 @@ class Program:
             return python_line
         return self.source_map.source_line(python_line) or 0
 
+    def python_line(self, written_line: int) -> int:
+        """The first line of Python that became of the author's line; 0 if there is none."""
+        if self.source_map is None:
+            return written_line
+        return self.source_map.python_line(written_line) or 0
+
     def quote(self, line: int) -> str:
         """The text of one of the author's lines; "" if there is none."""
         lines = self.written.splitlines()
         return lines[line - 1].strip() if 1 <= line <= len(lines) else ""
+
+
+def _is_for_key(call: ast.Call) -> bool:
+    return isinstance(call.func, ast.Attribute) and call.func.attr == KEY_SKILL
+
+
+def _asked_key(call: ast.Call) -> object:
+    """The key in a call of the skill; None if only the running program knows it."""
+    given = [*call.args, *(keyword.value for keyword in call.keywords)]
+    if not given:
+        return "space"
+    return given[0].value if isinstance(given[0], ast.Constant) else None

@@ -1,22 +1,34 @@
 """The trace of a run: JSON Lines that depend only on program, world and seed."""
 
 import hashlib
+import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
+from functools import lru_cache, partial
 from importlib.metadata import version
+from inspect import isroutine
 from typing import Any, BinaryIO
 
 import msgspec
 
-from learnblock.client import Client
+from learnblock.client import Client, Witness
+from learnblock.client.reckoning import Reckoning
 from learnblock.devices import Function, Pose
-from learnblock.runtime.values import plain
+from learnblock.runtime.log.events import QUESTIONS
+from learnblock.runtime.log.keeping import RunLog, TeamLog
+from learnblock.runtime.log.sensing import keep_operations, keep_readings
+from learnblock.runtime.turns import CountedSteps
+from learnblock.runtime.values import is_small, plain
 
-#: The version of the trace format: since 2 a line is a statement that begins.
-VERSION = 2
-#: Functions of devices that only read; all others are commands.
-QUESTIONS = frozenset({"read", "detect"})
+#: The version of the trace format: since 2 a line is a statement that begins. In that of a real
+#: robot, turns of a loop that are alike are counted.
+VERSION, VERSION_WITH_TURNS = 2, 3
+#: The most pieces of a trace that wait to be hashed together.
+_HASHED_TOGETHER = 1000
+#: The most steps of a program that wait to be written together.
+_NOTED_TOGETHER = 1000
+#: The most collisions of a robot that are kept.
+MOST_COLLISIONS = 1000
 
 _encode = msgspec.json.Encoder(enc_hook=plain).encode
 
@@ -26,25 +38,87 @@ class Trace:
 
     Args:
         file: the file to write to, if any.
+        log: the log of the run, if there is one; it keeps the same lines.
     """
 
-    def __init__(self, file: BinaryIO | None = None) -> None:
+    def __init__(self, file: BinaryIO | None = None, log: RunLog | None = None) -> None:
         self._file = file
+        self.log = log
         self._hash = hashlib.sha256()
+        #: Lines to be hashed together: that takes a tenth of the time.
+        self._unhashed: list[bytes] = []
+        #: Real robots of one run are each served by a thread.
+        self._writing = threading.Lock()
 
-    def write(self, line: Mapping[str, object]) -> None:
-        self.write_text(_encode(line) + b"\n")
+    def write(self, line: Mapping[str, Any]) -> None:
+        text = _encode(line) + b"\n"
+        self._write_text(text)
+        if self.log:
+            self.log.happened(line.get("t", 0.0), text)
 
-    def write_text(self, text: bytes) -> None:
-        """Write complete lines that are already JSON."""
-        self._hash.update(text)
-        if self._file:
-            self._file.write(text)
+    def write_again(self, line: Mapping[str, Any]) -> None:
+        """Keep a command in the log that is not in the trace, as it is the same as before."""
+        if self.log:
+            self.log.happened(line["t"], _encode(line) + b"\n")
+
+    def write_steps(self, time: float, text: bytes) -> None:
+        """Write lines about the program's steps, which are already JSON."""
+        self._write_text(text)
+        if self.log:
+            self.log.stepped(time, text)
+
+    def _write_text(self, text: bytes) -> None:
+        with self._writing:
+            self._unhashed.append(text)
+            if len(self._unhashed) >= _HASHED_TOGETHER:
+                self._hash_lines()
+            if self._file:
+                self._file.write(text)
 
     @property
     def sha256(self) -> str:
         """The hash of all lines so far, in hexadecimal."""
-        return self._hash.hexdigest()
+        with self._writing:
+            self._hash_lines()
+            return self._hash.hexdigest()
+
+    def _hash_lines(self) -> None:
+        self._hash.update(b"".join(self._unhashed))
+        self._unhashed.clear()
+
+
+#: What decides about a world, by the name of its line.
+_DECISIVE = frozenset({"again", "device", "end", "handled", "placed"})
+
+
+class MemberTrace(Trace):
+    """The lines of one robot in the trace of several.
+
+    Args:
+        shared: the trace.
+        log: the log of the robot's program.
+        team: the log of the world that it shares; None for a real robot.
+    """
+
+    def __init__(self, shared: Trace, log: RunLog, team: TeamLog | None) -> None:
+        super().__init__(log=log)
+        self._shared = shared
+        self._team = team
+
+    def write(self, line: Mapping[str, Any]) -> None:
+        super().write(line)
+        self._share(line)
+
+    def write_again(self, line: Mapping[str, Any]) -> None:
+        super().write_again(line)
+        self._share(line)
+
+    def _share(self, line: Mapping[str, Any]) -> None:
+        if self._team and not _DECISIVE.isdisjoint(line):
+            self._team.happened(line["t"], _encode(line) + b"\n")
+
+    def _write_text(self, text: bytes) -> None:
+        self._shared._write_text(text)  # noqa: SLF001 - of the same class
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,8 +131,44 @@ class Mark:
     pose: Pose | None
 
 
+@dataclass(frozen=True, slots=True)
+class Collision:
+    """A robot bumped into something, or another robot into it.
+
+    Args:
+        time: when it began, in seconds of the robot's time.
+        thing: the name of the other one.
+    """
+
+    time: float
+    thing: str
+
+
+@dataclass(slots=True)
+class _Told:
+    """What a function of a device was told last.
+
+    Args:
+        kind: the type of the device.
+        key: its key.
+        name: the name of the function.
+        lasts: whether a command stays in force until the next one.
+        shows: whether the device shares what the robot shows.
+        command: its arguments, as written.
+        args: its arguments, if the same ones again change nothing and are quick to compare.
+    """
+
+    kind: str
+    key: str
+    name: str
+    lasts: bool
+    shows: bool
+    command: list[object] | None = None
+    args: tuple[object, ...] | None = None
+
+
 @dataclass
-class Recorder:
+class Recorder(Witness):
     """Records what one robot's program does, and keeps what the report needs.
 
     It is the `Observer` of the client, and `watch`es its devices.
@@ -68,21 +178,39 @@ class Recorder:
         time: returns the robot's time in seconds.
         where: returns the robot's current pose, if known.
         label: added to every line if a world has several robots.
+        counts_turns: whether turns of a loop that are alike are counted, not written.
     """
 
     trace: Trace
     time: Callable[[], float]
     where: Callable[[], Pose | None]
     label: Mapping[str, str] = field(default_factory=dict)
+    counts_turns: bool = False
     path: list[tuple[float, Pose]] = field(default_factory=list)
     marks: list[Mark] = field(default_factory=list)
+    #: The first `MOST_COLLISIONS`.
+    collisions: list[Collision] = field(default_factory=list)
     #: Skills without effect: (skill, device) -> number of calls.
     missed: dict[tuple[str, str], int] = field(default_factory=dict)
-    _commands: dict[tuple[str, str, str], list[object]] = field(default_factory=dict)
+    #: When the program ended, in seconds of the robot's time; None while it runs.
+    ended_at: float | None = None
+    #: The time of `_framing`.
+    _framed_at: float = -1.0
+    _framing: tuple[str, str, str] = ("", "", "")
+    _keys: tuple[str, ...] = ()
+    #: The function that last changed what the robot shows.
+    _shown_by: "_Told | None" = None
+    _turns: CountedSteps | None = None
+    #: Steps that have been noted and not yet written.
+    _noted: list[str] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        if self.counts_turns:
+            self._turns = CountedSteps(self._write_step)
 
     def begin(self, run: Mapping[str, object]) -> None:
         """Write the first line: the program, the robot and the world."""
-        self.trace.write({"run": run})
+        self.trace.write({"run": run, **self.label})
 
     def watch(self, client: Client) -> None:
         """Record the commands to the client's devices from now on."""
@@ -90,28 +218,70 @@ class Recorder:
             kind = type(device).__name__
             for name, function in device.functions.items():
                 if name not in QUESTIONS:
-                    device.functions[name] = partial(self._command, kind, key, name, function)
+                    told = _Told(kind, key, name, name in _LASTING, kind in _SHOWING)
+                    device.functions[name] = partial(self._command, told, function)
 
     def called(self, skill: str, args: Sequence[object], kwargs: Mapping[str, object]) -> None:
+        self.write_noted()
         named = {"kwargs": {name: plain(value) for name, value in kwargs.items()}} if kwargs else {}
-        self._write("call", skill, args=[*map(plain, args)], **named)
+        call = {"call": skill, "args": [*map(plain, args)], **named}
+        if self._turns:
+            self._turns.step(self.time(), _encode(call)[1:-1].decode())
+        else:
+            self.trace.write({"t": round(self.time(), 6), **call, **self.label})
 
     def missing(self, skill: str, device: str) -> None:
         self.missed[skill, device] = self.missed.get((skill, device), 0) + 1
 
     def line(self, number: int) -> None:
-        self.lines((number,))
+        self.steps((number,))
 
-    def lines(self, numbers: Sequence[int]) -> None:
-        """The lines that ran at this time of the robot, in order."""
-        # Half of a trace is lines: they are written like `_write` does, in a tenth of its time.
-        before = _encode({"t": round(self.time(), 6)})[:-1].decode() + ',"line":'
-        after = (_encode(self.label).decode().replace("{", ",", 1) if self.label else "}") + "\n"
-        text = (after + before).join(map(str, numbers))
-        self.trace.write_text(f"{before}{text}{after}".encode())
+    def steps(self, steps: Sequence[int | str]) -> None:
+        """The lines that ran and the skills called without arguments, at this time of the robot."""
+        for step in steps:
+            self.note(step)
+        self.write_noted()
+
+    def note(self, step: int | str) -> None:
+        """Note a step; it is written before anything else, or with `write_noted`."""
+        self._noted.append(_step(step))
+        if len(self._noted) >= _NOTED_TOGETHER:
+            self.write_noted()
+
+    def note_call(self, skill: str, args: Sequence[object]) -> None:
+        """Note the call of a skill with arguments; see `note`."""
+        if self.trace.log:
+            # There it is no step, because its arguments are kept.
+            self.called(skill, args, {})
+        else:
+            self._noted.append(_call(skill, args))
+
+    def write_noted(self) -> None:
+        """Write the steps that have been noted at this time of the robot."""
+        if not self._noted:
+            return
+        # Most of a trace is these: they are written like `_write` does, in a tenth of its time.
+        noted, self._noted = self._noted, []
+        time = self.time()
+        if self._turns:
+            for text in noted:
+                self._turns.step(time, text)
+            return
+        before, between, after = self._frame(time)
+        self.trace.write_steps(time, f"{before}{between.join(noted)}{after}".encode())
 
     def printed(self, text: str) -> None:
         self._write("print", text.removesuffix("\n"))
+
+    def sent(self, name: str, value: object) -> None:
+        """A message to the other robots of the run."""
+        self._write("send", name, value=value)
+
+    def keys(self, held: Sequence[str]) -> None:
+        """The keys that the program finds held down, if others than before."""
+        if (keys := tuple(held)) != self._keys:
+            self._keys = keys
+            self._write("keys", keys)
 
     def pose(self, time: float, pose: Pose) -> None:
         self.path.append((time, pose))
@@ -120,12 +290,36 @@ class Recorder:
     def placed(self, time: float, pose: Pose) -> None:
         self._write_at(time, "placed", _rounded(pose))
 
+    def handled(self, time: float, how: str) -> None:
+        self._write_at(time, "handled", how)
+
     def goal(self, time: float, name: str, state: str) -> None:
         self._mark(time, "goal", f"{name}: {state}")
         self._write_at(time, "goal", name, state=state)
 
+    def collision(self, time: float, thing: str) -> None:
+        # Not in the trace, whose lines are those of earlier versions.
+        if len(self.collisions) < MOST_COLLISIONS:
+            self.collisions.append(Collision(round(time, 6), thing))
+        if self.trace.log:
+            self.trace.log.collided(time, thing)
+
+    def stroke(
+        self,
+        time: float,
+        points: Sequence[tuple[float, float]],
+        color: tuple[int, int, int],
+        width: float,
+    ) -> None:
+        self._write_at(time, "stroke", points, color=color, width=width)
+
+    def drawing_full(self, time: float) -> None:
+        self.missing("pen_down", "Pen:full")
+        self._write_at(time, "drawing", "full")
+
     def end(self, how: str) -> None:
-        self._mark(self.time(), "end", how)
+        self.ended_at = self.time()
+        self._mark(self.ended_at, "end", how)
         self._write("end", how)
 
     @property
@@ -133,15 +327,42 @@ class Recorder:
         """The emotions shown, in order."""
         return [mark.text for mark in self.marks if mark.kind == "emotion"]
 
-    def _command(self, kind: str, key: str, name: str, function: Function, *args: object) -> Any:
+    def _frame(self, time: float) -> tuple[str, str, str]:
+        """What is before, between and after the steps of one time."""
+        if time != self._framed_at:
+            before = _encode({"t": round(time, 6)})[:-1].decode() + ","
+            label = _encode(self.label).decode().replace("{", ",", 1) if self.label else "}"
+            after = label + "\n"
+            self._framed_at, self._framing = time, (before, after + before, after)
+        return self._framing
+
+    def _write_step(self, time: float, text: str) -> None:
+        before, _, after = self._frame(time)
+        self.trace.write_steps(time, f"{before}{text}{after}".encode())
+
+    def _command(self, told: "_Told", function: Function, *args: object) -> Any:
         # A loop may command the same speed a hundred times per second: only changes are recorded.
-        command = [*map(plain, args)]
-        if name not in _LASTING or self._commands.get((kind, key, name)) != command:
-            self._commands[kind, key, name] = command
+        if args != told.args or (told.shows and self._shown_by is not told):
+            self._tell(told, args)
+        return function(*args)
+
+    def _tell(self, told: "_Told", args: tuple[object, ...]) -> None:
+        if self.trace.log:
+            self.write_noted()
+        kind, key, name, command = told.kind, told.key, told.name, [*map(plain, args)]
+        if not told.lasts or told.command != command:
+            told.command = command
             self._write("device", kind, key=key, do=name, args=command)
             if name == "show_emotion":
                 self._mark(self.time(), "emotion", str(args[0]))
-        return function(*args)
+            elif name == "show_text" and args[0]:
+                self._mark(self.time(), "text", str(args[0]))
+        elif told.shows and self._shown_by is not told and self.trace.log:
+            again = {"device": kind, "key": key, "do": name, "args": command}
+            self.trace.write_again({"t": round(self.time(), 6), "again": again, **self.label})
+        if told.shows:
+            self._shown_by = told
+        told.args = args if told.lasts and all(map(is_small, args)) else None
 
     def _mark(self, time: float, kind: str, text: str) -> None:
         self.marks.append(Mark(time, kind, text, self.where()))
@@ -150,11 +371,18 @@ class Recorder:
         self._write_at(self.time(), kind, what, **more)
 
     def _write_at(self, time: float, kind: str, what: object, **more: object) -> None:
+        self.write_noted()
+        if self._turns:
+            self._turns.end()
         self.trace.write({"t": round(time, 6), kind: what, **more, **self.label})
 
 
 def record(
-    client: Client, program: str, trace: Trace, label: Mapping[str, str] | None = None
+    client: Client,
+    program: str,
+    trace: Trace,
+    label: Mapping[str, str] | None = None,
+    **more: object,
 ) -> Recorder:
     """Begin the trace of a client's program.
 
@@ -163,17 +391,63 @@ def record(
         program: the program's identity.
         trace: the trace to write to.
         label: added to every line if a world has several robots.
+        more: what else the first line says about the run.
     """
-    recorder = Recorder(trace, client.clock.time, client.where, label or {})
-    versions = {"learnblock": version("learnblock-studio"), "trace": VERSION}
-    recorder.begin({"program": program, **client.conditions(), "versions": versions})
+    is_real = client.clock.instant is None
+    recorder = Recorder(trace, client.clock.time, client.where, label or {}, counts_turns=is_real)
+    format_version = VERSION_WITH_TURNS if is_real else VERSION
+    versions = {"learnblock": version("learnblock-studio"), "trace": format_version}
+    if trace.log:
+        trace.log.began({"drivers": _drivers(client), **client.surroundings()})
+    recorder.begin({"program": program, **client.conditions(), "versions": versions, **more})
     recorder.watch(client)
     client.observe(recorder)
+    if is_real and trace.log:
+        keep_operations(client, trace.log)
+        keep_readings(client, trace.log)
     return recorder
 
 
+def _drivers(client: Client) -> dict[str, str]:
+    """The driver's own function behind each function of a device, by ``Base:ROBOT.move``."""
+    return {
+        f"{type(device).__name__}:{key}.{name}": _named(function)
+        for key, device in client.devices()
+        for name, function in device.functions.items()
+    }
+
+
+def _named(function: Any) -> str:
+    """The name of a driver's function, such as ``Robot.drive``; of a lambda where it is."""
+    while isinstance(function, partial):
+        # One that watches a function has it as its last argument.
+        watched = function.args[-1] if function.args else None
+        function = watched if isroutine(watched) or isinstance(watched, partial) else function.func
+    reckoning = getattr(function, "__self__", None)
+    if isinstance(reckoning, Reckoning) and function == reckoning.move:
+        return _named(reckoning.driver)
+    name: str = getattr(function, "__qualname__", type(function).__name__)
+    first, *inner = name.replace(".<lambda>", "").split(".<locals>")
+    # A function in a method is told as one of the class.
+    return f"{first.rpartition('.')[0]}{inner[-1]}" if inner and inner[-1] else first
+
+
+#: Devices that share what a robot shows: a face may colour its lights, and clear its text. So the
+#: same command again may change something after another one of them.
+_SHOWING = frozenset({"Display", "Led", "RGBLed", "Screen"})
 #: Commands that last until the next one, so repeating them changes nothing.
-_LASTING = frozenset({"move", "show_emotion", "set", "set_color"})
+_LASTING = frozenset({"move", "show_emotion", "show_text", "set", "set_color", "set_width"})
+
+
+@lru_cache(maxsize=1000)
+def _step(step: int | str) -> str:
+    if isinstance(step, int):
+        return f'"line":{step}'
+    return f'"call":{_encode(step).decode()},"args":[]'
+
+
+def _call(skill: str, args: Sequence[object]) -> str:
+    return _encode({"call": skill, "args": [*map(plain, args)]})[1:-1].decode()
 
 
 def _rounded(pose: Pose) -> list[float]:

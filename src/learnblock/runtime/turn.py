@@ -16,6 +16,7 @@ class Turn:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
+        self._main = threading.main_thread().ident
         #: The thread that may neither take a turn nor wait for one.
         self.forbidden_to: int | None = None
         #: Whether the main thread has the lock, or waits for it.
@@ -23,16 +24,24 @@ class Turn:
         self._postponed: BaseException | None = None
 
     def __enter__(self) -> None:
-        if self.forbidden_to is not None and self.forbidden_to == get_ident():
-            raise LearnBlockError("run-variable-uses-robot")
+        self.require_permission()
         self.take()
 
     def __exit__(self, *error: object) -> None:
         self.give_back()
 
+    def require_permission(self) -> None:
+        """Refuse the thread that is forbidden to take a turn.
+
+        Raises:
+            LearnBlockError: it is this one.
+        """
+        if self.forbidden_to is not None and self.forbidden_to == get_ident():
+            raise LearnBlockError("run-variable-uses-robot")
+
     def take(self, *, wait: bool = True) -> bool:
         """Take the turn; return whether it was free, if `wait` is false."""
-        in_main = _in_main_thread()
+        in_main = get_ident() == self._main
         if in_main:
             self._main_inside = True
         taken = self._lock.acquire(blocking=wait)
@@ -43,7 +52,7 @@ class Turn:
     def give_back(self) -> None:
         """End the turn, and raise the postponed exception."""
         self._lock.release()
-        if _in_main_thread():
+        if get_ident() == self._main:
             self._leave()
 
     def postpone(self, error: BaseException) -> bool:
@@ -61,7 +70,3 @@ class Turn:
         postponed, self._postponed = self._postponed, None
         if postponed:
             raise postponed
-
-
-def _in_main_thread() -> bool:
-    return get_ident() == threading.main_thread().ident

@@ -7,11 +7,21 @@ from typing import Any
 LONGEST_VALUE = 200
 #: The maximum number of nested levels, and of items per list.
 DEEPEST_LIST, LONGEST_LIST = 3, 100
+#: A text of fewer characters is small.
+SHORT = 100
 
 _PLAIN = frozenset({type(None), bool, float})
 _LARGEST = 2**63
 # The address of an object differs between two runs of a program.
 _ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
+
+
+def is_small(value: Any) -> bool:
+    """Whether a value takes few bytes in a message, and surely arrives as it is."""
+    kind = type(value)
+    if kind is int:
+        return bool(-_LARGEST <= value < _LARGEST)
+    return kind in _PLAIN or (kind is str and value.isascii() and len(value) < SHORT)
 
 
 def plain(value: Any, levels: int = DEEPEST_LIST) -> Any:

@@ -1,5 +1,7 @@
 """Notifications of events in a run."""
 
+from collections.abc import Collection
+
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.status import State
 
@@ -19,6 +21,14 @@ class Watcher:
 
     def cancel_input(self) -> None:
         """The run is being stopped: `input` must return at once, now and later; from any thread."""
+
+    def held_keys(self, time: float) -> Collection[str]:  # noqa: ARG002 - subclasses need it
+        """Return the keys that are held down; asked only while the program asks for keys.
+
+        Args:
+            time: the robot's time in seconds.
+        """
+        return ()
 
     def state(self, state: State) -> None:
         """The state of the run has changed; called from any thread, and must not block."""

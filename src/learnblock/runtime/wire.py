@@ -1,16 +1,19 @@
 """The child's side of the conversation with the host."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from threading import get_ident
 from time import monotonic
 from typing import Any
 
 from learnblock import errors
 from learnblock.errors import LearnBlockError, ProgramStopped, RobotConnectionError
-from learnblock.runtime.link import Link
+from learnblock.runtime.link import AtOnce, Link
 from learnblock.runtime.messages import (
     Answer,
     Ask,
+    Called,
+    Command,
     Continue,
     Control,
     Failed,
@@ -18,18 +21,21 @@ from learnblock.runtime.messages import (
     Input,
     Interrupted,
     Line,
-    Lines,
     Message,
     ShowVariables,
     Sleep,
+    Steps,
     Stop,
     Variables,
 )
 from learnblock.runtime.turn import Turn
+from learnblock.runtime.values import encodable, is_small
 
 #: Events wait for the next call, but are sent earlier after this many bytes or seconds.
 MOST_QUEUED = 65536
 LONGEST_WAIT = 0.05
+#: As many steps, each with a few small arguments.
+MOST_STEPS, FEW = 1000, 10
 
 
 class Wire:
@@ -48,13 +54,16 @@ class Wire:
         #: Where the program should pause.
         self.control = Control()
         self._flushed = 0.0
-        self._lines: list[int] = []
+        #: What the program did that no message has reported yet.
+        self._steps: list[int | str | Called | Command] = []
         #: The devices read since the program last slept, in order.
         self._used: dict[int, None] = {}
         #: Readings received at the last waking, until they are used or out of date.
         self._fresh: dict[int, Any] = {}
         #: Whether commands may wait for the next request, because no time passes until then.
         self.lockstep = False
+        #: What the host does at once while no message is queued; None for nothing.
+        self._at_once: AtOnce | None = None
 
     def ask(self, message: Message) -> Any:
         """Send a request and wait for its answer.
@@ -91,14 +100,36 @@ class Wire:
         self._used[index] = None
         if index in self._fresh:
             return self._fresh.pop(index)
-        return self.ask(Ask(index, "read", ()))
+        return self.call(index, "read")
 
-    def command(self, message: Message) -> None:
+    def call(self, device: int, function: str, *args: str) -> Any:
+        """Call a function of a device, and return its value.
+
+        Raises:
+            ProgramStopped: the program is being stopped.
+            LearnBlockError: the call failed.
+        """
+        if self._at_once is not None and _are_few(args):
+            self.turn.require_permission()
+            # An error comes by a message; what can be asked may be asked twice.
+            with suppress(LearnBlockError):
+                return self._at_once.answer(device, function, args)
+        return self.ask(Ask(device, function, args))
+
+    def command(self, device: int, function: str, args: tuple[Any, ...]) -> None:
         """Send a command: at once, or in lock-step with the next request."""
         # A command such as a gyroscope's reset changes the readings.
         self._fresh.clear()
+        if self.lockstep and _are_few(args):
+            if self.turn.forbidden_to is not None:
+                self.turn.require_permission()
+            if self._at_once is None:
+                self.note_step(Command(device, function, args))
+            elif not self._at_once.obey(device, function, args):
+                self._at_once = None
+            return
         with self.turn:
-            if self._put(message) > MOST_QUEUED or not self.lockstep:
+            if self._put(Command(device, function, args)) > MOST_QUEUED or not self.lockstep:
                 self._flush()
 
     def note(self, message: Message) -> None:
@@ -113,28 +144,54 @@ class Wire:
             if self._put(message) > MOST_QUEUED or self._is_late():
                 self._flush_now()
 
-    def flush(self) -> None:
-        """Send everything that is queued."""
-        with self.turn:
-            self._flush_now()
-
     def send(self, message: Message) -> None:
         """Send a message at once."""
         with self.turn:
             self._put(message)
             self._flush()
 
-    def note_line(self, number: int) -> None:
-        """Record that a line is about to run; lines are sent together, before the next message."""
-        self._lines.append(number)
-        if not self.lockstep and self._is_late():
-            self.catch_up()
+    def note_skill(self, skill: str) -> None:
+        """Record that a skill is called without arguments."""
+        if self.turn.forbidden_to is not None:
+            self.turn.require_permission()
+        name = skill if skill.isascii() else encodable(skill)
+        if self._at_once is None:
+            self.note_step(name)
+        else:
+            self._at_once.note(name)
 
-    def catch_up(self) -> None:
-        """Send the lines that have run and whatever else is queued."""
+    def note_call(self, skill: str, args: tuple[Any, ...], kwargs: dict[str, Any]) -> None:
+        """Record that a skill is called with these arguments, which are plain."""
+        if kwargs or not _are_few(args):
+            self.note(Called(skill, args, kwargs))
+            return
+        self.turn.require_permission()
+        if self._at_once is None:
+            self.note_step(Called(skill, args, {}))
+        else:
+            self._at_once.note_call(skill, args)
+
+    def note_line(self, number: int) -> None:
+        """Record that a line is about to run."""
+        if self._at_once is None:
+            self.note_step(number)
+        else:
+            self._at_once.note(number)
+
+    def note_step(self, step: int | str | Called | Command) -> None:
+        """Record that a line is about to run, a skill is called or a device commanded.
+
+        Steps are sent together, before the next message.
+        """
+        self._steps.append(step)
+        if len(self._steps) > MOST_STEPS or (not self.lockstep and self._is_late()):
+            self.flush()
+
+    def flush(self) -> None:
+        """Send the steps of the program and whatever else is queued."""
         with self.turn:
-            if self._lines:
-                self._put_lines()
+            if self._steps:
+                self._put_steps()
             self._flush_now()
 
     def hold(self, number: int, depth: int) -> None:
@@ -167,13 +224,15 @@ class Wire:
     # These methods need the turn.
 
     def _put(self, message: Message) -> int:
-        if self._lines:
-            self._put_lines()
+        # What the program does from now on comes after the message.
+        self._at_once = None
+        if self._steps:
+            self._put_steps()
         return self._link.put(message)
 
-    def _put_lines(self) -> None:
-        lines, self._lines = self._lines, []
-        self._link.put(Lines(tuple(lines)))
+    def _put_steps(self) -> None:
+        steps, self._steps = self._steps, []
+        self._link.put(Steps(tuple(steps)))
 
     def _receive(self) -> FromHost:
         """The answer to a request."""
@@ -224,9 +283,19 @@ class Wire:
             self._link.flush()
         except EOFError as error:
             raise ProgramStopped("the robot's host is gone") from error
+        finally:
+            self._at_once = self._link.at_once
 
     def _is_late(self) -> bool:
         return monotonic() - self._flushed > LONGEST_WAIT
+
+
+def _are_few(args: tuple[Any, ...]) -> bool:
+    for value in args:
+        # Without a call for most of them.
+        if type(value) is not float and not is_small(value):
+            return False
+    return len(args) < FEW
 
 
 def _error(failed: Failed) -> LearnBlockError:

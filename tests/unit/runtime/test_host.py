@@ -13,6 +13,7 @@ from learnblock.i18n import Phrase
 from learnblock.runtime.activity import Activity
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.ending import Ending, How
+from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from learnblock.runtime.watcher import Watcher
@@ -621,3 +622,36 @@ def test_an_argument_that_cannot_be_sent_is_recorded_by_its_description(run, arg
     assert (How.FINISHED, "on\n") == (result.how, result.output)
     assert ["say_Text"] == [event["call"] for event in result.events if "call" in event]
     assert result.run.recorder.missed == {("say_Text", "Speaker:ROBOT"): 1}
+
+
+def test_a_watcher_has_a_turn_while_a_program_waits_for_its_world(stage):
+    class Ticking(Watcher):
+        ticks = 0
+        text = ()
+        numbers = ()
+
+        def tick(self):
+            self.ticks += 1
+            if self.ticks == 3:
+                run.stop(Ending(How.STOPPED, Phrase("run-stopped")))
+
+    run = stage.add("robot.clock.sleep(1e6)\n", worker=ThreadWorker, watcher=Ticking())
+    stage.host().run()
+    assert run.ending.how is How.STOPPED
+    assert 0 < stage.world.steps < 1e8
+
+
+@pytest.mark.parametrize("worker", [InlineWorker, ThreadWorker])
+def test_a_watcher_has_its_turns_at_the_same_times_of_a_world_however_fast_it_is(stage, worker):
+    class Ticking(Listener):
+        def tick(self):
+            # While a program computes, a watcher has turns by the wall clock.
+            if run.wake is not None:
+                steps.append(stage.world.steps)
+
+    steps = []
+    run = stage.add(
+        "robot.clock.sleep(0.1)\nrobot.clock.sleep(0.06)\n", worker=worker, watcher=Ticking()
+    )
+    stage.host().run()
+    assert steps == [4, 8, 10, 14, 16]

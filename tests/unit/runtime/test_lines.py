@@ -11,7 +11,9 @@ from learnblock.runtime.lines import (
     line_events,
     program_frame,
     start_line_events,
+    without_line_events,
 )
+from learnblock.runtime.turn import Turn
 from learnblock.testing import VirtualClock
 
 
@@ -136,3 +138,47 @@ def test_a_budget_counts_by_tenths_of_a_second_in_real_time():
         for _ in range(MOST_LINES_AT_ONE_TIME):
             budget(1)
     assert len(seen) == 2 * MOST_LINES_AT_ONE_TIME
+
+
+def test_a_call_that_runs_only_other_code_hides_nothing_of_the_program():
+    seen = []
+
+    def skill(function=None):
+        return function and function()
+
+    quiet = without_line_events(skill, lambda args, _kwargs: not args)
+    source = "def f():\n    x = 1\nquiet()\nquiet(f)\nquiet()\nx = 2"
+    code = compile(source, "program.py", "exec")
+    with line_events(code, source, seen.append):
+        exec(code, {"quiet": quiet})  # noqa: S102 - our own
+
+    assert seen == [1, 3, 4, 2, 5, 6]
+
+
+def test_line_events_go_on_after_a_call_that_hides_them_has_failed():
+    seen = []
+
+    def skill():
+        raise ValueError
+
+    quiet = without_line_events(skill, lambda *_: True)
+    source = "try:\n    quiet()\nexcept ValueError:\n    x = 1\nx = 2"
+    code = compile(source, "program.py", "exec")
+    with line_events(code, source, seen.append):
+        exec(code, {"quiet": quiet})  # noqa: S102 - our own
+
+    assert seen == [1, 2, 3, 4, 5]
+
+
+def test_a_budget_passes_on_no_lines_of_a_thread_that_describes_a_variable():
+    clock, seen, turn = VirtualClock(), [], Turn()
+    budget = LineBudget(clock, seen.append, turn)
+    budget(1)
+    turn.forbidden_to = threading.get_ident()
+    budget(2)
+    thread = threading.Thread(target=budget, args=(3,))
+    thread.start()
+    thread.join()
+    turn.forbidden_to = None
+    budget(4)
+    assert seen == [1, 3, 4]

@@ -12,7 +12,7 @@ from learnblock.errors import DeviceValueError, RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.runtime import link, messages
 from learnblock.runtime.limits import Limits
-from learnblock.runtime.link import MAX_MESSAGE, Link
+from learnblock.runtime.link import MAX_MESSAGE, SocketLink
 from learnblock.runtime.messages import (
     Answer,
     Ask,
@@ -28,7 +28,7 @@ from learnblock.runtime.messages import (
 def ends():
     ours, theirs = socket.socketpair()
     with ours, theirs:
-        yield Link(ours, FromChild | FromHost), Link(theirs, FromChild | FromHost)
+        yield SocketLink(ours, FromChild | FromHost), SocketLink(theirs, FromChild | FromHost)
 
 
 @pytest.fixture
@@ -36,7 +36,7 @@ def wire():
     """Return a raw socket, and the link at its other end."""
     ours, theirs = socket.socketpair()
     with ours, theirs:
-        yield ours, Link(theirs, FromChild | FromHost)
+        yield ours, SocketLink(theirs, FromChild | FromHost)
 
 
 texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=20)
@@ -76,13 +76,22 @@ def values_of(kind):
         int: integers,
         bool: st.booleans(),
         float: st.floats(allow_nan=False),
+        bytes: st.binary(max_size=99),
         int | None: st.none() | integers,
         messages.Any: values,
         tuple[int, ...]: st.lists(integers, max_size=9).map(tuple),
         tuple[str, ...]: st.lists(texts, max_size=9).map(tuple),
+        tuple[int | str | messages.Called | messages.Command, ...]: st.lists(
+            integers
+            | texts
+            | st.builds(messages.Called, texts, st.just((1.5, "x")), st.just({}))
+            | st.builds(messages.Command, integers, texts, st.just((1.5, "x"))),
+            max_size=9,
+        ).map(tuple),
         dict[str, str]: described,
         Limits: of_limits,
         frozenset[int]: st.frozensets(integers, max_size=9),
+        frozenset[str]: st.frozensets(texts, max_size=9),
         messages.Mode: st.sampled_from(messages.Mode),
         messages.Control | None: st.none() | controls,
         dict[str, tuple[bool, float]]: whens,
@@ -282,7 +291,7 @@ WRONG = {
 def test_invalid_data_is_refused(name):
     ours, theirs = socket.socketpair()
     with ours, theirs:
-        link = Link(theirs, FromHost | FromChild)
+        link = SocketLink(theirs, FromHost | FromChild)
         ours.setblocking(False)
         with pytest.raises(RobotConnectionError):
             _push(ours, WRONG[name], link)
@@ -301,15 +310,17 @@ def test_thousands_of_damaged_messages_give_messages_or_refusals_and_nothing_els
         msgspec.msgpack.encode(message)
         for message in (
             Ask(3, "read", (1.5, "x", None)),
-            Connected((messages.DeviceOffer("Base", "ROBOT", ("move",)),), 7, 0.01, 0),
+            Connected(
+                (messages.DeviceOffer("Base", "ROBOT", ("move",)),), frozenset({"Base"}), 7, 0.01, 0
+            ),
             messages.Called("turn", (90,), {"speed": [1, {"a": b"b"}]}),
             messages.Ended(messages.Fault("ValueError", "wrong", (1, 2))),
-            messages.Lines(tuple(range(300))),
+            messages.Steps(tuple(range(300))),
         )
     ]
     arrived = refused = 0
     for _ in range(4000):
-        link = Link(None, FromHost | FromChild)
+        link = SocketLink(None, FromHost | FromChild)
         link._received += _damaged(rng, rng.choice(good))
         try:
             link._split()

@@ -166,3 +166,11 @@ def test_a_faster_pace_takes_effect_at_once():
     pacing.set_factor(None)
     assert world.await_steps(500)
     world.thread.join(5)
+
+
+@pytest.mark.parametrize(("factor", "paused"), [(None, False), (None, True), (2.0, False)])
+def test_only_a_world_without_a_pace_that_is_not_paused_is_free(factor, paused):
+    pacing = Pacing(factor)
+    if paused:
+        pacing.pause()
+    assert pacing.is_free == (factor is None and not paused)

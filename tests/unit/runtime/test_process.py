@@ -9,7 +9,7 @@ import pytest
 from learnblock.errors import ProgramStopped
 from learnblock.runtime.child import run
 from learnblock.runtime.limits import Limits
-from learnblock.runtime.link import Link
+from learnblock.runtime.link import SocketLink
 from learnblock.runtime.messages import Ended, FromChild, FromHost, Printed, Setup
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 
@@ -67,9 +67,9 @@ def test_a_program_stopped_before_its_start_reports_it():
         raise ProgramStopped("stopped")
 
     with host, child:
-        link = Link(host, FromChild)
+        link = SocketLink(host, FromChild)
         link.send(setup("print('never')"))
-        run(Link(child, FromHost), stopped)
+        run(SocketLink(child, FromHost), stopped)
         assert link.receive(10) == Ended(stopped=True)
 
 

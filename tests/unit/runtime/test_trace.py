@@ -33,27 +33,41 @@ def test_the_hash_is_that_of_the_file(file, recorder):
 def test_a_trace_without_a_file_has_the_same_hash(file, recorder):
     nowhere = Recorder(Trace(), lambda: 1.5, lambda: None)
     for each in (recorder, nowhere):
-        each.lines((1, 2, 3))
+        each.steps((1, 2, 3))
         each.called("turn", (90,), {})
     assert recorder.trace.sha256 == nowhere.trace.sha256
 
 
-def test_lines_of_one_time_are_written_as_if_one_by_one(file, recorder):
-    recorder.lines((3, 10, 4))
+def test_steps_of_one_time_are_written_as_if_one_by_one(file, recorder):
+    recorder.steps((3, 'say "hé"', 10))
     together = file.getvalue()
     file.truncate(0)
     file.seek(0)
-    for number in (3, 10, 4):
-        recorder._write("line", number)
+    recorder.line(3)
+    recorder.called('say "hé"', (), {})
+    recorder.line(10)
     assert together == file.getvalue()
 
 
 def test_lines_carry_the_label_of_their_robot(file):
-    Recorder(Trace(file), lambda: 0.25, lambda: None, {"robot": "a"}).lines((3, 4))
+    Recorder(Trace(file), lambda: 0.25, lambda: None, {"robot": "a"}).steps((3, 4))
     assert written(file) == [
         {"t": 0.25, "line": 3, "robot": "a"},
         {"t": 0.25, "line": 4, "robot": "a"},
     ]
+
+
+def test_a_stroke_of_a_pen_is_written_with_its_look(file, recorder):
+    recorder.stroke(2.0, [(0.0, 0.5), (3.0, 0.5)], (200, 0, 0), 6.0)
+    assert written(file) == [
+        {"t": 2.0, "stroke": [[0.0, 0.5], [3.0, 0.5]], "color": [200, 0, 0], "width": 6.0}
+    ]
+
+
+def test_a_pen_that_can_draw_no_further_is_reported(file, recorder):
+    recorder.drawing_full(3.0)
+    assert written(file) == [{"t": 3.0, "drawing": "full"}]
+    assert recorder.missed == {("pen_down", "Pen:full"): 1}
 
 
 def test_calls_are_written_with_plain_arguments(file, recorder):
@@ -139,3 +153,42 @@ def test_a_trace_begins_with_everything_it_depends_on(file, robot):
     run = written(file)[0]["run"]
     assert {"program": "abc", "robot": "robot"}.items() <= run.items()
     assert set(run["versions"]) == {"learnblock", "trace"}
+
+
+def test_noted_steps_are_written_as_they_would_be_at_once(file, recorder):
+    args = (90, 1.0, -0.0, True, None, 'say "hé"')
+    recorder.note(3)
+    recorder.note_call("turn", args)
+    recorder.note("stop_bot")
+    assert file.getvalue() == b""
+    recorder.write_noted()
+    noted = file.getvalue()
+    file.truncate(0)
+    file.seek(0)
+    recorder.line(3)
+    recorder.called("turn", args, {})
+    recorder.called("stop_bot", (), {})
+    assert noted == file.getvalue()
+
+
+@pytest.mark.parametrize(
+    "write",
+    [
+        lambda recorder: recorder.printed("hello"),
+        lambda recorder: recorder.called("turn", (1,), {}),
+        lambda recorder: recorder.steps((4,)),
+        lambda recorder: recorder.pose(1.5, (0.0, 0.0, 0.0)),
+        lambda recorder: recorder.end("finished"),
+    ],
+)
+def test_noted_steps_come_before_whatever_is_written_next(file, recorder, write):
+    recorder.note(3)
+    write(recorder)
+    assert written(file)[0] == {"t": 1.5, "line": 3}
+    assert len(written(file)) == 2
+
+
+def test_a_long_list_of_noted_steps_is_written_by_itself(file, recorder):
+    for _ in range(1000):
+        recorder.note(3)
+    assert len(written(file)) == 1000

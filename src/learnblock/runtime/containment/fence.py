@@ -3,9 +3,13 @@
 import os
 import signal
 import sys
+from pathlib import Path
+
+import msgspec
 
 from learnblock.errors import LearnBlockError
 from learnblock.runtime.containment import hook, resources
+from learnblock.runtime.limits import Limits
 from learnblock.runtime.messages import Setup
 
 
@@ -19,6 +23,59 @@ def contain(setup: Setup) -> None:
         _contain(setup)
     except OSError as error:
         raise LearnBlockError("run-not-contained", reason=str(error)) from error
+
+
+def contain_host(limits: Limits, world: str | None) -> None:
+    """Contain this process permanently; it runs a robot's host together with a program.
+
+    It may read what hosts of simulated robots need, and write nothing.
+
+    Args:
+        limits: the resources that the program may use, besides what this process already uses.
+        world: the name or the path of its world.
+
+    Raises:
+        LearnBlockError: the system refused something that it claims to support.
+    """
+    try:
+        _contain_host(limits, world)
+    except OSError as error:
+        raise LearnBlockError("run-not-contained", reason=str(error)) from error
+
+
+def contain_server(folder: Path) -> None:
+    """Contain this process permanently; it serves one pupil of a class, and starts programs.
+
+    It may use the network, because the classroom reaches it there; its programs may not.
+
+    Args:
+        folder: the pupil's folder, the only one that it may write to.
+
+    Raises:
+        LearnBlockError: the system refused something that it claims to support.
+    """
+    if sys.platform != "linux":
+        return
+    # These modules take time to load, and only Linux needs them.
+    from learnblock.runtime.containment import landlock, paths  # noqa: PLC0415
+
+    try:
+        landlock.restrict(paths.allowed_to_server(folder), network=True)
+    except OSError as error:
+        raise LearnBlockError("run-not-contained", reason=str(error)) from error
+
+
+def _contain_host(limits: Limits, world: str | None) -> None:
+    # These modules take time to load, and only Linux needs them.
+    from learnblock.runtime.containment import kernel, landlock, paths  # noqa: PLC0415
+
+    _let_go_of_terminal()
+    kernel.die_with_parent(signal.SIGKILL)
+    landlock.restrict(paths.allowed_to_host(world), network=False)
+    memory = limits.memory + resources.address_space()
+    resources.limit(msgspec.structs.replace(limits, memory=memory))
+    _contain_calls(network=False)
+    hook.install(network=False)
 
 
 def _contain(setup: Setup) -> None:

@@ -33,6 +33,8 @@ WRITE = (
     READ | _WRITE_FILE | _REMOVE_DIR | _REMOVE_FILE
     | _MAKE_DIR | _MAKE_REG | _RENAME_ACROSS | _TRUNCATE
 )  # fmt: skip
+#: Also start programs from it.
+RUN = READ | _EXECUTE
 #: Use a device file; also pass bytes to another process by a file with a name.
 DEVICE = _READ_FILE | _WRITE_FILE | _TRUNCATE | _CONTROL_DEVICE
 FOLDER = WRITE | _MAKE_FIFO

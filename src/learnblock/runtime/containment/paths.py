@@ -2,6 +2,7 @@
 
 import os
 import sys
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -21,6 +22,8 @@ _NETWORK = (
     "/etc/resolv.conf", "/run/systemd/resolve", "/etc/hosts", "/etc/host.conf", "/etc/gai.conf",
     "/etc/nsswitch.conf", "/etc/services", "/etc/ssl/certs", "/etc/pki", "/etc/ca-certificates",
 )  # fmt: skip
+#: What a host knows of its programs, and of the user that they belong to.
+_PROCESSES = ("/proc", "/etc/passwd", "/etc/group")
 
 
 def allowed(project: str, *, network: bool) -> Iterator[tuple[str, int]]:
@@ -37,6 +40,35 @@ def allowed(project: str, *, network: bool) -> Iterator[tuple[str, int]]:
         yield path, landlock.READ
     if project:
         yield from _own_files(Path(project).resolve())
+
+
+def allowed_to_host(world: str | None) -> Iterator[tuple[str, int]]:
+    """Files and folders that the host of a simulated robot reads, each with its rights.
+
+    Args:
+        world: the name or the path of its world.
+    """
+    names = ("skills", "libraries", "robots", "worlds", "settings.toml", "tags.toml")
+    own = (str(home() / name) for name in names)
+    for path in (*_SYSTEM, *_SETTINGS, *_installation(""), *own):
+        yield path, landlock.READ
+    if world and Path(world).is_file():
+        # A world may have a picture beside it.
+        yield from _own_files(Path(world).resolve().parent)
+
+
+def allowed_to_server(folder: Path) -> Iterator[tuple[str, int]]:
+    """Files and folders that a pupil's server and all that it starts may use, with their rights.
+
+    Args:
+        folder: the pupil's folder.
+    """
+    yield str(folder), landlock.FOLDER
+    yield os.devnull, landlock.WRITE
+    for path in (*_SYSTEM, *_installation("")):
+        yield path, landlock.RUN
+    for path in (*_SETTINGS, *_NETWORK, *_PROCESSES):
+        yield path, landlock.READ
 
 
 def _installation(project: str) -> Iterator[str]:
@@ -64,7 +96,7 @@ def _own_files(project: Path) -> Iterator[tuple[str, int]]:
 
 def _is_shared(folder: Path) -> bool:
     """Whether this folder also contains things that do not belong to the program."""
-    others = (Path(_users_home()), home(), Path(os.environ["TMPDIR"]))
+    others = (Path(_users_home()), home(), Path(tempfile.gettempdir()))
     return any(other.resolve().is_relative_to(folder) for other in others)
 
 

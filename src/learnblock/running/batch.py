@@ -1,0 +1,249 @@
+"""Many runs, as many at once as there are processors, for variants and for grading.
+
+A warm process, which has loaded what runs need, forks a contained child for each run. A program
+that is `plain` shares that child with its robot and its world; any other program runs in a process
+of its own, as usual. Where processes can't be forked, and on real robots, the runs are made here,
+one after another.
+"""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+
+import msgspec
+
+from learnblock.i18n import Phrase
+from learnblock.running import warm
+from learnblock.running.job import Job, Order
+from learnblock.running.program_run import ProgramRun
+from learnblock.running.report import Report
+from learnblock.runtime.ending import How
+from learnblock.runtime.limits import Limits
+from learnblock.storage.home import home
+
+#: Seconds in which stopped runs have to end.
+GRACE = 2.0
+#: Why a run is lost if the process that forks the runs ended, again.
+_PROCESS_ENDED = "the process that makes runs has ended"
+#: Whether a process can be forked for each run.
+CAN_FORK = sys.platform == "linux"
+
+
+@dataclass(frozen=True, slots=True)
+class JobResult:
+    """The result of a run.
+
+    Args:
+        job: the index of its job.
+        report: its report, with what it printed.
+        isolated: whether the program ran in a process of its own.
+        trace: its trace, if the job wants it.
+        lost: why the run could not be made, which is not its program's fault; "" if it was made.
+    """
+
+    job: int
+    report: Report
+    isolated: bool
+    trace: bytes = b""
+    lost: str = ""
+
+
+class Batch:
+    """Runs to be made.
+
+    Args:
+        jobs: the runs.
+        at_once: how many are made at the same time; by default one for each processor.
+        limits: the resources that each program may use.
+        kept: the process that forks the runs, kept for further batches; it ends if this batch is
+            stopped. Without it, the batch starts one and ends it.
+    """
+
+    def __init__(
+        self,
+        jobs: Sequence[Job],
+        at_once: int | None = None,
+        *,
+        limits: Limits | None = None,
+        kept: "WarmProcess | None" = None,
+    ) -> None:
+        self.jobs = tuple(jobs)
+        self._limits = limits or Limits()
+        self._at_once = at_once or processors()
+        self._kept = kept
+        self._warm: WarmProcess | None = None
+        self._here: ProgramRun | None = None
+        self._is_stopped = False
+
+    def results(self) -> Iterator[JobResult]:
+        """Make the runs; yield their results as they end. A run that was stopped has none.
+
+        A run whose process dies is made once more; see `JobResult.lost`.
+
+        Raises:
+            LearnBlockError: a world or a variant is not possible.
+        """
+        for job in self.jobs:
+            job.robot.load().check_wishes(job.options.wishes)
+        simulated = all(job.robot.load().lockstep for job in self.jobs)
+        yield from self._forked() if CAN_FORK and simulated else self._one_by_one()
+
+    def stop(self) -> None:
+        """End all runs within a second or two; may be called from any thread."""
+        self._is_stopped = True
+        if self._warm:
+            self._warm.stop()
+        if self._here:
+            self._here.stop()
+
+    def _one_by_one(self) -> Iterator[JobResult]:
+        for number, job in enumerate(self.jobs):
+            watcher = warm.Prints(job.keys)
+            trace = warm.trace_of(job)
+            self._here = ProgramRun(
+                job.program,
+                job.robot,
+                job.options,
+                watcher=watcher,
+                trace=trace,
+                limits=self._limits,
+            )
+            report = replace(self._here.run(), output=watcher.text)
+            if self._is_stopped:
+                return
+            written = trace.getvalue() if trace else b""
+            yield JobResult(number, report, isolated=True, trace=written)
+
+    def _forked(self) -> Iterator[JobResult]:
+        left = [*range(len(self.jobs))]
+        for kept in (self._kept, None):
+            for result in self._made_by(kept, left):
+                left.remove(result.job)
+                if result.report.ended != How.STOPPED:
+                    yield result
+            if self._is_stopped or not left:
+                return
+        for number in left:
+            yield _result(number, msgspec.msgpack.encode(warm.lost(_PROCESS_ENDED)))
+
+    def _made_by(self, kept: "WarmProcess | None", numbers: Sequence[int]) -> Iterator[JobResult]:
+        """Make some of the runs; fewer have a result if the process that forks them dies."""
+        numbers = tuple(numbers)
+        process = self._warm = kept or WarmProcess()
+        jobs = tuple(self.jobs[number] for number in numbers)
+        made = 0
+        try:
+            if self._is_stopped:
+                return
+            process.send(Order(jobs, self._at_once, self._limits).packed())
+            for index, data in self._received(process, len(numbers)):
+                made += 1
+                yield _result(numbers[index], data)
+        finally:
+            # One that was left in the middle of a batch can't be given another.
+            if kept is None or self._is_stopped or made < len(numbers):
+                process.end()
+
+    def _received(self, process: "WarmProcess", count: int) -> Iterator[tuple[int, bytes]]:
+        for _ in range(count):
+            head = process.read(warm.HEAD.size)
+            if self._is_stopped or len(head) < warm.HEAD.size:
+                return
+            index, length = warm.HEAD.unpack(head)
+            data = process.read(length)
+            if len(data) < length:
+                return
+            yield index, data
+
+
+class WarmProcess:
+    """A process that has loaded what runs need, and forks a contained child for each run."""
+
+    def __init__(self) -> None:
+        self._connection, theirs = socket.socketpair()
+        with theirs:
+            self._process = _start(theirs.fileno())
+        self._stream = self._connection.makefile("rb")
+
+    @property
+    def is_running(self) -> bool:
+        """Whether it can make runs."""
+        return self._process.poll() is None
+
+    def send(self, order: bytes) -> None:
+        """Send the runs to be made; those of the order before are finished."""
+        with suppress(BrokenPipeError, ConnectionResetError):
+            self._connection.sendall(len(order).to_bytes(8) + order)
+
+    def read(self, length: int) -> bytes:
+        """Read from the results; fewer bytes at their end."""
+        try:
+            return self._stream.read(length)
+        except ConnectionResetError:
+            return b""
+
+    def stop(self) -> None:
+        """End the runs that go on; may be called from any thread."""
+        self._process.send_signal(signal.SIGTERM)
+
+    def end(self) -> None:
+        """End the process, and with it every run that goes on."""
+        self._process.terminate()
+        with suppress(OSError):
+            self._connection.shutdown(socket.SHUT_RDWR)
+        with suppress(subprocess.TimeoutExpired):
+            self._process.wait(GRACE)
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(self._process.pid, signal.SIGKILL)
+        self._process.wait()
+        self._stream.close()
+        self._connection.close()
+
+
+def processors() -> int:
+    """The number of processors that this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def _start(handle: int) -> "subprocess.Popen[bytes]":
+    # -P: as for programs, which may run in it.
+    command = [sys.executable, "-P", "-m", warm.__name__, str(handle)]
+    variables = {
+        **os.environ,
+        # As in a program's own process: see `containment.environment`.
+        "PYTHONHASHSEED": "0",
+        "LEARNBLOCK_HOME": str(home().absolute()),
+        # One processor for each run.
+        "OMP_NUM_THREADS": "1",
+        "OPENBLAS_NUM_THREADS": "1",
+    }
+    return subprocess.Popen(  # noqa: S603 - our own interpreter and module
+        command,
+        env=variables,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        pass_fds=(handle,),
+        # Ctrl-C is for us: we decide how the runs end.
+        start_new_session=True,
+    )
+
+
+def _result(number: int, data: bytes) -> JobResult:
+    """The result that a child has sent; its program may have had a part in it."""
+    try:
+        sent = msgspec.msgpack.decode(data, type=warm.Sent)
+        How(sent.report.ended)
+    except (msgspec.MsgspecError, ValueError):
+        error = {"message": Phrase("run-link-closed"), "file": "", "line": 0, "text": ""}
+        return JobResult(number, Report(ended=How.KILLED, error=error), isolated=True)
+    report = sent.report
+    if report.error is not None:
+        report = replace(report, error={**report.error, "message": sent.message})
+    return JobResult(number, report, sent.isolated, sent.trace, sent.lost)

@@ -1,0 +1,79 @@
+"""Finds real robots that answer."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from learnblock.robots import RobotEntry, entries
+from learnblock.robots.real import RealRobot
+from learnblock.runtime.containment.driver import give_up, in_own_thread
+from learnblock.storage.settings import Settings, Table
+
+#: How many robots that were used before are remembered.
+_MOST_USED = 20
+
+
+class UsedRobots(Settings, frozen=True):
+    """The kinds of robots that were connected on this computer, the newest first."""
+
+    names: tuple[str, ...] = ()
+
+
+USED: Table[UsedRobots] = Table(("robots_used",), "the robots used before", UsedRobots)
+
+
+def real_robots() -> dict[str, RobotEntry]:
+    """The robots that can be found and connected, by name."""
+    known = {name: one for name, one in entries().items() if one.simulated is not True}
+    return {name: one for name, one in known.items() if real_kind(one)}
+
+
+def real_kind(entry: RobotEntry) -> type[RealRobot[Any]] | None:
+    """The class of a real robot; None for a twin, or for a robot that cannot be loaded."""
+    try:
+        kind = entry.load()
+    except Exception:  # noqa: BLE001 - a user's robot may raise anything; choosing it says what
+        return None
+    return kind if issubclass(kind, RealRobot) else None
+
+
+def find(entry: RobotEntry, seconds: float) -> tuple[Mapping[str, Any], ...]:
+    """The settings that reach each robot of a kind that answers; none if its driver fails.
+
+    The driver has the rights that it has in a run.
+
+    Args:
+        entry: the robot.
+        seconds: the time limit.
+    """
+    kind = real_kind(entry)
+    if kind is None:
+        return ()
+
+    def scan() -> tuple[Mapping[str, Any], ...]:
+        give_up(kind.known_rights())
+        return tuple(kind.scan(seconds))
+
+    try:
+        return in_own_thread(scan, lambda: None)
+    except Exception:  # noqa: BLE001 - a driver may raise any exception; connecting says what
+        return ()
+
+
+def is_in_use(entry: RobotEntry) -> bool:
+    """Whether a robot is not looked for because a program on this computer uses it."""
+    kind = real_kind(entry)
+    if kind is None:
+        return False
+    try:
+        return kind.is_in_use()
+    except Exception:  # noqa: BLE001 - a driver may raise any exception; connecting says what
+        return False
+
+
+def remember(entry: RobotEntry) -> None:
+    """Record that a robot was used."""
+    USED.update(lambda now: {"names": (entry.name, *_others(now, entry.name))[:_MOST_USED]})
+
+
+def _others(now: UsedRobots, name: str) -> tuple[str, ...]:
+    return tuple(one for one in now.names if one != name)

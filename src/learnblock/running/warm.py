@@ -1,0 +1,375 @@
+"""The warm process of a batch: it has loaded what runs need, and forks a child for each run.
+
+It runs no program itself and has a single thread, so that forking is safe.
+"""
+
+import gc
+import os
+import select
+import signal
+import socket
+import struct
+import sys
+from collections import deque
+from collections.abc import Callable, Collection, Iterator
+from dataclasses import dataclass, field, replace
+from importlib import import_module
+from io import BytesIO
+from pkgutil import iter_modules
+from threading import Event, Thread
+from time import process_time
+from types import FrameType
+from typing import NoReturn
+
+import msgspec
+
+from learnblock import skills
+from learnblock.i18n import Phrase
+from learnblock.running.job import Job, Order, unpacked
+from learnblock.running.plain import is_plain
+from learnblock.running.program_run import ProgramRun
+from learnblock.running.recorded_keys import RecordedKeys
+from learnblock.running.report import Report
+from learnblock.runtime.containment import kernel
+from learnblock.runtime.containment.fence import contain_host
+from learnblock.runtime.ending import How
+from learnblock.runtime.inline import InlineWorker
+from learnblock.runtime.limits import MEGABYTE, Limits
+from learnblock.runtime.process import ProcessWorker, Worker
+from learnblock.runtime.watcher import Watcher
+
+#: Before each result: the index of its job, and its length.
+HEAD = struct.Struct(">II")
+#: The largest result, in bytes.
+LARGEST = 256 * MEGABYTE
+_CHUNK = MEGABYTE
+#: Seconds between two looks at whether a program lets its host run.
+WATCHING = 0.5
+#: The status of a child that has said why it failed, and the most bytes of that.
+_FAILED, _LONGEST_CAUSE = 2, 1000
+#: The code of the error of a system that refuses to contain a program.
+_NOT_CONTAINED = "run-not-contained"
+#: What runs on simulated robots load when they need it, besides our skills.
+_PRELOADED = (
+    "email.parser",
+    "learnblock.client.extra_camera",
+    "learnblock.closing",
+    "learnblock.monitor",
+    "learnblock.monitor.making",
+    "learnblock.perception.detectors.lines",
+    "learnblock.perception.detectors.tags",
+    "learnblock.perception.settings",
+    "learnblock.perception.sources.asking",
+    "learnblock.perception.tag_names",
+    "learnblock.runtime.containment.landlock",
+    "learnblock.runtime.containment.seccomp",
+    "learnblock.simulator.camera",
+    "learnblock.simulator.scenery",
+    "learnblock.simulator.templates",
+    "platformdirs.unix",
+)
+
+
+class Sent(msgspec.Struct, array_like=True):
+    """What a child sends.
+
+    Args:
+        report: the report; the message of its error is extra, because it has a type of its own.
+        message: the message of the report's error.
+        isolated: whether the program ran in a process of its own.
+        trace: the trace, if it is wanted.
+        lost: why the run could not be made; "" if it was.
+    """
+
+    report: Report
+    message: Phrase
+    isolated: bool
+    trace: bytes = b""
+    lost: str = ""
+
+
+class Prints(Watcher):
+    """Keeps what a program prints.
+
+    Args:
+        keys: the keys that are pressed during the run.
+    """
+
+    def __init__(self, keys: RecordedKeys | None = None) -> None:
+        self.text = ""
+        self._keys = keys
+
+    def held_keys(self, time: float) -> Collection[str]:
+        return self._keys.held(time) if self._keys else ()
+
+    def printed(self, text: str) -> None:
+        self.text += text
+
+
+@dataclass(slots=True)
+class _Child:
+    """A run that is being made.
+
+    Args:
+        job: the index of its job.
+        process: the number of its process.
+        isolated: whether its program has a process of its own.
+        received: what it has sent so far.
+    """
+
+    job: int
+    process: int
+    isolated: bool
+    received: bytearray = field(default_factory=bytearray)
+
+
+def main() -> None:
+    """Run as ``python -m learnblock.running.warm FD``: FD is our end of the connection."""
+    kernel.die_with_parent(signal.SIGKILL)
+    connection = socket.socket(fileno=int(sys.argv[1]))
+    for module in (*_PRELOADED, *_skill_modules()):
+        import_module(module)
+    # Imported here because the server and the command line import this module, too.
+    import cv2  # noqa: PLC0415
+
+    # One processor for each run.
+    cv2.setNumThreads(1)
+    with connection.makefile("rb") as stream:
+        while length := stream.read(8):
+            order = unpacked(stream.read(int.from_bytes(length)))
+            for job in order.jobs:
+                job.robot.load()
+            if not gc.get_freeze_count():
+                # A child that collected what we have loaded would copy all of it.
+                gc.freeze()
+            runs = _Warm(connection, order)
+            try:
+                runs.run()
+            except (BrokenPipeError, ConnectionResetError):
+                # The caller has gone. Our children end with us.
+                return
+            if runs.is_stopped:
+                return
+
+
+def _skill_modules() -> Iterator[str]:
+    """Our skills; those of the user's folder are loaded where they are contained."""
+    return (one.name for one in iter_modules(skills.__path__, f"{skills.__name__}."))
+
+
+def _is_shared(job: Job) -> bool:
+    """Whether the program shares a process with its robot."""
+    # The network is for programs that import something, which have a process of their own.
+    return is_plain(job.program) and not job.options.network and not job.isolated
+
+
+def trace_of(job: Job) -> BytesIO | None:
+    """Where the trace of a job is kept, if it is wanted."""
+    return BytesIO() if job.with_trace else None
+
+
+class _Warm:
+    """The runs of a batch.
+
+    Args:
+        connection: where results are sent.
+        order: the runs.
+    """
+
+    def __init__(self, connection: socket.socket, order: Order) -> None:
+        self._connection = connection
+        self._limits = order.limits
+        self._jobs = order.jobs
+        self._at_once = order.at_once
+        #: The runs to be made: the index of each job, and whether its program is isolated.
+        self._waiting = deque(
+            (number, not _is_shared(job)) for number, job in enumerate(order.jobs)
+        )
+        #: The runs that are being made, by the end of the pipe at which their results arrive.
+        self._children: dict[int, _Child] = {}
+        #: The runs whose child died once: the index of each job, and whether it was isolated.
+        self._died: set[tuple[int, bool]] = set()
+        self.is_stopped = False
+        signal.signal(signal.SIGTERM, self._stop)
+
+    def run(self) -> None:
+        """Make all runs."""
+        while self._waiting or self._children:
+            while self._waiting and len(self._children) < self._at_once:
+                self._start(*self._waiting.popleft())
+            for handle in select.select([*self._children], [], [])[0]:
+                self._receive(handle)
+
+    def _stop(self, number: int, frame: FrameType | None) -> None:  # noqa: ARG002
+        self.is_stopped = True
+        self._waiting.clear()
+        self._at_once = 0
+        for child in self._children.values():
+            os.kill(child.process, signal.SIGTERM)
+
+    def _start(self, number: int, isolated: bool) -> None:  # noqa: FBT001 - as it is kept
+        ours, theirs = os.pipe()
+        process = os.fork()
+        if process == 0:
+            _be_child(self._jobs[number], self._limits, theirs, isolated=isolated)
+        os.close(theirs)
+        self._children[ours] = _Child(number, process, isolated)
+
+    def _receive(self, handle: int) -> None:
+        child = self._children[handle]
+        data = os.read(handle, _CHUNK)
+        child.received += data
+        if not data or len(child.received) > LARGEST:
+            os.close(handle)
+            self._finish(self._children.pop(handle))
+
+    def _finish(self, child: _Child) -> None:
+        is_too_large = len(child.received) > LARGEST
+        if is_too_large:
+            os.kill(child.process, signal.SIGKILL)
+        status = os.waitstatus_to_exitcode(os.waitpid(child.process, 0)[1])
+        if status == 0:
+            self._send(child.job, child.received)
+        elif not self._at_once:
+            return
+        elif is_too_large and child.isolated:
+            self._send(child.job, b"")
+        elif self._deserves_another(child, status):
+            self._waiting.appendleft((child.job, child.isolated))
+        elif not child.isolated:
+            # It did not let its host run, or took too much: see how it ends in its own process.
+            self._waiting.appendleft((child.job, True))
+        else:
+            self._send(child.job, msgspec.msgpack.encode(lost(_cause(status, child.received))))
+
+    def _deserves_another(self, child: _Child, status: int) -> bool:
+        """Whether a run is made again as it was, because its program may not be to blame."""
+        run = (child.job, child.isolated)
+        if run in self._died or len(child.received) > LARGEST:
+            return False
+        self._died.add(run)
+        # In a process of its own, a program can't end that of its host.
+        return child.isolated or status == -signal.SIGKILL
+
+    def _send(self, job: int, result: bytes | bytearray) -> None:
+        self._connection.sendall(HEAD.pack(job, len(result)) + result)
+
+
+def lost(reason: str) -> Sent:
+    """What stands for a run that could not be made.
+
+    Args:
+        reason: why, in the words of an exception or of the system.
+    """
+    report = Report(ended=How.KILLED, error={"message": "", "file": "", "line": 0, "text": ""})
+    return Sent(report, Phrase("run-lost", reason=reason), isolated=True, lost=reason)
+
+
+def _cause(status: int, said: bytes | bytearray) -> str:
+    """Why a child ended early: what it said, or its signal."""
+    if status == _FAILED:
+        return said.decode(errors="replace")
+    return signal.strsignal(-status) or str(status) if status < 0 else f"status {status}"
+
+
+def _be_child(job: Job, limits: Limits, handle: int, *, isolated: bool) -> NoReturn:
+    """Make a run in this process, send its result, and end."""
+    status = 1
+    try:
+        kernel.die_with_parent(signal.SIGKILL)
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        sent = _isolated(job, limits) if isolated else _together(job, limits)
+        _write(handle, msgspec.msgpack.encode(sent))
+        status = 0
+    except Exception as error:  # noqa: BLE001 - our mistake, or the system's: see `_Warm._finish`
+        _write(handle, f"{type(error).__name__}: {error}".encode()[:_LONGEST_CAUSE])
+        status = _FAILED
+    finally:
+        # Nothing of the parent's is to be cleaned up here.
+        os._exit(status)
+
+
+def _write(handle: int, data: bytes) -> None:
+    with os.fdopen(handle, "wb", closefd=False) as pipe:
+        pipe.write(data)
+
+
+def _isolated(job: Job, limits: Limits) -> Sent:
+    """The run of a program in a process of its own."""
+
+    def prepare(run: ProgramRun) -> None:
+        signal.signal(signal.SIGTERM, lambda *_: run.stop())
+
+    sent = _made(job, limits, ProcessWorker, prepare)
+    if _has_begun(sent):
+        return sent
+    again = _made(job, limits, ProcessWorker, prepare)
+    if again.message.code == _NOT_CONTAINED:
+        return lost(str(again.message))
+    return again
+
+
+def _has_begun(sent: Sent) -> bool:
+    """Whether a program had its chance: a busy computer may end its process at the start."""
+    died_at_once = sent.report.ended == How.KILLED and sent.report.time == 0
+    return not died_at_once and sent.message.code != _NOT_CONTAINED
+
+
+def _together(job: Job, limits: Limits) -> Sent:
+    """The run of a plain program in this process."""
+    contain_host(limits, job.options.world)
+    workers: list[InlineWorker] = []
+
+    def worker() -> InlineWorker:
+        workers.append(InlineWorker())
+        return workers[0]
+
+    return _made(job, limits, worker, lambda _: _end_if_silent(limits, workers))
+
+
+def _end_if_silent(limits: Limits, workers: list[InlineWorker]) -> None:
+    """End this process when its program computes for too long without its host."""
+
+    def watch() -> None:
+        turns, since = -1, 0.0
+        while not ended.wait(WATCHING):
+            now = workers[0].turns
+            if now != turns:
+                turns, since = now, process_time()
+            elif process_time() - since > limits.silence:
+                os._exit(1)
+
+    ended = Event()
+    # No signal: it would wait for the main thread, which waits for the host.
+    Thread(target=watch, daemon=True).start()
+
+
+def _made(
+    job: Job,
+    limits: Limits,
+    worker: Callable[[], Worker],
+    prepare: Callable[[ProgramRun], object],
+) -> Sent:
+    """Make a run, and return what is sent."""
+    prints, trace = Prints(job.keys), trace_of(job)
+    run = ProgramRun(
+        job.program,
+        job.robot,
+        job.options,
+        trace=trace,
+        watcher=prints,
+        limits=limits,
+        worker=worker,
+    )
+    prepare(run)
+    report = replace(run.run(), output=prints.text)
+    message = Phrase("")
+    if report.error is not None:
+        message = report.error["message"]  # type: ignore[assignment] # see `Report`
+        report = replace(report, error={**report.error, "message": ""})
+    isolated = worker is ProcessWorker
+    return Sent(report, message, isolated, trace.getvalue() if trace else b"")
+
+
+if __name__ == "__main__":
+    main()

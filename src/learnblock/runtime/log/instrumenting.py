@@ -1,0 +1,501 @@
+"""Instruments a program: the same program, which also tells what it does.
+
+Each expression that the log wants to know is put into a call of a noting function, which returns
+its value unchanged. Lines stay as they are, so that errors, breakpoints and the trace do, too.
+Left alone is what only Python itself can say: classes, generators, coroutines, comprehensions.
+"""
+
+import ast
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from msgspec.structs import replace
+
+from learnblock.runtime.log.nodes import Kind, Node
+from learnblock.runtime.log.snapshots import LONGEST
+
+#: The names of the noting functions, which the program finds among its builtins.
+CONDITION, LOOP, TURN = "__log_condition__", "__log_loop__", "__log_turn__"
+OPERAND, RESULT, WRITE = "__log_operand__", "__log_result__", "__log_write__"
+CALLS, ENTER, LEAVE = "__log_calls__", "__log_enter__", "__log_leave__"
+RETURN, JUMP = "__log_return__", "__log_jump__"
+#: As `RESULT`, of a call that may change a list; and variables that have been deleted.
+CHANGER, GONE = "__log_changer__", "__log_gone__"
+NOTING = (
+    *(CONDITION, LOOP, TURN, OPERAND, RESULT, WRITE, CALLS, ENTER, LEAVE, RETURN, JUMP),
+    *(CHANGER, GONE),
+)
+
+#: Methods of lists, dicts and sets that change them.
+_CHANGING = frozenset(
+    {"append", "extend", "insert", "remove", "pop", "clear", "sort", "reverse", "update", "add"}
+)
+#: Functions that change none of their arguments.
+_HARMLESS = frozenset(
+    {"abs", "bool", "chr", "enumerate", "float", "int", "len", "max", "min", "ord", "print"}
+    | {"range", "round", "sorted", "str", "sum", "zip"}
+)
+#: Modules of which that is true, and the robot.
+_HARMLESS_BASES = frozenset({"math", "robot", "time"})
+#: What a `when`'s function tells about it.
+_STATES = frozenset({"active", "time"})
+#: Inside these nothing is noted.
+_ALONE = (
+    ast.ClassDef,
+    ast.AsyncFunctionDef,
+    ast.Lambda,
+    ast.ListComp,
+    ast.SetComp,
+    ast.DictComp,
+    ast.GeneratorExp,
+    ast.JoinedStr,
+)
+#: What has a place in the text.
+_Placed = ast.stmt | ast.expr
+_JUMPS = {ast.Break: Kind.BREAK, ast.Continue: Kind.CONTINUE, ast.Pass: Kind.PASS}
+
+
+@dataclass(frozen=True)
+class Instrumented:
+    """A program that tells what it does.
+
+    Args:
+        tree: its syntax tree, with the lines of the original.
+        nodes: the places that it tells about.
+    """
+
+    tree: ast.Module
+    nodes: tuple[Node, ...]
+
+
+def instrument(source: str) -> Instrumented:
+    """Instrument a program.
+
+    Args:
+        source: its Python.
+
+    Raises:
+        SyntaxError: it is not Python.
+        RecursionError: it is nested too deeply.
+    """
+    tree = ast.parse(source)
+    work = _Instrumenting(source, tree)
+    tree.body = work.block(tree.body)
+    return Instrumented(ast.fix_missing_locations(tree), tuple(work.nodes))
+
+
+class _Instrumenting(ast.NodeTransformer):
+    """The instrumenting of one program."""
+
+    def __init__(self, source: str, tree: ast.Module) -> None:
+        self.nodes: list[Node] = []
+        self._lines = source.encode("utf-8", "surrogatepass").splitlines()
+        self._functions = {
+            node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)
+        }
+        self._control, self._branch, self._function = -1, True, -1
+
+    def block(self, body: Iterable[ast.stmt]) -> list[ast.stmt]:
+        """Instrument the statements of a block."""
+        done: list[ast.stmt] = []
+        for statement in body:
+            new: Any = self.visit(statement)
+            done.extend(new if isinstance(new, list) else [new])
+        return done
+
+    def visit(self, node: ast.AST) -> ast.AST | list[ast.stmt]:
+        if isinstance(node, _ALONE):
+            return node
+        new: ast.AST | list[ast.stmt] = super().visit(node)
+        return new
+
+    # Expressions.
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        function = node.func
+        base, name = "", ""
+        if isinstance(function, ast.Attribute):
+            name = function.attr
+            base = function.value.id if isinstance(function.value, ast.Name) else ""
+        elif isinstance(function, ast.Name):
+            name = function.id
+        number = self._begin(node, Kind.CALL, name=name, base=base, reads=_reads(node))
+        if name == "wait_until" and len(node.args) == 1:
+            self._instrument_condition(node.args[0], Kind.UNTIL)
+        node.args = [self._expression(one) for one in node.args]
+        for keyword in node.keywords:
+            keyword.value = self._expression(keyword.value)
+        if not base and name in self._functions:
+            node.func = self._noted(CALLS, number, function)
+        elif isinstance(function, ast.Attribute):
+            function.value = self._expression(function.value)
+        self._end(number)
+        return self._noted(RESULT if self._is_harmless(base, name) else CHANGER, number, node)
+
+    def _is_harmless(self, base: str, name: str) -> bool:
+        """Whether a call changes no list without its being noted."""
+        if base:
+            return base in _HARMLESS_BASES or base in self._functions
+        return name in _HARMLESS or name in self._functions
+
+    def visit_NamedExpr(self, node: ast.NamedExpr) -> ast.AST:
+        names = (node.target.id,)
+        number = self._begin(node, Kind.ASSIGN, reads=_reads(node.value), writes=names)
+        node.value = self._expression(node.value)
+        self._end(number)
+        node.value = self._noted(WRITE, number, node.value)
+        return node
+
+    def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
+        is_state = (
+            isinstance(node.ctx, ast.Load)
+            and isinstance(node.value, ast.Name)
+            and node.attr in _STATES
+            and node.value.id in self._functions
+        )
+        if not is_state:
+            return self.generic_visit(node)
+        number = self._begin(node, Kind.STATE, name=node.attr, base=node.value.id)  # type: ignore[attr-defined] # a name
+        return self._noted(OPERAND, number, node)
+
+    def visit_Compare(self, node: ast.Compare) -> ast.AST:
+        node.left = self._operand(node.left)
+        node.comparators = [self._operand(one) for one in node.comparators]
+        return node
+
+    def visit_BoolOp(self, node: ast.BoolOp) -> ast.AST:
+        node.values = [self._operand(one) for one in node.values]
+        return node
+
+    def _expression(self, node: ast.expr) -> ast.expr:
+        new: ast.expr = self.visit(node)  # type: ignore[assignment] # an expression stays one
+        return new
+
+    def _operand(self, node: ast.expr) -> ast.expr:
+        if not isinstance(node, ast.Name):
+            return self._expression(node)
+        number = self._begin(node, Kind.NAME, name=node.id, reads=(node.id,))
+        return self._noted(OPERAND, number, node)
+
+    def _condition(
+        self, test: ast.expr, kind: Kind, at: _Placed, noting: str
+    ) -> tuple[int, ast.expr]:
+        number = self._begin(test, kind, reads=_reads(test), at=at)
+        new = self._operand(test)
+        self._end(number)
+        return number, self._noted(noting, number, new)
+
+    def _instrument_condition(self, node: ast.AST, kind: Kind) -> int:
+        """Instrument the condition of a `when` or of `wait until`, given as a lambda."""
+        if not isinstance(node, ast.Lambda):
+            return -1
+        number, node.body = self._condition(node.body, kind, node, CONDITION)
+        return number
+
+    # Statements.
+
+    def visit_If(self, node: ast.If) -> ast.AST:
+        number, node.test = self._condition(node.test, Kind.IF, node, CONDITION)
+        node.body = self._controlled(number, node.body)
+        node.orelse = self._controlled(number, node.orelse, branch=False)
+        self._end(number)
+        return node
+
+    def visit_While(self, node: ast.While) -> ast.AST:
+        number, node.test = self._condition(node.test, Kind.WHILE, node, LOOP)
+        node.body = self._controlled(number, node.body)
+        node.orelse = self.block(node.orelse)
+        self._end(number, node.end_lineno)
+        return node
+
+    def visit_For(self, node: ast.For) -> ast.AST:
+        targets = _names(node.target)
+        number = self._begin(node, Kind.FOR, reads=_reads(node.iter), writes=targets)
+        node.iter = self._expression(node.iter)
+        body = self._controlled(number, node.body)
+        value = _value(node.target)
+        node.body = [self._statement(TURN, number, value, node), *body]
+        node.orelse = self.block(node.orelse)
+        self._end(number, node.end_lineno)
+        return node
+
+    def visit_With(self, node: ast.With) -> ast.AST:
+        targets = [one.optional_vars for one in node.items if one.optional_vars]
+        for item in node.items:
+            item.context_expr = self._expression(item.context_expr)
+        bound = self._bound(node, tuple(name for one in targets for name in _names(one)))
+        node.body = [*bound, *self.block(node.body)]
+        return node
+
+    def visit_Try(self, node: ast.Try | ast.TryStar) -> ast.AST:
+        node.body = self.block(node.body)
+        for handler in node.handlers:
+            names = (handler.name,) if handler.name else ()
+            # Python deletes the name at the end of the block.
+            gone = self._deleted(handler.body[-1], names)
+            bound = self._bound(handler.body[0], names)
+            handler.body = [*bound, *self.block(handler.body), *gone]
+        node.orelse = self.block(node.orelse)
+        node.finalbody = self.block(node.finalbody)
+        return node
+
+    visit_TryStar = visit_Try  # noqa: N815 - `ast.NodeVisitor` looks for this name
+
+    def visit_Match(self, node: ast.Match) -> ast.AST:
+        node.subject = self._expression(node.subject)
+        for case in node.cases:
+            names = tuple(dict.fromkeys(_captured(case.pattern)))
+            if case.guard:
+                case.guard = self._expression(case.guard)
+            case.body = [*self._bound(case.body[0], names), *self.block(case.body)]
+        return node
+
+    def visit_Delete(self, node: ast.Delete) -> ast.AST | list[ast.stmt]:
+        gone = tuple(one.id for one in node.targets if isinstance(one, ast.Name))
+        changed = tuple(
+            name for one in node.targets if not isinstance(one, ast.Name) for name in _names(one)
+        )
+        more = self._bound(node, tuple(name for name in changed if name not in gone))
+        return [node, *self._deleted(node, gone), *more]
+
+    def _bound(self, at: ast.stmt, names: tuple[str, ...]) -> list[ast.stmt]:
+        """Note variables that a statement has written, at the place of another one."""
+        if not names:
+            return []
+        number = self._begin(at, Kind.ASSIGN, writes=names)
+        return [self._statement(WRITE, number, _read(names), at)]
+
+    def _deleted(self, at: ast.stmt, names: tuple[str, ...]) -> list[ast.stmt]:
+        if not names:
+            return []
+        number = self._begin(at, Kind.ASSIGN, writes=names)
+        return [self._statement(GONE, number, ast.Constant(None), at)]
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
+        kept = self._control, self._branch, self._function
+        self._control, self._branch = -1, True
+        is_when = bool(node.decorator_list)
+        condition = -1
+        for decorator in node.decorator_list:
+            if isinstance(decorator, ast.Call) and decorator.args:
+                condition = self._instrument_condition(decorator.args[0], Kind.WHEN)
+        if condition >= 0:
+            self._change(condition, name=node.name)
+        parameters = tuple(one.arg for one in node.args.args)
+        self._function = -1
+        number = self._begin(
+            node,
+            Kind.FUNCTION,
+            name=node.name,
+            parameters=parameters,
+            is_when=is_when,
+            first=node.decorator_list[0].lineno if is_when else node.lineno,
+        )
+        self._function = number
+        if not _yields(node):
+            node.body = self._function_body(node, number)
+        self._end(number, node.end_lineno)
+        self._control, self._branch, self._function = kept
+        return node
+
+    def _function_body(self, node: ast.FunctionDef, number: int) -> list[ast.stmt]:
+        ahead = [*_declarations(node.body)]
+        body = self.block(node.body[len(ahead) :]) or [ast.Pass(lineno=node.lineno, col_offset=0)]
+        # The line where Python says that the function begins, so that it is no line of its body.
+        at = node.decorator_list[0] if node.decorator_list else node
+        values = ast.Tuple([ast.Name(one.arg, ast.Load()) for one in node.args.args], ast.Load())
+        left = self._statement(LEAVE, number, ast.Constant(None), at)
+        enclosed = ast.Try(body=body, handlers=[], orelse=[], finalbody=[left])
+        ast.copy_location(enclosed, at)
+        return [*ahead, self._statement(ENTER, number, values, at), enclosed]
+
+    def visit_Return(self, node: ast.Return) -> ast.AST:
+        number = self._begin(node, Kind.RETURN, reads=_reads(node))
+        value = (
+            self._expression(node.value)
+            if node.value
+            else ast.copy_location(ast.Constant(None), node)
+        )
+        node.value = self._noted(RETURN, number, value)
+        self._end(number)
+        return node
+
+    def _visit_jump(self, node: ast.stmt) -> list[ast.stmt]:
+        number = self._begin(node, _JUMPS[type(node)])
+        return [self._statement(JUMP, number, ast.Constant(None), node), node]
+
+    visit_Break = _visit_jump  # noqa: N815 - `ast.NodeVisitor` looks for this name
+    visit_Continue = _visit_jump  # noqa: N815
+    visit_Pass = _visit_jump  # noqa: N815
+
+    def visit_Assign(self, node: ast.Assign) -> ast.AST | list[ast.stmt]:
+        names = tuple(name for target in node.targets for name in _names(target))
+        number = self._begin(node, Kind.ASSIGN, reads=_reads(node), writes=names)
+        node.value = self._expression(node.value)
+        self._end(number)
+        if all(isinstance(target, ast.Name) for target in node.targets):
+            node.value = self._noted(WRITE, number, node.value)
+            return node
+        return [node, *self._writes_after(node, number)]
+
+    def visit_AugAssign(self, node: ast.AugAssign) -> list[ast.stmt]:
+        number = self._begin(node, Kind.ASSIGN, reads=_reads(node), writes=_names(node.target))
+        node.value = self._expression(node.value)
+        self._end(number)
+        return [node, *self._writes_after(node, number)]
+
+    def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.AST:
+        if node.value is None:
+            return node
+        number = self._begin(
+            node, Kind.ASSIGN, reads=_reads(node.value), writes=_names(node.target)
+        )
+        node.value = self._noted(WRITE, number, self._expression(node.value))
+        self._end(number)
+        return node
+
+    def visit_Expr(self, node: ast.Expr) -> ast.AST | list[ast.stmt]:
+        changed = _changed_list(node.value)
+        if not changed:
+            node.value = self._expression(node.value)
+            return node
+        number = self._begin(node, Kind.ASSIGN, reads=_reads(node.value), writes=(changed,))
+        node.value = self._expression(node.value)
+        self._end(number)
+        return [node, *self._writes_after(node, number)]
+
+    def _writes_after(self, node: ast.stmt, number: int) -> list[ast.stmt]:
+        """Note the variables that a statement has changed, behind it."""
+        names = self.nodes[number].writes
+        return [self._statement(WRITE, number, _read(names), node)] if names else []
+
+    def visit_Import(self, node: ast.Import) -> ast.AST:
+        return node
+
+    # Nodes.
+
+    def _controlled(
+        self, number: int, body: Sequence[ast.stmt], *, branch: bool = True
+    ) -> list[ast.stmt]:
+        kept = self._control, self._branch
+        self._control, self._branch = number, branch
+        done = self.block(body)
+        self._control, self._branch = kept
+        return done
+
+    def _begin(
+        self, node: _Placed, kind: Kind, *, at: _Placed | None = None, **more: object
+    ) -> int:
+        """Number a node; `_end` says later what it contains."""
+        first = (at or node).lineno
+        number = len(self.nodes)
+        self.nodes.append(
+            Node(
+                kind,
+                line=first,
+                end=node.end_lineno or first,
+                text=self._text(node),
+                last=number,
+                control=self._control,
+                branch=self._branch,
+                function=self._function,
+                **more,  # type: ignore[arg-type] # the names of the fields
+            )
+        )
+        return number
+
+    def _end(self, number: int, line: int | None = None) -> None:
+        node = self.nodes[number]
+        self._change(number, last=len(self.nodes) - 1, end=line or node.end)
+
+    def _change(self, number: int, **more: object) -> None:
+        self.nodes[number] = replace(self.nodes[number], **more)
+
+    def _text(self, node: _Placed) -> str:
+        """The first line of a node's Python, shortened."""
+        line = self._lines[node.lineno - 1]
+        end = node.end_col_offset if node.end_lineno == node.lineno else len(line)
+        text = line[node.col_offset : end].decode("utf-8", "replace").strip()
+        return text if len(text) <= LONGEST else text[: LONGEST - 3] + "..."
+
+    def _noted(self, noting: str, number: int, value: ast.expr) -> ast.expr:
+        call = ast.Call(ast.Name(noting, ast.Load()), [ast.Constant(number), value], [])
+        for new in (call, call.func, call.args[0]):
+            ast.copy_location(new, value)
+        return call
+
+    def _statement(self, noting: str, number: int, value: ast.expr, at: ast.AST) -> ast.stmt:
+        call = ast.Call(ast.Name(noting, ast.Load()), [ast.Constant(number), value], [])
+        statement = ast.Expr(call)
+        for new in ast.walk(statement):
+            if isinstance(new, ast.expr | ast.stmt):
+                ast.copy_location(new, at)
+                # All on its first line: a block of several lines is the statement's own affair.
+                new.end_lineno = new.lineno
+                new.end_col_offset = new.col_offset
+        return statement
+
+
+def _reads(node: ast.AST) -> tuple[str, ...]:
+    names = (
+        one.id
+        for one in ast.walk(node)
+        if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Load)
+    )
+    return tuple(dict.fromkeys(names))
+
+
+def _names(target: ast.expr) -> tuple[str, ...]:
+    """The variables that an assignment to `target` writes, or whose list it changes."""
+    if isinstance(target, ast.Tuple | ast.List):
+        return tuple(name for one in target.elts for name in _names(one))
+    while isinstance(target, ast.Subscript | ast.Attribute | ast.Starred):
+        target = target.value
+    return (target.id,) if isinstance(target, ast.Name) else ()
+
+
+def _value(target: ast.expr) -> ast.expr:
+    """The expression that reads what has been assigned to `target`."""
+    return _read(_names(target))
+
+
+def _read(names: Sequence[str]) -> ast.expr:
+    """The expression that reads some variables."""
+    read = [ast.Name(name, ast.Load()) for name in names]
+    return read[0] if len(read) == 1 else ast.Tuple([*read], ast.Load())
+
+
+def _captured(pattern: ast.pattern) -> Iterator[str]:
+    """The variables that a pattern of `match` writes."""
+    for one in ast.walk(pattern):
+        if isinstance(one, ast.MatchAs | ast.MatchStar) and one.name:
+            yield one.name
+        elif isinstance(one, ast.MatchMapping) and one.rest:
+            yield one.rest
+
+
+def _changed_list(value: ast.expr) -> str:
+    """The variable whose list, dict or set a statement changes; "" if it changes none."""
+    if (
+        isinstance(value, ast.Call)
+        and isinstance(value.func, ast.Attribute)
+        and value.func.attr in _CHANGING
+    ):
+        # Also of a list in a list: `rows[0].append(1)`.
+        names = _names(value.func.value)
+        return names[0] if names else ""
+    return ""
+
+
+def _declarations(body: Sequence[ast.stmt]) -> Iterable[ast.stmt]:
+    """What must stay ahead in a function: its docstring, and what is global."""
+    for statement in body:
+        is_text = isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
+        if not (is_text or isinstance(statement, ast.Global | ast.Nonlocal)):
+            return
+        yield statement
+
+
+def _yields(node: ast.FunctionDef) -> bool:
+    return any(isinstance(one, ast.Yield | ast.YieldFrom) for one in ast.walk(node))
