@@ -1,0 +1,223 @@
+"""The call graph of a run: what called what, how often, and for how long in the robot's time.
+
+It has the layers of the paper's figure 8: the program, its functions, the generic client's skills,
+the device interfaces, and the driver's own functions. Only the last one differs between robots.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import cached_property
+
+from learnblock.runtime.log.events import Op
+from learnblock.why.history import Frame, History, SkillUse
+
+
+class Layer(IntEnum):
+    """A row of the graph, from top to bottom."""
+
+    PROGRAM = 0
+    FUNCTIONS = 1
+    SKILLS = 2
+    DEVICES = 3
+    DRIVER = 4
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Called:
+    """What was called.
+
+    Args:
+        layer: its row.
+        name: its name there, such as ``move_straight`` or ``Base.move``.
+    """
+
+    layer: Layer
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """A function in the graph.
+
+    Args:
+        called: which.
+        count: the number of its calls.
+        seconds: the robot's time spent in it, and in what it called.
+        share: that, as a part of the whole span, from 0 to 1.
+    """
+
+    called: Called
+    count: int
+    seconds: float
+    share: float
+
+
+@dataclass(frozen=True, slots=True)
+class Edge:
+    """The calls of one function by another.
+
+    Args:
+        caller: the one.
+        callee: the other.
+        count: their number.
+        seconds: the robot's time spent in them.
+        first: the time of the first one, in s.
+        last: the time of the last one.
+    """
+
+    caller: Called
+    callee: Called
+    count: int
+    seconds: float
+    first: float
+    last: float
+
+
+@dataclass(frozen=True)
+class Calls:
+    """The call graph of a span of a run.
+
+    Args:
+        robot: the robot's id.
+        first: where the span begins, in s.
+        last: where it ends.
+        edges: the calls, in order of the first one.
+    """
+
+    robot: str
+    first: float
+    last: float
+    edges: tuple[Edge, ...]
+
+    @cached_property
+    def nodes(self) -> tuple[Node, ...]:
+        """The functions, by layer and in order of the first call."""
+        counts: dict[Called, int] = defaultdict(int)
+        seconds: dict[Called, float] = defaultdict(float)
+        for edge in self.edges:
+            counts[edge.callee] += edge.count
+            # A function that calls itself spends its time once.
+            seconds[edge.callee] += edge.seconds if edge.caller != edge.callee else 0.0
+        span = self.last - self.first
+        whole = Node(self.program, 1, round(span, 3), 1.0)
+        others = (
+            Node(called, count, round(seconds[called], 3), _share(seconds[called], span))
+            for called, count in counts.items()
+        )
+        return (whole, *sorted(others, key=lambda node: node.called.layer))
+
+    @property
+    def program(self) -> Called:
+        """The program itself."""
+        return self.edges[0].caller if self.edges else Called(Layer.PROGRAM, "")
+
+
+def calls(history: History, first: float = 0.0, last: float | None = None) -> Calls:
+    """The call graph of a run.
+
+    Args:
+        history: the run.
+        first: the beginning of the span, in s.
+        last: its end; by default that of the run.
+    """
+    end = history.end if last is None else min(last, history.end)
+    found = _Counting(history, first, end)
+    robot = str(history.recorded.conditions.get("robot", ""))
+    return Calls(robot, first, end, tuple(found.edges()))
+
+
+def _share(seconds: float, span: float) -> float:
+    return round(min(1.0, seconds / span), 4) if span > 0 else 0.0
+
+
+@dataclass
+class _Sum:
+    """The calls of one edge so far."""
+
+    first: float
+    last: float
+    count: int = 0
+    seconds: float = 0.0
+
+
+class _Counting:
+    """Counts the calls in a span.
+
+    Args:
+        history: the run.
+        first: the beginning of the span, in s.
+        last: its end.
+    """
+
+    def __init__(self, history: History, first: float, last: float) -> None:
+        self._history = history
+        self._first, self._last = first, last
+        self._sums: dict[tuple[Called, Called], _Sum] = {}
+        self._drivers: dict[str, str] = history.recorded.robot.get("drivers", {})
+        #: What the driver calls on a robot whose operations have names, by function of a device.
+        self._operations: dict[str, list[str]] = defaultdict(list)
+        for line in history.recorded.lines:
+            if "operation" in line:
+                self._operations[line["of"]].append(line["operation"])
+        self._count()
+
+    def edges(self) -> Iterator[Edge]:
+        for (caller, callee), one in self._sums.items():
+            yield Edge(caller, callee, one.count, round(one.seconds, 3), one.first, one.last)
+
+    def _count(self) -> None:
+        history = self._history
+        for event, ahead in enumerate(history.events):
+            if ahead[0] == Op.ENTER:
+                self._count_function(event)
+            elif ahead[0] == Op.SKILL:
+                self._count_skill(event, history.skills[event])
+            elif ahead[0] in (Op.COMMAND, Op.READING):
+                self._count_device(event, history.skills.get(event))
+
+    def _count_function(self, event: int) -> None:
+        frame = self._history.frames[event]
+        self._add(self._called(frame.caller), self._called(frame), event, frame.left)
+
+    def _count_skill(self, event: int, use: SkillUse) -> None:
+        caller = _skill(use.within) if use.within else self._called(use.frame)
+        self._add(caller, _skill(use), event, use.ended)
+
+    def _count_device(self, event: int, use: SkillUse | None) -> None:
+        history = self._history
+        op, device, *more = history.events[event]
+        function = more[0] if op == Op.COMMAND else _question(device)
+        caller = _skill(use) if use else self._called(history.frames[event])
+        interface = Called(Layer.DEVICES, f"{device.partition(':')[0]}.{function}")
+        self._add(caller, interface, event, event)
+        of = f"{device}.{function}"
+        driver = self._drivers.get(of)
+        for name in self._operations.get(of) or ([driver] if driver else []):
+            self._add(interface, Called(Layer.DRIVER, name), event, event)
+
+    def _called(self, frame: Frame | None) -> Called:
+        if frame is None or frame.node < 0:
+            return Called(Layer.PROGRAM, self._history.program.name)
+        return Called(Layer.FUNCTIONS, self._history.nodes[frame.node].name)
+
+    def _add(self, caller: Called, callee: Called, begun: int, ended: int) -> None:
+        history = self._history
+        began = history.time(begun)
+        over = history.time(ended) if ended >= 0 else history.end
+        if over < self._first or began > self._last:
+            return
+        times = history.times[begun]
+        one = self._sums.setdefault((caller, callee), _Sum(began, began))
+        one.count += times
+        one.seconds += times * (min(over, self._last) - max(began, self._first))
+        one.last = began
+
+
+def _skill(use: SkillUse) -> Called:
+    return Called(Layer.SKILLS, use.name)
+
+
+def _question(device: str) -> str:
+    return "detect" if device.startswith("Camera:") else "read"

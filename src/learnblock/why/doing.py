@@ -1,0 +1,377 @@
+"""What the robot did or did not do: the statements that made it do so, or would have."""
+
+from bisect import bisect_left
+from collections.abc import Iterable
+from typing import Any
+
+from learnblock.language.check.robots import need_phrase
+from learnblock.runtime.log.events import Op
+from learnblock.runtime.log.nodes import Kind
+from learnblock.why.because import Because
+from learnblock.why.history import History, SkillUse
+from learnblock.why.reaching import Reaching
+from learnblock.why.sentences import Telling
+from learnblock.why.slicing import Slices
+from learnblock.why.standing import Standing
+from learnblock.why.steering import may_do, movement_of
+from learnblock.why.wording import (
+    FORWARD,
+    STAND,
+    movement,
+    movement_phrase,
+    skill_phrase,
+    thing_phrase,
+)
+
+#: So long before a moment, in s, a statement counts as run at it.
+LONG_AGO = 1.0
+#: A command that another replaces within so many seconds had no effect.
+_SOON = 0.15
+#: With more sentences than this, what was before is too far away.
+_FEW = 2
+
+
+class Doing:
+    """Tells why statements ran, why not, and why they had no effect.
+
+    Args:
+        slices: of the run.
+        because: tells why something happened.
+        reaching: tells why a statement was not reached.
+        telling: the answer.
+    """
+
+    def __init__(
+        self, slices: Slices, because: Because, reaching: Reaching, telling: Telling
+    ) -> None:
+        self._history: History = slices.history
+        self._slices = slices
+        self._standing = Standing(slices)
+        self._because = because
+        self._reaching = reaching
+        self._telling = telling
+
+    def since(self, time: float | None) -> int:
+        """The first event that counts for a question about a moment."""
+        if time is None or time >= self._history.end:
+            return 0
+        # The last event may be long before the moment: it began a wait.
+        return max(0, self._history.at(max(0.0, time - LONG_AGO)))
+
+    def results(self, numbers: Iterable[int], until: int) -> list[int]:
+        """The runs of some calls up to an event, in order, also of one that still lasts."""
+        history = self._history
+        ran = {
+            event
+            for number in numbers
+            for event in history.of_node.get(number, ())
+            if event <= until and history.events[event][0] != Op.CALLS
+        }
+        ran |= {
+            use.begun
+            for use in history.uses
+            if use.within is None
+            and use.begun <= until
+            and not 0 <= use.result <= until
+            and self._standing.call_of(use) in numbers
+        }
+        return sorted(ran)
+
+    # It did.
+
+    def moved(self, command: int, until: int) -> None:
+        """Tell why the wheels were told to move so."""
+        history = self._history
+        use, command = self.outermost(command), self._first_alike(command)
+        name = movement(*history.events[command][3][:2])
+        if use is None:
+            self._telling.say_of_line("why-moved-alone", 0, command, motion=movement_phrase(name))
+            return
+        call = self._standing.call_of(use)
+        self._telling.say("why-moved", call, command, motion=movement_phrase(name))
+        self._causes(use, call)
+        self._after(use, call)
+        self._not_stopped(use, until)
+        if use.name == "slow_down":
+            self._slowed(use)
+        if self._standing.running(until) not in (None, use):
+            # Nothing else was told since, because the program did something else.
+            self._reaching.busy(until)
+
+    def _first_alike(self, command: int) -> int:
+        """The first of the commands of one skill that made the same movement without a break."""
+        commands, use = self._slices.of_base, self.outermost(command)
+        name = self._movement(command)
+        for index in reversed(commands[: bisect_left(commands, command)]):
+            if use is None or self.outermost(index) is not use or self._movement(index) != name:
+                return command
+            command = index
+        return command
+
+    def _movement(self, command: int) -> str:
+        return movement(*self._history.events[command][3][:2])
+
+    def outermost(self, event: int) -> SkillUse | None:
+        """The skill that the program used itself, by an event in it; None if there is none."""
+        use = self._history.skills.get(event)
+        while use is not None and use.within is not None:
+            use = use.within
+        return use
+
+    def _causes(self, use: SkillUse, call: int) -> None:
+        if use.result >= 0:
+            self._because.tell(use.result)
+        elif call >= 0:
+            self._because.tell_unfinished(call, use.begun)
+
+    def _not_stopped(self, use: SkillUse, until: int) -> None:
+        """Tell why no line has stopped the `when` that makes the robot do this."""
+        history, node = self._history, use.frame.node
+        when = history.nodes[node].name if node >= 0 and history.nodes[node].is_when else ""
+        started = history.last_of(history.switches.get(when, []), until)
+        if started < 0 or history.node(started).name != "activate":
+            return
+        for number, one in enumerate(history.nodes):
+            if one.kind is Kind.CALL and (one.base, one.name) == (when, "deactivate"):
+                self._reaching.tell(number, until, started)
+
+    def _after(self, use: SkillUse, call: int) -> None:
+        """Tell for how long the statement before lasted: it decides about the time."""
+        before = self._standing.lasted_before(use, call)
+        if before is not None and len(self._telling) <= _FEW:
+            self._after_pause(before)
+
+    def _after_pause(self, before: SkillUse) -> None:
+        since = round(self._history.time(before.begun), 2)
+        number = self._standing.call_of(before)
+        self._telling.say("why-after", number, before.ended, since=since)
+
+    def _slowed(self, use: SkillUse) -> None:
+        """`slow_down` only slows what another statement began."""
+        before = [
+            index
+            for index in self._slices.of_base
+            if index < use.begun and (one := self.outermost(index)) and one.name != "slow_down"
+        ]
+        if before:
+            self.moved(before[-1], before[-1])
+
+    def ran(self, event: int, until: int) -> None:
+        """Tell why a statement ran."""
+        use = self.outermost(event) if self._history.events[event][0] == Op.SKILL else None
+        if use is not None:
+            call = self._standing.call_of(use)
+            self._telling.say("why-ran", call, event)
+            self._causes(use, call)
+            return
+        begun = self._history.skills[event].begun if event in self._history.skills else event
+        self._telling.say("why-ran", self._history.events[event][1], begun)
+        self._because.tell(event)
+        if until:
+            self._without_effect(event, until)
+
+    # It did not.
+
+    def not_moved(self, name: str, until: int, time: float | None) -> None:
+        """Tell why the robot did not move so."""
+        fitting = [
+            number
+            for number, node in enumerate(self._history.nodes)
+            if node.kind is Kind.CALL and node.base == "robot" and may_do(node, name)
+        ]
+        self.not_done(fitting, "", until, time, movement_name=name)
+
+    def not_moving(self, until: int, time: float | None) -> None:
+        """Tell why no line had told the robot to move."""
+        moving = [
+            number
+            for number, node in enumerate(self._history.nodes)
+            if node.kind is Kind.CALL and movement_of(node) not in (None, STAND)
+        ]
+        at = self._history.end if time is None else min(time, self._history.end)
+        possible = str(bool(moving)).lower()
+        self._telling.say_of_line("why-never-told", 0, until, time=round(at, 2), possible=possible)
+        if moving:
+            self.not_done(moving, "", until, time)
+        else:
+            self._reaching.busy(until)
+
+    def not_done(
+        self,
+        numbers: list[int],
+        skill: str,
+        until: int,
+        time: float | None,
+        movement_name: str = "",
+    ) -> None:
+        """Tell why none of some statements ran, or why it had no effect."""
+        if not numbers:
+            self._not_in_program(skill, movement_name, until)
+            return
+        since = self.since(time)
+        ran = {number: self.results([number], until) for number in numbers}
+        recent = [number for number in numbers if ran[number] and ran[number][-1] >= since]
+        for number in recent:
+            self._did(number, ran[number][-1], until)
+        for number in self._nearest_first([one for one in numbers if one not in recent], until):
+            if ran[number]:
+                self._did_before(number, ran[number][-1], until)
+            else:
+                self._reaching.tell(number, until)
+
+    def _did_before(self, number: int, last: int, until: int) -> None:
+        """Tell of a run long ago, and why there was no other since."""
+        if self._without_effect(last, until):
+            return
+        self._say_it_did(number, last, until)
+        overriding = self._overridden(last, until)
+        if overriding:
+            self._tell_overriding(last, overriding, with_causes=False)
+        self._reaching.tell(number, until, last + 1)
+        if overriding:
+            self._tell_overriding(last, overriding)
+
+    def _not_in_program(self, skill: str, name: str, until: int) -> None:
+        if name:
+            self._telling.say_of_line(
+                "why-no-such-movement", 0, until, motion=movement_phrase(name)
+            )
+        elif skill:
+            self._telling.say_of_line("why-no-such-skill", 0, until, skill=skill_phrase(skill))
+        last = self._history.last_of(self._slices.of_base, until)
+        if last >= 0:
+            self.moved(last, until)
+        self._reaching.busy(until)
+
+    def _nearest_first(self, numbers: list[int], until: int) -> list[int]:
+        """Statements whose own condition was asked last come first."""
+
+        def asked(number: int) -> int:
+            control = self._history.nodes[number].control
+            events = self._history.of_node.get(control, []) if control >= 0 else []
+            return -self._history.last_of(events, until)
+
+        return sorted(numbers, key=asked)
+
+    def _did(self, number: int, event: int, until: int) -> None:
+        if self._without_effect(event, until):
+            return
+        self._say_it_did(number, event, until)
+        overriding = self._overridden(event, until)
+        if overriding:
+            self._tell_overriding(event, overriding)
+        if self._history.events[event][0] != Op.SKILL:
+            self._because.tell(event)
+
+    def _say_it_did(self, number: int, event: int, until: int) -> None:
+        """Tell when a statement ran: from its begin, if it took time."""
+        history, use = self._history, self._history.skills.get(event)
+        if use is None or self._standing.end(use) - history.time(use.begun) < _SOON:
+            self._telling.say("why-it-did", number, event, lasted="no")
+            return
+        lasted = "over" if self._standing.end(use) <= history.time(until) + _SOON else "still"
+        end = round(self._standing.end(use), 2)
+        self._telling.say("why-it-did", number, use.begun, lasted=lasted, until=end)
+
+    def _without_effect(self, event: int, until: int) -> bool:
+        """Tell if a skill found its device missing."""
+        del until
+        use = self._history.skills.get(event)
+        if use is None or not use.missing:
+            return False
+        device = need_phrase(use.missing[0])
+        self._telling.say(
+            "why-no-effect",
+            self._standing.call_of(use),
+            event,
+            device=device,
+            skill=skill_phrase(use.name, use.args),
+        )
+        return True
+
+    def _overridden(self, event: int, until: int) -> int:
+        """The command that replaced those of a skill; 0 if none did."""
+        history = self._history
+        use = history.skills.get(event)
+        mine = (
+            [index for index in use.commands if history.events[index][2] != "pose"] if use else []
+        )
+        if not use or not mine:
+            return 0
+        first = history.events[mine[-1]]
+        # What comes right after the moment replaced it as well.
+        last = history.at(history.time(until) + _SOON)
+        for index in range(mine[-1] + 1, last + 1):
+            other = history.events[index]
+            if other[0] != Op.COMMAND or other[1] != first[1] or other[2] != first[2]:
+                continue
+            if other[3] != first[3] and self.outermost(index) is not use:
+                return index
+        return 0
+
+    def _tell_overriding(self, event: int, command: int, *, with_causes: bool = True) -> None:
+        history = self._history
+        use = self.outermost(command)
+        if use is None:
+            return
+        delay = history.time(command) - history.time(event)
+        other = history.events[command]
+        values: dict[str, Any] = {"seconds": round(delay, 2)}
+        if other[1].startswith("Base") and other[2] == "move":
+            values["motion"] = movement_phrase(movement(*other[3][:2]))
+        else:
+            values["motion"] = skill_phrase(use.name, use.args)
+        code = "why-overridden-soon" if delay <= _SOON else "why-overridden-later"
+        self._telling.say(code, self._standing.call_of(use), command, **values)
+        pause = next(self._history.uses_back_from(use.begun - 1), None)
+        if pause is not None and self._is_pause(pause, use) and pause.begun > event:
+            self._after_pause(pause)
+        if with_causes:
+            self._causes(use, self._standing.call_of(use))
+
+    def _is_pause(self, before: SkillUse, use: SkillUse) -> bool:
+        """Whether a wait decided when another skill began: in a loop ahead, its turns did, too."""
+        here, there = (self._standing.call_of(one) for one in (before, use))
+        if before.name != "sleep" or min(here, there) < 0:
+            return False
+        return self._history.nodes[here].control == self._history.nodes[there].control
+
+    # Other things.
+
+    def bumped(self, line: dict[str, Any], until: int) -> None:
+        """Tell what the robot was told to do when it bumped into something."""
+        event = max(0, self._history.at(line.get("t", 0.0)))
+        thing = str(line["bump"])
+        last = self._history.last_of(self._slices.of_base, event)
+        at = round(line.get("t", 0.0), 2)
+        self._telling.say_of_line("why-bumped", 0, event, name=thing_phrase(thing), time=at)
+        if last >= 0:
+            self.moved(last, until)
+        self._reaching.busy(event)
+        self._not_prevented(event)
+
+    def _not_prevented(self, event: int) -> None:
+        """Tell why the robot was not told to stop or to go elsewhere."""
+        others = [
+            number
+            for number, node in enumerate(self._history.nodes)
+            if node.kind is Kind.CALL
+            and node.base == "robot"
+            and (node.control >= 0 or node.function >= 0 or not self.results([number], event))
+            and movement_of(node) not in (None, FORWARD)
+        ]
+        recent = self.since(self._history.time(event))
+        for number in self._nearest_first(others, event):
+            ran = self.results([number], event)
+            if not ran or ran[-1] < recent:
+                self._reaching.tell(number, event, recent)
+
+    def not_written_again(self, name: str, until: int) -> None:
+        """Tell what kept a variable from changing further: a loop that was left, a condition."""
+        write = self._slices.last_write(name, until)
+        for number, node in enumerate(self._history.nodes):
+            if name not in node.writes or node.kind is Kind.FUNCTION:
+                continue
+            asked = self._history.last_of(self._history.of_node.get(node.control, []), until)
+            if node.control >= 0 and asked > write:
+                self._reaching.tell(number, until, write + 1)

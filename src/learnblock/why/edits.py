@@ -1,0 +1,88 @@
+"""The lines in which two programs differ."""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+
+from learnblock.runtime.program import Program
+
+#: The longest programs whose lines are compared; of longer ones, line by line.
+MOST_LINES, FEW_LINES = 10_000, 1000
+#: The most characters of a line that are told.
+LONGEST = 80
+_ROBOT_IMPORT = re.compile(r"^from [\w.]+ import Robot\b")
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """A line that differs.
+
+    Args:
+        line_before: its number in the first program; 0 if it is not there.
+        line: its number in the second program.
+        before: its text in the first one.
+        after: that in the second one.
+    """
+
+    line_before: int
+    line: int
+    before: str
+    after: str
+
+
+def edits(one: Program, other: Program) -> tuple[Edit, ...]:
+    """The lines, as their author wrote them, in which two programs differ."""
+    texts = (one.written, other.written)
+    if (one.source_map is None) != (other.source_map is None):
+        # One was written in Block-Text, the other one in Python.
+        texts = (one.python, other.python)
+    before, after = map(_lines, texts)
+    return tuple(edit for edit in _edits(before, after) if edit.before or edit.after)
+
+
+def line_pairs(one: Program, other: Program) -> dict[int, int]:
+    """For each line of the first program's Python, the line of the second one that it became.
+
+    An edited line is paired with what it became.
+    """
+    before, after = _lines(one.python), _lines(other.python)
+    pairs: dict[int, int] = {}
+    for tag, first, last, there, _ in _changes(before, after, whole=True):
+        if tag in ("equal", "replace"):
+            pairs.update({line + 1: line - first + there + 1 for line in range(first, last)})
+    return pairs
+
+
+def _lines(text: str) -> list[str]:
+    # The import of the robot is no edit: the same program runs on another robot.
+    return [_ROBOT_IMPORT.sub("from robot import Robot", line).rstrip() for line in _split(text)]
+
+
+def _split(text: str) -> list[str]:
+    return text.split("\n")
+
+
+def _edits(before: Sequence[str], after: Sequence[str]) -> Iterator[Edit]:
+    for _, first, last, there, end in _changes(before, after, whole=False):
+        for number in range(max(last - first, end - there)):
+            at, to = first + number, there + number
+            yield Edit(
+                at + 1 if at < last else 0,
+                to + 1 if to < end else 0,
+                before[at].strip()[:LONGEST] if at < last else "",
+                after[to].strip()[:LONGEST] if to < end else "",
+            )
+
+
+def _changes(
+    before: Sequence[str], after: Sequence[str], *, whole: bool
+) -> Iterator[tuple[str, int, int, int, int]]:
+    """The parts of two texts: what became of which lines; without equal ones unless `whole`."""
+    if max(len(before), len(after)) > MOST_LINES:
+        if whole or list(before) != list(after):
+            yield "replace", 0, len(before), 0, len(after)
+        return
+    # Lines that occur often, such as "end", are no junk in a short program, but slow in a long one.
+    matcher = SequenceMatcher(None, before, after, autojunk=len(after) > FEW_LINES)
+    yield from (part for part in matcher.get_opcodes() if whole or part[0] != "equal")

@@ -1,0 +1,113 @@
+"""Why a run was over: an error, its end, or its time limit."""
+
+from typing import Any
+
+from learnblock.i18n import Phrase, Value
+from learnblock.runtime.log.events import Op
+from learnblock.runtime.log.nodes import Kind
+from learnblock.why.because import Because
+from learnblock.why.history import History
+from learnblock.why.sentences import Telling
+from learnblock.why.slicing import Slices
+
+#: The time of what is asked about may be so many seconds off: people round it.
+_ABOUT = 0.06
+_ENDS = {
+    "finished": "why-finished",
+    "time limit": "why-time-limit",
+    "stopped": "why-stopped",
+}
+
+
+class Ending:
+    """Tells how a run ended.
+
+    Args:
+        slices: of the run.
+        because: tells why something happened.
+        telling: the answer.
+        time: the moment that is asked about, in s; None for the whole run.
+    """
+
+    def __init__(
+        self, slices: Slices, because: Because, telling: Telling, time: float | None
+    ) -> None:
+        self._history: History = slices.history
+        self._because = because
+        self._telling = telling
+        self._time = time
+
+    def is_over(self, until: int) -> bool:
+        """Whether the run was over at an event, and at the moment that is asked about.
+
+        The last event may be long before the end: it began a wait.
+        """
+        history = self._history
+        is_late = self._time is None or self._time >= history.end - _ABOUT
+        return is_late and until >= len(history.events) - 1
+
+    def moment(self, until: int) -> float:
+        """The time that is meant by an event, in s: what is asked about, or the end of the run.
+
+        The last event before may be long ago: it began a wait, or turns of a loop that were alike.
+        """
+        history = self._history
+        if self._time is None:
+            return history.end if until >= len(history.events) - 1 else history.time(until)
+        asked = min(self._time, history.end)
+        return asked if history.at(asked + _ABOUT) == until else history.time(until)
+
+    def failed(self, until: int) -> bool:
+        """Tell that an error had ended the program, if one had."""
+        error: Any = self._history.recorded.ending.get("error")
+        last = len(self._history.events) - 1
+        if not error or not self.is_over(until):
+            return False
+        line = error.get("line") or 0
+        message: Value = _phrase(error.get("message"))
+        if isinstance(message, Phrase):
+            # What it means, without Python's own words.
+            message = message.values.get("meaning", message)
+        self._telling.say_of_line("why-failed", line, last, message=message)
+        if last >= 0:
+            self._causes_of_failure(line, last)
+        return True
+
+    def _causes_of_failure(self, line: int, last: int) -> None:
+        history = self._history
+        numbers = [one for one in range(len(history.nodes)) if history.line(one) == line]
+        nodes = [history.nodes[one] for one in numbers]
+        names = {name for node in nodes for name in node.reads if node.kind is not Kind.FUNCTION}
+        for name in sorted(names - {"robot"}):
+            self._because.value(name, last, 1.0)
+        for number in numbers:
+            result = history.last_of(history.of_node.get(number, []), last)
+            if result >= 0 and history.events[result][0] == Op.RESULT:
+                self._because.returned(result)
+        control = next((node.control for node in nodes if node.control >= 0), -1)
+        asked = history.last_of(history.of_node.get(control, []), last)
+        if asked >= 0:
+            # A condition that asks for the same values is likely to be wrong.
+            is_near = names.intersection(history.nodes[control].reads)
+            self._because.also(asked, 0.9 if is_near else 2.0)
+        self._because.finish()
+
+    def stop_reason(self, until: int) -> None:
+        """Tell why the run was over, if it was at an event."""
+        code = _ENDS.get(self._history.recorded.ending.get("ended", ""))
+        if self.is_over(until) and code:
+            self._telling.say_of_line(code, 0)
+
+
+def _phrase(plain: Any) -> Phrase | str:
+    """A phrase from the plain data in a log."""
+    if isinstance(plain, dict) and isinstance(plain.get("code"), str):
+        values = plain.get("values") or {}
+        return Phrase(plain["code"], **{str(key): _value(one) for key, one in values.items()})
+    return str(plain)
+
+
+def _value(value: Any) -> Any:
+    if isinstance(value, dict):
+        return _phrase(value)
+    return tuple(map(_value, value)) if isinstance(value, list) else value

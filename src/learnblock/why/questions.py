@@ -1,0 +1,322 @@
+"""What can be asked about a run."""
+
+from collections.abc import Container, Iterable, Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from learnblock.i18n import Phrase, Value
+from learnblock.i18n.names import goal_phrase
+from learnblock.runtime.log.nodes import Kind
+from learnblock.why.history import History
+from learnblock.why.slicing import movements
+from learnblock.why.steering import movement_of
+from learnblock.why.wording import (
+    MOVEMENTS,
+    STAND,
+    blocks,
+    movement,
+    movement_phrase,
+    skill_phrase,
+    thing_phrase,
+)
+
+#: Skills that do nothing that could be seen or heard.
+_UNSEEN = frozenset({"run", "activate", "deactivate", "Robot", "wait_until", "when", "when_start"})
+#: A line that ran longer ago than so many seconds might as well have run again.
+_LONG_AGO = 1.0
+
+
+class Ask(StrEnum):
+    """The kinds of questions."""
+
+    #: Why did the robot move so? The subject is a movement.
+    MOVEMENT = "movement"
+    NOT_MOVEMENT = "not-movement"
+    #: Why was a skill used? The subject is its name.
+    SKILL = "skill"
+    NOT_SKILL = "not-skill"
+    #: Why did a line print? The subject is its number, or a part of its text.
+    PRINT = "print"
+    NOT_PRINT = "not-print"
+    #: Why was a text printed? The subject is the text as it was printed.
+    PRINTED = "printed"
+    #: Why was a `when` active?
+    WHEN = "when"
+    NOT_WHEN = "not-when"
+    LINE = "line"
+    NOT_LINE = "not-line"
+    #: Why has a variable its value?
+    VALUE = "value"
+    #: Why was a goal not reached?
+    GOAL = "goal"
+    #: Why was a goal reached?
+    REACHED = "reached"
+    #: Why did the robot show an emotion? The subject is its name, such as ``joy``.
+    EMOTION = "emotion"
+    #: Why did the program end?
+    END = "end"
+    #: Why did the robot bump into something?
+    BUMP = "bump"
+    #: What was going on?
+    NOW = "now"
+
+
+_CODES = {
+    Ask.MOVEMENT: "why-ask-movement",
+    Ask.NOT_MOVEMENT: "why-ask-not-movement",
+    Ask.SKILL: "why-ask-skill",
+    Ask.NOT_SKILL: "why-ask-not-skill",
+    Ask.PRINT: "why-ask-print",
+    Ask.NOT_PRINT: "why-ask-not-print",
+    Ask.PRINTED: "why-ask-printed",
+    Ask.WHEN: "why-ask-when",
+    Ask.NOT_WHEN: "why-ask-not-when",
+    Ask.LINE: "why-ask-line",
+    Ask.NOT_LINE: "why-ask-not-line",
+    Ask.VALUE: "why-ask-value",
+    Ask.GOAL: "why-ask-goal",
+    Ask.REACHED: "why-ask-reached",
+    Ask.EMOTION: "why-ask-emotion",
+    Ask.END: "why-ask-end",
+    Ask.BUMP: "why-ask-bump",
+    Ask.NOW: "why-ask-now",
+}
+
+
+#: Of those that need no subject.
+_CODES_OF_ANY = {
+    Ask.PRINT: "why-ask-print-any",
+    Ask.NOT_PRINT: "why-ask-not-print-any",
+    Ask.GOAL: "why-ask-goal-any",
+    Ask.REACHED: "why-ask-reached-any",
+    Ask.BUMP: "why-ask-bump-any",
+}
+#: Of those whose subject may be a text instead of a line.
+_CODES_OF_TEXT = {Ask.PRINT: "why-ask-print-text", Ask.NOT_PRINT: "why-ask-not-print-text"}
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """A question about a run.
+
+    Args:
+        ask: its kind.
+        subject: what it is about: a movement, a skill, a name, a line's number, a text.
+        time: the moment, in s; None for the whole run.
+    """
+
+    ask: Ask
+    subject: str = ""
+    time: float | None = None
+
+    @property
+    def phrase(self) -> Phrase:
+        """The question in words."""
+        time: Value = "" if self.time is None else Phrase("why-at", time=round(self.time, 2))
+        return Phrase(self._code(), subject=self._subject(), time=time)
+
+    def _code(self) -> str:
+        if not self.subject:
+            return _CODES_OF_ANY.get(self.ask, _CODES[self.ask])
+        if not self.subject.isdigit():
+            return _CODES_OF_TEXT.get(self.ask, _CODES[self.ask])
+        return _CODES[self.ask]
+
+    def _subject(self) -> Value:
+        if self.ask in (Ask.MOVEMENT, Ask.NOT_MOVEMENT) and self.subject in MOVEMENTS:
+            return movement_phrase(self.subject)
+        if self.ask in (Ask.SKILL, Ask.NOT_SKILL):
+            return skill_phrase(self.subject)
+        if self.ask is Ask.BUMP:
+            return thing_phrase(self.subject)
+        if self.ask in (Ask.GOAL, Ask.REACHED):
+            return goal_phrase(self.subject)
+        if self.ask is Ask.EMOTION:
+            return Phrase("why-emotion", emotion=self.subject)
+        return self.subject
+
+
+def questions(history: History) -> tuple[Question, ...]:
+    """What can be asked about a run, in the order of the page: what happened, what did not."""
+    found = [
+        *_movements(history),
+        *_skills(history),
+        *_whens(history),
+        *_prints(history),
+        *_values(history),
+        *_bumps(history),
+        *_emotions(history),
+        *_goals(history),
+        *_lines(history),
+        Question(Ask.END, "", round(history.end, 2)),
+    ]
+    return tuple(dict.fromkeys(found))
+
+
+def questions_about_moment(history: History, time: float) -> tuple[Question, ...]:
+    """What can be asked about the robot at a time in s: what it was doing, and what it was not."""
+    time = round(min(time, history.end), 2)
+    commands = [index for index in movements(history) if history.time(index) <= time]
+    moving = movement(*history.events[commands[-1]][3][:2]) if commands else _at_first(history)
+    found = [Question(Ask.NOW, "", time)]
+    if moving:
+        found.append(Question(Ask.MOVEMENT, moving, time))
+    found += [Question(Ask.NOT_MOVEMENT, one, time) for one in _possible(history) if one != moving]
+    steering = _steering_skills(history)
+    found += [
+        Question(one.ask, one.subject, time)
+        for one in _skills(history)
+        if one.ask is Ask.NOT_SKILL and one.subject not in steering
+    ]
+    found += [Question(one.ask, one.subject, time) for one in _whens(history)]
+    return tuple(dict.fromkeys(found))
+
+
+def _at_first(history: History) -> str:
+    """The movement before the first command: none that could be asked about without wheels."""
+    return STAND if any(_possible(history)) else ""
+
+
+def askable(history: History) -> Iterator[Question]:
+    """All questions that a list can have, without times, but for those about printed texts."""
+    yield from (replace(one, time=None) for one in questions(history))
+    subjects: dict[tuple[Ask, Ask], Iterable[str]] = {
+        (Ask.MOVEMENT, Ask.NOT_MOVEMENT): MOVEMENTS,
+        (Ask.SKILL, Ask.NOT_SKILL): _called(history),
+        (Ask.WHEN, Ask.NOT_WHEN): (node.name for node in history.nodes if node.is_when),
+        (Ask.PRINT, Ask.NOT_PRINT): (one.subject for one in _prints(history)),
+        (Ask.LINE, Ask.NOT_LINE): map(str, _runs_of_lines(history)),
+    }
+    for (why, why_not), named in subjects.items():
+        for subject in named:
+            yield Question(why, subject)
+            yield Question(why_not, subject)
+    yield from (Question(ask) for ask in (*_CODES_OF_ANY, Ask.NOW))
+
+
+def _possible(history: History) -> Iterable[str]:
+    """The movements that the program could make, in the order of its lines."""
+    made = [movement_of(node) for node in history.nodes if node.base == "robot"]
+    return dict.fromkeys(name for name in made if name)
+
+
+def _steering_skills(history: History) -> frozenset[str]:
+    return frozenset(node.name for node in history.nodes if movement_of(node))
+
+
+def questions_about_lines(
+    history: History, lines: Container[str], time: float | None
+) -> tuple[Question, ...]:
+    """What can be asked about some lines at a time in s: why they ran last, or why they did not.
+
+    Args:
+        history: of the run.
+        lines: the author's, as texts.
+        time: in s; None for the whole run.
+    """
+    until = history.end if time is None else min(time, history.end)
+    found: list[Question] = []
+    for line, ran in _runs_of_lines(history).items():
+        if str(line) not in lines:
+            continue
+        before = [one for one in map(history.time, ran) if one <= until]
+        if before:
+            found.append(Question(Ask.LINE, str(line), max(before)))
+        if not before or max(before) < until - _LONG_AGO:
+            found.append(Question(Ask.NOT_LINE, str(line), round(until, 2)))
+    return tuple(found)
+
+
+def _movements(history: History) -> Iterator[Question]:
+    """Each change of the robot's movement."""
+    before = ""
+    for index in movements(history):
+        advance, rotation = history.events[index][3][:2]
+        name = movement(advance, rotation)
+        if name != before:
+            yield Question(Ask.MOVEMENT, name, history.time(index))
+        before = name
+
+
+def _skills(history: History) -> Iterator[Question]:
+    ran: dict[str, int] = {}
+    for use in history.uses:
+        if use.within is None:
+            ran.setdefault(use.name, use.begun)
+    for name in _called(history):
+        block = blocks().get(name)
+        if block is not None and block.returns_value:
+            continue
+        if name in ran:
+            yield Question(Ask.SKILL, name, history.time(ran[name]))
+        yield Question(Ask.NOT_SKILL, name, round(history.end, 2))
+
+
+def _called(history: History) -> Iterable[str]:
+    """The skills that the program uses."""
+    return dict.fromkeys(
+        node.name
+        for node in history.nodes
+        if node.kind is Kind.CALL and node.base == "robot" and node.name not in _UNSEEN
+    )
+
+
+def _whens(history: History) -> Iterator[Question]:
+    for number, node in enumerate(history.nodes):
+        if node.is_when:
+            ran = history.of_node.get(number)
+            if ran:
+                yield Question(Ask.WHEN, node.name, history.time(ran[0]))
+            yield Question(Ask.NOT_WHEN, node.name, round(history.end, 2))
+
+
+def _prints(history: History) -> Iterator[Question]:
+    for number, node in enumerate(history.nodes):
+        if node.kind is Kind.CALL and node.name == "print" and not node.base:
+            line = str(history.line(number))
+            if ran := history.of_node.get(number):
+                yield Question(Ask.PRINT, line, history.time(ran[0]))
+            else:
+                yield Question(Ask.NOT_PRINT, line, round(history.end, 2))
+
+
+def _values(history: History) -> Iterator[Question]:
+    for name, writes in history.writes.items():
+        if writes and name not in ("robot", "_"):
+            yield Question(Ask.VALUE, name, history.time(writes[-1]))
+
+
+def _bumps(history: History) -> Iterator[Question]:
+    for line in history.recorded.lines:
+        if "bump" in line:
+            yield Question(Ask.BUMP, str(line["bump"]), round(line.get("t", 0.0), 2))
+
+
+def _emotions(history: History) -> Iterator[Question]:
+    for line in history.recorded.lines:
+        if line.get("do") == "show_emotion":
+            yield Question(Ask.EMOTION, str(line["args"][0]), round(line.get("t", 0.0), 2))
+
+
+def _goals(history: History) -> Iterator[Question]:
+    for goal in history.recorded.ending.get("goals") or ():
+        is_reached = goal.get("state") == "reached"
+        yield Question(Ask.REACHED if is_reached else Ask.GOAL, str(goal.get("name")))
+
+
+def _lines(history: History) -> Iterator[Question]:
+    for line, ran in sorted(_runs_of_lines(history).items()):
+        if ran:
+            yield Question(Ask.LINE, str(line), history.time(min(ran)))
+        else:
+            yield Question(Ask.NOT_LINE, str(line), round(history.end, 2))
+
+
+def _runs_of_lines(history: History) -> dict[int, list[int]]:
+    """By line of the author's, the events of its nodes."""
+    found: dict[int, list[int]] = {}
+    for number in range(len(history.nodes)):
+        line = history.line(number)
+        if line:
+            found.setdefault(line, []).extend(history.of_node.get(number, ()))
+    return found

@@ -1,0 +1,108 @@
+"""Answers: sentences of one fact each, with the line and the moment each of them speaks of."""
+
+from dataclasses import dataclass
+
+from learnblock.i18n import Phrase, Value, translate
+from learnblock.why.history import History
+
+#: So many sentences come first; the others are behind "more".
+FIRST = 4
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """One fact.
+
+    Args:
+        phrase: the fact in words.
+        line: the author's line that it is about; 0 for none.
+        event: the event that it is about; -1 for none.
+        time: when that was, in s.
+    """
+
+    phrase: Phrase
+    line: int
+    event: int
+    time: float
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """The answer to a question.
+
+    Args:
+        sentences: the most important ones, at most `FIRST`.
+        more: those behind them.
+    """
+
+    sentences: tuple[Sentence, ...]
+    more: tuple[Sentence, ...] = ()
+
+    @property
+    def lines(self) -> tuple[int, ...]:
+        """The author's lines that the first sentences are about, in order, each of them once."""
+        named = (sentence.line for sentence in self.sentences if sentence.line)
+        return tuple(dict.fromkeys(named))
+
+    def words(self, language: str) -> tuple[str, ...]:
+        """The first sentences in a language."""
+        return tuple(translate(sentence.phrase, language) for sentence in self.sentences)
+
+
+class Telling:
+    """The sentences of an answer as they are found; a fact is told once.
+
+    Args:
+        history: of the run.
+    """
+
+    def __init__(self, history: History) -> None:
+        self._history = history
+        self._told: dict[tuple[str, int, str], Sentence] = {}
+
+    def __len__(self) -> int:
+        return len(self._told)
+
+    def say(self, code: str, node: int = -1, event: int = -1, **values: Value) -> None:
+        """Add a sentence about a place in the program.
+
+        Args:
+            code: of its phrase, which may use ``$line``, ``$code`` and ``$time``.
+            node: the place; -1 for none.
+            event: when; -1 for no moment.
+            values: of the phrase; ``time`` if it is not that of the event.
+        """
+        line = self._history.line(node) if node >= 0 else 0
+        self.say_of_line(code, line, event, **values)
+
+    def say_of_line(self, code: str, line: int, event: int = -1, **values: Value) -> None:
+        """Add a sentence about a line of its author."""
+        history = self._history
+        time = history.time(event) if event >= 0 else history.end
+        if isinstance(told := values.get("time"), int | float):
+            # What is told need not be an event of the program.
+            time = told
+        given = {
+            "line": str(line),
+            "code": quoted(history, line),
+            "time": round(time, 2),
+            **values,
+        }
+        name = values.get("name")
+        if isinstance(name, str) and name.endswith("_") and name not in history.program.written:
+            # Python has the author's name for itself.
+            given["name"] = name.removesuffix("_")
+        phrase = Phrase(code, **given)
+        fact = (code, line, str(values.get("name", "")) + str(values.get("inner", "")))
+        self._told.setdefault(fact, Sentence(phrase, line, event, time))
+
+    def answer(self) -> Answer:
+        """The sentences so far."""
+        told = tuple(self._told.values())
+        return Answer(told[:FIRST], told[FIRST:])
+
+
+def quoted(history: History, line: int) -> str:
+    """A line as its author wrote it, without what every such line has."""
+    text = history.program.quote(line).partition("#")[0].strip().removesuffix(":")
+    return text.replace("function.", "").replace("robot.", "")

@@ -1,0 +1,70 @@
+"""What a call of a skill makes the robot's wheels do, by its name and its numbers."""
+
+import ast
+
+from learnblock.runtime.log.nodes import Node
+from learnblock.why.wording import (
+    BACK,
+    CURVE_LEFT,
+    CURVE_RIGHT,
+    FORWARD,
+    SPIN_LEFT,
+    SPIN_RIGHT,
+    STAND,
+    movement,
+)
+
+#: What skills do to the wheels; of the others their arguments decide.
+_FIXED = {
+    "move_straight": FORWARD,
+    "move_left": CURVE_LEFT,
+    "move_right": CURVE_RIGHT,
+    "turn_left": SPIN_LEFT,
+    "turn_right": SPIN_RIGHT,
+    "stop_bot": STAND,
+    "turn_90_left": SPIN_LEFT,
+    "turn_90_right": SPIN_RIGHT,
+    "turn_back": SPIN_RIGHT,
+    "drive_distance": FORWARD,
+    "slow_down": STAND,
+}
+
+
+def may_do(node: Node, name: str) -> bool:
+    """Whether a call could make the robot move so."""
+    movement_name = movement_of(node)
+    if not name:
+        return movement_name is not None and "-" in movement_name
+    if movement_name is None:
+        return False
+    return name in (movement_name, movement_name.replace("curve", "spin"))
+
+
+def movement_of(node: Node) -> str | None:
+    """What a call makes the robot do, by its name and the numbers in it; None if unknown."""
+    numbers = _numbers(node.text)
+    if node.name == "set_move":
+        return movement(*numbers[:2]) if len(numbers) > 1 else FORWARD
+    if node.name == "turn":
+        return SPIN_LEFT if numbers and numbers[0] < 0 else SPIN_RIGHT
+    if node.name in ("move_straight", "drive_distance") and numbers and numbers[0] < 0:
+        return BACK
+    return _FIXED.get(node.name)
+
+
+def _numbers(text: str) -> list[float]:
+    """The arguments of a call that are plain numbers, up to the first that is not."""
+    try:
+        call = ast.parse(text, mode="eval").body
+    except (SyntaxError, ValueError):
+        return []
+    found: list[float] = []
+    for one in call.args if isinstance(call, ast.Call) else ():
+        try:
+            value = ast.literal_eval(one)
+        except ValueError:
+            return found
+        if not isinstance(value, int | float):
+            return found
+        found.append(float(value))
+    return found

@@ -1,0 +1,195 @@
+"""Questions as people write them."""
+
+from dataclasses import replace
+
+import pytest
+
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import languages, translate
+from learnblock.why.questions import (
+    Ask,
+    Question,
+    questions,
+    questions_about_lines,
+    questions_about_moment,
+)
+from learnblock.why.understanding import parse
+from logged_runs import logged_text
+
+PROGRAM = """\
+count = 0
+when near = function.is_front_obstacle(100):
+    function.expressSurprise()
+    function.turn_left()
+end
+when start:
+    count = 2
+    print("hello")
+    function.turn(90)
+    function.move_straight(60)
+end
+"""
+
+
+@pytest.fixture(scope="module")
+def history(tmp_path_factory):
+    return logged_text(
+        tmp_path_factory.mktemp("run"), PROGRAM, world="arena", seconds=5, seed=0
+    ).history
+
+
+@pytest.mark.parametrize(
+    ("text", "question"),
+    [
+        ("turn left at 8.9", Question(Ask.MOVEMENT, "spin-left", 8.9)),
+        ("why did the robot turn left at 8.9?", Question(Ask.MOVEMENT, "spin-left", 8.9)),
+        ("why did it show joy?", Question(Ask.EMOTION, "joy")),
+        ("¿Por qué mostró sorpresa en 3?", Question(Ask.EMOTION, "surprise", 3.0)),
+        ("Why didn't it turn right?", Question(Ask.NOT_MOVEMENT, "spin-right")),
+        ("why didn’t the robot stop at 3 s", Question(Ask.NOT_MOVEMENT, "stand", 3.0)),
+        ("¿Por qué no giró a la izquierda en 8,9?", Question(Ask.NOT_MOVEMENT, "spin-left", 8.9)),
+        ("¿por qué avanzó a los 2 s?", Question(Ask.MOVEMENT, "forward", 2.0)),
+        ("not expressSurprise", Question(Ask.NOT_SKILL, "expressSurprise")),
+        ("function.turn(90) at 1", Question(Ask.SKILL, "turn", 1.0)),
+        ("not look surprised at 4", Question(Ask.NOT_SKILL, "expressSurprise", 4.0)),
+        ("no poner cara de sorpresa", Question(Ask.NOT_SKILL, "expressSurprise")),
+        ("not line 4", Question(Ask.NOT_LINE, "4")),
+        ("¿por qué se ejecutó la línea 9?", Question(Ask.LINE, "9")),
+        ("count at 3", Question(Ask.VALUE, "count", 3.0)),
+        ("why is count 2?", Question(Ask.VALUE, "count")),
+        ("valor de count en 3", Question(Ask.VALUE, "count", 3.0)),
+        ("when near", Question(Ask.WHEN, "near")),
+        ("why was near not active at 2?", Question(Ask.NOT_WHEN, "near", 2.0)),
+        ('print "hello"', Question(Ask.PRINTED, "hello")),
+        ("print hello", Question(Ask.PRINT, "hello")),
+        ("why did the program end?", Question(Ask.END)),
+        ("¿por qué terminó el programa?", Question(Ask.END)),
+        ("why did it bump at 4?", Question(Ask.BUMP, "", 4.0)),
+        ("goal", Question(Ask.GOAL)),
+        ("¿por qué no llegó a la meta?", Question(Ask.GOAL)),
+        ("objetivo", Question(Ask.GOAL)),
+        ("why did it not reach the goal", Question(Ask.GOAL)),
+        ("at 2.5", Question(Ask.NOW, "", 2.5)),
+        ("what was it doing at 3", Question(Ask.NOW, "", 3.0)),
+        ("what happened at 3 s?", Question(Ask.NOW, "", 3.0)),
+        ("¿Qué hacía el robot en 3?", Question(Ask.NOW, "", 3.0)),
+        ("ahora", Question(Ask.NOW)),
+        ("turn", Question(Ask.MOVEMENT, "")),
+        ("why did the robot not turn?", Question(Ask.NOT_MOVEMENT, "")),
+        ("why did it turn only 3 times?", Question(Ask.MOVEMENT, "")),
+        ("why does it keep turning at 5", Question(Ask.MOVEMENT, "", 5.0)),
+        ("¿por qué no gira?", Question(Ask.NOT_MOVEMENT, "")),
+        ("why did it drive in a curve", Question(Ask.MOVEMENT, "")),
+        ("why is the robot so slow?", Question(Ask.MOVEMENT, "forward")),
+        ("¿por qué va tan despacio?", Question(Ask.MOVEMENT, "forward")),
+        ("why did the program stop?", Question(Ask.END)),
+        ("¿por qué cambió count?", Question(Ask.VALUE, "count")),
+        ("why is it surprised", Question(Ask.SKILL, "expressSurprise")),
+        ("look suprised", Question(Ask.SKILL, "expressSurprise")),
+    ],
+)
+def test_a_question_is_understood(text, question, history):
+    assert parse(text, history) == question
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "why is the sky blue",
+        "xyzzy",
+        "why did the light turn red",
+        "¿por qué se encendió la luz?",
+        "¿por qué es azul el cielo?",
+        "why did it fall",
+        "_",
+    ],
+)
+def test_what_is_not_understood_says_what_can_be_asked(text, history):
+    with pytest.raises(LearnBlockError) as caught:
+        parse(text, history)
+    assert caught.value.phrase.code == "why-not-understood"
+    assert "turn left at 8.9" in str(caught.value)
+
+
+def test_only_what_the_program_makes_possible_is_listed(history):
+    listed = questions(history)
+    asked = {(one.ask, one.subject) for one in listed}
+    assert (Ask.NOT_SKILL, "expressSurprise") in asked
+    assert (Ask.NOT_WHEN, "near") in asked
+    assert (Ask.VALUE, "count") in asked
+    assert (Ask.NOT_SKILL, "expressJoy") not in asked
+    assert (Ask.VALUE, "robot") not in asked
+
+
+def test_each_question_has_words_in_both_languages(history):
+    for one in questions(history):
+        assert str(one.phrase).endswith("?")
+        assert translate(one.phrase, "es").startswith("¿")
+
+
+#: Programs with all that questions are about, each with its robot and world.
+PROGRAMS = (
+    (PROGRAM, "sim-ebo", "arena"),
+    (
+        "turn = 0\nrepeat 2:\n    function.turn(90)\n    function.move_straight(60)\n"
+        "    function.sleep(1)\n    turn += 1\nend\n"
+        'function.expressJoy()\nfunction.say_Text("done")\nprint(turn)\nprint("at 5")\n',
+        "sim-ebo",
+        "square",
+    ),
+    (
+        "way = [1, 2]\ndef go(x):\n    function.drive_distance(x)\n    function.turn_back()\nend\n"
+        "when line = function.is_there_black_line():\n    function.stop_bot()\nend\n"
+        "when start:\n    for x in way: go(x * 100) end\n    print(way)\nend\n",
+        "sim-thymio",
+        "line",
+    ),
+    (
+        "def f(n):\n    function.show_text(n)\n    return n\nend\nif_ = f(3)\n"
+        "function.look_floor()\n"
+        "function.move_straight(200)\nfunction.sleep(9)\nfunction.expressNeutral()\n",
+        "sim-cozmo",
+        "tag-ahead",
+    ),
+)
+#: Questions whose words have no time.
+TIMELESS = {Ask.END, Ask.GOAL, Ask.REACHED}
+
+
+def listed(history):
+    moments = (0, 1.5, 4, history.end)
+    lines = {str(number) for number in range(20)}
+    return {
+        *questions(history),
+        *(one for time in moments for one in questions_about_moment(history, time)),
+        *(one for time in moments for one in questions_about_lines(history, lines, time)),
+        *(Question(Ask.PRINTED, text, 3.0) for text in ("at 5", "hello", "2")),
+    }
+
+
+@pytest.mark.parametrize(("program", "robot", "world"), PROGRAMS)
+def test_each_listed_question_is_understood_in_each_language(program, robot, world, tmp_path):
+    options = {"world": world, "seconds": 5, "seed": 0}
+    history = logged_text(tmp_path, program, robot, **options).history
+    printed = {str(line["print"]) for line in history.recorded.lines if "print" in line}
+    for one in listed(history):
+        if one.ask is Ask.PRINTED and one.subject not in printed:
+            continue
+        wanted = replace(one, time=None) if one.ask in TIMELESS else one
+        for language in languages():
+            words = translate(one.phrase, language)
+            assert parse(words, history) == wanted, words
+            assert parse(words.strip("¿?").lower(), history) == wanted, words
+
+
+def test_a_question_about_no_subject_is_whole():
+    words = {str(Question(ask).phrase) for ask in (Ask.BUMP, Ask.GOAL, Ask.PRINT, Ask.NOT_PRINT)}
+    assert words == {
+        "Why did the robot bump into something?",
+        "Why was the goal not reached?",
+        "Why was a text printed?",
+        "Why was no text printed?",
+    }
+    assert str(Question(Ask.NOT_PRINT, "late").phrase) == 'Why was "late" not printed?'
+    assert str(Question(Ask.VALUE, "x").phrase) == "Why does x have this value?"
