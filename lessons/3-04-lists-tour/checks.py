@@ -1,0 +1,88 @@
+"""Whether the robot drives at 120 mm/s, and what it does at the places."""
+
+import math
+from itertools import pairwise
+
+ASKED = 120
+OFF = 15
+#: Slower than this it stands, speeds up or turns, mm/s.
+DRIVING = 40
+#: The places of the tour in their order: English and Spanish name, and where they are.
+PLACES = (
+    ("bakery", "panadería", (0, -300)),
+    ("school", "escuela", (0, 100)),
+    ("park", "parque", (400, 100)),
+    ("home", "casa", (400, -300)),
+)
+#: So near, in mm, the robot is at a place.
+NEAR = 60
+#: Seconds between two moments of the path.
+TICK = 0.11
+
+
+def at_120(run):
+    speeds = sorted(speeds_of(run.path))
+    if not speeds:
+        return {"en": "The robot never drives.", "es": "El robot no avanza nunca."}
+    usual = speeds[len(speeds) // 2]
+    if abs(usual - ASKED) <= OFF:
+        return True
+    return {
+        "en": f"The robot drives at {usual:.0f} mm/s.",
+        "es": f"El robot avanza a {usual:.0f} mm/s.",
+    }
+
+
+def speeds_of(path):
+    """The speeds at which it drove, one for each moment."""
+    for before, after in pairwise(path):
+        seconds = after[0] - before[0]
+        if seconds < 0.01:
+            continue
+        speed = math.hypot(after[1] - before[1], after[2] - before[2]) / seconds
+        if speed > DRIVING:
+            yield speed
+
+
+def name_and_note_at_each_place(run):
+    """Whether each name is printed and one note is played while the robot is there.
+
+    Name and note may come in any order.
+    """
+    after = 0.0
+    for english, spanish, place in PLACES:
+        stay = stay_at(run.path, place, after)
+        if stay is None:
+            return missing(english, spanish, "The robot never comes to", "El robot no llega a")
+        names = [text.strip().lower() for time, text in run.prints if is_in(time, stay)]
+        if english not in names and spanish not in names:
+            return missing(english, spanish, "No name is printed at", "No se escribe el nombre en")
+        notes = [time for time, name in run.calls if name == "play_note" and is_in(time, stay)]
+        if len(notes) != 1:
+            return {
+                "en": f"{len(notes)} notes are played at this place: {english}.",
+                "es": f"En este sitio se tocan {len(notes)} notas: {spanish}.",
+            }
+        after = stay[1]
+    return True
+
+
+def missing(english, spanish, message, mensaje):
+    return {"en": f"{message} this place: {english}.", "es": f"{mensaje} este sitio: {spanish}."}
+
+
+def stay_at(path, place, after):
+    """The first and the last second for which the robot is at a place; None if it never is."""
+    stay = None
+    for time, x, y, _ in path:
+        if time < after:
+            continue
+        if math.hypot(x - place[0], y - place[1]) <= NEAR:
+            stay = (stay[0], time) if stay else (time, time)
+        elif stay:
+            break
+    return stay
+
+
+def is_in(time, stay):
+    return stay[0] - TICK <= time <= stay[1] + TICK

@@ -1,0 +1,54 @@
+"""Whether the robot backs away from the bench, and turns by 120 degrees."""
+
+import math
+from itertools import pairwise
+
+#: The mm that it has to drive back, and the degrees that it has to turn.
+LEAST_BACK = 60
+TURN = (105, 135)
+#: Two lines in so many seconds are one meeting with the bench, printed twice.
+APART = 2
+
+
+def backs_away(run):
+    times = [time for time, text in run.prints if text.strip().lower() == "bench"]
+    if any(after - before < APART for before, after in pairwise(times)):
+        return {
+            "en": "It prints bench twice for one meeting with the bench.",
+            "es": "Escribe bench dos veces en un mismo encuentro con el banco.",
+        }
+    # The last one may be cut off by the end of the time.
+    for time in times[:1]:
+        back, turned = detour_after(run.path, time)
+        if back < LEAST_BACK:
+            return {
+                "en": f"At the bench it drives back by {back:.0f} mm.",
+                "es": f"En el banco va {back:.0f} mm hacia atrás.",
+            }
+        if not TURN[0] <= turned <= TURN[1]:
+            return {
+                "en": f"At the bench it turns by {turned:.0f}°.",
+                "es": f"En el banco gira {turned:.0f}°.",
+            }
+    return True
+
+
+def detour_after(path, time):
+    """The mm driven back and the degrees turned before it drives forward again."""
+    back = turned = 0.0
+    for before, after in pairwise(path):
+        if after[0] <= time:
+            continue
+        ahead = forward(before, after)
+        if ahead > 4 and (back or turned > 5):
+            break
+        back += max(0.0, -ahead)
+        turned += abs((after[3] - before[3] + 180) % 360 - 180)
+    return back, turned
+
+
+def forward(before, after):
+    """The mm driven in the direction in which the robot looks."""
+    heading = math.radians(before[3])
+    east, north = after[1] - before[1], after[2] - before[2]
+    return east * math.cos(heading) - north * math.sin(heading)

@@ -1,0 +1,217 @@
+"""A lesson tried out: its solutions have to pass, and its wrong programs to fail as they should."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from learnblock.errors import ProgramError
+from learnblock.i18n import Phrase
+from learnblock.language.tree.nodes import Program
+from learnblock.lessons.describing import describe
+from learnblock.lessons.hints import Elsewhere, Hint, hints
+from learnblock.lessons.judging import Verdict
+from learnblock.lessons.lesson import Wrong
+from learnblock.lessons.opened import OpenLesson
+from learnblock.lessons.trying import Attempt, StopSwitch, Tried, attempts, read_program, try_step
+
+#: The most problems told of one program.
+_MOST_PROBLEMS = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Follow:
+    """How a check is followed and ended.
+
+    Args:
+        watch: called after each attempt.
+        switch: ends the check.
+    """
+
+    watch: Callable[[Tried], object] = lambda _: None
+    switch: StopSwitch = field(default_factory=StopSwitch)
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """What has been found out about one of the teacher's programs.
+
+    Args:
+        kind: whether it is a solution, or a wrong program.
+        step: the number of its step.
+        file: its file.
+        right: in how many attempts it did what it should.
+        attempts: how many attempts were made.
+        problems: what is wrong.
+    """
+
+    kind: Literal["solution", "wrong", "none"]
+    step: int
+    file: str
+    right: int = 0
+    attempts: int = 0
+    problems: tuple[Phrase, ...] = ()
+
+    @property
+    def is_right(self) -> bool:
+        """Whether nothing is wrong."""
+        return not self.problems
+
+
+def check_lesson(
+    opened: OpenLesson,
+    *,
+    robots: Sequence[str] | None = None,
+    variants: int | None = None,
+    follow: Follow | None = None,
+) -> Iterator[Result]:
+    """Try the teacher's programs; yield what is found as it comes.
+
+    Args:
+        opened: the lesson.
+        robots: the robots; without them those that a step is meant for.
+        variants: how many variants of the world; without it those of the step.
+        follow: how it is followed and ended; once it is ended, nothing more is yielded.
+    """
+    follow = follow or Follow()
+    for result in _results(opened, robots, variants, follow):
+        if follow.switch.is_stopped:
+            return
+        yield result
+
+
+def _results(
+    opened: OpenLesson,
+    robots: Sequence[str] | None,
+    variants: int | None,
+    follow: Follow,
+) -> Iterator[Result]:
+    def attempts_here(step: int) -> tuple[Attempt, ...]:
+        return attempts(opened, step, robots=robots, variants=variants)
+
+    teacher = opened.teacher
+    for number, step in enumerate(opened.lesson.step, start=1):
+        file = teacher.solutions.get(str(number)) if teacher else None
+        if file is not None:
+            yield _solution(opened, number, file, attempts_here(number), follow)
+        elif step.check:
+            yield Result("none", number, "")
+    for wrong in teacher.wrong if teacher else ():
+        yield _wrong(opened, wrong, attempts_here(wrong.step), follow)
+
+
+def count_attempts(opened: OpenLesson) -> int:
+    """How many attempts `check_lesson` makes."""
+    if opened.teacher is None:
+        return 0
+    solved = (attempts(opened, int(number)) for number in opened.teacher.solutions)
+    wrong = (_usual(attempts(opened, one.step)) for one in opened.teacher.wrong)
+    return sum(map(len, solved)) + sum(map(len, wrong))
+
+
+def _solution(
+    opened: OpenLesson, step: int, file: str, wanted: Sequence[Attempt], follow: Follow
+) -> Result:
+    source = opened.text(f"teacher/solutions/{file}")
+    try:
+        tried = _tried(opened, step, (source, file), wanted, follow)
+    except ProgramError as error:
+        return Result("solution", step, file, 0, len(wanted), (error.phrase,))
+    tried.sort(key=lambda one: wanted.index(one.attempt))
+    failed = [(one, verdict) for one in tried for verdict in one.verdicts if not _is_met(verdict)]
+    right = sum(all(map(_is_met, one.verdicts)) for one in tried)
+    problems = tuple(_not_met(one, verdict) for one, verdict in failed[:_MOST_PROBLEMS])
+    return Result("solution", step, file, right, len(wanted), problems)
+
+
+def _tried(
+    opened: OpenLesson,
+    step: int,
+    program: tuple[str, str],
+    wanted: Sequence[Attempt],
+    follow: Follow,
+) -> list[Tried]:
+    """Try a program, given by its text and its file's name."""
+    source, file = program
+    tried = []
+    for one in try_step(opened, step, source, wanted, filename=file, switch=follow.switch):
+        follow.watch(one)
+        tried.append(one)
+    return tried
+
+
+def _usual(wanted: Sequence[Attempt]) -> list[Attempt]:
+    """The attempts with the usual robot."""
+    return [one for one in wanted if one.robot == wanted[0].robot]
+
+
+def _is_met(verdict: Verdict) -> bool:
+    return verdict.state == "met"
+
+
+def _not_met(tried: Tried, verdict: Verdict) -> Phrase:
+    return Phrase(
+        "lesson-cli-not-met",
+        robot=tried.attempt.robot,
+        variant=str(tried.attempt.variant),
+        check=describe(verdict.check),
+        reason=verdict.reason or "",
+    )
+
+
+def _wrong(opened: OpenLesson, wrong: Wrong, wanted: Sequence[Attempt], follow: Follow) -> Result:
+    """Try a wrong program with its usual robot: in the world as it is, and where that passes."""
+    usual = _usual(wanted)
+    source = opened.text(f"teacher/wrong/{wrong.program}")
+    try:
+        tried = _tried(opened, wrong.step, (source, wrong.program), usual, follow)
+    except ProgramError as error:
+        return Result("wrong", wrong.step, wrong.program, 0, len(usual), (error.phrase,))
+    failing = sorted(
+        (one for one in tried if _fails(one, wrong.check)), key=lambda one: one.attempt.variant
+    )
+    if not failing:
+        problem = Phrase("lesson-cli-not-caught", check=wrong.check)
+        return Result("wrong", wrong.step, wrong.program, 0, len(usual), (problem,))
+    problems = _hint_problems(opened, wrong, source, failing[0])
+    return Result("wrong", wrong.step, wrong.program, len(failing), len(usual), problems)
+
+
+def _fails(tried: Tried, name: str) -> bool:
+    return any(
+        one.state == "failed" and name in (one.check.name, one.check.__struct_config__.tag)
+        for one in tried.verdicts
+    )
+
+
+def _hint_problems(
+    opened: OpenLesson, wrong: Wrong, source: str, tried: Tried
+) -> tuple[Phrase, ...]:
+    tree = read_program(source, wrong.program).tree
+    rules = tuple(one.rule for one in hints_for(opened, wrong.step, tree, tried))
+    if rules[:1] == (wrong.hint,):
+        return ()
+    found = rules or (Phrase("lesson-cli-no-hint"),)
+    return (Phrase("lesson-cli-other-hint", wanted=wrong.hint, found=found),)
+
+
+def hints_for(opened: OpenLesson, number: int, program: Program, tried: Tried) -> tuple[Hint, ...]:
+    """The hints for the first attempt of a program that fails, the best first.
+
+    Args:
+        opened: the lesson.
+        number: the number of the step.
+        program: the program.
+        tried: the attempt; the attempts before it have passed.
+    """
+    # A variant counts only if the world as it is passes.
+    is_variant = tried.attempt.variant > 0
+    elsewhere = Elsewhere(is_variant=is_variant, passes_usually=is_variant)
+    world = opened.described_world(number)
+    return hints(
+        opened.step(number),
+        program,
+        tried.verdicts,
+        tried.evidence,
+        world=world,
+        elsewhere=elsewhere,
+    )

@@ -1,0 +1,154 @@
+"""Checks in a lesson's own Python: they come from anyone, so they run contained, like programs.
+
+A process of its own gets the run as JSON, puts itself behind the fence of programs, and writes the
+answer as JSON. Whatever is no clear yes counts as a no.
+"""
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from tempfile import TemporaryFile
+from typing import Any, BinaryIO
+
+import msgspec
+
+from learnblock.i18n import ENGLISH, Multilingual, Phrase
+from learnblock.lessons import expert_child
+from learnblock.lessons.checks import Expert
+from learnblock.lessons.evidence import Evidence, Noted
+from learnblock.lessons.judging import Finding
+from learnblock.lessons.opened import EXPERTS, OpenLesson
+from learnblock.runtime.containment.environment import environment
+from learnblock.runtime.containment.scratch import Scratch
+
+#: The most seconds of a check.
+SECONDS = 10.0
+#: The largest answer, in bytes; it may have a reason in several languages.
+_LARGEST_ANSWER = 64 * 1024
+_LONGEST_REASON = 300
+
+
+class Answer(msgspec.Struct, forbid_unknown_fields=True):
+    """What a check answers.
+
+    Args:
+        met: whether the check is met.
+        reason: why not, in one language or by language.
+        error: the error of its Python.
+    """
+
+    met: bool
+    reason: str | dict[str, str] = ""
+    error: str = ""
+
+
+class Experts:
+    """Judges by a lesson's own Python.
+
+    Args:
+        opened: the lesson.
+        seconds: the most seconds of a check.
+    """
+
+    def __init__(self, opened: OpenLesson, seconds: float = SECONDS) -> None:
+        self._source = opened.text(EXPERTS) if EXPERTS in opened.files else ""
+        self._seconds = seconds
+
+    def __call__(self, check: Expert, evidence: Evidence) -> Finding:
+        """Judge a run that is over."""
+        task = {"source": self._source, "function": check.function, "run": _plain(evidence)}
+        answer = _answer(_run(msgspec.json.encode(task), self._seconds))
+        if answer is None:
+            return Finding("failed", evidence.now, Phrase("lesson-expert-silent"))
+        if answer.error:
+            error = answer.error[:_LONGEST_REASON]
+            return Finding("failed", evidence.now, Phrase("lesson-expert-error", error=error))
+        if answer.met:
+            return Finding("met", evidence.now)
+        return Finding("failed", evidence.now, _reason(answer.reason))
+
+
+def _reason(reason: str | dict[str, str]) -> Phrase:
+    texts = {ENGLISH: reason} if isinstance(reason, str) else reason
+    if not any(texts.values()):
+        return Phrase("lesson-expert-no")
+    cut = {language: text[:_LONGEST_REASON] for language, text in texts.items()}
+    usual = cut.get(ENGLISH) or next(iter(cut.values()))
+    return Phrase("lesson-expert-says", reason=Multilingual({**cut, ENGLISH: usual}))
+
+
+def _answer(data: bytes) -> Answer | None:
+    """The answer; None if there is no clear one."""
+    try:
+        return msgspec.json.decode(data, type=Answer)
+    except (msgspec.MsgspecError, ValueError):
+        return None
+
+
+def _run(task: bytes, seconds: float) -> bytes:
+    """What the contained process writes; "" if it had to be ended."""
+    scratch = Scratch()
+    try:
+        # In a file, whose size is limited: a pipe could be written to without end.
+        with TemporaryFile() as given, TemporaryFile() as written:
+            given.write(task)
+            given.seek(0)
+            status = _wait(_start(given, written, environment(scratch.path)), seconds)
+            written.seek(0)
+            return written.read(_LARGEST_ANSWER) if status == 0 else b""
+    finally:
+        scratch.remove()
+
+
+def _start(
+    given: BinaryIO, written: BinaryIO, variables: Mapping[str, str]
+) -> "subprocess.Popen[bytes]":
+    return subprocess.Popen(  # noqa: S603 - our own interpreter and module
+        # -P: as for programs.
+        [sys.executable, "-P", "-m", expert_child.__name__],
+        env=variables,
+        stdin=given,
+        stdout=written,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+
+
+def _wait(process: "subprocess.Popen[bytes]", seconds: float) -> int | None:
+    try:
+        return process.wait(seconds)
+    except subprocess.TimeoutExpired:
+        return None
+    finally:
+        if hasattr(os, "killpg"):
+            # Everything it has started is in its process group.
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(process.pid, signal.SIGKILL)
+        process.kill()
+        process.wait()
+
+
+def _plain(evidence: Evidence) -> dict[str, Any]:
+    """What a check gets to see: see docs/lessons.md."""
+    report = evidence.report
+    return {
+        "ended": report.ended if report else "",
+        "time": evidence.now,
+        "distance": evidence.distance,
+        "path": [[one.moment.time, one.x, one.y, one.heading] for one in evidence.path],
+        "goals": {name: moment.time for name, moment in evidence.reached.items()},
+        "failed": {name: moment.time for name, moment in evidence.failed.items()},
+        "prints": _pairs(evidence.prints),
+        "calls": _pairs(evidence.calls),
+        "shows": _pairs(evidence.shows),
+        "says": _pairs(evidence.says),
+        "sends": _pairs(evidence.sends),
+        "collisions": _pairs(evidence.collisions),
+    }
+
+
+def _pairs(noted: Sequence[Noted]) -> list[tuple[float, str]]:
+    return [(one.moment.time, one.text) for one in noted]

@@ -1,0 +1,306 @@
+"""A piece of a grading: one program, in one variant of the world, on one robot.
+
+It runs wherever an executor puts it: in another process of this computer, or on a cluster.
+"""
+
+import atexit
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import cache, lru_cache
+from importlib.metadata import version
+from pathlib import Path
+from queue import Empty, SimpleQueue
+
+import msgspec
+
+from learnblock import robots, running
+from learnblock.errors import FileError, LearnBlockError
+from learnblock.i18n import Phrase, languages, translate
+from learnblock.lessons.evidence import Evidence, evidence_of
+from learnblock.lessons.expert import Experts
+from learnblock.lessons.grading.thinning import thinned
+from learnblock.lessons.grading.values import (
+    DIFFERS,
+    Checked,
+    CheckResult,
+    HintResult,
+    Manner,
+    Result,
+    Texts,
+    packed,
+)
+from learnblock.lessons.hints import Elsewhere, hints
+from learnblock.lessons.judging import Verdict, judge
+from learnblock.lessons.lesson import Lesson, Step
+from learnblock.lessons.opened import EXPERTS, OpenLesson
+from learnblock.lessons.reading import for_pupils
+from learnblock.lessons.texts import Title, in_language
+from learnblock.lessons.trying import Attempt, Trial
+from learnblock.running import Report, Source
+from learnblock.running.batch import CAN_FORK, Batch, JobResult, WarmProcess
+from learnblock.running.job import Job
+from learnblock.runtime.ending import How
+from learnblock.runtime.limits import MEGABYTE
+from learnblock.simulator import WorldDescription
+
+#: The most hints of a result, besides the one about other attempts.
+MOST_HINTS = 3
+#: The rules about a program that does well in the usual attempt, of which a piece knows nothing:
+#: the grading leaves them out where they don't fit. A run gets one of them at most.
+ABOUT_OTHERS = frozenset({"hint-only-here", "hint-other-robot"})
+#: Longer traces, in bytes, are not judged: an honest run of ten minutes has a tenth of it.
+LONGEST_TRACE = 48 * MEGABYTE
+#: Endings that come at no exact moment of the robot's time.
+_INEXACT = frozenset({How.KILLED, How.NO_CALL, How.STOPPED})
+#: Where programs seem to be: there is nothing beside them.
+_NOWHERE = Path("/learnblock-handed-in")
+
+
+class NotRunError(LearnBlockError, RuntimeError):
+    """A run could not be made, although it was tried again: not the program's fault."""
+
+
+class Lean(msgspec.Struct, frozen=True, array_like=True):
+    """What a lesson's pieces need of it.
+
+    Args:
+        name: its name.
+        lesson: its content.
+        files: its programs and worlds.
+    """
+
+    name: str
+    lesson: Lesson
+    files: dict[str, bytes]
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """A piece to be made: plain values, which every executor can send.
+
+    Args:
+        version: of LearnBlock, where the grading was started.
+        lesson: the lesson: see `packed_lesson`.
+        step: the number of the step.
+        text: the program.
+        is_python: whether it is Python.
+        tags: the numbers of tags, by name, that it uses.
+        robot: the robot.
+        variant: the variant of the world.
+        seed: the seed of all noise.
+        usual: the usual robot among those that are tried.
+        manner: how the program is run.
+    """
+
+    version: str
+    lesson: bytes
+    step: int
+    text: str
+    is_python: bool
+    tags: tuple[tuple[str, int], ...]
+    robot: str
+    variant: int
+    seed: int
+    usual: str
+    manner: Manner
+
+
+def packed_lesson(opened: OpenLesson, step: int) -> bytes:
+    """A lesson for the pieces of a step: the same bytes for the same content."""
+    folders = ["programs/"]
+    if opened.world(step) in opened.own_worlds:
+        folders.append("worlds/")
+    files = for_pupils(opened).files
+    needed = {
+        path: files[path]
+        for path in sorted(files)
+        if path == EXPERTS or path.startswith(tuple(folders))
+    }
+    return msgspec.msgpack.encode(Lean(opened.name, opened.lesson, needed), order="deterministic")
+
+
+def run_piece(order: Order) -> bytes:
+    """Make a piece; return its `Result`, packed.
+
+    Raises:
+        LearnBlockError: this computer has another version of LearnBlock.
+        NotRunError: the run could not be made.
+    """
+    here = version("learnblock-studio")
+    if here != order.version:
+        raise LearnBlockError("grade-other-version", here=here, there=order.version)
+    try:
+        source = _source(order.text, order.is_python)
+        return packed(_made(order, source))
+    except FileError as error:
+        return packed(Result(ended="refused", reason=in_all(error.phrase)))
+
+
+def in_all(phrase: Phrase) -> Texts:
+    """A phrase in every language."""
+    return {language: translate(phrase, language) for language in languages()}
+
+
+def _made(order: Order, source: Source) -> Result:
+    mistake = _mistake(order.text, order.is_python, order.robot)
+    if mistake is not None:
+        return Result(ended="refused", reason=in_all(mistake))
+    return _Piece(order, _lesson(order.lesson), source).result()
+
+
+@dataclass(frozen=True)
+class _Piece:
+    order: Order
+    opened: OpenLesson
+    source: Source
+
+    def result(self) -> Result:
+        """Run the program, and judge what it did."""
+        with self.opened.world_file(self.order.step) as world:
+            trial = Trial(self.opened, self.order.step, self.source, world)
+            if self._step.partners:
+                return self._in_team(trial)
+            made = self._job(trial)
+            first = _run(replace(made, isolated=self.order.manner == "isolated"))
+            if self.order.manner != "compared" or first.isolated:
+                return self._of(first, "isolated" if first.isolated else "shared")
+            apart = _run(replace(made, isolated=True))
+        same = apart.report == first.report
+        return self._of(apart, "shared, same isolated" if same else DIFFERS)
+
+    @property
+    def _step(self) -> Step:
+        return self.opened.step(self.order.step)
+
+    @property
+    def _attempt(self) -> Attempt:
+        return Attempt(self.order.robot, self.order.variant)
+
+    def _job(self, trial: Trial) -> Job:
+        made = trial.job(self._attempt)
+        program = replace(made.program, folder="", tags=dict(self.order.tags))
+        options = replace(made.options, seed=self.order.seed)
+        return replace(made, program=program, options=options)
+
+    def _in_team(self, trial: Trial) -> Result:
+        """The result of a step with partners, where every program has a process of its own."""
+        [(_, evidence, _, _)] = trial.teams([self._attempt], None)
+        return self._judged(evidence, "isolated")
+
+    def _of(self, made: JobResult, checked: Checked) -> Result:
+        if len(made.trace) > LONGEST_TRACE:
+            reason = in_all(Phrase("grade-trace-too-long", limit=LONGEST_TRACE // MEGABYTE))
+            return Result(ended=How.KILLED, checked=checked, reason=reason)
+        return self._judged(evidence_of(made.trace, made.report), checked)
+
+    def _judged(self, evidence: Evidence, checked: Checked) -> Result:
+        report = evidence.report
+        assert report is not None  # noqa: S101 - the run is over
+        world = _world(self.order.lesson, self.order.step)
+        verdicts = judge(self._step, self.source.tree, evidence, world, Experts(self.opened))
+        return Result(
+            checks=tuple(map(_check_result, verdicts)),
+            ended=report.ended,
+            seconds=round(report.time, 3),
+            trace_sha256="" if report.ended in _INEXACT else report.trace_sha256,
+            checked=checked,
+            path=thinned([(one.x, one.y) for one in evidence.path]),
+            hints=self._hints(verdicts, evidence, world),
+            reason=_reason(report),
+        )
+
+    def _hints(
+        self, verdicts: Sequence[Verdict], evidence: Evidence, world: WorldDescription | None
+    ) -> tuple[HintResult, ...]:
+        elsewhere = Elsewhere(
+            is_variant=self.order.variant > 0,
+            is_other_robot=self.order.robot != self.order.usual,
+            passes_usually=True,
+        )
+        tree = self.source.tree
+        found = hints(self._step, tree, verdicts, evidence, world=world, elsewhere=elsewhere)
+        return tuple(
+            HintResult(one.rule, tuple(map(_in_all, one.levels)), _in_all(one.because))
+            for one in found[: MOST_HINTS + 1]
+        )
+
+
+def _run(made: Job) -> JobResult:
+    """Make one run, in a process that is kept for the next one."""
+    [result] = Batch([made]).results() if not CAN_FORK else _forked(made)
+    if result.lost:
+        raise NotRunError("run-lost", reason=result.lost)
+    return result
+
+
+def _forked(made: Job) -> list[JobResult]:
+    idle = _idle()
+    try:
+        kept = idle.get_nowait()
+    except Empty:
+        kept = WarmProcess()
+    try:
+        return [*Batch([made], 1, kept=kept).results()]
+    finally:
+        if kept.is_running:
+            idle.put(kept)
+
+
+@cache
+def _idle() -> "SimpleQueue[WarmProcess]":
+    """The processes that make runs, of which no piece uses any now."""
+    atexit.register(end_idle)
+    return SimpleQueue()
+
+
+def end_idle() -> None:
+    """End the processes that were kept for further runs."""
+    with suppress(Empty):
+        while True:
+            _idle().get_nowait().end()
+
+
+@lru_cache(maxsize=64)
+def _source(text: str, is_python: bool) -> Source:  # noqa: FBT001 - as it is sent
+    name = "program.py" if is_python else "program.bt"
+    return running.source_of(_NOWHERE / name, text, is_python=is_python)
+
+
+@lru_cache(maxsize=64)
+def _mistake(text: str, is_python: bool, robot: str) -> Phrase | None:  # noqa: FBT001 - as above
+    """Why a program can't run on a robot; None if it can."""
+    found = running.check(_source(text, is_python), robots.find(robot))
+    return next((one.message for one in found if one.severity == "error"), None)
+
+
+@lru_cache(maxsize=4)
+def _lesson(packed_one: bytes) -> OpenLesson:
+    lean = msgspec.msgpack.decode(packed_one, type=Lean)
+    return OpenLesson(lean.name, lean.lesson, None, lean.files)
+
+
+@lru_cache(maxsize=16)
+def _world(packed_one: bytes, step: int) -> WorldDescription | None:
+    return _lesson(packed_one).described_world(step)
+
+
+def _check_result(verdict: Verdict) -> CheckResult:
+    reason = {} if verdict.reason is None else in_all(verdict.reason)
+    at = None if verdict.at is None else round(verdict.at, 3)
+    return CheckResult(verdict.state, at, reason)
+
+
+def _reason(report: Report) -> Texts:
+    if report.error is None:
+        return {}
+    message = report.error["message"]
+    assert isinstance(message, Phrase)  # noqa: S101 - see `Report`
+    line = f"{line}: " if (line := report.error["line"]) else ""
+    return {language: line + text for language, text in in_all(message).items()}
+
+
+def _in_all(text: Phrase | Title) -> Texts:
+    if isinstance(text, Phrase):
+        return in_all(text)
+    return {language: in_language(text, language) for language in languages()}

@@ -1,0 +1,361 @@
+"""The page of a grading: one file without scripts, which shows what every program did."""
+
+import base64
+import hashlib
+import shlex
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from importlib.resources import files
+from typing import TextIO
+
+from learnblock import language as notations
+from learnblock.errors import FileError
+from learnblock.i18n import Phrase, translate
+from learnblock.lessons.checks import Check
+from learnblock.lessons.describing import title_of
+from learnblock.lessons.grading.grading import Grading, Row
+from learnblock.lessons.grading.html import escaped, tag
+from learnblock.lessons.grading.likeness import Pair, Print, alike, print_of
+from learnblock.lessons.grading.pictures import Pictures
+from learnblock.lessons.grading.table import stars
+from learnblock.lessons.grading.values import DIFFERS, HandedIn, HintResult, Result, Texts
+from learnblock.lessons.texts import in_language
+
+#: The most pictures of a pupil: what failed comes first.
+MOST_PICTURES = 3
+_KINDS = {
+    "same": "grade-page-kind-same",
+    "renamed": "grade-page-kind-renamed",
+    "alike": "grade-page-kind-alike",
+}
+#: The headings of the columns before and after the checks.
+_BEFORE = ("grade-page-robot", "grade-page-variant", "grade-page-seed")
+_AFTER = ("grade-page-ended", "grade-page-seconds", "grade-page-checked", "grade-page-trace")
+
+
+@dataclass(frozen=True, slots=True)
+class _Summary:
+    """What the overview needs of a pupil.
+
+    Args:
+        met: in how many attempts each check was met.
+        finished: how many attempts are finished.
+        done: in how many the step is done.
+        failing: the checks that are not met in all of them.
+        hint: the hint that comes first most often; None if there is none.
+        refused: why it was not run.
+    """
+
+    met: tuple[int, ...]
+    finished: int
+    done: int
+    failing: tuple[int, ...]
+    hint: HintResult | None
+    refused: Texts
+
+
+class Page:
+    """The page.
+
+    Args:
+        grading: the grading.
+        language: of the page.
+        lesson: what the teacher called the lesson.
+    """
+
+    def __init__(self, grading: Grading, language: str, lesson: str) -> None:
+        self._grading = grading
+        self._plan = grading.plan
+        self._language = language
+        self._lesson = lesson
+        self._step = self._plan.opened.step(self._plan.step)
+
+    def write(self, file: TextIO) -> None:
+        """Write it, one part after the other, so that a class of any size fits into memory."""
+        style = files(__package__).joinpath("page.css").read_text("utf-8")
+        digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
+        policy = f"default-src 'none'; style-src 'sha256-{digest}'; img-src data:"
+        title = self._text("grade-page-title", lesson=self._lesson_title, step=self._plan.step)
+        file.write("<!doctype html>\n")
+        file.write(f'<html lang="{escaped(self._language)}"><head><meta charset="utf-8">')
+        file.write(f'<meta http-equiv="Content-Security-Policy" content="{escaped(policy)}">')
+        file.write('<meta name="viewport" content="width=device-width, initial-scale=1">')
+        file.write(f"<title>{escaped(title)}</title><style>{style}</style></head><body>\n")
+        for part in self._parts(title):
+            file.write(part + "\n")
+        file.write("</body></html>\n")
+
+    def _parts(self, title: str) -> Iterator[str]:
+        yield tag("h1", escaped(title))
+        count = len(self._plan.handed_in)
+        tries = len(self._plan.tries)
+        yield tag("p", self._escaped("grade-page-facts", programs=count, tries=tries))
+        yield tag("p", self._escaped("grade-page-no-mark"), class_="note")
+        yield from self._overview()
+        yield from self._clusters()
+        yield from self._alike()
+        yield tag("h2", self._escaped("grade-page-pupils"))
+        if self._pictures:
+            yield self._pictures.worlds()
+        for index, one in enumerate(self._plan.handed_in):
+            yield self._pupil(index, one)
+
+    def _text(self, code: str, /, **values: str | float) -> str:
+        return translate(Phrase(code, **values), self._language)
+
+    def _escaped(self, code: str, /, **values: str | float) -> str:
+        return escaped(self._text(code, **values))
+
+    def _in_language(self, texts: Texts) -> str:
+        return escaped(in_language(texts, self._language)) if texts else ""
+
+    @property
+    def _lesson_title(self) -> str:
+        return in_language(self._plan.opened.lesson.title, self._language)
+
+    @property
+    def _checks(self) -> Sequence[Check]:
+        return self._step.check
+
+    @cached_property
+    def _check_titles(self) -> list[str]:
+        return [escaped(title_of(one, self._language)) for one in self._checks]
+
+    @cached_property
+    def _pictures(self) -> Pictures | None:
+        world = self._plan.opened.described_world(self._plan.step)
+        return Pictures(world, tuple(one.variant for one in self._plan.tries)) if world else None
+
+    @cached_property
+    def _summaries(self) -> list[_Summary]:
+        return [self._summary(one) for one in self._plan.handed_in]
+
+    def _summary(self, one: HandedIn) -> _Summary:
+        results = [row.result for row in self._grading.rows_of(one) if row.result]
+        places = range(len(self._checks))
+        met = tuple(sum(_is_met(result, place) for result in results) for place in places)
+        firsts = Counter(result.hints[0].rule for result in results if result.hints)
+        often = max(firsts, key=lambda rule: (firsts[rule], rule), default=None)
+        found = (two.hints[0] for two in results if two.hints)
+        return _Summary(
+            met=met,
+            finished=len(results),
+            done=sum(stars(self._checks, result) > 0 for result in results),
+            failing=tuple(place for place in places if met[place] < len(results)),
+            hint=next((hint for hint in found if hint.rule == often), None),
+            refused=next((two.reason for two in results if not two.checks and two.reason), {}),
+        )
+
+    def _overview(self) -> Iterator[str]:
+        yield tag("h2", self._escaped("grade-page-overview"))
+        heads = [
+            self._escaped("grade-page-pupil"),
+            *self._check_titles,
+            self._escaped("grade-page-done"),
+        ]
+        heads.append(self._escaped("grade-page-first-hint"))
+        yield '<div class="wide"><table><thead>'
+        yield tag("tr", *(tag("th", head, scope="col") for head in heads))
+        yield "</thead><tbody>"
+        for index, (one, found) in enumerate(
+            zip(self._plan.handed_in, self._summaries, strict=True)
+        ):
+            name = tag("a", escaped(one.pupil), href=f"#pupil-{index}")
+            cells = [_count(number, found.finished) for number in found.met]
+            cells.append(_count(found.done, found.finished))
+            hint = self._in_language(found.hint.levels[0]) if found.hint else ""
+            cells.append(tag("td", self._in_language(found.refused) or hint))
+            yield tag("tr", tag("th", name, scope="row"), *cells)
+        yield "</tbody></table></div>"
+
+    def _clusters(self) -> Iterator[str]:
+        """Programs with the same failing checks and the same first hint."""
+        groups: Mapping[tuple[tuple[int, ...], str], list[int]] = defaultdict(list)
+        for index, found in enumerate(self._summaries):
+            if found.failing:
+                groups[found.failing, found.hint.rule if found.hint else ""].append(index)
+        several = [(key, group) for key, group in groups.items() if len(group) > 1]
+        several.sort(key=lambda pair: (-len(pair[1]), pair[1]))
+        yield tag("h2", self._escaped("grade-page-clusters"))
+        if not several:
+            yield tag("p", self._escaped("grade-page-no-clusters"))
+        for (failing, _), group in several:
+            first = self._summaries[group[0]]
+            missed = "; ".join(self._check_titles[place] for place in failing)
+            hint = self._in_language(first.hint.levels[0]) if first.hint else ""
+            names = ", ".join(self._link(index) for index in group)
+            yield tag(
+                "div",
+                tag("h3", self._escaped("grade-page-cluster", count=len(group)), " ", missed),
+                tag("p", hint) if hint else "",
+                tag("p", names),
+            )
+
+    def _link(self, index: int) -> str:
+        return tag("a", escaped(self._plan.handed_in[index].pupil), href=f"#pupil-{index}")
+
+    def _alike(self) -> Iterator[str]:
+        yield tag("h2", self._escaped("grade-page-alike"))
+        yield tag("p", self._escaped("grade-page-alike-note"))
+        found = alike([_print(one) for one in self._plan.handed_in], self._given)
+        if not found.pairs:
+            yield tag("p", self._escaped("grade-page-none-alike"))
+        for pair in found.pairs:
+            yield self._pair(pair)
+        if more := found.total - len(found.pairs):
+            yield tag("p", self._escaped("grade-page-more-alike", count=more))
+
+    @cached_property
+    def _given(self) -> Print | None:
+        """What pupils started with: their programs share it by right."""
+        steps = self._plan.opened.lesson.step[: self._plan.step]
+        file = next((one.program for one in reversed(steps) if one.program), None)
+        if file is None:
+            return None
+        text = self._plan.opened.program(file)
+        return _print(HandedIn("", "", text, file.endswith(".py")))
+
+    def _pair(self, pair: Pair) -> str:
+        sides = (
+            tag(
+                "div",
+                tag("p", self._link(index)),
+                tag("pre", escaped(self._plan.handed_in[index].text)),
+            )
+            for index in (pair.first, pair.second)
+        )
+        first, second = (self._plan.handed_in[index].pupil for index in (pair.first, pair.second))
+        what = self._escaped(_KINDS[pair.kind], share=round(pair.share * 100))
+        summary = tag("summary", escaped(f"{first}, {second}"), ": ", what)
+        return tag("details", summary, tag("div", *sides, class_="sides"), class_="pair")
+
+    def _pupil(self, index: int, one: HandedIn) -> str:
+        rows = [*self._grading.rows_of(one)]
+        found = self._summaries[index]
+        done = self._escaped("grade-page-done-in", done=found.done, tries=len(rows))
+        parts = [
+            tag("summary", escaped(one.pupil), " · ", done),
+            self._ways(rows),
+            "" if one.reason else self._table(rows),
+            self._hints(rows),
+            *self._remarks(rows, found),
+            tag(
+                "p",
+                self._escaped("grade-page-again"),
+                " ",
+                tag("code", escaped(self._command(one))),
+            ),
+            tag(
+                "details",
+                tag("summary", self._escaped("grade-page-program")),
+                tag("pre", escaped(one.text)),
+            ),
+        ]
+        return tag("details", *parts, id=f"pupil-{index}", class_="pupil", open="")
+
+    def _remarks(self, rows: Sequence[Row], found: _Summary) -> Iterator[str]:
+        if found.refused:
+            yield tag("p", self._in_language(found.refused), class_="failed")
+        if any(row.result and row.result.checked == DIFFERS for row in rows):
+            yield tag("p", self._escaped("grade-page-differs"), class_="failed")
+        if failure := next((row.failure for row in rows if row.failure), None):
+            reason = translate(failure, self._language)
+            yield tag("p", self._escaped("grade-page-not-made", error=reason), class_="failed")
+
+    def _ways(self, rows: Sequence[Row]) -> str:
+        pictures = self._pictures
+        if pictures is None:
+            return ""
+        driven = [row for row in rows if row.result and row.result.path]
+        # What failed is more interesting; otherwise in their order.
+        driven.sort(key=lambda row: row.result is not None and stars(self._checks, row.result) > 0)
+        return tag(
+            "div", *(self._way(pictures, row) for row in driven[:MOST_PICTURES]), class_="ways"
+        )
+
+    def _way(self, pictures: Pictures, row: Row) -> str:
+        assert row.result  # noqa: S101 - it has a path
+        attempt = row.attempt
+        place = self._text(
+            "grade-page-attempt",
+            robot=attempt.robot,
+            variant=str(attempt.variant),
+            seed=str(attempt.seed),
+        )
+        drawn = pictures.picture(attempt, row.result.path, escaped(place))
+        return tag("figure", drawn, tag("figcaption", escaped(place)))
+
+    def _table(self, rows: Sequence[Row]) -> str:
+        heads = [*map(self._escaped, _BEFORE), *self._check_titles, *map(self._escaped, _AFTER)]
+        body = (tag("tr", *self._cells(row)) for row in rows)
+        head = tag("thead", tag("tr", *(tag("th", one, scope="col") for one in heads)))
+        return tag("div", tag("table", head, tag("tbody", *body)), class_="wide")
+
+    def _cells(self, row: Row) -> Iterator[str]:
+        for value in (row.attempt.robot, row.attempt.variant, row.attempt.seed):
+            yield tag("td", escaped(value))
+        result = row.result
+        if result is None:
+            what = "grade-page-not-run" if row.failure else "grade-page-not-finished"
+            columns = len(self._checks) + 4
+            yield tag("td", self._escaped(what), colspan=columns, class_="open")
+            return
+        for place in range(len(self._checks)):
+            yield self._verdict(result, place)
+        ended = " ".join(filter(None, (escaped(result.ended), self._in_language(result.reason))))
+        yield tag("td", ended)
+        yield tag("td", f"{result.seconds:.1f}")
+        yield tag("td", escaped(result.checked))
+        yield tag("td", tag("code", escaped(result.trace_sha256[:16])), title=result.trace_sha256)
+
+    def _verdict(self, result: Result, place: int) -> str:
+        if place >= len(result.checks):
+            return tag("td", "–", class_="failed")
+        found = result.checks[place]
+        mark = {"met": "✓", "failed": "✗"}.get(found.state, "–")
+        reason = self._in_language(found.reason)
+        return tag("td", mark, " " + reason if reason else "", class_=found.state)
+
+    def _hints(self, rows: Sequence[Row]) -> str:
+        found: dict[str, HintResult] = {}
+        for row in rows:
+            for hint in row.result.hints if row.result else ():
+                found.setdefault(hint.rule, hint)
+        if not found:
+            return ""
+        listed = (self._hint(hint) for hint in [*found.values()][:MOST_PICTURES])
+        return tag("div", tag("h3", self._escaped("grade-page-hints")), tag("ul", *listed))
+
+    def _hint(self, hint: HintResult) -> str:
+        levels = tag("ol", *(tag("li", self._in_language(one)) for one in hint.levels))
+        return tag("li", self._in_language(hint.because), levels)
+
+    def _command(self, one: HandedIn) -> str:
+        robots = dict.fromkeys(attempt.robot for attempt in self._plan.tries)
+        variants = len(self._plan.tries) // max(len(robots), 1) - 1
+        return shlex.join([
+            "learnblock", "grade", one.file, "--lesson", self._lesson,
+            "--step", str(self._plan.step), "--robots", ",".join(robots),
+            "--variants", str(variants), "--out", "again",
+        ])  # fmt: skip
+
+
+def _is_met(result: Result, place: int) -> bool:
+    return place < len(result.checks) and result.checks[place].state == "met"
+
+
+def _count(number: int, finished: int) -> str:
+    kind = "met" if finished and number == finished else "failed" if number < finished else "open"
+    return tag("td", f"{number}/{finished}", class_=kind)
+
+
+def _print(one: HandedIn) -> Print | None:
+    if one.reason is not None or not one.text:
+        return None
+    notation = notations.from_python if one.is_python else notations.parse
+    try:
+        return print_of(notation(one.text, one.file))
+    except (FileError, RecursionError):
+        return None

@@ -1,0 +1,123 @@
+"""The plan of a grading: every piece, in the order of the table, and its key in the journal."""
+
+import hashlib
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import msgspec
+
+from learnblock.errors import WorldError
+from learnblock.lessons.grading.executing import Order, packed_lesson
+from learnblock.lessons.grading.values import HandedIn, Manner
+from learnblock.lessons.opened import OpenLesson
+from learnblock.lessons.trying import Attempt
+from learnblock.simulator import make_variant
+
+#: The share of a program's pieces that are run again in isolation; at least one of them is.
+SAMPLE = 0.05
+#: Changes when the results of pieces mean something else.
+FORMAT = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Try:
+    """What a program is tried in.
+
+    Args:
+        robot: the robot.
+        variant: the variant of the world.
+        seed: the seed of all noise.
+    """
+
+    robot: str
+    variant: int
+    seed: int
+
+
+def tries(opened: OpenLesson, step: int, attempts: Sequence[Attempt]) -> tuple[Try, ...]:
+    """What programs are tried in: where a world has no variants, with other noise instead."""
+    varies = _varies(opened, step)
+    return tuple(
+        Try(one.robot, one.variant if varies else 0, 0 if varies else one.variant)
+        for one in attempts
+    )
+
+
+def _varies(opened: OpenLesson, step: int) -> bool:
+    world = opened.described_world(step)
+    if world is None:
+        return False
+    try:
+        make_variant(world, 1)
+    except WorldError:
+        return False
+    return True
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A grading: what was handed in, and what each of it is tried in.
+
+    Args:
+        opened: the lesson.
+        step: the number of the step.
+        handed_in: what was handed in, in the order of the table.
+        tries: what each program is tried in.
+        version: of LearnBlock.
+    """
+
+    opened: OpenLesson
+    step: int
+    handed_in: tuple[HandedIn, ...]
+    tries: tuple[Try, ...]
+    version: str
+
+    @cached_property
+    def lesson(self) -> bytes:
+        """The lesson, as every piece gets it."""
+        return packed_lesson(self.opened, self.step)
+
+    def orders(self, one: HandedIn) -> Iterator[tuple[str, Order]]:
+        """The pieces of a program, each with its key."""
+        plain = [self._order(one, attempt, "shared") for attempt in self.tries]
+        compared = self._sample([self.key(order) for order in plain])
+        for index, order in enumerate(plain):
+            chosen = replace(order, manner="compared") if index in compared else order
+            yield self.key(chosen), chosen
+
+    def isolated(self, one: HandedIn) -> Iterator[tuple[str, Order]]:
+        """The pieces of a program that can't be trusted to share a process."""
+        for attempt in self.tries:
+            order = self._order(one, attempt, "isolated")
+            yield self.key(order), order
+
+    def key(self, order: Order) -> str:
+        """What identifies a piece and its result; the pupil's name is no part of it."""
+        rest = replace(order, lesson=self._lesson_hash)
+        return hashlib.sha256(msgspec.msgpack.encode((FORMAT, rest))).hexdigest()[:32]
+
+    @cached_property
+    def _lesson_hash(self) -> bytes:
+        return hashlib.sha256(self.lesson).digest()
+
+    def _sample(self, keys: Sequence[str]) -> frozenset[int]:
+        """Which pieces are run again in isolation: it looks random, but is always the same."""
+        count = max(1, math.ceil(SAMPLE * len(keys)))
+        return frozenset(sorted(range(len(keys)), key=keys.__getitem__)[:count])
+
+    def _order(self, one: HandedIn, attempt: Try, manner: Manner) -> Order:
+        return Order(
+            version=self.version,
+            lesson=self.lesson,
+            step=self.step,
+            text=one.text,
+            is_python=one.is_python,
+            tags=tuple(sorted(one.tags.items())),
+            robot=attempt.robot,
+            variant=attempt.variant,
+            seed=attempt.seed,
+            usual=self.tries[0].robot,
+            manner=manner,
+        )

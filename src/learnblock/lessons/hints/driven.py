@@ -1,0 +1,269 @@
+"""Rules about where the robot drove, compared with where it should have been."""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
+from typing import Any
+
+from learnblock.language.tree.nodes import ForEach, ForRange, Repeat, SkillCall, WaitUntil, While
+from learnblock.lessons.checks import At, Drives, EndsAt, Happens, InOrder, Never, Reaches, Turns
+from learnblock.lessons.evidence import Placed
+from learnblock.lessons.happening import heading_between
+from learnblock.lessons.hints import driving
+from learnblock.lessons.hints.driving import Misdrive
+from learnblock.lessons.hints.guess import Guess
+from learnblock.lessons.hints.situation import Situation, asked_in, calls_in
+from learnblock.lessons.hints.vocabulary import DRIVING, LASTING, OBSTACLES, sensors
+from learnblock.lessons.judging import Verdict
+from learnblock.simulator.goal_description import AnyGoal, Reach, Stop, Tour
+
+#: Seconds between a command and the first look at the robot that shows it.
+_DELAY = 0.25
+#: Degrees by which a robot may face another way.
+_FACING = 10.0
+
+#: The sign of teachers' rules, and our rule, for each slip.
+_RULES = {
+    "wrong-sign": ("wrong-sign", "wrong_sign"),
+    "wrong-direction": ("wrong-direction", "wrong_sign"),
+    "too-short": ("value-too-small", "value_too_small"),
+    "too-long": ("value-too-large", "value_too_large"),
+    "turn-too-small": ("value-too-small", "value_too_small"),
+    "turn-too-large": ("value-too-large", "value_too_large"),
+    "no-turn": ("no-turn", None),
+    "missing": ("too-early", "too_early"),
+    "swapped": ("wrong-order", None),
+}
+
+
+def places(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
+    """The robot missed places: the first leg or turn that led it astray."""
+    path = situation.evidence.path if situation.evidence else ()
+    if not path or situation.ended == "error":
+        return
+    found = _misdrive(situation, verdict, path)
+    if found is not None:
+        yield from _guess(situation, found)
+
+
+def _misdrive(situation: Situation, verdict: Verdict, path: Sequence[Placed]) -> Misdrive | None:
+    match verdict.check:
+        case EndsAt(x=x, y=y, radius=radius, heading=heading):
+            return _ended(path, (x, y), radius, heading)
+        case Reaches():
+            return _goal(situation, verdict.check, path)
+        case InOrder(events=events):
+            points = [one for one in events if isinstance(one, At)]
+            if len(points) == len(events):
+                places_ = [(one.x, one.y) for one in points]
+                return _tour(path, places_, min(one.radius for one in points))
+        case Happens(what=At(x=x, y=y, radius=radius), at_least=1):
+            return driving.through(path, (x, y), radius) or _tour(path, [(x, y)], radius)
+    return None
+
+
+def _ended(
+    path: Sequence[Placed], target: tuple[float, float], radius: float, heading: float | None
+) -> Misdrive | None:
+    last = path[-1]
+    if math.dist((last.x, last.y), target) > radius:
+        return driving.to_end(path, target, radius)
+    if heading is not None and abs(heading_between(last.heading, heading)) > _FACING:
+        return driving.facing(path, heading)
+    return None
+
+
+def _goal(situation: Situation, check: Reaches, path: Sequence[Placed]) -> Misdrive | None:
+    goal = _first_missed(situation, check)
+    match goal:
+        case Tour(points=points, radius=radius):
+            return _tour(path, [(x, y) for x, y in points], radius)
+        case Reach(x=x, y=y, radius=radius, object=None, together=False, alone=False):
+            return driving.through(path, (x, y), radius) or _tour(path, [(x, y)], radius)
+        case Stop(x=x, y=y, radius=radius, heading=heading):
+            return _ended(path, (x, y), radius, heading)
+    return None
+
+
+def _first_missed(situation: Situation, check: Reaches) -> AnyGoal | None:
+    if situation.world is None or situation.evidence is None:
+        return None
+    reached = situation.evidence.reached
+    goals = [goal for _, _, goal in situation.world.goal.all()]
+    missed = [
+        goal
+        for goal in goals
+        if goal.name not in reached and (not check.goals or goal.name in check.goals)
+    ]
+    # One that comes after another is missed because of that.
+    names = {goal.name for goal in missed}
+    return next((goal for goal in missed if goal.after not in names), None)
+
+
+def _tour(
+    path: Sequence[Placed], points: Sequence[tuple[float, float]], radius: float
+) -> Misdrive | None:
+    index, source = 0, path[0]
+    for point in points:
+        reached = _reached(path, index, point, radius)
+        if reached is None:
+            return driving.toward(path[index:], point, radius, source)
+        index, source = reached, path[reached]
+    return None
+
+
+def _reached(
+    path: Sequence[Placed], start: int, point: tuple[float, float], radius: float
+) -> int | None:
+    """Where on its way the robot was closest to a place on its first visit."""
+    best: int | None = None
+    for index in range(start, len(path)):
+        away = math.dist((path[index].x, path[index].y), point)
+        if away <= radius:
+            # A robot that turns on the spot moves a little: that is no better place.
+            if best is None or away < math.dist((path[best].x, path[best].y), point) - 1:
+                best = index
+        elif best is not None:
+            break
+    return best
+
+
+def _guess(situation: Situation, found: Misdrive) -> Iterator[Guess]:
+    rule, sign = _RULES[found.slip]
+    if found.slip == "missing":
+        yield _missing(situation)
+        return
+    line = _line_at(situation, found.time)
+    about = _about(situation, line)
+    sensor = None if found.turned else _ending_sensor(situation, found, about)
+    if sensor and found.slip in {"too-short", "too-long"}:
+        # The robot stops where a sensor tells it to.
+        line, skill = sensor
+        swaps = skill in OBSTACLES
+        rule, sign = _RULES[_OTHER[found.slip] if swaps else found.slip]
+        about = frozenset({skill})
+        surely = 0
+    else:
+        surely = 5
+    yield Guess(rule, (line,) if line else (), about, {}, sign, surely)  # type: ignore[arg-type]
+
+
+def _missing(situation: Situation) -> Guess:
+    """The program ended before the next leg: after a loop, that has too few rounds."""
+    counted = [one for one in situation.loops if isinstance(one, Repeat | ForRange | ForEach)]
+    if counted:
+        about = frozenset({"repeat", "loop"})
+        return Guess("too-few-times", (counted[-1].span.line,), about, {}, "too_early", 5)
+    return Guess("too-early", sign="too_early", surely=20)
+
+
+_OTHER = {"too-short": "too-long", "too-long": "too-short"}
+
+
+def _line_at(situation: Situation, time: float) -> int:
+    """The line whose command moved the robot from a time on."""
+    lines = [
+        one.line for one in situation.calls if one.skill in DRIVING and one.time <= time + _DELAY
+    ]
+    return lines[-1] if lines else 0
+
+
+def _about(situation: Situation, line: int) -> frozenset[str]:
+    return frozenset(
+        call.name
+        for one in situation.statements
+        if one.span.line == line
+        for call in calls_in(one, SkillCall)
+    )
+
+
+def _ending_sensor(
+    situation: Situation, found: Misdrive, about: frozenset[str]
+) -> tuple[int, str] | None:
+    """The line and the skill of a sensor that decides how long the robot drives."""
+    if not about & LASTING:
+        return None
+    del found
+    for node in situation.statements:
+        if isinstance(node, While | WaitUntil):
+            for call in asked_in(node.condition):
+                if call.name in sensors():
+                    return node.span.line, call.name
+    return None
+
+
+def turned(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
+    """The robot turned by another angle in all."""
+    if not isinstance(verdict.check, Turns) or situation.evidence is None:
+        return
+    real = _turned(situation.evidence.path)
+    wanted, tolerance = verdict.check.by, verdict.check.tolerance
+    first = next((one for one in situation.calls if one.skill in DRIVING and _is_turn(one)), None)
+    lines = (first.line,) if first and first.line else ()
+    about = frozenset({first.skill}) if first else frozenset[str]()
+    if abs(real) <= tolerance:
+        yield Guess("no-turn", (), about, surely=5)
+    elif abs(real + wanted) <= max(tolerance, abs(wanted) / 10) or real * wanted < 0:
+        yield Guess("wrong-direction", lines, about, sign="wrong_sign", surely=10)
+    elif abs(real) < abs(wanted):
+        yield Guess("value-too-small", lines, about, sign="value_too_small", surely=5)
+    else:
+        yield Guess("value-too-large", lines, about, sign="value_too_large", surely=5)
+
+
+def _turned(path: Sequence[Placed]) -> float:
+    return sum(heading_between(before.heading, after.heading) for before, after in pairwise(path))
+
+
+def _is_turn(call: Any) -> bool:
+    return call.skill not in {"move_straight", "drive_distance"}
+
+
+def drove(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
+    """The robot drove too little or too much, along its way."""
+    if not isinstance(verdict.check, Drives) or situation.evidence is None:
+        return
+    first = next((one for one in situation.calls if one.skill in DRIVING), None)
+    lines = (first.line,) if first and first.line else ()
+    about = frozenset({first.skill}) if first else frozenset[str]()
+    most = verdict.check.at_most
+    if most is not None and situation.evidence.distance > most:
+        yield Guess("value-too-large", lines, about, sign="value_too_large", surely=-5)
+    elif situation.evidence.distance >= 1:
+        yield Guess("value-too-small", lines, about, sign="value_too_small", surely=-5)
+
+
+def forbidden_place(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
+    """The robot came to a place that it must keep away from."""
+    if isinstance(verdict.check, Never) and isinstance(verdict.check.what, At):
+        at = verdict.at if verdict.at is not None else situation.end
+        line = _line_at(situation, at)
+        about = _about(situation, line)
+        yield Guess("value-too-large", (line,) if line else (), about, {}, "value_too_large", -10)
+
+
+def never_moved(situation: Situation, verdict: Verdict) -> Iterator[Guess]:
+    """The robot does not move at all, and should."""
+    if situation.evidence is None or situation.evidence.distance > 1 or not situation.calls:
+        return
+    asks_place = isinstance(verdict.check, EndsAt | Drives | Reaches | Turns) or (
+        isinstance(verdict.check, Happens) and isinstance(verdict.check.what, At)
+    )
+    if asks_place and abs(_turned(situation.evidence.path)) < 1 and _has_places(situation, verdict):
+        yield Guess("never-moved", sign="too_early")
+
+
+def _has_places(situation: Situation, verdict: Verdict) -> bool:
+    if not isinstance(verdict.check, Reaches):
+        return True
+    goal = _first_missed(situation, verdict.check)
+    return goal is None or not hasattr(goal, "emotion")
+
+
+RULES: tuple[Callable[[Situation, Verdict], Iterator[Guess]], ...] = (
+    places,
+    turned,
+    drove,
+    forbidden_place,
+    never_moved,
+)

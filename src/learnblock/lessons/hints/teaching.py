@@ -1,0 +1,129 @@
+"""The teacher's own rules: tried in their order, before ours."""
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+
+from learnblock.i18n import Phrase
+from learnblock.language.tree.nodes import Def, SkillCall, When, While
+from learnblock.lessons.checks import Check
+from learnblock.lessons.hints.guess import Guess, Hint
+from learnblock.lessons.hints.situation import Situation, calls_in
+from learnblock.lessons.hints.vocabulary import questions
+from learnblock.lessons.lesson import HintRule
+
+
+def teachers(situation: Situation, guesses: Sequence[tuple[int, Guess]]) -> Iterator[Hint]:
+    """The hints of the step's own rules whose check fails and whose sign is seen.
+
+    Args:
+        situation: the program and its run.
+        guesses: what our rules have found, each with the place of its check.
+    """
+    for number, rule in enumerate(situation.step.hint, 1):
+        for verdict in situation.failed:
+            if not _is_meant(rule, verdict.check):
+                continue
+            own = [guess for check, guess in guesses if check == verdict.index]
+            if (found := _seen(rule, situation, own)) is not None:
+                because = Phrase(
+                    "hint-teacher-because",
+                    number=str(number),
+                    sign=Phrase(f"hint-sign-{(rule.sign or 'none').replace('_', '-')}"),
+                )
+                yield Hint(f"teacher-{number}", rule.say, because, found, verdict.index)
+                break
+
+
+def kind_of(check: Check) -> str:
+    """The kind of a check, as lessons write it."""
+    return str(check.__struct_config__.tag)
+
+
+def _is_meant(rule: HintRule, check: Check) -> bool:
+    return rule.check is None or rule.check in {check.name, kind_of(check)}
+
+
+def _seen(rule: HintRule, situation: Situation, guesses: Sequence[Guess]) -> tuple[int, ...] | None:
+    """The lines in which a rule's sign is seen; None if it is not seen."""
+    if rule.sign is None:
+        is_about = rule.about is None or rule.about in _names(situation)
+        return _lines(situation, rule.about) if is_about else None
+    if rule.sign in _DIRECT and (found := _DIRECT[rule.sign](situation, rule.about)) is not None:
+        return found
+    for guess in guesses:
+        if guess.sign == rule.sign and (rule.about is None or rule.about in guess.about):
+            return guess.lines
+    return None
+
+
+def _names(situation: Situation) -> set[str]:
+    """Skills, functions and constructs of the program, for rules about one of them."""
+    found: set[str] = set(situation.skills)
+    for one in situation.statements:
+        found.add(type(one).__name__.lower())
+        if isinstance(one, Def | When):
+            found.add(one.name)
+    if situation.loops:
+        found.add("loop")
+    if any(isinstance(one, While) and one.is_endless for one in situation.loops):
+        found.add("forever")
+    return found
+
+
+def _lines(situation: Situation, about: str | None) -> tuple[int, ...]:
+    """The lines that call a skill."""
+    return tuple(
+        one.span.line
+        for one in situation.statements
+        for call in calls_in(one, SkillCall)
+        if about is not None and call.name == about
+    )[:3]
+
+
+def _never_asks(situation: Situation, about: str | None) -> tuple[int, ...] | None:
+    asked = {one.skill for one in situation.calls} & questions()
+    if about is not None:
+        return _lines(situation, about) if about not in asked else None
+    return () if situation.evidence is not None and not asked else None
+
+
+def _never_runs(situation: Situation, about: str | None) -> tuple[int, ...] | None:
+    if about is None or situation.evidence is None:
+        return None
+    if any(one.skill == about for one in situation.calls):
+        return None
+    lines = [
+        one.span.line
+        for one in situation.statements
+        if any(call.name == about for call in calls_in(one, SkillCall))
+        or (isinstance(one, Def | When) and one.name == about and not situation.body_ran(one.body))
+    ]
+    return tuple(lines[:3]) or None
+
+
+def _no_loop(situation: Situation, about: str | None) -> tuple[int, ...] | None:
+    del about
+    return None if situation.loops else ()
+
+
+def _collision(situation: Situation, about: str | None) -> tuple[int, ...] | None:
+    hit = situation.evidence.collisions if situation.evidence else ()
+    return () if any(about in {None, one.text} for one in hit) else None
+
+
+def _error(situation: Situation, about: str | None) -> tuple[int, ...] | None:
+    report = situation.evidence.report if situation.evidence else None
+    if report is None or report.error is None:
+        return None
+    words = re.findall(r"\w+", str(report.error.get("text", "")))
+    return () if about is None or about in words else None
+
+
+#: Signs that the program or its run shows without our rules.
+_DIRECT: dict[str, Callable[[Situation, str | None], tuple[int, ...] | None]] = {
+    "never_asks": _never_asks,
+    "never_runs": _never_runs,
+    "no_loop": _no_loop,
+    "collision": _collision,
+    "error": _error,
+}

@@ -1,0 +1,228 @@
+"""Programs tried in a step of a lesson: contained, in variants of its world and on its robots."""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from io import BytesIO
+from pathlib import Path
+from threading import Lock
+
+from learnblock import robots as known_robots
+from learnblock import running
+from learnblock.errors import LearnBlockError
+from learnblock.lessons.evidence import Evidence, evidence_of, team_evidence
+from learnblock.lessons.expert import Experts
+from learnblock.lessons.judging import Verdict, judge
+from learnblock.lessons.lesson import Partner
+from learnblock.lessons.opened import OWN_ROBOT, OpenLesson
+from learnblock.running import Options, Report, Source
+from learnblock.running.batch import Batch
+from learnblock.running.job import Job
+from learnblock.running.team import Member, TeamRun
+from learnblock.runtime.ending import How
+from learnblock.runtime.limits import Limits
+
+
+@dataclass(frozen=True, slots=True)
+class Attempt:
+    """A robot and a variant of the world in which a program is tried; 0 is the world as it is."""
+
+    robot: str
+    variant: int
+
+
+@dataclass(frozen=True, slots=True)
+class Tried:
+    """The result of an attempt.
+
+    Args:
+        attempt: the robot and the variant.
+        verdicts: what the checks say.
+        evidence: what is known of the run.
+        report: the report of the pupil's robot.
+        trace: the trace of the run.
+        isolated: whether the program ran in a process of its own.
+    """
+
+    attempt: Attempt
+    verdicts: tuple[Verdict, ...]
+    evidence: Evidence
+    report: Report
+    trace: bytes
+    isolated: bool = True
+
+
+class StopSwitch:
+    """Ends the runs of a trial at once; it may be used from any thread, and before they begin."""
+
+    def __init__(self) -> None:
+        self._lock = Lock()
+        self._end: Callable[[], object] | None = None
+        self.is_stopped = False
+
+    def stop(self) -> None:
+        """End what is running; nothing more begins."""
+        with self._lock:
+            self.is_stopped = True
+            if self._end:
+                self._end()
+
+    @contextmanager
+    def ends(self, end: Callable[[], object]) -> Iterator[None]:
+        """Call `end` if it is stopped within the block, or was before."""
+        with self._lock:
+            self._end = end
+            if self.is_stopped:
+                end()
+        try:
+            yield
+        finally:
+            with self._lock:
+                self._end = None
+
+
+def attempts(
+    opened: OpenLesson,
+    step: int,
+    *,
+    robots: Sequence[str] | None = None,
+    variants: int | None = None,
+) -> tuple[Attempt, ...]:
+    """The attempts of a step: the usual robot in the world as it is, variants, then other robots.
+
+    Args:
+        opened: the lesson.
+        step: the number of the step.
+        robots: the robots; without them those that the step is meant for.
+        variants: how many variants, besides the world as it is; without it those of the step.
+    """
+    named = robots or opened.robots(step)
+    count = opened.step(step).variants if variants is None else variants
+    return tuple(Attempt(robot, variant) for robot in named for variant in range(count + 1))
+
+
+def read_program(source: str, filename: str = "program.bt") -> Source:
+    """A program from its text.
+
+    Raises:
+        ProgramError: it is invalid.
+    """
+    return running.source_of(Path(filename), source, is_python=filename.endswith(".py"))
+
+
+def try_step(
+    opened: OpenLesson,
+    step: int,
+    source: str,
+    wanted: Sequence[Attempt],
+    *,
+    limits: Limits | None = None,
+    filename: str = "program.bt",
+    at_once: int | None = None,
+    switch: StopSwitch | None = None,
+) -> Iterator[Tried]:
+    """Try a program; yield the results as they come. A run that was stopped has none.
+
+    Args:
+        opened: the lesson.
+        step: the number of the step.
+        source: the text of the program.
+        wanted: the attempts.
+        limits: the resources that the program may use.
+        filename: its name, which tells its notation.
+        at_once: how many runs are made at the same time.
+        switch: ends them.
+
+    Raises:
+        ProgramError: the program is invalid.
+        LearnBlockError: a run could not be made, which is not the program's fault.
+    """
+    written = read_program(source, filename)
+    described = opened.step(step)
+    world = opened.described_world(step)
+    with opened.world_file(step) as file:
+        trial = Trial(opened, step, written, file, switch or StopSwitch())
+        made = trial.teams(wanted, limits) if described.partners else None
+        for attempt, evidence, trace, isolated in made or trial.batch(wanted, limits, at_once):
+            verdicts = judge(described, written.tree, evidence, world, Experts(opened))
+            assert evidence.report is not None  # noqa: S101 - the run is over
+            yield Tried(attempt, verdicts, evidence, evidence.report, trace, isolated)
+
+
+#: An attempt, what is known of its run, its trace, and whether the program was isolated.
+Made = tuple[Attempt, Evidence, bytes, bool]
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A program that is tried in a step.
+
+    Args:
+        opened: the lesson.
+        step: the number of the step.
+        source: the program.
+        world: the name or the path of the world: see `OpenLesson.world_file`.
+        switch: ends its runs.
+    """
+
+    opened: OpenLesson
+    step: int
+    source: Source
+    world: str | None
+    switch: StopSwitch = field(default_factory=StopSwitch)
+
+    def job(self, attempt: Attempt) -> Job:
+        """The run of an attempt."""
+        robot = known_robots.find(attempt.robot)
+        program = running.program(self.source, robot)
+        return Job(program, robot, self.options(attempt), with_trace=True)
+
+    def options(self, attempt: Attempt) -> Options:
+        """How an attempt is run."""
+        return Options(
+            world=self.world,
+            seed=0,
+            pace="free",
+            seconds=self.opened.step(self.step).seconds,
+            variant=attempt.variant,
+        )
+
+    def members(self, attempt: Attempt) -> list[Member]:
+        """The robots of an attempt: the pupil's, and the partners."""
+        partners = self.opened.step(self.step).partners
+        return [_member(OWN_ROBOT, self.source, attempt.robot), *map(self._partner, partners)]
+
+    def batch(
+        self, wanted: Sequence[Attempt], limits: Limits | None, at_once: int | None
+    ) -> Iterator[Made]:
+        """Make the runs of attempts with one robot, many at once."""
+        batch = Batch([*map(self.job, wanted)], at_once, limits=limits)
+        with self.switch.ends(batch.stop):
+            for result in batch.results():
+                if result.lost:
+                    raise LearnBlockError("run-lost", reason=result.lost)
+                evidence = evidence_of(result.trace, result.report)
+                yield wanted[result.job], evidence, result.trace, result.isolated
+
+    def teams(self, wanted: Sequence[Attempt], limits: Limits | None) -> Iterator[Made]:
+        """Make the runs of attempts with partners, one after the other."""
+        for attempt in wanted:
+            if self.switch.is_stopped:
+                return
+            file = BytesIO()
+            run = TeamRun(self.members(attempt), self.options(attempt), trace=file, limits=limits)
+            with self.switch.ends(run.stop):
+                reports = {member.name: report for member, report in run.run().robots}
+            if reports[OWN_ROBOT].ended == How.STOPPED:
+                return
+            trace = file.getvalue()
+            yield attempt, team_evidence(trace, reports, OWN_ROBOT), trace, True
+
+    def _partner(self, partner: Partner) -> Member:
+        text = self.opened.program(partner.program)
+        return _member(partner.name, read_program(text, partner.program), partner.robot)
+
+
+def _member(name: str, source: Source, robot: str) -> Member:
+    entry = known_robots.find(robot)
+    return Member(name, running.program(source, entry), entry)

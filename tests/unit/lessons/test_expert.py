@@ -1,0 +1,118 @@
+"""Checks in a lesson's own Python."""
+
+import sys
+from types import MappingProxyType
+
+import pytest
+
+from learnblock.i18n import translate
+from learnblock.lessons.checks import Expert
+from learnblock.lessons.evidence import Evidence
+from learnblock.lessons.expert import Experts
+from learnblock.lessons.opened import OpenLesson
+from learnblock.running import Report
+from lesson_files import LESSON, evidence
+
+contained = pytest.mark.skipif(sys.platform != "linux", reason="only Linux's kernel contains")
+
+
+def judge(source: str, run: Evidence | None = None, seconds: float = 10.0):
+    files = MappingProxyType({"checks.py": source.encode()})
+    experts = Experts(OpenLesson("it", LESSON, None, files), seconds)
+    return experts(Expert(function="holds"), run or evidence())
+
+
+def test_a_check_that_answers_true_is_met():
+    assert judge("def holds(run): return True").state == "met"
+
+
+@pytest.mark.parametrize("answer", ["1", "None", "False", "'yes'", "[True]", "{}", "...", "b''"])
+def test_whatever_is_not_true_is_not_met(answer):
+    assert judge(f"def holds(run): return {answer}").state == "failed"
+
+
+def test_a_check_says_why_it_is_not_met_in_each_language():
+    found = judge("def holds(run): return {'en': 'Too slow.', 'es': 'Muy lento.'}")
+    assert found.reason is not None
+    assert [translate(found.reason, one) for one in ("en", "es", "fr")] == [
+        "Too slow.",
+        "Muy lento.",
+        "Too slow.",
+    ]
+
+
+def test_a_check_sees_what_happened():
+    run = evidence(
+        {"t": 0.0, "pose": [0, 0, 0]},
+        {"t": 1.0, "pose": [300, 400, 90]},
+        {"t": 1.5, "print": "hello"},
+        {"t": 2.0, "goal": "there", "state": "reached"},
+        report=Report(ended="finished", time=2.0),
+    )
+    source = """
+def holds(run):
+    seen = [run.distance, run.ended, run.time, run.prints, run.goals, run.path[1]]
+    return seen == [500, "finished", 2, [[1.5, "hello"]], {"there": 2}, [1, 300, 400, 90]]
+"""
+    assert judge(source, run).reason is None
+
+
+@pytest.mark.parametrize(
+    ("source", "words"),
+    [
+        ("def holds(run): return 1 / 0", "ZeroDivisionError"),
+        ("def other(run): return True", "KeyError"),
+        ("def holds(: pass", "SyntaxError"),
+        ("raise SystemExit(0)", "SystemExit"),
+        ("def holds(run): raise KeyboardInterrupt", "KeyboardInterrupt"),
+        ("def holds(): return True", "TypeError"),
+    ],
+)
+def test_a_check_with_a_mistake_is_not_met(source, words):
+    found = judge(source)
+    assert (found.state, words in str(found.reason)) == ("failed", True)
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        pytest.param("import os\nos._exit(0)", id="ends"),
+        pytest.param("import os\nos.write(1, b'{}' * 1000)\nos._exit(0)", id="nonsense"),
+        pytest.param("import os\nos.write(1, b'[' * 60000)\nos._exit(0)", id="deep"),
+        pytest.param("import os\nwhile True: os.write(1, bytes(10 ** 6))", id="floods"),
+        pytest.param("import os, signal\nos.close(1)\ndef holds(run): return True", id="closes"),
+        pytest.param("list(range(10 ** 9))", id="memory"),
+        pytest.param("import sys\nsys.setrecursionlimit(10 ** 9)\ndef f(): f()\nf()", id="stack"),
+    ],
+)
+def test_a_hostile_check_is_not_met(source):
+    assert judge(source).state == "failed"
+
+
+@pytest.mark.parametrize("source", ["while True: pass", "import time\ntime.sleep(1000)"])
+def test_a_check_without_an_end_is_ended(source):
+    assert judge(source, seconds=2.0).state == "failed"
+
+
+@contained
+@pytest.mark.parametrize(
+    "source",
+    [
+        pytest.param("import os\nos.fork()", id="fork"),
+        pytest.param("import subprocess\nsubprocess.run(['true'])", id="process"),
+        pytest.param("import socket\nsocket.create_connection(('127.0.0.1', 9))", id="network"),
+        pytest.param("open('/etc/passwd').read()", id="reads"),
+        pytest.param("import os\nos.listdir(os.path.expanduser('~root'))", id="lists"),
+        pytest.param("import os\nos.kill(os.getppid(), 9)", id="kills"),
+        pytest.param("open('/tmp/learnblock-expert-was-here', 'w')", id="writes"),
+    ],
+)
+def test_a_check_can_do_nothing_but_compute(source):
+    found = judge(f"{source}\ndef holds(run): return True")
+    assert found.state == "failed"
+
+
+def test_a_check_gets_none_of_the_users_variables(monkeypatch):
+    monkeypatch.setenv("SECRET_TOKEN", "abc")
+    source = "import os\ndef holds(run): return 'SECRET_TOKEN' not in os.environ"
+    assert judge(source).state == "met"

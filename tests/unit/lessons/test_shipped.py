@@ -1,0 +1,190 @@
+"""The lessons that come with LearnBlock; `learnblock lesson check` tries them on more robots."""
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from functools import cache
+
+import pytest
+
+from learnblock.i18n import Phrase, translate
+from learnblock.i18n.names import goal_phrase
+from learnblock.lessons.hints import gives_away, hints
+from learnblock.lessons.hints.guess import Hint
+from learnblock.lessons.lesson import HintRule, Wrong
+from learnblock.lessons.reading import OpenLesson, find_lesson, shipped
+from learnblock.lessons.trying import Attempt, Tried, attempts, read_program
+from learnblock.running.batch import WarmProcess
+from lesson_tries import tried
+from places import ROOT
+
+LESSONS = shipped()
+LANGUAGES = {"en", "es"}
+#: Mutants that solve a task all the same: see `benchmarks/lessons.py`.
+KNOWN = tomllib.loads((ROOT / "tests" / "cases" / "mutants.toml").read_text("utf-8"))["accepted"]
+PHASES = ["predict", "run", "investigate", "modify", "make"]
+LARGEST_PICTURE = 40_000
+
+#: Of each lesson so many wrong programs are tried here; `benchmarks/lessons.py --hints` tries all.
+WRONG = 3
+
+opened = cache(find_lesson)
+every_lesson = pytest.mark.parametrize("name", LESSONS)
+
+
+def texts(value: object) -> Iterator[object]:
+    """All texts for people in a part of a lesson."""
+    for key in getattr(value, "__struct_fields__", ()):
+        field = getattr(value, key)
+        if key in {"title", "text", "say", "question", "because", "aims"} and field is not None:
+            yield from field if isinstance(field, tuple) else (field,)
+        for part in field if isinstance(field, tuple) else (field,):
+            yield from texts(part)
+
+
+def is_complete(text: object) -> bool:
+    """Whether a text is there in every language; numbers are alike in all of them."""
+    if isinstance(text, Mapping):
+        return LANGUAGES <= text.keys()
+    return not any(letter.isalpha() for letter in str(text))
+
+
+def solved_steps(lesson: OpenLesson) -> Mapping[int, str]:
+    """The sources of the solutions by the number of the step."""
+    assert lesson.teacher
+    return {int(step): lesson.solution(int(step)) or "" for step in lesson.teacher.solutions}
+
+
+def tries(lesson: OpenLesson) -> Iterator[tuple[int, str, list[Attempt]]]:
+    """Every solution with all its robots; the last one also in a variant."""
+    steps = solved_steps(lesson)
+    for step, source in steps.items():
+        wanted = attempts(lesson, step, variants=0)
+        if step == max(steps) and lesson.step(step).variants:
+            wanted = (*wanted, Attempt(wanted[0].robot, 1))
+        yield step, source, list(wanted)
+
+
+def unmet(tried: Tried) -> list[str]:
+    return [
+        f"{tried.attempt}: {verdict.check}: {verdict.state} {verdict.reason}"
+        for verdict in tried.verdicts
+        if verdict.state != "met"
+    ]
+
+
+def failed_checks(tried: Tried) -> set[str]:
+    """The names and kinds of the checks that fail."""
+    checks = [one.check for one in tried.verdicts if one.state == "failed"]
+    kinds = {str(check.__struct_config__.tag) for check in checks}
+    return kinds | {check.name for check in checks if check.name}
+
+
+def hint_of(lesson: OpenLesson, wrong: Wrong, tried: Tried) -> Hint:
+    program = read_program(lesson.text(f"teacher/wrong/{wrong.program}")).tree
+    world = lesson.described_world(wrong.step)
+    step = lesson.step(wrong.step)
+    found = hints(step, program, tried.verdicts, tried.evidence, world=world)
+    assert found, f"no hint for {wrong.program}"
+    return found[0]
+
+
+@pytest.mark.parametrize("level", [1, 2, 3, 4])
+def test_there_are_six_lessons_of_a_level(level):
+    assert [opened(name).lesson.level for name in LESSONS].count(level) == 6
+
+
+@every_lesson
+def test_a_lesson_is_named_by_its_level_and_goes_through_all_phases_in_order(name):
+    lesson = opened(name).lesson
+    phases = [step.phase for step in lesson.step]
+    assert name.startswith(f"{lesson.level}-")
+    assert sorted(phases, key=PHASES.index) == phases
+    assert set(phases) == set(PHASES)
+
+
+@every_lesson
+def test_a_lesson_has_every_text_in_english_and_spanish(name):
+    assert [text for text in texts(opened(name).lesson) if not is_complete(text)] == []
+
+
+@every_lesson
+def test_the_titles_and_goals_of_a_lessons_worlds_have_words_in_spanish(name):
+    lesson = opened(name)
+    for number in range(1, len(lesson.lesson.step) + 1):
+        world = lesson.described_world(number)
+        if world is None or lesson.world(number) not in lesson.own_worlds:
+            continue
+        for english in (world.title, *(goal.name for _, _, goal in world.goal.all())):
+            phrase = goal_phrase(english)
+            assert isinstance(phrase, Phrase), english
+            assert translate(phrase, "en") == english
+            assert translate(phrase, "es") != english
+
+
+@every_lesson
+def test_a_lesson_has_a_small_picture_and_notes_in_both_languages(name):
+    lesson = opened(name)
+    assert 0 < len(lesson.files[f"pictures/{lesson.lesson.picture}"]) <= LARGEST_PICTURE
+    assert {"teacher/notes.md", "teacher/notes.es.md"} <= lesson.files.keys()
+
+
+@every_lesson
+def test_every_step_with_checks_has_a_solution_and_hints_of_its_own(name):
+    lesson = opened(name)
+    checked = {number for number, step in enumerate(lesson.lesson.step, 1) if step.check}
+    assert set(solved_steps(lesson)) == checked
+    assert sum(len(step.hint) for step in lesson.lesson.step) >= 2
+
+
+@every_lesson
+def test_no_hint_of_a_lesson_contains_a_statement_of_the_solution(name):
+    lesson = opened(name)
+    for number, source in solved_steps(lesson).items():
+        solution = read_program(source).tree
+        for rule in lesson.lesson.step[number - 1].hint:
+            assert gives_away(as_hint(rule), solution) is None
+
+
+@pytest.mark.parametrize("known", KNOWN, ids=lambda known: known["lesson"])
+def test_a_difference_that_solves_a_task_is_one_of_a_lessons_solution(known):
+    lesson = opened(known["lesson"])
+    assert "step" not in known or lesson.solution(known["step"]) is not None
+    assert known["what"]
+    assert known["because"]
+
+
+def as_hint(rule: HintRule) -> Hint:
+    return Hint("teacher-1", rule.say, None, (), 0)  # type: ignore[arg-type] - only its words count
+
+
+@pytest.fixture(scope="module")
+def runs():
+    """The process that makes all runs: it starts once."""
+    kept = WarmProcess()
+    yield kept
+    kept.end()
+
+
+@pytest.mark.slow
+@pytest.mark.spread
+@every_lesson
+def test_every_solution_passes_on_every_robot_that_it_names(runs, name):
+    lesson = opened(name)
+    for step, source, wanted in tries(lesson):
+        [done] = tried(lesson, step, [source], wanted, runs)
+        assert len(done) == len(wanted)
+        assert [line for one in done for line in unmet(one)] == []
+
+
+@pytest.mark.slow
+@pytest.mark.spread
+@every_lesson
+def test_at_least_three_wrong_programs_fail_as_said_and_get_the_hint(runs, name):
+    lesson = opened(name)
+    assert lesson.teacher
+    assert len(lesson.teacher.wrong) >= WRONG
+    for wrong in lesson.teacher.wrong[:WRONG]:
+        source = lesson.text(f"teacher/wrong/{wrong.program}")
+        [[done]] = tried(lesson, wrong.step, [source], attempts(lesson, wrong.step)[:1], runs)
+        assert wrong.check in failed_checks(done), wrong.program
+        assert hint_of(lesson, wrong, done).rule == wrong.hint, wrong.program
