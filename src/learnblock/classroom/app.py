@@ -1,0 +1,270 @@
+"""The application of a class: joining, pupils' pages, the teacher's wall, the projector."""
+
+import asyncio
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterable
+from contextlib import asynccontextmanager
+from functools import partial
+from http import HTTPStatus
+from pathlib import Path
+
+import httpx
+import msgspec
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.middleware.gzip import GZipMiddleware
+from starlette.requests import HTTPConnection, Request
+from starlette.responses import HTMLResponse, PlainTextResponse, RedirectResponse, Response
+from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.websockets import WebSocket
+from websockets.exceptions import InvalidHandshake, InvalidMessage
+
+from learnblock.classroom import messages as ours
+from learnblock.classroom.archive import export
+from learnblock.classroom.badges import Badges
+from learnblock.classroom.entrance import Entrance
+from learnblock.classroom.forward import Forwarder
+from learnblock.classroom.relay import Relay
+from learnblock.classroom.room import Room
+from learnblock.classroom.roster import Pupil
+from learnblock.classroom.wall import Board, ProjectorView, View, WallView
+from learnblock.errors import LearnBlockError
+from learnblock.server.http import static_files
+from learnblock.server.http.protection import SUBPROTOCOL, Guard, Protection
+from learnblock.server.messages.problems import phrase_of
+
+#: Close codes: this browser may not be here; the pupil's server is not ready yet.
+_FORBIDDEN, _TRY_LATER = 4403, 1013
+#: The limit of what a pupil types to join, in bytes.
+_LONGEST_JOIN = 2000
+#: Seconds for which a browser keeps a badge: a school year.
+_YEAR = 365 * 24 * 3600
+_GZIP = Middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
+_join = msgspec.json.Decoder(ours.Join)
+
+Endpoint = Callable[[Request], Awaitable[Response]]
+
+
+def create_app(
+    room: Room,
+    *,
+    port: int,
+    hosts: Iterable[str] = (),
+    tls: bool = False,
+    static: Path = static_files.BUILT,
+) -> Starlette:
+    """Create the application.
+
+    Args:
+        room: the class.
+        port: where it listens; browsers keep one badge for each port.
+        hosts: allowed names of this computer besides its own.
+        tls: whether browsers come by HTTPS only.
+        static: the folder of the built page.
+    """
+    door = _Door(room, f"learnblock_class_{port}", tls=tls)
+    # The page's own guard, against pages of other servers; badges take the token's place.
+    protection = Protection.of("", ("*", *hosts))
+    files = static_files.PageFiles(directory=static, check_dir=False)
+    page = partial(_class_page, static)
+    return Starlette(
+        routes=[
+            Route("/", page),
+            Route("/teacher", door.teacher(page)),
+            Route("/projector", page),
+            Route("/about.json", door.about),
+            Route("/join", door.join, methods=["POST"]),
+            Route("/leave", door.leave, methods=["POST"]),
+            Route("/export.zip", door.export),
+            WebSocketRoute("/wall", partial(door.board, WallView)),
+            WebSocketRoute("/projected", partial(door.board, ProjectorView)),
+            WebSocketRoute("/p/{pupil}/ws", door.websocket),
+            # Files of the page are everybody's.
+            Mount("/p/{pupil}/assets", _folder(static / "assets"), middleware=[_GZIP]),
+            Mount("/p/{pupil}/media", _folder(static / "media"), middleware=[_GZIP]),
+            Route("/p/{pupil}/{path:path}", door.forward, methods=["GET", "POST"]),
+            Mount("/", files, middleware=[_GZIP]),
+        ],
+        middleware=[Middleware(Guard, protection=protection)],
+        lifespan=door.lifespan,
+    )
+
+
+def _folder(folder: Path) -> static_files.PageFiles:
+    return static_files.PageFiles(directory=folder, check_dir=False)
+
+
+async def _class_page(static: Path, _: Request) -> Response:
+    file = static / "class.html"
+    if not file.is_file():
+        return static_files.index(static)
+    return HTMLResponse(file.read_text("utf-8"), headers={"cache-control": "no-store"})
+
+
+class _Door:
+    """Decides who is asking, and answers.
+
+    Args:
+        room: the class.
+        cookie: the name under which browsers keep their badge.
+        tls: whether browsers come by HTTPS only.
+    """
+
+    def __init__(self, room: Room, cookie: str, *, tls: bool) -> None:
+        self._room = room
+        self._badges = Badges(room.roster)
+        self._entrance = Entrance(room.roster)
+        self._forwarder = Forwarder()
+        self._cookie = cookie
+        self._tls = tls
+
+    @asynccontextmanager
+    async def lifespan(self, _: Starlette) -> AsyncIterator[None]:
+        """Start and stop pupils' servers with the application."""
+        await self._room.open()
+        yield
+        await self._forwarder.close()
+        await self._room.close()
+
+    # Who is asking.
+
+    def _is_teacher(self, request: HTTPConnection) -> bool:
+        return self._badges.is_teacher(request.cookies.get(f"{self._cookie}_teacher", ""))
+
+    def _pupil(self, request: HTTPConnection) -> Pupil | None:
+        return self._badges.pupil(request.cookies.get(self._cookie, ""))
+
+    def _shown(self, request: HTTPConnection) -> tuple[Pupil, bool] | None:
+        """The pupil of an address, and whether the teacher asks; None for everybody else."""
+        pupil = self._room.roster.find(request.path_params["pupil"])
+        if pupil is None:
+            return None
+        if self._pupil(request) == pupil:
+            return pupil, False
+        return (pupil, True) if self._is_teacher(request) else None
+
+    def _give(self, response: Response, name: str, badge: str) -> None:
+        response.set_cookie(
+            name, badge, max_age=_YEAR, httponly=True, samesite="strict", secure=self._tls
+        )
+
+    # Joining.
+
+    def teacher(self, page: Endpoint) -> Endpoint:
+        """The wall's page; with the key in its address, the browser is the teacher's."""
+
+        async def answer(request: Request) -> Response:
+            key = request.query_params.get("key")
+            if key is None:
+                return await page(request) if self._is_teacher(request) else _forbidden()
+            if not self._badges.is_key(key):
+                return _forbidden()
+            response = RedirectResponse(request.url.replace(query=""))
+            self._give(response, f"{self._cookie}_teacher", self._badges.of_teacher())
+            return response
+
+        return answer
+
+    async def about(self, request: Request) -> Response:
+        """What the class's page shows before anybody has joined."""
+        roster, pupil = self._room.roster, self._pupil(request)
+        return _json(
+            ours.AboutClass(
+                roster.title,
+                roster.is_open,
+                self._is_teacher(request),
+                pupil.name if pupil else "",
+                f"p/{pupil.id}/" if pupil else "",
+            )
+        )
+
+    async def join(self, request: Request) -> Response:
+        """Let a pupil in."""
+        address = request.client.host if request.client else ""
+        try:
+            message = _join.decode(await _short_body(request))
+            pupil, pictures = await self._entrance.join(message, address)
+        except (LearnBlockError, OSError, ValueError) as error:
+            return _json(ours.NotJoined(phrase_of(error)), HTTPStatus.FORBIDDEN)
+        self._room.desk(pupil)
+        self._room.changed()
+        response = _json(ours.Joined(f"p/{pupil.id}/", pictures))
+        self._give(response, self._cookie, self._badges.of_pupil(pupil))
+        return response
+
+    async def leave(self, _: Request) -> Response:
+        """Forget the pupil in this browser, so that another one can join."""
+        response = Response(status_code=HTTPStatus.NO_CONTENT)
+        response.delete_cookie(self._cookie)
+        return response
+
+    # What is a pupil's, and what is the teacher's.
+
+    async def forward(self, request: Request) -> Response:
+        """Pass a request of a pupil's page on."""
+        shown = self._shown(request)
+        if shown is None:
+            return _forbidden() if request.path_params["path"] else RedirectResponse("/")
+        if request.method == "POST" and shown[1]:
+            return _forbidden()
+        try:
+            place = await self._room.place(shown[0])
+            return await self._forwarder.forward(request, place)
+        except (LearnBlockError, httpx.HTTPError) as error:
+            return PlainTextResponse(f"{error}\n", HTTPStatus.SERVICE_UNAVAILABLE)
+
+    async def websocket(self, socket: WebSocket) -> None:
+        """Connect a page with a pupil's server."""
+        shown = self._shown(socket)
+        # Always accept, because a browser doesn't tell its page why a handshake failed.
+        await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
+        if shown is None:
+            await socket.close(_FORBIDDEN)
+            return
+        pupil, is_teacher = shown
+        try:
+            place = await self._room.place(pupil)
+            await Relay(socket, self._room.desk(pupil), is_teacher=is_teacher).serve(place)
+        except (LearnBlockError, OSError, InvalidHandshake, InvalidMessage):
+            # Its server has just ended, or is too busy to start: the page tries again by itself.
+            await socket.close(_TRY_LATER)
+        finally:
+            self._room.left(pupil)
+
+    async def board(self, view: type[View], socket: WebSocket) -> None:
+        """Show the class to the teacher."""
+        await socket.accept()
+        if not self._is_teacher(socket):
+            await socket.close(_FORBIDDEN)
+            return
+        await Board(socket, self._room, view()).serve()
+
+    async def export(self, request: Request) -> Response:
+        """Everything that is kept about a pupil, or about all of them."""
+        if not self._is_teacher(request):
+            return _forbidden()
+        roster = self._room.roster
+        one = request.query_params.get("pupil")
+        pupils = [pupil for pupil in roster.pupils if one in (None, pupil.id)]
+        content = await asyncio.to_thread(export, roster, pupils)
+        disposition = 'attachment; filename="class.zip"'
+        return Response(
+            content, media_type="application/zip", headers={"content-disposition": disposition}
+        )
+
+
+def _json(message: msgspec.Struct, status: int = HTTPStatus.OK) -> Response:
+    headers = {"cache-control": "no-store"}
+    return Response(msgspec.json.encode(message), status, headers, "application/json")
+
+
+def _forbidden() -> Response:
+    return static_files.no_token()
+
+
+async def _short_body(request: Request) -> bytes:
+    body = b""
+    async for chunk in request.stream():
+        body += chunk
+        if len(body) > _LONGEST_JOIN:
+            raise LearnBlockError("server-message-too-long", count=len(body))
+    return body

@@ -1,0 +1,49 @@
+"""What a browser keeps so that a pupil or the teacher need not say again who they are."""
+
+import hashlib
+import hmac
+from dataclasses import dataclass
+
+from learnblock.classroom.roster import Pupil, Roster
+
+_TEACHER = "teacher"
+
+
+@dataclass(frozen=True)
+class Badges:
+    """Signed names of pupils, and of the teacher.
+
+    Args:
+        roster: the class, whose secret signs them.
+    """
+
+    roster: Roster
+
+    def of_pupil(self, pupil: Pupil) -> str:
+        """The badge of a pupil, valid until the pupil gets another PIN."""
+        return self._signed(f"{pupil.id}.{pupil.badges}")
+
+    def of_teacher(self) -> str:
+        """The badge of the teacher."""
+        return self._signed(_TEACHER)
+
+    def is_key(self, key: str) -> bool:
+        """Whether this is the teacher's key, which gives a browser the teacher's badge."""
+        return _same(key, self.roster.key)
+
+    def is_teacher(self, badge: str) -> bool:
+        """Whether a badge is the teacher's."""
+        return _same(badge, self.of_teacher())
+
+    def pupil(self, badge: str) -> Pupil | None:
+        """The pupil with this badge; None if it is not valid, or not any more."""
+        pupil = self.roster.find(badge.partition(".")[0])
+        return pupil if pupil and _same(badge, self.of_pupil(pupil)) else None
+
+    def _signed(self, text: str) -> str:
+        signature = hmac.digest(self.roster.secret.encode(), text.encode(), hashlib.sha256)
+        return f"{text}.{signature.hex()}"
+
+
+def _same(one: str, other: str) -> bool:
+    return hmac.compare_digest(one.encode(), other.encode())

@@ -1,0 +1,115 @@
+"""A pupil's desk: the pages that show the program, and what the teacher sees of it."""
+
+from collections.abc import Callable
+from typing import assert_never
+
+from learnblock.classroom import messages as ours
+from learnblock.classroom.messages import InClass, Seat, Writing
+from learnblock.classroom.progress import Progress
+from learnblock.classroom.relay import Relay
+from learnblock.classroom.roster import Pupil
+from learnblock.server import messages
+
+
+class Desk:
+    """The place of one pupil.
+
+    Args:
+        pupil: the pupil.
+        changed: called when the wall should show something else.
+    """
+
+    def __init__(self, pupil: Pupil, changed: Callable[[], object]) -> None:
+        self.pupil = pupil
+        self.progress = Progress()
+        self.writing: Writing = "no"
+        self.hand = False
+        self.eyes_up = False
+        self.hint = ""
+        self.pages: list[Relay] = []
+        self._changed = changed
+
+    @property
+    def own_pages(self) -> list[Relay]:
+        """The pages of the pupil."""
+        return [page for page in self.pages if not page.is_teacher]
+
+    def seat(self) -> Seat:
+        """What the wall shows."""
+        return self.progress.seat(
+            self.pupil,
+            here=bool(self.own_pages),
+            hand=self.hand,
+            writing=self.writing,
+        )
+
+    def joined(self, page: Relay) -> None:
+        """A page is connected to the pupil's server."""
+        self.pages.append(page)
+        page.tell(self._news(page))
+        self._changed()
+
+    def left(self, page: Relay) -> None:
+        """A page has gone."""
+        self.pages.remove(page)
+        if page.is_teacher and not any(one.is_teacher for one in self.pages):
+            self.writing = "no"
+        self.tell()
+
+    def is_first(self, page: Relay) -> bool:
+        """Whether the wall shows what this page shows: a page of the pupil, if there is one."""
+        return page is next(iter(self.own_pages or self.pages), None)
+
+    def see(self, text: str) -> None:
+        """Read a message of the pupil's server."""
+        self.progress.see(text)
+        self._changed()
+
+    def heard(self, message: ours.FromPupil) -> None:
+        """Do what a page asks the classroom for; its rights have been checked."""
+        match message:
+            case ours.AskForHelp(on=on):
+                self.hand = on
+            case ours.LetTeacherWrite(on=on):
+                self.writing = "yes" if on else "no"
+            case ours.AskToWrite(on=on):
+                self.writing = "asked" if on else "no"
+            case _:
+                assert_never(message)
+        self.tell()
+
+    def rest(self, *, eyes_up: bool) -> None:
+        """Have the pupil's pages rest, or go on."""
+        self.eyes_up = eyes_up
+        self.tell()
+
+    def help(self, hint: str) -> None:
+        """Show a hint of the teacher, which also answers a raised hand."""
+        self.hint, self.hand = hint, False
+        self.tell()
+
+    async def order(self, message: messages.Message) -> None:
+        """Have the pupil's server do something in the name of the pupil's page, if one is open."""
+        for page in self.own_pages[:1]:
+            await page.order(message)
+
+    async def send_away(self) -> None:
+        """Close all pages, since they may not be here any more."""
+        for page in list(self.pages):
+            await page.send_away()
+
+    def tell(self) -> None:
+        """Tell the pages what is going on in the class."""
+        for page in self.pages:
+            page.tell(self._news(page))
+        self._changed()
+
+    def _news(self, page: Relay) -> InClass:
+        return InClass(
+            name=self.pupil.name,
+            role=page.role.value,
+            eyes_up=self.eyes_up and not page.is_teacher,
+            hand=self.hand,
+            writing=self.writing,
+            hint=self.hint,
+        )

@@ -1,0 +1,324 @@
+"""The conversation of a class: with the teacher's wall, and with a pupil's page besides its own.
+
+``python -m learnblock.classroom.typescript`` writes the page's types from this module.
+"""
+
+from typing import Annotated, Any, Literal
+
+from msgspec import Meta, Struct
+
+from learnblock.classroom.pins import Picture, Pictures
+from learnblock.classroom.roster import PupilId
+from learnblock.i18n import Phrase
+from learnblock.server.messages.base import Message, Name, StateName
+from learnblock.server.messages.lessons import LessonName, LessonText
+
+Hint = Annotated[str, Meta(min_length=1, max_length=300)]
+Writing = Literal["no", "asked", "yes"]
+
+# Joining.
+
+
+class Join(Struct, frozen=True):
+    """Come into the class.
+
+    Args:
+        word: the join word, as typed.
+        name: the first name.
+        pictures: the PIN; None for a pupil who is new.
+    """
+
+    word: Annotated[str, Meta(max_length=60)]
+    name: Annotated[str, Meta(max_length=60)]
+    pictures: Pictures | None = None
+
+
+class Joined(Struct, frozen=True, omit_defaults=True):
+    """The pupil is in.
+
+    Args:
+        address: of the pupil's page, relative to this one.
+        pictures: the PIN of a new pupil, who has to remember it.
+    """
+
+    address: str
+    pictures: tuple[Picture, ...] = ()
+
+
+class NotJoined(Struct, frozen=True):
+    """Why a pupil is not in."""
+
+    message: Phrase
+
+
+class AboutClass(Struct, frozen=True):
+    """What everybody in the room may know.
+
+    Args:
+        title: the name of the class.
+        open: whether new pupils can join.
+        teaches: whether the teacher asks, who then also sees the wall.
+        pupil: the first name of the pupil whose browser asks; empty if no pupil uses it.
+        address: of that pupil's page.
+    """
+
+    title: str
+    open: bool
+    teaches: bool = False
+    pupil: str = ""
+    address: str = ""
+
+
+# From a pupil's page, besides what its server knows.
+
+
+class AskForHelp(Message, frozen=True):
+    """Raise or lower one's hand."""
+
+    on: bool
+
+
+class LetTeacherWrite(Message, frozen=True):
+    """Let the teacher change the program, or no more."""
+
+    on: bool
+
+
+class AskToWrite(Message, frozen=True):
+    """The teacher asks to change the program, or no longer wants to."""
+
+    on: bool
+
+
+# To a page that shows a pupil's program.
+
+
+class InClass(Message, frozen=True):
+    """What happens in the class, for a page that shows a pupil's program.
+
+    Args:
+        name: the pupil's first name.
+        role: what the page is to the program.
+        eyes_up: whether all pages rest because the teacher speaks.
+        hand: whether the pupil asks for help.
+        writing: whether the teacher may write.
+        hint: the teacher's last hint; empty if there is none.
+    """
+
+    name: str
+    role: Literal["pupil", "watcher", "helper"]
+    eyes_up: bool
+    hand: bool
+    writing: Writing
+    hint: str = ""
+
+
+# From the wall.
+
+
+class EyesUp(Message, frozen=True):
+    """Have all pages rest, or go on."""
+
+    on: bool
+
+
+class StopAll(Message, frozen=True):
+    """Stop all programs."""
+
+
+class SendHint(Message, frozen=True):
+    """Show a hint on a pupil's page; `pupil` is None for all."""
+
+    text: Hint
+    pupil: PupilId | None = None
+
+
+class HandOut(Message, frozen=True):
+    """Open a lesson on every pupil's page.
+
+    Args:
+        lesson: its name.
+        project: the name of the projects that are made for it.
+    """
+
+    lesson: LessonName
+    project: Name
+
+
+class RenewPin(Message, frozen=True):
+    """Give a pupil new pictures; `NewPin` follows."""
+
+    pupil: PupilId
+
+
+class RemovePupil(Message, frozen=True):
+    """Delete a pupil with everything that the pupil has made."""
+
+    pupil: PupilId
+
+
+class LetJoin(Message, frozen=True):
+    """Let new pupils join, or no more."""
+
+    on: bool
+
+
+class RenewWord(Message, frozen=True):
+    """Take another join word."""
+
+
+class ShowOnProjector(Message, frozen=True):
+    """Show a pupil's world on the projector, without the name; None for the join word."""
+
+    pupil: PupilId | None = None
+
+
+# To the wall and the projector.
+
+
+GoalState = Literal["open", "reached", "failed"]
+#: A `Phrase` as a pupil's server has sent it: with texts by language, which only the page chooses.
+Words = dict[str, Any]
+
+
+class Seat(Struct, frozen=True, omit_defaults=True):
+    """What the wall shows of a pupil.
+
+    Args:
+        id: the pupil's.
+        name: the first name; empty on the projector.
+        here: whether a page of the pupil is open.
+        hand: whether the pupil asks for help.
+        project: the open project.
+        robot: its kind of robot.
+        scene: changes with the world, which `Plan` has.
+        pose: x and y in mm, heading in degrees clockwise; None if unknown.
+        way: where it has been in this run: x and y in mm, one after the other.
+        state: of the program.
+        goals: the states of the goals of the world.
+        lesson: the title of the open lesson.
+        step: the current step, from 1; 0 without a lesson.
+        steps: the number of its steps.
+        stars: earned in the lesson.
+        error: why the last run ended, if not well, or what is wrong with the program.
+        quiet: seconds since the pupil last did something.
+        stuck: seconds for which the pupil has worked without a new star or a run that ended well.
+        writing: whether the teacher may write.
+    """
+
+    id: str
+    name: str = ""
+    here: bool = False
+    hand: bool = False
+    project: str = ""
+    robot: str = ""
+    scene: int = 0
+    pose: tuple[float, float, float] | None = None
+    way: tuple[float, ...] = ()
+    state: StateName = "idle"
+    goals: tuple[GoalState, ...] = ()
+    lesson: LessonText = ""
+    step: int = 0
+    steps: int = 0
+    stars: int = 0
+    error: Words | None = None
+    quiet: int = 0
+    stuck: int = 0
+    writing: Writing = "no"
+
+
+class Plan(Message, frozen=True):
+    """A pupil's world.
+
+    Args:
+        pupil: whose it is.
+        scene: as in `Seat`.
+        world: the contents of its file (`WorldFile`).
+        lines: for each painted line, the corner points of its centre line, in mm.
+    """
+
+    pupil: str
+    scene: int
+    world: dict[str, Any]
+    lines: tuple[tuple[tuple[float, float], ...], ...] = ()
+
+
+class Wall(Message, frozen=True):
+    """The class as a whole; `Seats` follow.
+
+    Args:
+        title: the name of the class.
+        word: the join word.
+        address: by which pupils reach the class.
+        open: whether new pupils can join.
+        eyes_up: whether all pages rest.
+        projected: the pupil on the projector; empty for the join word.
+        pupils: the ids of all, in the order in which they joined.
+        lessons: those that can be handed out: name and title.
+    """
+
+    title: str
+    word: str
+    address: str
+    open: bool
+    eyes_up: bool
+    projected: str = ""
+    pupils: tuple[str, ...] = ()
+    lessons: tuple[tuple[str, LessonText], ...] = ()
+
+
+class Seats(Message, frozen=True):
+    """The pupils about whom something has changed."""
+
+    seats: tuple[Seat, ...]
+
+
+class NewPin(Message, frozen=True):
+    """A pupil's new pictures, which the teacher tells."""
+
+    name: str
+    pictures: tuple[Picture, ...]
+
+
+class Refused(Message, frozen=True):
+    """Something that the teacher wanted could not be done."""
+
+    message: Phrase
+
+
+class Projected(Message, frozen=True):
+    """What the projector shows: how to join, or a pupil's world without the name.
+
+    Args:
+        title: the name of the class.
+        word: the join word.
+        address: by which pupils reach the class.
+        open: whether new pupils can join.
+        names: the first names of those who are here.
+        seat: the pupil whose world is shown, without the name; None for the join word.
+        plan: the world.
+    """
+
+    title: str
+    word: str
+    address: str
+    open: bool
+    seat: Seat | None = None
+    plan: Plan | None = None
+    names: tuple[str, ...] = ()
+
+
+FromPupil = AskForHelp | LetTeacherWrite | AskToWrite
+ToPupil = InClass
+FromTeacher = (
+    EyesUp
+    | StopAll
+    | SendHint
+    | HandOut
+    | RenewPin
+    | RemovePupil
+    | LetJoin
+    | RenewWord
+    | ShowOnProjector
+)
+ToTeacher = Wall | Seats | Plan | NewPin | Refused | Projected

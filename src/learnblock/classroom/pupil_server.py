@@ -1,0 +1,86 @@
+"""A pupil's own server: a LearnBlock with the pupil's folder, which only the classroom can reach.
+
+It runs in a process of its own, and may read and write the pupil's folder only.
+"""
+
+import os
+import resource
+import signal
+from collections.abc import Callable
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import msgspec
+
+from learnblock.classroom.pupil_folder import HOME, PROJECTS, TEMPORARY
+from learnblock.runtime.containment import kernel
+from learnblock.runtime.containment.fence import contain_server
+from learnblock.server import serve
+from learnblock.server.http.token import VARIABLE
+from learnblock.server.projects.writer import Access, Writer
+
+_MEGABYTE = 1024 * 1024
+#: What a pupil's server may use, in bytes: data in memory, and the largest file.
+_MEMORY, _LARGEST_FILE = 1500 * _MEGABYTE, 64 * _MEGABYTE
+#: A pupil's server gives way to the classroom, which everybody waits for.
+_NICENESS = 5
+
+
+class Order(msgspec.Struct, frozen=True):
+    """A server to start.
+
+    Args:
+        pupil: the id of the pupil.
+        folder: the pupil's folder.
+        base_url: the path of the pupil's page.
+        token: with which the classroom comes in.
+    """
+
+    pupil: str
+    folder: str
+    base_url: str
+    token: str
+
+
+def run(order: Order, started: Callable[[int], object]) -> None:
+    """Serve until SIGTERM, or until the process that has started this one ends.
+
+    Args:
+        order: the server.
+        started: called with its port once it answers.
+    """
+    folder = Path(order.folder)
+    for name in (HOME, PROJECTS, TEMPORARY):
+        (folder / name).mkdir(parents=True, exist_ok=True)
+    os.environ |= {
+        "LEARNBLOCK_HOME": str(folder / HOME),
+        "LEARNBLOCK_ROBOTS": "simulated",
+        "TMPDIR": str(folder / TEMPORARY),
+        VARIABLE: order.token,
+    }
+    kernel.die_with_parent(signal.SIGTERM)
+    os.nice(_NICENESS)
+    _limit()
+    contain_server(folder)
+    with Writer(folder / PROJECTS) as writer:
+        # The classroom has waited for the last server of this folder.
+        writer.claim(patience=10.0)
+        service = serve.Service(
+            folder / PROJECTS,
+            port=0,
+            base_url=order.base_url,
+            access=Access(writer),
+            for_one=True,
+            announce=lambda _: None,
+        )
+        serve.serve(service, show=lambda address: started(_port(address)))
+
+
+def _limit() -> None:
+    resource.setrlimit(resource.RLIMIT_DATA, (_MEMORY, _MEMORY))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (_LARGEST_FILE, _LARGEST_FILE))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def _port(address: str) -> int:
+    return urlsplit(address).port or 0

@@ -1,0 +1,170 @@
+"""Passes the messages between a page and a pupil's server on, if the page may send them."""
+
+import asyncio
+from contextlib import suppress
+from typing import TYPE_CHECKING
+
+import msgspec
+from starlette.websockets import WebSocket, WebSocketDisconnect
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import ConnectionClosed
+
+from learnblock.classroom import messages as ours
+from learnblock.classroom.quota import Bucket
+from learnblock.classroom.rights import PACE, PACES, Role, may
+from learnblock.i18n import Phrase
+from learnblock.server import messages
+from learnblock.server.http.protection import SUBPROTOCOL
+
+if TYPE_CHECKING:
+    from learnblock.classroom.desk import Desk
+    from learnblock.classroom.servers import Place
+
+#: Bytes; what a pupil's server accepts, and a little more, so that the page gets its answer.
+_LARGEST = 8 * 1024 * 1024
+#: Close codes: the server will be back, and the right to be here is gone.
+_BACK_SOON, _FORBIDDEN = 1012, 4403
+#: Seconds within which a pupil's server answers.
+_PATIENCE = 10.0
+
+
+class _Kind(msgspec.Struct, frozen=True):
+    kind: str
+
+
+_kinds = msgspec.json.Decoder(_Kind)
+_from_pupil = msgspec.json.Decoder(ours.FromPupil)
+_OURS = frozenset(
+    kind.__name__ for kind in (ours.AskForHelp, ours.LetTeacherWrite, ours.AskToWrite)
+)
+
+
+class Relay:
+    """A page that shows a pupil's program.
+
+    Args:
+        page: its websocket, accepted.
+        desk: the pupil's.
+        is_teacher: whether it is the teacher's page.
+    """
+
+    def __init__(self, page: WebSocket, desk: "Desk", *, is_teacher: bool) -> None:
+        self.is_teacher = is_teacher
+        self._page = page
+        self._desk = desk
+        self._pace = Bucket(PACE)
+        self._paces = {kind: Bucket(pace) for kind, pace in PACES.items()}
+        self._outbox: asyncio.Queue[str] = asyncio.Queue(maxsize=100)
+        self._server: ClientConnection | None = None
+
+    @property
+    def role(self) -> Role:
+        """What the page is to the program now."""
+        if not self.is_teacher:
+            return Role.PUPIL
+        return Role.HELPER if self._desk.writing == "yes" else Role.WATCHER
+
+    def tell(self, message: msgspec.Struct) -> None:
+        """Send the page a message of the classroom; one that is too slow misses it."""
+        with suppress(asyncio.QueueFull):
+            self._outbox.put_nowait(msgspec.json.encode(message).decode())
+
+    async def order(self, message: messages.Message) -> None:
+        """Send the pupil's server a message in the name of this page."""
+        if self._server:
+            with suppress(ConnectionClosed):
+                await self._server.send(msgspec.json.encode(message).decode())
+
+    async def send_away(self) -> None:
+        """Close the page's connection, since it may not be here any more."""
+        with suppress(RuntimeError, WebSocketDisconnect):
+            await self._page.close(_FORBIDDEN)
+
+    async def serve(self, place: "Place") -> None:
+        """Pass messages on until the page or the pupil's server is gone."""
+        async with connect(
+            f"ws://{place.host}{place.base_url}ws",
+            subprotocols=[SUBPROTOCOL, place.token],  # type: ignore[list-item] # plain strings
+            # As a proxy does, so that the server takes no pupil for a user of its own computer.
+            additional_headers={"x-forwarded-for": "class"},
+            max_size=_LARGEST,
+            compression=None,
+            open_timeout=_PATIENCE,
+            ping_interval=None,
+        ) as server:
+            self._server = server
+            self._desk.joined(self)
+            try:
+                await self._pass_on(server)
+            finally:
+                self._desk.left(self)
+                self._server = None
+
+    async def _pass_on(self, server: ClientConnection) -> None:
+        tasks = [
+            asyncio.create_task(work)
+            for work in (self._to_server(server), self._to_page(server), self._to_page_ours())
+        ]
+        done, pending = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        for task in pending:
+            task.cancel()
+        await asyncio.gather(*pending, return_exceptions=True)
+        for task in done:
+            task.result()
+
+    async def _to_server(self, server: ClientConnection) -> None:
+        with suppress(ConnectionClosed):
+            while (received := await self._page.receive())["type"] == "websocket.receive":
+                text = received.get("text") or ""
+                await asyncio.sleep(self._pace.take())
+                kind = _kind_of(text)
+                if refusal := self._refusal(kind):
+                    self.tell(messages.Failed(refusal, kind))
+                elif kind in _OURS:
+                    self._hear(text, kind)
+                else:
+                    if not self.is_teacher:
+                        self._desk.progress.acted(kind)
+                    await server.send(text)
+
+    def _hear(self, text: str, kind: str) -> None:
+        try:
+            message = _from_pupil.decode(text)
+        except msgspec.MsgspecError as error:
+            phrase = Phrase("server-message-unknown", reason=str(error))
+            self.tell(messages.Failed(phrase, kind))
+        else:
+            self._desk.heard(message)
+
+    def _refusal(self, kind: str) -> Phrase | None:
+        if not may(self.role, kind):
+            code = "class-only-look" if self.is_teacher else "class-not-yours"
+            return Phrase(code)
+        bucket = self._paces.get(kind)
+        if bucket and not bucket.try_take():
+            return Phrase("class-too-fast")
+        return None
+
+    async def _to_page(self, server: ClientConnection) -> None:
+        with suppress(WebSocketDisconnect, RuntimeError):
+            async for received in server:
+                if isinstance(received, bytes):
+                    await self._page.send_bytes(received)
+                    continue
+                if self._desk.is_first(self):
+                    self._desk.see(received)
+                await self._page.send_text(received)
+            await self._page.close(_BACK_SOON)
+
+    async def _to_page_ours(self) -> None:
+        with suppress(WebSocketDisconnect, RuntimeError):
+            while True:
+                await self._page.send_text(await self._outbox.get())
+
+
+def _kind_of(text: str) -> str:
+    """The kind of a message; empty if it has none."""
+    try:
+        return _kinds.decode(text).kind
+    except (msgspec.MsgspecError, UnicodeError, RecursionError):
+        return ""

@@ -1,0 +1,138 @@
+"""The classroom: the pupils' desks, and what the teacher does for all of them."""
+
+import asyncio
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from learnblock.classroom.desk import Desk
+from learnblock.classroom.pins import Picture
+from learnblock.classroom.roster import Pupil, Roster
+from learnblock.classroom.servers import Place, Servers
+from learnblock.errors import LearnBlockError
+from learnblock.server import messages
+from learnblock.server.messages.lessons import LessonText
+
+if TYPE_CHECKING:
+    from learnblock.classroom.wall import Board
+
+#: Seconds after which the server of a pupil without pages is stopped.
+_GRACE = 120.0
+
+
+class Room:
+    """A class that is open.
+
+    Args:
+        roster: the pupils.
+        address: by which pupils reach the class.
+        lessons: those that can be handed out: name and title.
+    """
+
+    def __init__(
+        self, roster: Roster, address: str, lessons: Iterable[tuple[str, LessonText]] = ()
+    ) -> None:
+        self.roster = roster
+        self.address = address
+        self.lessons = tuple(lessons)
+        self.eyes_up = False
+        self.projected: str | None = None
+        #: The walls and projectors that are open.
+        self.boards: set[Board] = set()
+        self.desks: dict[str, Desk] = {}
+        self._servers = Servers(ended=lambda _: self.changed())
+        self._ending: dict[str, asyncio.Task[None]] = {}
+        for pupil in roster.pupils:
+            self._seat(pupil)
+
+    async def open(self) -> None:
+        """Get ready to start pupils' servers."""
+        await self._servers.open()
+
+    async def close(self) -> None:
+        """Have every server save everything and end."""
+        for task in self._ending.values():
+            task.cancel()
+        await self._servers.close()
+
+    def changed(self) -> None:
+        """Have the walls look at the class again."""
+        for board in self.boards:
+            board.wake()
+
+    def desk(self, pupil: Pupil) -> Desk:
+        """The desk of a pupil; a new pupil gets one."""
+        return self.desks.get(pupil.id) or self._seat(pupil)
+
+    async def place(self, pupil: Pupil) -> Place:
+        """The place of a pupil's server, which is started if it is not running.
+
+        Raises:
+            LearnBlockError: it does not start.
+        """
+        if ending := self._ending.pop(pupil.id, None):
+            ending.cancel()
+        return await self._servers.place(pupil.id, self.roster.folder_of(pupil))
+
+    def left(self, pupil: Pupil) -> None:
+        """Record that a page has gone; after the last one, the server is stopped with a delay."""
+        if not self.desk(pupil).pages and pupil.id not in self._ending:
+            self._ending[pupil.id] = asyncio.create_task(self._end_later(pupil))
+
+    def known(self, id: str) -> Pupil:  # noqa: A002 - as in `Pupil`
+        """The pupil with this id.
+
+        Raises:
+            LearnBlockError: there is none, or not any more.
+        """
+        pupil = self.roster.find(id)
+        if pupil is None:
+            raise LearnBlockError("class-no-pupil")
+        return pupil
+
+    def rest(self, *, eyes_up: bool) -> None:
+        """Have all pages rest because the teacher speaks, or go on."""
+        self.eyes_up = eyes_up
+        for desk in self.desks.values():
+            desk.rest(eyes_up=eyes_up)
+
+    async def order(self, message: messages.Message) -> None:
+        """Have every pupil's server do something in the name of the pupil's page."""
+        await asyncio.gather(*(desk.order(message) for desk in self.desks.values()))
+
+    async def renew_pin(self, pupil: Pupil) -> tuple[Picture, ...]:
+        """Give a pupil other pictures, and return them; the pupil's pages are closed.
+
+        Raises:
+            OSError: the class's file can't be written.
+        """
+        pictures = await asyncio.to_thread(self.roster.renew_pin, pupil)
+        desk = self.desk(pupil)
+        # The pupil's badge has changed.
+        desk.pupil = self.known(pupil.id)
+        for page in desk.own_pages:
+            await page.send_away()
+        return pictures
+
+    async def remove(self, pupil: Pupil) -> None:
+        """Delete a pupil with everything that the pupil has made.
+
+        Raises:
+            OSError: some of it can't be deleted.
+        """
+        await self.desk(pupil).send_away()
+        await self._servers.stop(pupil.id)
+        await asyncio.to_thread(self.roster.remove, pupil)
+        self.desks.pop(pupil.id, None)
+        if self.projected == pupil.id:
+            self.projected = None
+
+    def _seat(self, pupil: Pupil) -> Desk:
+        desk = self.desks[pupil.id] = Desk(pupil, self.changed)
+        desk.eyes_up = self.eyes_up
+        return desk
+
+    async def _end_later(self, pupil: Pupil) -> None:
+        await asyncio.sleep(_GRACE)
+        del self._ending[pupil.id]
+        if not self.desk(pupil).pages:
+            await self._servers.stop(pupil.id)

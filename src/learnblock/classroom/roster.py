@@ -1,0 +1,270 @@
+"""The pupils of a class, as its file keeps them."""
+
+import re
+import secrets
+import shutil
+import threading
+import time
+import unicodedata
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import msgspec
+
+from learnblock.classroom.join_words import new_join_word
+from learnblock.classroom.pins import Picture, Pin, new_pictures
+from learnblock.errors import LearnBlockError
+from learnblock.storage.files import save
+from learnblock.storage.home import home
+
+#: The most pupils of a class.
+MOST_PUPILS = 60
+FILE = "class.json"
+_VERSION = 1
+#: A larger file is not ours.
+_LARGEST = 1_000_000
+_NAME = re.compile(r"[^\W\d_](?:[\w .'’-]{0,28}[\w.])?")
+#: The name of a class.
+_TITLE = re.compile(r"\w(?:[\w .-]{0,38}\w)?")
+
+PupilId = Annotated[str, msgspec.Meta(pattern="^[a-z0-9]{10}$")]
+
+
+class Pupil(msgspec.Struct, frozen=True):
+    """A pupil.
+
+    Args:
+        id: names the pupil's folder and address.
+        name: the first name, as the pupil wrote it.
+        pin: the four pictures.
+        joined: seconds since 1970.
+        badges: counts the PINs, since a new one makes browsers ask for it again.
+    """
+
+    id: PupilId
+    name: str
+    pin: Pin
+    joined: float
+    badges: int = 0
+
+
+class ClassFile(msgspec.Struct, frozen=True):
+    """What the file of a class has.
+
+    Args:
+        version: of the format.
+        title: the name of the class.
+        word: with which pupils join.
+        key: gives access to the teacher's wall; only the teacher has it.
+        secret: signs what browsers keep.
+        open: whether new pupils can join.
+        pupils: in the order in which they joined.
+    """
+
+    version: int
+    title: str
+    word: str
+    key: str
+    secret: str
+    open: bool = True
+    pupils: tuple[Pupil, ...] = ()
+
+
+class Roster:
+    """The file of a class, which is written with every change.
+
+    Several threads may use it.
+
+    Args:
+        folder: of the class; a new class is made if it has none.
+        title: the name of a new class.
+
+    Raises:
+        LearnBlockError: the file is damaged or belongs to a newer version.
+        OSError: it can't be read or written.
+    """
+
+    def __init__(self, folder: Path, title: str) -> None:
+        self.folder = folder
+        self._lock = threading.Lock()
+        #: Checked where there is no such pupil, so that a stranger can't tell by the time it takes.
+        self._unused_pin = Pin.of(new_pictures())
+        self._file = _read(folder / FILE) or _new_class(title)
+        self._save(self._file)
+
+    @property
+    def title(self) -> str:
+        """The name of the class."""
+        return self._file.title
+
+    @property
+    def word(self) -> str:
+        """The word with which pupils join."""
+        return self._file.word
+
+    @property
+    def key(self) -> str:
+        """The teacher's key."""
+        return self._file.key
+
+    @property
+    def secret(self) -> str:
+        """What signs the badges of browsers."""
+        return self._file.secret
+
+    @property
+    def is_open(self) -> bool:
+        """Whether new pupils can join."""
+        return self._file.open
+
+    @property
+    def pupils(self) -> tuple[Pupil, ...]:
+        """The pupils, in the order in which they joined."""
+        return self._file.pupils
+
+    def find(self, id: str) -> Pupil | None:  # noqa: A002 - as in `Pupil`
+        """The pupil with this id, if there is one."""
+        return next((pupil for pupil in self.pupils if pupil.id == id), None)
+
+    def folder_of(self, pupil: Pupil) -> Path:
+        """The folder with everything that a pupil has made."""
+        return self.folder / "pupils" / pupil.id
+
+    def add(self, name: str) -> tuple[Pupil, tuple[Picture, ...]]:
+        """Add a pupil, and return it with the pictures, which are kept nowhere.
+
+        Raises:
+            LearnBlockError: the class is closed or full, or this is not a name.
+        """
+        name = checked_name(name)
+        with self._lock:
+            if not self.is_open:
+                raise LearnBlockError("class-closed")
+            if len(self.pupils) >= MOST_PUPILS:
+                raise LearnBlockError("class-full", most=MOST_PUPILS)
+            pictures = self._free_pictures(name)
+            id = secrets.token_hex(5)  # noqa: A001 - as in `Pupil`
+            pupil = Pupil(id, name, Pin.of(pictures), time.time())
+            self._change(pupils=(*self.pupils, pupil))
+        return pupil, pictures
+
+    def recognise(self, name: str, pictures: Sequence[Picture]) -> Pupil | None:
+        """The pupil with this name and these pictures, if there is one.
+
+        It takes as long for a name that is not in the class.
+        """
+        alike = [pupil for pupil in self.pupils if _plain(pupil.name) == _plain(name)]
+        fits = [pupil for pupil in alike if pupil.pin.fits(pictures)]
+        if not alike:
+            self._unused_pin.fits(pictures)
+        return fits[0] if fits else None
+
+    def renew_pin(self, pupil: Pupil) -> tuple[Picture, ...]:
+        """Give a pupil other pictures, and return them; browsers ask for them again."""
+        with self._lock:
+            pictures = self._free_pictures(pupil.name)
+            renewed = msgspec.structs.replace(pupil, pin=Pin.of(pictures), badges=pupil.badges + 1)
+            self._replace(pupil, renewed)
+        return pictures
+
+    def remove(self, pupil: Pupil) -> None:
+        """Delete a pupil with everything that the pupil has made.
+
+        Raises:
+            OSError: some of the files can't be deleted; the pupil stays in the class.
+        """
+        with self._lock:
+            folder = self.folder_of(pupil)
+            if folder.exists():
+                shutil.rmtree(folder)
+            self._change(pupils=tuple(one for one in self.pupils if one.id != pupil.id))
+
+    def let_join(self, *, open: bool) -> None:  # noqa: A002 - as in the file
+        """Let new pupils join, or no more."""
+        with self._lock:
+            self._change(open=open)
+
+    def renew_word(self) -> None:
+        """Take another word for joining."""
+        with self._lock:
+            self._change(word=new_join_word())
+
+    def _free_pictures(self, name: str) -> tuple[Picture, ...]:
+        """Pictures that no pupil with the same name has."""
+        while True:
+            pictures = new_pictures()
+            if self.recognise(name, pictures) is None:
+                return pictures
+
+    def _replace(self, pupil: Pupil, other: Pupil) -> None:
+        self._change(pupils=tuple(other if one.id == pupil.id else one for one in self.pupils))
+
+    def _change(self, **values: object) -> None:
+        changed = msgspec.structs.replace(self._file, **values)
+        self._save(changed)
+        self._file = changed
+
+    def _save(self, file: ClassFile) -> None:
+        save(self.folder / FILE, msgspec.json.encode(file), private=True)
+
+
+def known_class(title: str) -> Roster:
+    """The class with this name in the user's folder.
+
+    Raises:
+        LearnBlockError: there is none.
+    """
+    folder = class_folder(title)
+    if not (folder / FILE).is_file():
+        raise LearnBlockError("class-unknown", title=title, folder=str(folder))
+    return Roster(folder, title)
+
+
+def class_folder(title: str) -> Path:
+    """Where a class is kept by default.
+
+    Raises:
+        LearnBlockError: no class can have this name.
+    """
+    if not _TITLE.fullmatch(title):
+        raise LearnBlockError("class-bad-title")
+    return home() / "classes" / title
+
+
+def checked_name(name: str) -> str:
+    """A first name without spaces around it.
+
+    Raises:
+        LearnBlockError: it is empty, too long, or no name.
+    """
+    name = " ".join(unicodedata.normalize("NFC", name).split())
+    if not _NAME.fullmatch(name):
+        raise LearnBlockError("class-no-name")
+    return name
+
+
+def _plain(name: str) -> str:
+    """A name without what children type differently the next day."""
+    decomposed = unicodedata.normalize("NFKD", name.casefold())
+    return " ".join("".join(c for c in decomposed if not unicodedata.combining(c)).split())
+
+
+def _new_class(title: str) -> ClassFile:
+    return ClassFile(
+        _VERSION, title, new_join_word(), secrets.token_urlsafe(24), secrets.token_urlsafe(32)
+    )
+
+
+def _read(path: Path) -> ClassFile | None:
+    try:
+        data = path.read_bytes()[: _LARGEST + 1]
+    except FileNotFoundError:
+        return None
+    try:
+        file = msgspec.json.decode(data, type=ClassFile)
+    except (msgspec.MsgspecError, UnicodeError, RecursionError) as error:
+        raise LearnBlockError("class-damaged", file=str(path), reason=str(error)) from error
+    if file.version > _VERSION:
+        raise LearnBlockError("class-newer", file=str(path))
+    return file

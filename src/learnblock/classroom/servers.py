@@ -1,0 +1,142 @@
+"""The servers of the pupils, as the classroom starts, reaches and stops them."""
+
+import asyncio
+import secrets
+import socket
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+
+from learnblock.classroom.nursery import Ask, News
+from learnblock.classroom.pupil_server import Order
+from learnblock.errors import LearnBlockError
+
+#: Seconds within which a server answers, and within which it has saved everything and ended.
+_STARTING, _ENDING = 30.0, 15.0
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a pupil's server answers.
+
+    Args:
+        port: on this computer.
+        token: with which the classroom comes in.
+        base_url: the path of the pupil's page.
+        process: its process.
+    """
+
+    port: int
+    token: str
+    base_url: str
+    process: int
+
+    @property
+    def host(self) -> str:
+        """Its address and port."""
+        return f"127.0.0.1:{self.port}"
+
+
+class Servers:
+    """The pupils' servers, by pupil.
+
+    Args:
+        ended: called with a pupil's id when the pupil's server has ended.
+    """
+
+    def __init__(self, ended: Callable[[str], object]) -> None:
+        self._ended = ended
+        self._places: dict[str, Place] = {}
+        self._starting: dict[str, asyncio.Future[News]] = {}
+        self._locks: dict[str, asyncio.Lock] = {}
+        self._changed = asyncio.Condition()
+        self._process: subprocess.Popen[bytes] | None = None
+        self._writer: asyncio.StreamWriter | None = None
+        self._listening: asyncio.Task[None] | None = None
+
+    async def open(self) -> None:
+        """Start the process that starts servers."""
+        ours, theirs = socket.socketpair()
+        with theirs:
+            command = [sys.executable, "-m", "learnblock.classroom.nursery", str(theirs.fileno())]
+            # A session of its own, so that Ctrl-C reaches only the classroom.
+            self._process = subprocess.Popen(  # noqa: S603 - our own module
+                command, pass_fds=[theirs.fileno()], start_new_session=True
+            )
+        reader, self._writer = await asyncio.open_connection(sock=ours)
+        self._listening = asyncio.create_task(self._listen(reader))
+
+    async def close(self) -> None:
+        """Have every server save everything and end."""
+        if self._writer is None or self._process is None:
+            return
+        self._writer.close()
+        await asyncio.to_thread(self._process.wait)
+        if self._listening:
+            await self._listening
+
+    async def place(self, pupil: str, folder: Path) -> Place:
+        """The place of a pupil's server, which is started if it is not running.
+
+        Raises:
+            LearnBlockError: it does not start.
+        """
+        async with self._locks.setdefault(pupil, asyncio.Lock()):
+            if pupil not in self._places:
+                self._places[pupil] = await self._start(pupil, folder)
+            return self._places[pupil]
+
+    async def stop(self, pupil: str) -> None:
+        """Have a pupil's server save everything and end, if it is running.
+
+        Raises:
+            TimeoutError: it has not ended after some seconds.
+        """
+        async with self._locks.setdefault(pupil, asyncio.Lock()):
+            place = self._places.get(pupil)
+            if place is None:
+                return
+            self._ask(Ask(stop=place.process))
+            async with asyncio.timeout(_ENDING), self._changed:
+                await self._changed.wait_for(lambda: self._places.get(pupil) is not place)
+
+    async def _start(self, pupil: str, folder: Path) -> Place:
+        token, base_url = secrets.token_urlsafe(24), f"/p/{pupil}/"
+        news = self._starting[pupil] = asyncio.get_running_loop().create_future()
+        self._ask(Ask(Order(pupil, str(folder), base_url, token)))
+        try:
+            async with asyncio.timeout(_STARTING):
+                started = await news
+        except TimeoutError as error:
+            raise LearnBlockError("class-server-silent") from error
+        finally:
+            del self._starting[pupil]
+        if not started.port:
+            raise LearnBlockError("class-server-failed", reason=started.reason)
+        return Place(started.port, token, base_url, started.process)
+
+    def _ask(self, ask: Ask) -> None:
+        assert self._writer is not None  # noqa: S101 - `open` comes first
+        self._writer.write(msgspec.json.encode(ask) + b"\n")
+
+    async def _listen(self, reader: asyncio.StreamReader) -> None:
+        while line := await reader.readline():
+            news = msgspec.json.decode(line, type=News)
+            waiting = self._starting.get(news.pupil)
+            if waiting and not waiting.done() and (news.port or news.reason):
+                waiting.set_result(news)
+            elif not news.port:
+                await self._forget(news)
+
+    async def _forget(self, news: News) -> None:
+        place = self._places.get(news.pupil)
+        if place is None or place.process != news.process:
+            return
+        async with self._changed:
+            del self._places[news.pupil]
+            self._changed.notify_all()
+        self._ended(news.pupil)

@@ -1,0 +1,152 @@
+"""The teacher's wall and the projector: one stream each, at most twice a second."""
+
+import asyncio
+from collections.abc import Iterator
+from contextlib import suppress
+from typing import Protocol
+
+import msgspec
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from learnblock.classroom import messages as ours
+from learnblock.classroom.room import Room
+from learnblock.classroom.teaching import do
+from learnblock.errors import LearnBlockError
+from learnblock.server.messages.problems import phrase_of
+
+#: Seconds between two looks at the class.
+_PERIOD = 0.5
+#: Seconds after which the times are looked at again, even if nothing happens.
+_LONGEST_REST = 5.0
+#: The limit of a message of the teacher in characters.
+_LARGEST = 10_000
+_decoder = msgspec.json.Decoder(ours.FromTeacher)
+
+
+class View(Protocol):
+    """What a board shows."""
+
+    def news(self, room: Room) -> Iterator[msgspec.Struct]:
+        """The messages about what has changed since the last time."""
+
+
+class Board:
+    """A page that shows the class.
+
+    Args:
+        socket: its websocket, accepted.
+        room: the class.
+        view: what it shows.
+    """
+
+    def __init__(self, socket: WebSocket, room: Room, view: View) -> None:
+        self._socket = socket
+        self._room = room
+        self._view = view
+        self._woken = asyncio.Event()
+        self._woken.set()
+
+    def wake(self) -> None:
+        """Look at the class again."""
+        self._woken.set()
+
+    async def serve(self) -> None:
+        """Show the class until the page has gone."""
+        self._room.boards.add(self)
+        showing = asyncio.create_task(self._show())
+        try:
+            with suppress(WebSocketDisconnect):
+                async for text in self._socket.iter_text():
+                    await self._do(text)
+        finally:
+            self._room.boards.discard(self)
+            showing.cancel()
+            await asyncio.gather(showing, return_exceptions=True)
+
+    async def _do(self, text: str) -> None:
+        try:
+            if len(text) > _LARGEST:
+                raise LearnBlockError("server-message-too-long", count=len(text))
+            answer = await do(self._room, _decoder.decode(text))
+        except (LearnBlockError, OSError, ValueError) as error:
+            await self._send(ours.Refused(phrase_of(error)))
+        else:
+            if answer:
+                await self._send(answer)
+
+    async def _show(self) -> None:
+        while True:
+            self._woken.clear()
+            for message in self._view.news(self._room):
+                await self._send(message)
+            await asyncio.sleep(_PERIOD)
+            with suppress(TimeoutError):
+                await asyncio.wait_for(self._woken.wait(), _LONGEST_REST)
+
+    async def _send(self, message: msgspec.Struct) -> None:
+        await self._socket.send_text(msgspec.json.encode(message).decode())
+
+
+class WallView:
+    """All pupils, for the teacher; only what has changed is sent."""
+
+    def __init__(self) -> None:
+        self._wall: ours.Wall | None = None
+        self._seats: dict[str, ours.Seat] = {}
+        self._scenes: dict[str, int] = {}
+
+    def news(self, room: Room) -> Iterator[msgspec.Struct]:
+        """What has changed since the last time."""
+        wall = _wall(room)
+        if wall != self._wall:
+            self._wall = wall
+            yield wall
+        seats = {pupil: desk.seat() for pupil, desk in room.desks.items()}
+        for pupil, desk in room.desks.items():
+            plan = desk.progress.plan_of(pupil)
+            if plan and self._scenes.get(pupil) != plan.scene:
+                self._scenes[pupil] = plan.scene
+                yield plan
+        if changed := tuple(one for one in seats.values() if self._seats.get(one.id) != one):
+            yield ours.Seats(changed)
+        self._seats = seats
+
+
+class ProjectorView:
+    """How to join, or one pupil's world without the name."""
+
+    def __init__(self) -> None:
+        self._shown: ours.Projected | None = None
+
+    def news(self, room: Room) -> Iterator[msgspec.Struct]:
+        """What has changed since the last time."""
+        shown = _projected(room)
+        if shown != self._shown:
+            self._shown = shown
+            yield shown
+
+
+def _wall(room: Room) -> ours.Wall:
+    roster = room.roster
+    return ours.Wall(
+        title=roster.title,
+        word=roster.word,
+        address=room.address,
+        open=roster.is_open,
+        eyes_up=room.eyes_up,
+        projected=room.projected or "",
+        pupils=tuple(pupil.id for pupil in roster.pupils),
+        lessons=room.lessons,
+    )
+
+
+def _projected(room: Room) -> ours.Projected:
+    roster = room.roster
+    here = tuple(desk.pupil.name for desk in room.desks.values() if desk.own_pages)
+    shown = ours.Projected(roster.title, roster.word, room.address, roster.is_open, names=here)
+    desk = room.desks.get(room.projected or "")
+    if desk is None:
+        return shown
+    seat = msgspec.structs.replace(desk.seat(), name="", project="", id="", quiet=0, stuck=0)
+    plan = desk.progress.plan_of("")
+    return msgspec.structs.replace(shown, names=(), seat=seat, plan=plan)
