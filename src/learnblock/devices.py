@@ -36,6 +36,8 @@ Pose = tuple[float, float, float]
 DEFAULT_KEY = "ROBOT"
 #: Asks for a robot's first device of a type, whatever its key is.
 FIRST_KEY = "first"
+#: The longest text on a screen, in characters.
+LONGEST_TEXT = 100
 #: The reading of a distance sensor that sees nothing, in mm.
 NOTHING_SEEN = 2000.0
 
@@ -93,15 +95,23 @@ class Base(Device):
     Args:
         move: `move(adv, rot)` with adv in mm/s, forward positive, and rot in degrees/s, clockwise
             positive; both apply until the next command.
-        read: returns the pose (x mm, y mm, heading in degrees) by odometry; None without odometry.
+        read: returns the pose (x mm, y mm, heading in degrees) by odometry; without it, the client
+            that gets the base reckons the pose from the commands.
     """
 
     def __init__(
         self, move: Callable[[float, float], None], read: Callable[[], Pose] | None = None
     ) -> None:
         super().__init__(move=move, read=read)
+        #: Whether it measures its pose, rather than have it reckoned.
+        self.has_odometry = read is not None
         #: The last command (adv, rot).
         self.speed: tuple[float, float] = (0.0, 0.0)
+
+    def pose(self) -> Pose:
+        """(x mm, y mm, heading in degrees from -180 to 180); y to the left of heading 0."""
+        pose: Pose = self.functions["read"]()
+        return pose
 
     def move(self, adv: float, rot: float) -> None:
         """Drive at `adv` mm/s, turning at `rot` degrees/s clockwise, until the next command."""
@@ -273,6 +283,56 @@ class Display(Device):
         return self._do("show_image", frame)
 
 
+class Screen(Device):
+    """A screen that shows text.
+
+    Args:
+        show_text: shows a text instead of what was there, and an empty one clears the screen; None
+            if the screen cannot show text.
+    """
+
+    def __init__(self, show_text: Callable[[str], None] | None = None) -> None:
+        super().__init__(show_text=show_text)
+        #: The text that was shown last.
+        self.text = ""
+
+    def show_text(self, text: str) -> bool:
+        """Show a text, cut to `LONGEST_TEXT` characters; return False if the screen cannot."""
+        self.text = text if len(text) <= LONGEST_TEXT else f"{text[: LONGEST_TEXT - 1]}…"
+        return self._do("show_text", self.text)
+
+
+class Pen(Device):
+    """A pen that draws on the floor where the robot drives."""
+
+    def __init__(
+        self,
+        set: Callable[[bool], None],  # noqa: A002 - as for an LED
+        set_color: Callable[[int, int, int], None],
+        set_width: Callable[[float], None],
+        clear: Callable[[], None],
+    ) -> None:
+        super().__init__(set=set, set_color=set_color, set_width=set_width, clear=clear)
+
+    def set(self, *, down: bool) -> None:
+        """Put the pen down, or lift it."""
+        self.functions["set"](bool(down))
+
+    def set_color(self, red: int, green: int, blue: int) -> None:
+        """Draw in another colour; red, green and blue from 0 to 255."""
+        self.functions["set_color"](
+            clamped("red", red, 255), clamped("green", green, 255), clamped("blue", blue, 255)
+        )
+
+    def set_width(self, width: float) -> None:
+        """Draw strokes of another width, mm."""
+        self.functions["set_width"](number("width", width))
+
+    def clear(self) -> None:
+        """Remove what it has drawn."""
+        self.functions["clear"]()
+
+
 class Led(Device):
     """An LED that is on or off; its key names its position on the robot."""
 
@@ -400,7 +460,9 @@ DEVICE_TYPES: Mapping[str, type[Device]] = {
         LightSensor,
         Matrix,
         MP3,
+        Pen,
         RGBLed,
+        Screen,
         Speaker,
     )
 }
@@ -412,6 +474,8 @@ def number(name: str, value: object) -> float:
     Raises:
         DeviceValueError: the parameter `name` has any other value.
     """
+    if type(value) is float and math.isfinite(value):
+        return value
     # numpy's numbers are not subclasses of float, but convert like other numbers. This check is a
     # hundred times faster than `isinstance(value, typing.SupportsFloat)`.
     convert = getattr(type(value), "__float__", None)
@@ -438,6 +502,8 @@ def clamped(name: str, value: object, most: int) -> int:
 
 
 def _emotion(emotion: str) -> Emotion:
+    if type(emotion) is Emotion:
+        return emotion
     try:
         return Emotion(emotion)
     except ValueError:

@@ -136,6 +136,10 @@ class ProjectError(FileError):
     """A project's file or name is invalid, or it cannot be saved."""
 
 
+class LessonError(FileError):
+    """A lesson is invalid, or cannot be read."""
+
+
 class LibraryError(FileError):
     """A library is invalid, or a function for a new one is."""
 
@@ -282,6 +286,10 @@ class ForbiddenError(LearnBlockError, PermissionError):
 
 class StillTurningError(LearnBlockError, TimeoutError):
     """A turn did not reach its angle within its time limit."""
+
+
+class StillDrivingError(LearnBlockError, TimeoutError):
+    """A robot did not drive its distance within its time limit."""
 
 
 class ProgramStopped(BaseException):

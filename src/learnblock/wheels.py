@@ -41,3 +41,42 @@ def accelerated(now: Wheels, target: Wheels, change: float) -> Wheels:
     if largest <= change:
         return target
     return now[0] + left * change / largest, now[1] + right * change / largest
+
+
+class Odometry:
+    """The pose of a robot by the distances that its wheels have rolled.
+
+    It starts at (0, 0) with heading 0, along x. It knows neither slip nor the true size of the
+    wheels, so its error grows with the way.
+
+    >>> odometry = Odometry(track=100)
+    >>> odometry.roll(200, 200)
+    >>> odometry.pose
+    (200.0, 0.0, 0.0)
+
+    Args:
+        track: the distance between the wheels in mm; only `roll` needs it.
+    """
+
+    def __init__(self, track: float = 1.0) -> None:
+        self._track = track
+        self._x = self._y = self._heading = 0.0
+
+    @property
+    def pose(self) -> tuple[float, float, float]:
+        """(x mm, y mm, heading in degrees clockwise, from -180 to 180)."""
+        return self._x, self._y, (self._heading + 180) % 360 - 180
+
+    def roll(self, left: float, right: float) -> None:
+        """Process the mm that each wheel has rolled forward, at speeds with a fixed ratio."""
+        self.proceed(*body_speeds((left, right), self._track))
+
+    def proceed(self, arc: float, turned: float) -> None:
+        """Process an arc of so many mm, on which the robot has turned by so many degrees."""
+        half = math.radians(turned / 2)
+        # The straight way from one end of the arc to the other, which is a chord of its circle.
+        chord = arc * math.sin(half) / half if half else arc
+        middle = math.radians(self._heading) + half
+        self._x += chord * math.cos(middle)
+        self._y -= chord * math.sin(middle)
+        self._heading += turned

@@ -19,7 +19,9 @@ from learnblock.devices import (
     JointMotor,
     Led,
     Matrix,
+    Pen,
     RGBLed,
+    Screen,
     Speaker,
     clamped,
     number,
@@ -179,7 +181,8 @@ def test_any_device_can_be_rebuilt_from_its_functions_by_name(kind):
         Speaker: ("say", "play", "tone"), Matrix: ("icon", "number", "text"),
         MP3: ("select", "action", "volume", "equalizer", "loop"),
         Gyroscope: ("read", "reset"), Infrared: ("read", "send"), Camera: ("read", "detect"),
-        DEVICE_TYPES["Animator"]: ("play",),
+        DEVICE_TYPES["Animator"]: ("play",), Screen: ("show_text",),
+        Pen: ("set", "set_color", "set_width", "clear"),
     }.get(kind, ("read",))  # fmt: skip
     device = kind(**dict.fromkeys(names, bool))
     assert kind(**device.functions).functions == device.functions

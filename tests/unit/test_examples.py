@@ -13,9 +13,9 @@ import pytest
 from learnblock import language, robots, running
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from pythons import VERSIONS, with_learnblock
-from runs import EXAMPLES, TWINS, WORLDS, run_example, run_file
+from runs import EXAMPLES, TASKS, TWINS, WORLDS, person, run_example, run_file
 
-NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
+NAMES = sorted(TASKS)
 #: In the order in which a robot that turns to the right reaches them.
 SEVEN = ("joy", "sadness", "anger", "surprise", "fear", "disgust", "neutral")
 PAIRS = list(itertools.product(NAMES, TWINS))
@@ -61,7 +61,8 @@ def test_block_text_and_python_of_an_example_leave_the_same_trace(name, tmp_path
     python.write_text(language.to_python(tree, robots.module_of("cozmo")).text)
     options = {"world": WORLDS.get(name), "seconds": 4}
     of_block_text = run_example(name, robot, **options).report.trace_sha256
-    assert run_file(python, robot, **options).report.trace_sha256 == of_block_text
+    same = run_file(python, robot, watcher=person(name), **options)
+    assert same.report.trace_sha256 == of_block_text
 
 
 def test_a_generated_file_runs_by_itself_with_the_same_trace(tmp_path):
@@ -109,11 +110,24 @@ def test_neither_pace_nor_the_kind_of_worker_changes_the_trace(worker, pace):
 
 @pytest.mark.parametrize("robot", ["sim-ebo", "sim-cozmo"])
 def test_all_seven_faces_are_found_and_imitated(robot):
-    report = run_example("imitate.bt", robot, world="faces", seconds=54).report
+    report = run_example("imitate.bt", robot, world="faces", seconds=60).report
     met = [(goal.name, goal.state) for goal in report.goals]
     assert met == [(emotion, "reached") for emotion in SEVEN]
     # Before it sees a face, it is calm.
     assert ["neutral", *SEVEN] == list(report.emotions)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_example_reaches_all_goals_of_its_world_and_an_idle_program_none(name, tmp_path):
+    page = (EXAMPLES / "README.md").read_text(encoding="utf-8")
+    [robot] = re.findall(rf"`learnblock run {re.escape(name)} --robot (\S+) --world", page)
+    world, seconds = TASKS[name]
+    goals = run_example(name, robot, world=world, seconds=seconds).report.goals
+    assert {goal.state for goal in goals} == {"reached"}
+    idle = tmp_path / "idle.bt"
+    idle.write_text(f"main:\n    function.sleep({seconds})\nend\n")
+    missed = run_file(idle, robot, world=world).report.goals
+    assert {goal.state for goal in missed} <= {"open", "failed"}
 
 
 def test_another_seed_gives_another_path():
@@ -123,13 +137,18 @@ def test_another_seed_gives_another_path():
     assert paths[0] != paths[1]
 
 
+def test_every_example_has_a_task():
+    files = [*EXAMPLES.glob("*.bt"), *EXAMPLES.glob("first/*.bt")]
+    assert sorted(path.relative_to(EXAMPLES).as_posix() for path in files) == NAMES
+
+
 def test_the_page_of_examples_names_each_with_a_robot_that_can_run_it():
     page = (EXAMPLES / "README.md").read_text(encoding="utf-8")
     commands = re.findall(r"`learnblock run (\S+) --robot (\S+) --world (\S+)`", page)
     assert sorted(name for name, _, _ in commands) == NAMES
     for name, robot, world in commands:
         assert refusal(name, robot) == []
-        assert world == WORLDS.get(name, world)
+        assert world == TASKS[name][0]
 
 
 @pytest.mark.slow

@@ -54,10 +54,12 @@ def test_a_wheel_is_made_from_the_sdist_without_node(sdist, tmp_path):
 def test_the_page_comes_with_the_licences_of_its_bundled_packages(sdist):
     static = sdist / "src" / "learnblock" / "server" / "static"
     notices = (static / "third-party-notices.md").read_text("utf-8")
-    for library in ("blockly", "three", "preact", "@codemirror/view", "uplot"):
+    bundled = ("blockly", "three", "preact", "@codemirror/view", "uplot", "lucide")
+    for library in (*bundled, "@fontsource-variable/nunito", "@fontsource/jetbrains-mono"):
         assert f"## {library} - " in notices
     assert "Apache License" in notices
     assert "Permission is hereby granted" in notices
+    assert "SIL Open Font License" in notices
 
 
 @pytest.mark.parametrize("source", ["frontend/src/main.tsx", "src/learnblock/i18n/es/file.ftl"])

@@ -164,9 +164,10 @@ def _imported(
 def _project(source: Path) -> "_Converted":
     """A project for the page."""
     from learnblock.server.projects import project_file  # noqa: PLC0415
+    from learnblock.server.projects.project import Project  # noqa: PLC0415
 
     made = _read(source)
-    project = project_file.Project(source.stem, made.blocktext, workspace=made.workspace)
+    project = Project(source.stem, made.blocktext, workspace=made.workspace)
     return project_file.ENDING, project_file.encode(project), made.report
 
 

@@ -18,15 +18,15 @@ if TYPE_CHECKING:
 @json_option
 def worlds(as_json: bool) -> None:  # noqa: FBT001 - a click flag
     """List the worlds of the simulator."""
-    import msgspec  # noqa: PLC0415 - `--help` needs none of it
-
-    from learnblock.robots.simulated import worlds as all_worlds  # noqa: PLC0415
+    from learnblock.robots.simulated import (  # noqa: PLC0415 - `--help` needs none of it
+        worlds as all_worlds,
+    )
 
     listed = [
         {
             "name": world.name,
             "title": world.title,
-            "goals": [goal.name for goals in msgspec.structs.astuple(world.goal) for goal in goals],
+            "goals": [goal.name for _, _, goal in world.goal.all()],
         }
         for world in all_worlds()
     ]
@@ -109,12 +109,16 @@ def _describe(skill: "BlockConfiguration") -> None:
     click.echo(f"  {tooltip(skill)}")
     say("cli-skill-block", label=label(skill, language()))
     say("cli-skill-returns", kind="value" if skill.returns_value else "nothing")
-    if skill.needs:
-        say("cli-skill-needs", devices=skill.needs)
-    else:
-        say("cli-skill-needs-nothing")
     click.echo(f"  Block-Text: function.{_signature(skill)}")
     click.echo(f"  Python: robot.{_signature(skill)}")
+    if not skill.needs:
+        say("cli-skill-needs-nothing")
+        return
+    from learnblock.cli.robot_table import print_serving  # noqa: PLC0415
+    from learnblock.language.check.robots import device_phrase  # noqa: PLC0415
+
+    say("cli-skill-needs", devices=tuple(map(device_phrase, skill.needs)))
+    print_serving(skill)
 
 
 def tooltip(skill: "BlockConfiguration") -> str:

@@ -10,6 +10,7 @@ import click
 from learnblock.cli.console import say
 
 if TYPE_CHECKING:
+    from learnblock.monitor.worlds import Template
     from learnblock.new.robot_plan import RobotPlan
 
 _FORCE = click.option("--force", is_flag=True, help="Replace existing files.")
@@ -29,6 +30,7 @@ def new_group() -> None:
     learnblock new robot pathfinder --from pathfinder.toml
     learnblock new skill waltz
     learnblock new world garden
+    learnblock new world labyrinth-7 --template maze --size 7 --seed 3
     """  # noqa: D301 - click wants the character itself
 
 
@@ -91,14 +93,43 @@ def skill(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 
 
 @new_group.command()
 @click.argument("name")
+@click.option(
+    "--template",
+    type=click.Choice(["field", "track", "maze"]),
+    help="Make a field with obstacles, a track to follow or a maze.",
+)
+@click.option(
+    "--size",
+    type=click.IntRange(3, 8),
+    default=5,
+    show_default=True,
+    help="How large a world from a template is.",
+)
+@click.option(
+    "--seed",
+    type=click.IntRange(0, 999_999),
+    default=1,
+    show_default=True,
+    help="Which of the template's worlds: the same number makes the same world.",
+)
 @_FOLDER
 @_FORCE
-def world(name: str, folder: Path | None, force: bool) -> None:  # noqa: FBT001 - a click flag
-    """Create a world for the simulator, with one object of each kind."""
+def world(
+    *,
+    name: str,
+    template: "Template | None",
+    size: int,
+    seed: int,
+    folder: Path | None,
+    force: bool,
+) -> None:
+    """Create a world for the simulator, with one object of each kind, or from a template."""
+    from learnblock.monitor.worlds import made_world  # noqa: PLC0415
     from learnblock.new.world import world_files  # noqa: PLC0415
     from learnblock.storage.home import home  # noqa: PLC0415
 
-    files = world_files(name, folder or home())
+    made = made_world(template, size, seed) if template else None
+    files = world_files(name, folder or home(), made)
     _write(files, force=force)
     given = name if folder is None else str(next(iter(files)))
     say("cli-new-next")

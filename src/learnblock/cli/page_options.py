@@ -28,6 +28,11 @@ _OPTIONS = (
         help="Listen on this socket instead, for a proxy.",
     ),
     click.option(
+        "--proxy-sends-token",
+        is_flag=True,
+        help="A proxy logs users in and sends the token (LEARNBLOCK_TOKEN) as a cookie.",
+    ),
+    click.option(
         "--new-token",
         is_flag=True,
         help="Change the page's address, so that the old one no longer opens it.",

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from learnblock.cli.console import json_option, print_settings, say, text, usage_error
+from learnblock.cli.console import json_option, print_settings, text, usage_error
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 
@@ -119,13 +119,10 @@ def component_command(
     learnblock component apriltag
     learnblock component emotionrecognition --only-drawn-faces
     """  # noqa: D301 - click wants the character itself
-    from threading import Event  # noqa: PLC0415 - `--help` needs none of it
-
+    from learnblock.cli.interrupts import served_until_ctrl_c  # noqa: PLC0415
     from learnblock.perception.robocomp import Order, serve  # noqa: PLC0415
 
     order = None if layout == "auto" else Order(layout)
     adapter, listening = serve(name, port=port, host=host, order=order, drawn=drawn)
-    with adapter:
+    with adapter, served_until_ctrl_c():
         click.echo(f"{name}:tcp -h {host} -p {listening}")
-        say("cli-stop-with-ctrl-c")
-        Event().wait()

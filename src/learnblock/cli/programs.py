@@ -6,28 +6,38 @@ from typing import Any
 
 import click
 
+from learnblock.cli.assignment import Assigned, Assignment
 from learnblock.cli.console import (
+    EXISTING_FILE,
     ExitCode,
     json_option,
     print_diagnostics,
     print_json,
     say,
+    usage_error,
 )
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
 
-_FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 _NEW_FILE = click.Path(path_type=Path, dir_okay=False)
-_PROGRAM = click.argument("file", type=_FILE)
+#: A file, or a folder for the logs of several robots.
+_LOG = click.Path(path_type=Path)
+_PROGRAM = click.argument("file", type=EXISTING_FILE)
+_VARIANT = click.IntRange(min=0)
+_VARIANTS = click.IntRange(1, 1000)
 #: The endings of files, as short names of notations.
 _NOTATIONS = {"py": "python", "bt": "block-text"}
 _ROBOT = click.option("--robot", metavar="NAME", help="The robot: see learnblock robots.")
 
 
 @click.command()
-@_PROGRAM
+@click.argument(
+    "programs", nargs=-1, required=True, type=Assigned(), metavar="FILE[@ROBOT[:COUNT]]..."
+)
 @_ROBOT
 @click.option("--world", metavar="NAME", help="The world's name or file.")
 @click.option("--seed", type=int, help="Seed of all noise; the same seed gives the same run.")
+@click.option("--variant", type=_VARIANT, help="A variant of the world; 0 is as it is drawn.")
+@click.option("--variants", type=_VARIANTS, help="Run in the variants 1 to this number.")
 @click.option(
     "--pace",
     metavar="free|real|FACTOR",
@@ -40,20 +50,42 @@ _ROBOT = click.option("--robot", metavar="NAME", help="The robot: see learnblock
     help="Stop after this many seconds of the robot's time  [default: 300 at pace free]",
 )
 @click.option("--trace", type=_NEW_FILE, help="Write the trace as JSON Lines.")
+@click.option("--why", type=_LOG, help="Write a log for questions: see learnblock why.")
 @click.option("--picture", type=_NEW_FILE, help="Draw the world and the path as .png or .svg.")
+@click.option(
+    "--keys", type=EXISTING_FILE, help="Press the keys in this file: see docs/keyboard.md."
+)
 @click.option("--anyway", is_flag=True, help="Run even if the robot lacks a device it needs.")
 @click.option("--allow-network", is_flag=True, help="Let the program use the network.")
 @json_option
-def run(file: Path, as_json: bool, **choices: Any) -> None:  # noqa: FBT001 - a click flag
-    """Run a program (.bt, .py or .learnblock) on a robot.
+def run(programs: tuple[Assignment, ...], as_json: bool, **choices: Any) -> None:  # noqa: FBT001
+    """Run programs (.bt, .py or .learnblock) on robots.
 
     \b
     learnblock run examples/square.bt --robot sim-ev3 --picture square.png
     learnblock run examples/line-states.bt --world line --for 60 --pace 5
+    learnblock run examples/dance.bt@sim-ebo:3 examples/square.bt@sim-ev3
+    learnblock run examples/avoid.bt --world arena --for 60 --variants 20
     """  # noqa: D301 - click wants the character itself
-    from learnblock.cli.reporting import run_and_report  # noqa: PLC0415 - `--help` needs none of it
+    # Imported here because `--help` needs none of it.
+    from learnblock.cli.project_files import robots_in  # noqa: PLC0415
+    from learnblock.cli.reporting import run_and_report  # noqa: PLC0415
+    from learnblock.cli.team import run_team  # noqa: PLC0415
+    from learnblock.cli.variants import run_variants  # noqa: PLC0415
 
-    sys.exit(run_and_report(file, as_json=as_json, **choices))
+    variants = choices.pop("variants")
+    count = sum(one.count * robots_in(one.file) for one in programs)
+    if variants and count > 1:
+        raise usage_error("report-variants-alone")
+    if choices["why"] and variants:
+        raise usage_error("report-why-alone")
+    if count > 1:
+        sys.exit(run_team(programs, as_json=as_json, **choices))
+    choices["robot"] = programs[0].robot or choices["robot"]
+    if variants:
+        del choices["why"]
+        sys.exit(run_variants(programs[0].file, variants=variants, as_json=as_json, **choices))
+    sys.exit(run_and_report(programs[0].file, as_json=as_json, **choices))
 
 
 @click.command()
@@ -69,15 +101,31 @@ def demo(picture: Path | None) -> None:
 
 
 @click.command()
-@click.argument("files", nargs=-1, required=True, type=_FILE, metavar="FILE...")
+@click.argument("files", nargs=-1, required=True, type=EXISTING_FILE, metavar="FILE...")
 @_ROBOT
+@click.option("--all-robots", is_flag=True, help="Say which robots can run each program.")
 @json_option
-def check(files: tuple[Path, ...], robot: str | None, as_json: bool) -> None:  # noqa: FBT001
+def check(
+    files: tuple[Path, ...],
+    robot: str | None,
+    all_robots: bool,  # noqa: FBT001 - a click flag
+    as_json: bool,  # noqa: FBT001
+) -> None:
     """Check programs for mistakes without running them.
 
-    With --robot, also lists the devices that this robot lacks. The exit code is 1 if there are
-    errors; warnings do not change it.
-    """
+    With --robot, also checks that this robot has what each program needs. The exit code is 1 if
+    there are errors; warnings do not change it.
+
+    \b
+    learnblock check square.bt --robot sim-thymio
+    learnblock check examples/*.bt --all-robots
+    """  # noqa: D301 - click wants the character itself
+    if all_robots:
+        if robot:
+            raise usage_error("cli-one-or-all-robots")
+        from learnblock.cli.robot_table import print_robots  # noqa: PLC0415
+
+        sys.exit(print_robots(files, as_json=as_json))
     found = {file: _diagnose(file, robot) for file in files}
     if as_json:
         print_json([_as_object(file, one) for file, (all_, _) in found.items() for one in all_])
@@ -89,7 +137,7 @@ def check(files: tuple[Path, ...], robot: str | None, as_json: bool) -> None:  #
 
 
 @click.command("format")
-@click.argument("files", nargs=-1, required=True, type=_FILE, metavar="FILE.bt...")
+@click.argument("files", nargs=-1, required=True, type=EXISTING_FILE, metavar="FILE.bt...")
 @click.option("--check", "only_check", is_flag=True, help="Change nothing; exit 1 if it would.")
 @click.option("--stdout", "to_stdout", is_flag=True, help="Print the result; change nothing.")
 @json_option

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 from learnblock import running
 from learnblock.cli.console import say
+from learnblock.errors import FileError
 from learnblock.running import Source
 
 if TYPE_CHECKING:
-    from learnblock.server.projects.folder import Project
+    from learnblock.server.projects.project import Project, ProjectPart
 
 ENDING = ".learnblock"
 
@@ -25,24 +26,51 @@ class ProgramFile:
         robot: the name of the robot; None for a program without a project.
         world: the name of the world, or the path of the world that the project brings.
         tags: the numbers of tags that it uses instead of the user's.
+        name: the name of the robot in a project with several; else empty.
+        count: how many robots of the project run it.
     """
 
     source: Source
     robot: str | None = None
     world: str | None = None
     tags: Mapping[str, int] = field(default_factory=dict)
+    name: str = ""
+    count: int = 1
 
 
 @contextmanager
 def opened(path: Path) -> Iterator[ProgramFile]:
-    """Read a program or a project, whose world exists until the end.
+    """Read a program or a project, whose world exists until the end; of several robots, the first.
 
     Raises:
         FileError: it is invalid.
         OSError: it can't be read.
     """
+    with opened_all(path) as found:
+        yield found[0]
+
+
+def robots_in(path: Path) -> int:
+    """How many robots a file is for; 1 for a program, and for a project that is invalid."""
     if path.suffix != ENDING:
-        yield ProgramFile(running.read(path))
+        return 1
+    try:
+        return _project(path).count_robots()
+    except FileError:
+        # Reading it will report why.
+        return 1
+
+
+@contextmanager
+def opened_all(path: Path) -> Iterator[tuple[ProgramFile, ...]]:
+    """Read a program, or the programs of a project, whose world exists until the end.
+
+    Raises:
+        FileError: one is invalid.
+        OSError: it can't be read.
+    """
+    if path.suffix != ENDING:
+        yield (ProgramFile(running.read(path)),)
         return
     from learnblock.server.projects import unpacking  # noqa: PLC0415 - programs need none of it
 
@@ -50,9 +78,9 @@ def opened(path: Path) -> Iterator[ProgramFile]:
     if offered := unpacking.offered_code(project):
         names = (*offered.blocks, *offered.libraries)
         say("cli-project-code", err=True, file=str(path), names=names)
-    source = _source(path, project)
+    tags = unpacking.tags_used(project)
     with _world(project) as world:
-        yield ProgramFile(source, project.robot, world, unpacking.tags_used(project))
+        yield tuple(_program_files(path, project, world, tags))
 
 
 def read(path: Path) -> Source:
@@ -73,9 +101,20 @@ def _project(path: Path) -> "Project":
         return decode(file.read(LARGEST + 1), path.stem)
 
 
-def _source(path: Path, project: "Project") -> Source:
-    is_python = project.python is not None
-    text = project.blocktext if project.python is None else project.python
+def _program_files(
+    path: Path, project: "Project", world: str | None, tags: Mapping[str, int]
+) -> Iterator[ProgramFile]:
+    if not project.has_several:
+        yield ProgramFile(_source(path, project.parts[0]), project.robot, world, tags)
+        return
+    for part in project.parts:
+        source = _source(path.with_name(f"{path.name} ({part.name})"), part)
+        yield ProgramFile(source, part.robot, world, tags, part.name, part.count)
+
+
+def _source(path: Path, part: "ProjectPart") -> Source:
+    is_python = part.python is not None
+    text = part.blocktext if part.python is None else part.python
     return running.source_of(path, text, is_python=is_python)
 
 

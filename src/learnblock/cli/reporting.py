@@ -1,27 +1,36 @@
 """A run on the command line: a live status line, and a report at the end."""
 
-import signal
 import sys
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager, nullcontext
-from dataclasses import replace
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import monotonic
-from types import FrameType
 from typing import Any, BinaryIO
 
 import click
 
 from learnblock import running
 from learnblock.cli.console import ExitCode, located, print_json, say, text
+from learnblock.cli.interrupts import stopped_by_signals
+from learnblock.cli.keyboard import (
+    Keyboard,
+    NoKeys,
+    RecordedKeyboard,
+    listens_to_terminal,
+    terminal_keyboard,
+)
 from learnblock.cli.project_files import ProgramFile, opened
 from learnblock.client import Goal
-from learnblock.devices import DEFAULT_KEY
 from learnblock.errors import Diagnostic, FileError, LearnBlockError
 from learnblock.i18n import Phrase
+from learnblock.language.check.robots import need_phrase
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, ProgramRun, Report, Source
+from learnblock.running.recorded_keys import read_keys
 from learnblock.runtime.ending import How
+from learnblock.runtime.log.keeping import RunLog
+from learnblock.runtime.program import Program
 from learnblock.runtime.watcher import Watcher
 
 #: The limit of an endless program at full speed, in seconds of the robot's time.
@@ -30,12 +39,12 @@ DEFAULT_SECONDS = 300.0
 STATUS_PERIOD = 0.1
 
 #: Characters of the longest label of the report, and the indent of a value's further lines.
-_LABEL = 10
-_NEW_LINE = "\n" + " " * (_LABEL + 1)
+LABEL = 10
+_NEW_LINE = "\n" + " " * (LABEL + 1)
 #: How a run ended, by the names in the report's words.
 _HOW = {How.FINISHED: "finished", How.STOPPED: "stopped"}
 
-_EXIT_CODES = {
+EXIT_CODES = {
     How.ERROR: ExitCode.PROGRAM_FAILED,
     How.NO_CALL: ExitCode.PROGRAM_STOPPED,
     How.OUTPUT_LIMIT: ExitCode.PROGRAM_STOPPED,
@@ -45,62 +54,131 @@ _EXIT_CODES = {
 }
 
 
-def run_and_report(
-    file: Path,
-    *,
-    as_json: bool,
-    **choices: Any,
-) -> int:
-    """Run a program, print the report, and return the exit code."""
+@dataclass(frozen=True, slots=True)
+class Prepared:
+    """A program that can be run.
+
+    Args:
+        program: the program.
+        robot: the robot to run it on.
+        options: the options of the run.
+        keys: the keys that are pressed during the run.
+    """
+
+    program: Program
+    robot: RobotEntry
+    options: Options
+    keys: RecordedKeyboard | None = None
+
+
+@contextmanager
+def prepared(file: Path, *, as_json: bool, **choices: Any) -> Iterator[Prepared | None]:
+    """A program, read and checked; None, and a report, if it has mistakes."""
     with ExitStack() as stack:
         try:
             found = stack.enter_context(opened(file))
         except FileError as error:
             if as_json:
-                print_json(_refused_report(str(file), error.diagnostics))
+                print_json(refused_report(str(file), error.diagnostics))
             raise
-        return _run_found(found, file, as_json=as_json, **choices)
+        yield _prepare(found, file, as_json=as_json, **choices)
 
 
-def _run_found(
+def _prepare(
     found: ProgramFile,
     file: Path,
     *,
     robot: str | None,
     world: str | None,
     seed: int | None,
+    variant: int | None,
     pace: str | None,
     seconds: float | None,
-    trace: Path | None,
-    picture: Path | None,
+    keys: Path | None,
     anyway: bool,
     allow_network: bool,
     as_json: bool,
-) -> int:
+) -> Prepared | None:
     source = found.source
     entry = running.choose_robot(source, robot or found.robot)
     if world is None and entry.load().lockstep:
         # A real robot is in the world where it is.
         world = found.world
-    if _refused(source, entry, anyway=anyway, as_json=as_json):
-        return ExitCode.MISTAKES
-    if picture and picture.suffix not in {".png", ".svg"}:
-        raise LearnBlockError("report-picture-format", file=str(picture))
-    network = allow_network or running.may_use_network(file)
-    options = Options(world, seed, pace, _time_limit(pace, seconds), network=network)
-    entry.load().check_wishes(options.wishes)
+    if errors := mistakes(source, entry, anyway=anyway, quiet=as_json):
+        if as_json:
+            print_json(refused_report(str(source.path), errors))
+        return None
     program = replace(running.program(source, entry), tags=found.tags)
-    with _opened(trace) as trace_file:
-        watcher = _Collector() if as_json else _Terminal()
-        session = ProgramRun(program, entry, options, trace=trace_file, watcher=watcher)
+    recorded = RecordedKeyboard(read_keys(keys)) if keys else None
+    if pace is None and not (recorded or as_json) and listens_to_terminal(program):
+        # At full speed a run is over before a person has pressed a key.
+        pace = "real"
+    network = allow_network or running.may_use_network(file)
+    options = Options(world, seed, pace, time_limit(pace, seconds), variant, network=network)
+    entry.load().check_wishes(options.wishes)
+    return Prepared(program, entry, options, recorded)
+
+
+def run_and_report(
+    file: Path,
+    *,
+    trace: Path | None,
+    picture: Path | None,
+    why: Path | None,
+    as_json: bool,
+    **choices: Any,
+) -> int:
+    """Run a program, print the report, and return the exit code."""
+    with prepared(file, as_json=as_json, **choices) as found:
+        if found is None:
+            return ExitCode.MISTAKES
+        check_picture(picture)
+        log = _log(found.program, why) if why else None
+        return _run_found(found, trace, picture, log, as_json=as_json)
+
+
+def _log(program: Program, path: Path) -> RunLog:
+    """A log in a file, or in a folder under the program's name."""
+    return RunLog(program, path / f"{Path(program.name).stem}.why" if path.is_dir() else path)
+
+
+def say_if_not_whole(log: RunLog) -> None:
+    """Say why a log's file ends too early, if it does."""
+    if log.failure:
+        say("report-why-not-whole", reason=log.failure, err=True)
+
+
+def _run_found(
+    found: Prepared,
+    trace: Path | None,
+    picture: Path | None,
+    log: RunLog | None,
+    *,
+    as_json: bool,
+) -> int:
+    with opened_trace(trace) as trace_file, _keyboard(found, as_json=as_json) as keyboard:
+        watcher = Collector(keyboard) if as_json else _Terminal(keyboard)
+        session = ProgramRun(
+            found.program, found.robot, found.options, trace=trace_file, watcher=watcher, log=log
+        )
         watcher.session = session
-        report = _run(session)
+        with stopped_by_signals(session.stop):
+            report = session.run()
         watcher.clear()
     _print(replace(report, output=watcher.output), session, as_json=as_json)
     if picture:
         _draw(session, picture)
-        _print_row("report-label-picture", str(picture))
-    return _EXIT_CODES.get(How(report.ended), ExitCode.WELL)
+        print_row("report-label-picture", str(picture))
+    if log:
+        say_if_not_whole(log)
+    return EXIT_CODES.get(How(report.ended), ExitCode.WELL)
+
+
+def _keyboard(found: Prepared, *, as_json: bool) -> AbstractContextManager[Keyboard]:
+    """The keyboard of a run; one whose output is for a script does not listen to the terminal."""
+    if found.keys or as_json:
+        return nullcontext(found.keys or NoKeys())
+    return terminal_keyboard(found.program)
 
 
 def demonstrate(picture: Path) -> int:
@@ -112,24 +190,42 @@ def demonstrate(picture: Path) -> int:
         robot="sim-ebo",
         world="tags",
         seed=0,
+        variant=None,
         pace="free",
         seconds=62,
         trace=None,
+        why=None,
         picture=picture,
+        keys=None,
         anyway=False,
         allow_network=False,
         as_json=False,
     )
 
 
-class _Collector(Watcher):
-    """A listener that keeps the prints for the report."""
+def ask(prompt: str) -> str | None:
+    """Ask the person for a line; None if there will be no more."""
+    click.echo(prompt, nl=False)
+    line = sys.stdin.readline()
+    return line.removesuffix("\n") if line else None
+
+
+class Collector(Watcher):
+    """A listener that keeps the prints for the report.
+
+    Args:
+        keyboard: has the keys that the program finds held down.
+    """
 
     #: The run whose prints are kept.
     session: ProgramRun | None = None
 
-    def __init__(self) -> None:
+    def __init__(self, keyboard: Keyboard | None = None) -> None:
         self.output = ""
+        self.keyboard = keyboard or NoKeys()
+
+    def held_keys(self, time: float) -> Collection[str]:
+        return self.keyboard.held(time)
 
     def printed(self, text: str) -> None:
         self.output += text
@@ -138,11 +234,11 @@ class _Collector(Watcher):
         """Leave the terminal as it is."""
 
 
-class _Terminal(_Collector):
+class _Terminal(Collector):
     """A listener that shows output at once and, on a terminal, a line with the state of the run."""
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, keyboard: Keyboard) -> None:
+        super().__init__(keyboard)
         self._drawn = monotonic()
         self._started = self._drawn
         self._live = sys.stderr.isatty()
@@ -153,9 +249,8 @@ class _Terminal(_Collector):
 
     def input(self, prompt: str) -> str | None:
         self.clear()
-        click.echo(prompt, nl=False)
-        line = sys.stdin.readline()
-        return line.removesuffix("\n") if line else None
+        with self.keyboard.typing():
+            return ask(prompt)
 
     def tick(self) -> None:
         now = monotonic()
@@ -181,23 +276,27 @@ class _Terminal(_Collector):
         return "  ".join(parts)
 
 
-def _refused(source: Source, entry: RobotEntry, *, anyway: bool, as_json: bool) -> bool:
-    """Print the diagnostics of the check; return whether they prevent the run."""
+def mistakes(source: Source, entry: RobotEntry, *, anyway: bool, quiet: bool) -> list[Diagnostic]:
+    """Check a program and print the result; return the errors that prevent its run.
+
+    Args:
+        source: the program.
+        entry: the robot.
+        anyway: whether it may run on a robot that lacks a device.
+        quiet: whether to print nothing.
+    """
     diagnostics = running.check(source, entry)
-    errors = [
+    for one in () if quiet else diagnostics:
+        click.echo(located(str(source.path), one), err=True)
+    return [
         one
         for one in diagnostics
         if one.severity == "error" and not (anyway and one.code == "missing-device")
     ]
-    if as_json and errors:
-        print_json(_refused_report(str(source.path), errors))
-    elif not as_json:
-        for one in diagnostics:
-            click.echo(located(str(source.path), one), err=True)
-    return bool(errors)
 
 
-def _refused_report(filename: str, errors: Sequence[Diagnostic]) -> Report:
+def refused_report(filename: str, errors: Sequence[Diagnostic]) -> Report:
+    """The report of a program that was not started."""
     first = errors[0]
     error = {
         "message": str(first.message),
@@ -209,30 +308,28 @@ def _refused_report(filename: str, errors: Sequence[Diagnostic]) -> Report:
     return Report(ended="refused", error=error)
 
 
-def _time_limit(pace: str | None, seconds: float | None) -> float | None:
+def time_limit(pace: str | None, seconds: float | None) -> float | None:
+    """The seconds after which a run ends: at full speed an endless program has to end, too."""
     if seconds is not None:
         return seconds
     return DEFAULT_SECONDS if pace in (None, "free") else None
 
 
+def check_picture(picture: Path | None) -> None:
+    """Refuse a picture in a format that can't be drawn.
+
+    Raises:
+        LearnBlockError: it is neither .png nor .svg.
+    """
+    if picture and picture.suffix not in {".png", ".svg"}:
+        raise LearnBlockError("report-picture-format", file=str(picture))
+
+
 @contextmanager
-def _opened(path: Path | None) -> Iterator[BinaryIO | None]:
+def opened_trace(path: Path | None) -> Iterator[BinaryIO | None]:
+    """The file of the trace, open to be written, if there is one."""
     with path.open("wb") if path else nullcontext() as file:
         yield file
-
-
-def _run(session: ProgramRun) -> Report:
-    """Run, and write a report even after Ctrl-C or SIGTERM."""
-
-    def stop(number: int, frame: FrameType | None) -> None:  # noqa: ARG001
-        session.stop()
-
-    before = {number: signal.signal(number, stop) for number in (signal.SIGINT, signal.SIGTERM)}
-    try:
-        return session.run()
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
 
 
 def _draw(session: ProgramRun, path: Path) -> None:
@@ -245,7 +342,9 @@ def _draw(session: ProgramRun, path: Path) -> None:
         f"{session.program.name} on {session.robot.name},"
         f" world {conditions['world']}, seed {conditions['seed']}"
     )
-    draw(session.client, session.recorder, path, title)
+    if variant := conditions.get("variant"):
+        title += f", variant {variant}"
+    draw({"robot": (session.client, session.recorder)}, path, title)
 
 
 def _print(report: Report, session: ProgramRun, *, as_json: bool) -> None:
@@ -253,47 +352,64 @@ def _print(report: Report, session: ProgramRun, *, as_json: bool) -> None:
         print_json(report)
         return
     for label, value in _rows(report, session):
-        _print_row(label, value)
+        print_row(label, value)
 
 
-def _print_row(label: str, value: str) -> None:
-    click.echo(f"{text(Phrase(label)):<{_LABEL}} {value}", err=True)
+def print_row(label: str, value: str) -> None:
+    """Print a row of the report: the code of its label, and its value."""
+    click.echo(f"{text(Phrase(label)):<{LABEL}} {value}", err=True)
 
 
 def _rows(report: Report, session: ProgramRun) -> Iterator[tuple[str, str]]:
     """The rows of the report: the code of the label, and the value."""
-    yield "report-label-ended", _ending(report, session)
-    yield "report-label-time", f"{report.time:.2f} s"
-    if report.distance is not None:
-        yield "report-label-driven", f"{report.distance:.0f} mm"
+    yield from ending_rows(report, session.options.seconds)
     for goal in report.goals:
-        yield "report-label-goal", _goal(goal)
-    if report.emotions:
-        yield "report-label-shown", ", ".join(report.emotions)
-    for missed in report.no_effect:
-        reason = _reason(session.robot.name, str(missed["device"]))
-        yield "report-label-no-effect", f"{missed['skill']}: {text(reason)}"
+        yield "report-label-goal", goal_row(goal)
+    yield from effect_rows(report, session.robot.name)
     yield "report-label-trace", report.trace_sha256
 
 
-def _goal(goal: Goal) -> str:
+def ending_rows(report: Report, limit: float | None) -> Iterator[tuple[str, str]]:
+    """The rows on how and when a program ended, and how far its robot has driven."""
+    yield "report-label-ended", ending(report, limit)
+    yield "report-label-time", f"{report.time:.2f} s"
+    if report.distance is not None:
+        yield "report-label-driven", f"{report.distance:.0f} mm"
+
+
+def effect_rows(report: Report, robot: str) -> Iterator[tuple[str, str]]:
+    """The rows on the emotions that a robot has shown, and the skills without effect."""
+    if report.emotions:
+        yield "report-label-shown", ", ".join(report.emotions)
+    for missed in report.no_effect:
+        reason = _missing_reason(robot, str(missed["device"]))
+        yield "report-label-no-effect", f"{missed['skill']}: {text(reason)}"
+
+
+def goal_row(goal: Goal) -> str:
+    """A goal with its state, in words."""
     if goal.time is None:
         return text(Phrase("report-goal", name=goal.name, state=goal.state))
     time = round(goal.time, 1)
     return text(Phrase("report-goal-at", name=goal.name, state=goal.state, time=time))
 
 
-def _reason(robot: str, device: str) -> Phrase:
+def _missing_reason(robot: str, device: str) -> Phrase:
     """The reason why a skill that needs the device had no effect."""
     if device == "Detector:emotions":
         return Phrase("report-emotions-off", robot=robot)
-    return Phrase("report-no-device", robot=robot, device=device.removesuffix(f":{DEFAULT_KEY}"))
+    return Phrase("report-no-device", robot=robot, device=need_phrase(device))
 
 
-def _ending(report: Report, session: ProgramRun) -> str:
+def ending(report: Report, limit: float | None) -> str:
+    """How a program ended, with the line where it failed.
+
+    Args:
+        report: its report.
+        limit: the run's time limit in seconds, if it has one.
+    """
     error = report.error
     if error is None:
-        limit = session.options.seconds
         if report.ended == How.TIME_LIMIT and limit is not None:
             return text(Phrase("report-ended-time-limit", seconds=limit))
         return text(Phrase("report-ended", how=_HOW.get(How(report.ended), "other")))

@@ -152,16 +152,15 @@ def emulate_command(name: str, world: str | None, seed: int) -> None:
     learnblock emulate cozmo --world tags
     """  # noqa: D301 - click wants the character itself
     from learnblock import emulators  # noqa: PLC0415
+    from learnblock.cli.interrupts import served_until_ctrl_c  # noqa: PLC0415
 
-    with emulators.emulate(name, world, seed=seed) as emulation:
+    with emulators.emulate(name, world, seed=seed) as emulation, served_until_ctrl_c():
         say("cli-emulating", robot=name)
         for setting, value in emulation.settings.items():
             click.echo(f"    learnblock robots set {name} {setting} {typed(value)}")
         click.echo(f"    learnblock run PROGRAM --robot {name}")
         if emulation.note:
             click.echo(text(emulation.note))
-        say("cli-stop-with-ctrl-c")
-        emulation.wait()
 
 
 def _real(name: str) -> Any:

@@ -8,7 +8,7 @@ files.
     'square.bt is too large: the limit is 4 MB.'
 """
 
-from learnblock.i18n.phrase import Phrase, Value, translate
+from learnblock.i18n.phrase import Multilingual, Phrase, Value, translate
 from learnblock.i18n.words import ENGLISH, languages
 
-__all__ = ["ENGLISH", "Phrase", "Value", "languages", "translate"]
+__all__ = ["ENGLISH", "Multilingual", "Phrase", "Value", "languages", "translate"]

@@ -2,13 +2,31 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Union
+from typing import Self, Union
 
 from learnblock.i18n.words import ENGLISH, is_code, words
 
 #: The values of a phrase. Numbers are formatted for the language, so a number used as a name
 #: (a port, an identifier) is passed as a string; a tuple is shown as a list with commas.
 Value = Union[str, int, float, "Phrase", tuple[Union[str, "Phrase"], ...]]
+
+
+class Multilingual(str):
+    """A text that is known in several languages, such as the label of a block.
+
+    As a string it is English.
+
+    Args:
+        texts: by language, among them English.
+    """
+
+    __slots__ = ("texts",)
+    texts: Mapping[str, str]
+
+    def __new__(cls, texts: Mapping[str, str]) -> Self:
+        text = super().__new__(cls, texts[ENGLISH])
+        text.texts = texts
+        return text
 
 
 @dataclass(frozen=True, slots=True, init=False)
@@ -66,6 +84,8 @@ def translate(phrase: Phrase, language: str) -> str:
 def _shown(value: Value, language: str) -> str | int | float:
     if isinstance(value, Phrase):
         return translate(value, language)
+    if isinstance(value, Multilingual):
+        return value.texts.get(language, str(value))
     if isinstance(value, tuple):
         return ", ".join(str(_shown(one, language)) for one in value)
     return value

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
 
 ENGLISH = "en"
 
+#: The area with a folder of its own.
+_PAGE = "page"
 # Not importlib.resources, whose import would slow the start of every program.
 _FOLDER = Path(__file__).parent
 _CODE = re.compile(r"[a-z][a-z0-9]*(?:-[a-z0-9]+)+")
@@ -33,7 +35,7 @@ def words(code: str, values: dict[str, str | int | float], language: str) -> str
     Raises:
         ValueError: the words are invalid, or a value in them is missing.
     """
-    bundle = _bundle(language, code.partition("-")[0])
+    bundle = _bundle(language, _area(code))
     if bundle is None or not bundle.has_message(code):
         return None
     pattern = bundle.get_message(code).value
@@ -43,6 +45,18 @@ def words(code: str, values: dict[str, str | int | float], language: str) -> str
     if errors:
         raise ValueError(f"{code} in {language}: {errors[0]}")
     return str(text)
+
+
+def is_known(code: str) -> bool:
+    """Whether there are English words for a code."""
+    bundle = _bundle(ENGLISH, _area(code))
+    return bundle is not None and bundle.has_message(code)
+
+
+def _area(code: str) -> str:
+    """The file of a code: its first part; of the page's codes also the second one."""
+    first, _, rest = code.partition("-")
+    return f"{first}/{rest.partition('-')[0]}" if first == _PAGE else first
 
 
 @cache

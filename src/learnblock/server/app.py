@@ -18,8 +18,9 @@ from starlette.websockets import WebSocket
 
 from learnblock.i18n import Phrase
 from learnblock.server.http import static_files
+from learnblock.server.http.own_address import own_address
 from learnblock.server.http.palette import palette
-from learnblock.server.http.pictures import face, floor, tag
+from learnblock.server.http.pictures import face, floor, lesson, project, tag
 from learnblock.server.http.protection import (
     COOKIE,
     SUBPROTOCOL,
@@ -27,6 +28,7 @@ from learnblock.server.http.protection import (
     Protection,
     offered_token,
 )
+from learnblock.server.http.runs import RunFiles
 
 if TYPE_CHECKING:
     from learnblock.server.pages.lobby import Lobby
@@ -46,11 +48,13 @@ def create_app(
     token: str,
     hosts: Iterable[str] = (),
     origins: Iterable[str] = (),
+    proxy_sends_token: bool = False,
     base_url: str = "/",
     static: Path = static_files.BUILT,
     grace: float = GRACE,
     read_only: Phrase | None = None,
     for_others: bool = False,
+    for_one: bool = False,
 ) -> Starlette:
     """Create the server as an ASGI application.
 
@@ -60,15 +64,17 @@ def create_app(
         hosts: allowed names of the server besides those of the computer itself; ``*`` is any
             numeric address.
         origins: hosts of other pages that may use the server.
+        proxy_sends_token: whether a proxy sends the token for users that it has logged in.
         base_url: the path of the page.
         static: the folder of the built page.
         grace: seconds for which a project stays open without a page.
         read_only: why nothing may be written; None if it may.
         for_others: whether other computers can connect.
+        for_one: whether all pages are one person's, on whatever device.
     """
-    protection = Protection.of(token, hosts, origins)
-    lobby = _LateLobby(folder, grace, read_only, for_others=for_others)
-    routes = _routes(protection, static, lobby)
+    protection = Protection.of(token, hosts, origins, proxy_sends_token=proxy_sends_token)
+    lobby = _LateLobby(folder, grace, read_only, for_others=for_others, for_one=for_one)
+    routes = _routes(protection, static, folder, lobby, read_only=read_only is not None)
     base = "/" + base_url.strip("/")
     if base != "/":
         # Relative addresses of the page need the slash at the end.
@@ -80,14 +86,21 @@ def create_app(
     )
 
 
-def _routes(protection: Protection, static: Path, lobby: "_LateLobby") -> list[BaseRoute]:
+def _routes(
+    protection: Protection, static: Path, folder: Path, lobby: "_LateLobby", *, read_only: bool
+) -> list[BaseRoute]:
     private = partial(_private, protection)
+    runs = RunFiles(folder, read_only=read_only)
     return [
         Route("/", private(partial(_index, static, protection))),
         Route("/palette/{language}.json", private(palette), middleware=[_GZIP]),
         Route("/textures/tag/{number:int}.png", private(tag)),
         Route("/textures/face/{name}.png", private(face)),
         Route("/worlds/{name}/floor.png", private(floor)),
+        Route("/lessons/{name}/pictures/{file}", private(lesson)),
+        Route("/projects/{name}/picture.jpg", private(partial(project, folder))),
+        Route("/projects/{name}/runs/{run}.why", private(runs.download)),
+        Route("/projects/{name}/runs", private(runs.upload), methods=["POST"]),
         WebSocketRoute("/ws", partial(_websocket, protection, lobby)),
         Mount("/", static_files.PageFiles(directory=static, check_dir=False), middleware=[_GZIP]),
     ]
@@ -104,6 +117,8 @@ def _private(protection: Protection, endpoint: Endpoint) -> Endpoint:
 
 async def _index(static: Path, protection: Protection, request: Request) -> Response:
     response = static_files.index(static)
+    if protection.proxy_sends_token:
+        return response
     # One name per port, because cookies don't distinguish between servers on the same computer.
     name = f"{COOKIE}_{request.url.port or 'page'}"
     path = request.url.path
@@ -116,7 +131,10 @@ async def _to_folder(request: Request) -> Response:
 
 
 async def _websocket(protection: Protection, lobby: "_LateLobby", socket: WebSocket) -> None:
-    trusted = protection.knows(offered_token(socket.scope["subprotocols"]))
+    # The guard has checked the token that a proxy sends.
+    trusted = protection.proxy_sends_token or protection.knows(
+        offered_token(socket.scope["subprotocols"])
+    )
     # Always accept, because a browser doesn't tell its page why a handshake failed.
     await socket.accept(SUBPROTOCOL if socket.scope["subprotocols"] else None)
     if trusted:
@@ -131,9 +149,16 @@ class _LateLobby:
     """The lobby; its imports start once the server is responding."""
 
     def __init__(
-        self, folder: Path, grace: float, read_only: Phrase | None, *, for_others: bool
+        self,
+        folder: Path,
+        grace: float,
+        read_only: Phrase | None,
+        *,
+        for_others: bool,
+        for_one: bool,
     ) -> None:
         self._for_others = for_others
+        self._for_one = for_one
         self._folder = folder
         self._grace = grace
         self._read_only = read_only
@@ -154,4 +179,12 @@ class _LateLobby:
     def _made(self) -> "Lobby":
         from learnblock.server.pages.lobby import Lobby  # noqa: PLC0415
 
-        return Lobby(self._folder, self._grace, self._read_only, for_others=self._for_others)
+        address = own_address() if self._for_others else None
+        return Lobby(
+            self._folder,
+            self._grace,
+            self._read_only,
+            for_others=self._for_others,
+            for_one=self._for_one,
+            address=address,
+        )

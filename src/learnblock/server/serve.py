@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 from urllib.parse import quote
 
 import click
@@ -48,9 +49,11 @@ class Service:
         unix_socket: a socket to listen on instead.
         base_url: the path of the page.
         allowed_hosts: names that a proxy uses for the server.
+        proxy_sends_token: whether a proxy sends the token for users that it has logged in.
         project: the project to open.
         new_token: whether the address gets a new token, with which only new pages open.
         access: the right to write to the folder.
+        for_one: whether all pages are one person's, on whatever device.
         announce: shows the user the page's address.
     """
 
@@ -60,9 +63,11 @@ class Service:
     unix_socket: Path | None = None
     base_url: str = "/"
     allowed_hosts: tuple[str, ...] = ()
+    proxy_sends_token: bool = False
     project: str | None = None
     new_token: bool = False
     access: Access = field(default_factory=Access)
+    for_one: bool = False
     announce: Callable[[Phrase], object] = click.echo
 
     @property
@@ -72,9 +77,15 @@ class Service:
         return (own, socket.gethostname(), *self.allowed_hosts)
 
     @property
+    def is_for_one(self) -> bool:
+        """Whether all pages are one person's: a hub starts a LearnBlock for each of its users."""
+        return self.for_one or self.proxy_sends_token
+
+    @property
     def is_for_others(self) -> bool:
         """Whether other computers can connect, directly or through a proxy."""
-        return bool(self.unix_socket or self.allowed_hosts) or not is_loopback(self.host)
+        proxied = self.unix_socket or self.allowed_hosts or self.proxy_sends_token
+        return bool(proxied) or not is_loopback(self.host)
 
 
 def serve(service: Service, *, show: Callable[[str], object] | None = None) -> None:
@@ -172,9 +183,11 @@ def _server(
         token=token,
         hosts=service.hosts,
         origins=service.allowed_hosts,
+        proxy_sends_token=service.proxy_sends_token,
         base_url=service.base_url,
         read_only=service.access.read_only,
         for_others=service.is_for_others,
+        for_one=service.is_for_one,
     )
     with _listening(service) as listening:
 
@@ -182,7 +195,8 @@ def _server(
             address = _page_address(service, listening)
             if service.access.writer:
                 service.access.writer.describe(address)
-            address = f"{address}?token={token}{_fragment(service)}"
+            given = "" if service.proxy_sends_token else f"?token={token}"
+            address = f"{address}{given}{_fragment(service)}"
             service.announce(Phrase("server-started", address=address))
             if service.access.read_only:
                 service.announce(service.access.read_only)
@@ -191,8 +205,8 @@ def _server(
             if show:
                 threading.Thread(target=show, args=(address,), daemon=True).start()
 
-        _collect_rarely()
-        yield _Server(_config(app), service, answers), listening
+        collect_rarely()
+        yield _Server(configured(app), service, answers), listening
 
 
 def _warn(service: Service) -> None:
@@ -203,14 +217,16 @@ def _warn(service: Service) -> None:
         service.announce(Phrase("server-not-contained", free=free))
 
 
-def _collect_rarely() -> None:
+def collect_rarely() -> None:
+    """Collect garbage less often than Python does by default."""
     # An edit of a long program creates a few hundred thousand objects, and nearly all of them stay
     # until the next one. With Python's defaults, garbage collection takes as long as the edit.
     gc.freeze()
     gc.set_threshold(50_000, 20, 50)
 
 
-def _config(app: object) -> uvicorn.Config:
+def configured(app: object, **others: Any) -> uvicorn.Config:
+    """Uvicorn's settings for an application of ours; `others` are more of them."""
     return uvicorn.Config(
         app,  # type: ignore[arg-type]
         loop="asyncio",
@@ -224,6 +240,7 @@ def _config(app: object) -> uvicorn.Config:
         access_log=False,
         server_header=False,
         timeout_graceful_shutdown=_FAREWELL,
+        **others,
     )
 
 
@@ -255,11 +272,16 @@ def _listening(service: Service) -> Iterator[socket.socket]:
         with _unix_socket(service.unix_socket) as listening:
             yield listening
     else:
-        with _tcp_socket(service.host, service.port) as listening:
+        with tcp_socket(service.host, service.port) as listening:
             yield listening
 
 
-def _tcp_socket(host: str, port: int | None) -> socket.socket:
+def tcp_socket(host: str, port: int | None) -> socket.socket:
+    """A socket that listens; without a port at our usual one, or at a free one if that is taken.
+
+    Raises:
+        LearnBlockError: nothing can listen there.
+    """
     if port is None:
         try:
             return _bound(host, DEFAULT_PORT)

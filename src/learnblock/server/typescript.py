@@ -4,7 +4,7 @@ python -m learnblock.server.typescript > frontend/src/protocol/messages.ts
 """
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import msgspec
@@ -32,14 +32,29 @@ _SCALARS: dict[type[inspect.Type], str] = {
 def typescript() -> str:
     """The whole module."""
     unions = {"FromPage": messages.FromPage, "ToPage": messages.ToPage}
-    kinds = {name: inspect.type_info(union) for name, union in unions.items()}
     aliases = {name: getattr(messages, name) for name in ("Notation", "View")}
-    parts = [_HEADER]
+    return module(_HEADER, unions, aliases)
+
+
+def module(
+    header: str, unions: Mapping[str, Any], aliases: Mapping[str, Any], structs: Iterable[type] = ()
+) -> str:
+    """A module with the types of a conversation.
+
+    Args:
+        header: its first lines.
+        unions: the messages by direction.
+        aliases: other types that have a name.
+        structs: types that are sent on their own.
+    """
+    kinds = {name: inspect.type_info(union) for name, union in unions.items()}
+    alone = [inspect.type_info(one) for one in structs]
+    parts = [header]
     parts += [
         f"export type {name} = {_written(inspect.type_info(one))};\n"
         for name, one in aliases.items()
     ]
-    parts += [_interface(struct) for struct in _structs(kinds.values())]
+    parts += [_interface(struct) for struct in _structs([*kinds.values(), *alone])]
     parts += [
         f"export type {name} =\n  | " + "\n  | ".join(_members(kind)) + ";\n"
         for name, kind in kinds.items()
@@ -48,8 +63,7 @@ def typescript() -> str:
 
 
 def _members(kind: inspect.Type) -> Iterator[str]:
-    assert isinstance(kind, inspect.UnionType)  # noqa: S101 - both are unions
-    yield from map(_written, kind.types)
+    yield from map(_written, kind.types if isinstance(kind, inspect.UnionType) else [kind])
 
 
 def _structs(kinds: Any) -> list[inspect.StructType]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
+from learnblock.storage import installed
 from learnblock.storage.home import home
 
 if TYPE_CHECKING:
@@ -30,9 +31,7 @@ def own_files() -> tuple[Path, ...]:
 
 def plugins() -> "Iterable[EntryPoint]":
     """List the installed plugins: the entry points in the group ``learnblock.skills``."""
-    from importlib.metadata import entry_points  # noqa: PLC0415 - slow: it searches all packages
-
-    return entry_points(group="learnblock.skills")
+    return installed.entry_points("learnblock.skills")
 
 
 def read(path: Path) -> str:

@@ -3,6 +3,8 @@
 Numbers are passed as strings, because a file spells them the same in every language.
 """
 
+from collections.abc import Mapping
+
 from msgspec import inspect
 
 from learnblock.i18n import Phrase, Value
@@ -21,6 +23,9 @@ def describe(allowed: inspect.Type) -> Phrase:
                 return described
             return Phrase("toml-with-note", allowed=described, note=Phrase(note))
         case inspect.UnionType(types=types):
+            if tagged := tag(allowed):
+                key, values = tagged
+                return Phrase("toml-tagged", key=key, allowed=_describe_scalar(values))
             return _either([one for one in types if not isinstance(one, inspect.NoneType)])
         case inspect.TupleType() | inspect.VarTupleType():
             return _describe_list(allowed)
@@ -35,11 +40,12 @@ def _describe_scalar(allowed: inspect.Type) -> Phrase:
             return Phrase("toml-number", least=f"{least:g}", most=f"{most:g}")
         case inspect.IntType(ge=int() as least, le=int() as most):
             return Phrase("toml-whole-number", least=str(least), most=str(most))
-        case inspect.StrType(min_length=least, max_length=int() as most):
-            return Phrase("toml-text", least=least or 0, most=most)
-        case inspect.BoolType():
-            return Phrase("toml-boolean")
-    return Phrase("toml-table")
+        case inspect.StrType(min_length=least, max_length=most):
+            if most is not None:
+                return Phrase("toml-text", least=least or 0, most=most)
+            # Its description says what it is like.
+            return Phrase("toml-plain-text")
+    return Phrase("toml-boolean" if isinstance(allowed, inspect.BoolType) else "toml-table")
 
 
 def bare(allowed: inspect.Type) -> inspect.Type:
@@ -69,17 +75,60 @@ def fields(allowed: inspect.Type) -> tuple[inspect.Field, ...]:
     return ()
 
 
-def type_at(root: inspect.Type, path: KeyPath) -> inspect.Type:
-    """The type at a path, with its description; in a union, the path leads into the list."""
-    allowed = root
+def tag(allowed: inspect.Type) -> tuple[str, inspect.LiteralType] | None:
+    """The key that tells the tables of a union apart, and its values; None if there is none."""
+    kinds = [kind for kind in alternatives(allowed) if isinstance(kind, inspect.StructType)]
+    key = kinds[0].tag_field if kinds else None
+    return (key, inspect.LiteralType(tuple(kind.tag for kind in kinds))) if key else None
+
+
+def known_keys(allowed: inspect.Type) -> list[str]:
+    """The keys of a table."""
+    tagged = tag(allowed)
+    return [*(tagged[:1] if tagged else ()), *(field.encode_name for field in fields(allowed))]
+
+
+def type_of_key(allowed: inspect.Type, key: str) -> inspect.Type:
+    """The type of the values of a key of a table."""
+    if (tagged := tag(allowed)) and key == tagged[0]:
+        return tagged[1]
+    return next(field.type for field in fields(allowed) if field.encode_name == key)
+
+
+def entry_types(allowed: inspect.Type) -> tuple[inspect.Type, inspect.Type]:
+    """The types of the keys and of the values of a table that can have any keys."""
+    kinds = [kind for kind in alternatives(allowed) if isinstance(kind, inspect.DictType)]
+    return (kinds[0].key_type, kinds[0].value_type) if kinds else (allowed, allowed)
+
+
+def type_at(root: inspect.Type, path: KeyPath, document: object) -> inspect.Type:
+    """The type at a path, with its description; in a union, the path leads into the list.
+
+    Args:
+        root: the type of the whole document.
+        path: the path.
+        document: its value says which table of a union it is.
+    """
+    allowed, value = root, document
     for step in path:
-        allowed = _entry(allowed, step)
+        allowed, value = _entry(allowed, step), value[step]  # type: ignore[index] # as the path
+        allowed = _chosen(allowed, value)
     return allowed
+
+
+def _chosen(allowed: inspect.Type, value: object) -> inspect.Type:
+    """The table of a union that a value says it is; the union itself if it says none."""
+    tagged = tag(allowed)
+    if tagged is None or not isinstance(value, Mapping):
+        return allowed
+    wanted = value.get(tagged[0])
+    kinds = [kind for kind in alternatives(allowed) if isinstance(kind, inspect.StructType)]
+    return next((kind for kind in kinds if kind.tag == wanted), allowed)
 
 
 def _entry(allowed: inspect.Type, step: str | int) -> inspect.Type:
     if isinstance(step, str):
-        return next(field.type for field in fields(allowed) if field.encode_name == step)
+        return type_of_key(allowed, step)
     for kind in alternatives(allowed):
         if isinstance(kind, inspect.TupleType):
             return kind.item_types[step]

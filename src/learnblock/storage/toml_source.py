@@ -25,7 +25,15 @@ from learnblock.errors import (
 )
 from learnblock.i18n import Phrase, Value
 from learnblock.storage.file_phrases import place, unknown_key
-from learnblock.storage.struct_types import KeyPath, choices, describe, fields, type_at
+from learnblock.storage.struct_types import (
+    KeyPath,
+    choices,
+    describe,
+    entry_types,
+    known_keys,
+    type_at,
+    type_of_key,
+)
 from learnblock.storage.toml_lines import find_key
 from learnblock.storage.toml_values import loads
 
@@ -105,15 +113,30 @@ def convert(
         name: the name of the file.
         source: the file's text, for the lines of mistakes.
     """
+    described, found = examine(document, struct, check)
+    if described is None or found:
+        diagnostics = [_diagnostic(finding, source) for finding in found]
+        raise error(name, sorted(diagnostics, key=lambda d: (d.line, d.column)), source)
+    return described
+
+
+def examine(
+    document: Mapping[str, Any],
+    struct: type[StructT],
+    check: Callable[[StructT], Iterable[Finding]],
+) -> tuple[StructT | None, list[Finding]]:
+    """Convert values to a `struct`; return it, None if its types refuse them, and the mistakes.
+
+    Args:
+        document: the values by key.
+        struct: the type to convert them to.
+        check: finds mistakes that the types of `struct` accept.
+    """
     try:
         described = msgspec.convert(document, struct)
     except msgspec.ValidationError as refusal:
-        finding = _explain(refusal, document, inspect.type_info(struct))
-        raise error(name, [_diagnostic(finding, source)], source) from None
-    findings = [_diagnostic(finding, source) for finding in check(described)]
-    if findings:
-        raise error(name, sorted(findings, key=lambda d: (d.line, d.column)), source)
-    return described
+        return None, [_explain(refusal, document, inspect.type_info(struct))]
+    return described, list(check(described))
 
 
 def write(struct: msgspec.Struct, name: str, error: type[FileError]) -> str:
@@ -182,7 +205,9 @@ def _text(file: Path, error: type[FileError]) -> str:
 
 _UNKNOWN = re.compile(r"Object contains unknown field `(.+?)`")
 _MISSING = re.compile(r"Object missing required field `(.+?)`")
-_PLACE = re.compile(r" - at `\$\.?(.*)`$")
+_PLACE = re.compile(r" - at (`key` in )?`\$\.?(.*)`$")
+#: An entry of a table that can have any keys: msgspec does not say which.
+_ENTRY = "[...]"
 _STEP = re.compile(r"\[(\d+)\]|([^.\[\]]+)")
 _MSGSPEC = re.compile(r"Expected `|Invalid ")
 
@@ -193,9 +218,12 @@ def _explain(
     """Explain an error of msgspec to a person who knows only the file."""
     text = str(refusal)
     place = _PLACE.search(text)
-    steps = _STEP.findall(place[1]) if place else []
+    leading, entry, _ = place[2].partition(_ENTRY) if place else ("", "", "")
+    steps = _STEP.findall(leading)
     path: KeyPath = tuple(int(index) if index else key for index, key in steps)
-    allowed = type_at(root, path)
+    allowed = type_at(root, path, document)
+    if place and (place[1] or entry):
+        return _wrong_entry(path, allowed, is_key=bool(place[1]))
     if unknown := _UNKNOWN.match(text):
         return _unknown_key((*path, unknown[1]), allowed)
     if missing := _MISSING.match(text):
@@ -203,6 +231,12 @@ def _explain(
     if not _MSGSPEC.match(text):
         return _refused(path, refusal.__cause__, _PLACE.sub("", text))
     return Finding(path, "wrong-value", _wrong_value(path, _value_at(document, path), allowed))
+
+
+def _wrong_entry(path: KeyPath, allowed: inspect.Type, *, is_key: bool) -> Finding:
+    keys, values = entry_types(allowed)
+    code, kind = ("toml-wrong-key", keys) if is_key else ("toml-wrong-entry", values)
+    return Finding(path, "wrong-value", Phrase(code, place=_place(path), allowed=describe(kind)))
 
 
 def _refused(path: KeyPath, cause: BaseException | None, text: str) -> Finding:
@@ -214,15 +248,13 @@ def _refused(path: KeyPath, cause: BaseException | None, text: str) -> Finding:
 
 
 def _unknown_key(path: KeyPath, owner: inspect.Type) -> Finding:
-    known = [field.encode_name for field in fields(owner)]
-    message = unknown_key(str(path[-1]), _spelled(path[:-1]), known)
+    message = unknown_key(str(path[-1]), _spelled(path[:-1]), known_keys(owner))
     return Finding(path, "unknown-key", message)
 
 
 def _missing_key(path: KeyPath, owner: inspect.Type) -> Finding:
     key = str(path[-1])
-    field = next(field for field in fields(owner) if field.encode_name == key)
-    place, allowed = _place(path[:-1]), describe(field.type)
+    place, allowed = _place(path[:-1]), describe(type_of_key(owner, key))
     message = Phrase("toml-missing-value", key=key, place=place, allowed=allowed)
     return Finding(path[:-1], "missing-key", message)
 

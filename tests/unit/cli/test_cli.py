@@ -15,6 +15,7 @@ from click.testing import CliRunner
 from learnblock.cli import main
 from learnblock.cli.commands import COMMANDS, load
 from runs import EXAMPLES, TWINS
+from terminals import shown_on_a_terminal
 
 SQUARE = str(EXAMPLES / "square.bt")
 
@@ -81,6 +82,7 @@ def test_run_prints_a_json_report():
         "goals",
         "emotions",
         "no_effect",
+        "collisions",
         "trace_sha256",
         "output",
         "ended",
@@ -95,7 +97,7 @@ def test_run_ends_with_a_report_and_skills_without_effect():
     result = call("run", EXAMPLES / "dance.bt", "--robot", "sim-ev3", "--world", "empty")
     assert result.exit_code == 0
     assert "ended      finished" in result.stderr
-    assert "no effect  expressJoy: sim-ev3 has no Display" in result.stderr
+    assert "no effect  expressJoy: sim-ev3 has no face" in result.stderr
 
 
 def test_run_writes_a_trace_whose_hash_it_reports(tmp_path):
@@ -174,15 +176,14 @@ def test_a_program_with_mistakes_is_not_run(write):
 
 
 def test_a_query_without_a_sensor_is_refused_unless_run_anyway():
-    line = EXAMPLES / "line-thymio.bt"
-    refused = call("run", line, "--robot", "sim-ebo")
-    anyway = call("run", line, "--robot", "sim-ebo", "--anyway", "--for", 2, "--json")
+    wall = EXAMPLES / "wall.bt"
+    options = ("--robot", "sim-ev3", "--world", "walls")
+    refused = call("run", wall, *options)
+    anyway = call("run", wall, *options, "--anyway", "--for", 20, "--json")
     assert refused.exit_code == 1
-    assert "This robot has no ground sensors" in refused.stderr
-    missed = json.loads(anyway.stdout)["no_effect"]
-    assert {"skill": "is_left_ground_line", "device": "GroundSensors:ROBOT"}.items() <= missed[
-        1
-    ].items()
+    assert "This robot has no distance sensor on the right" in refused.stderr
+    (missed,) = json.loads(anyway.stdout)["no_effect"]
+    assert (missed["skill"], missed["device"]) == ("is_right_obstacle", "obstacle-right")
 
 
 @pytest.mark.parametrize(
@@ -287,20 +288,8 @@ def test_ctrl_c_ends_a_run_with_its_report(write):
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no pseudo-terminals")
 def test_a_terminal_shows_the_state_in_one_line():
-    ours, theirs = os.openpty()
     command = [sys.executable, "-m", "learnblock", "run", SQUARE, "--for", "4", "--pace", "5"]
-    process = subprocess.Popen(command, stdout=theirs, stderr=theirs)
-    os.close(theirs)
-    shown = bytearray()
-    try:
-        while data := os.read(ours, 4096):
-            shown += data
-    except OSError:
-        # Linux reports in this way that the other end of a terminal is closed.
-        pass
-    os.close(ours)
-    assert process.wait() == 0
-    states = shown.decode().split("\r\x1b[K")
+    states = shown_on_a_terminal(command).split("\r\x1b[K")
     assert sum(" x real time" in state for state in states) > 2
 
 

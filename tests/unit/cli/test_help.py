@@ -98,4 +98,4 @@ def test_help_does_not_change_the_commands_that_english_uses():
     CliRunner().invoke(main, ["--language", "es", "run", "--help"])
     command = load("run")
     assert isinstance(command, click.Command)
-    assert command.help.startswith("Run a program")
+    assert command.help.startswith("Run programs")

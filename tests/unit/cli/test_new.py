@@ -101,3 +101,18 @@ def test_a_robot_can_drive_in_the_world_at_once(own_home):
 def test_a_world_in_another_folder_is_named_by_its_file(tmp_path):
     result = new("world", "garden", "--folder", tmp_path)
     assert f"--world {tmp_path / 'worlds' / 'garden.toml'}" in result.output
+
+
+def test_a_world_from_a_template_is_the_same_for_the_same_seed(own_home):
+    for name in ("one", "two"):
+        result = new("world", name, "--template", "maze", "--size", 4, "--seed", 9)
+        assert result.exit_code == 0
+    assert find_world("one").wall == find_world("two").wall
+    assert find_world("one").title == "One"
+    assert find_world("one").theme == "maze"
+
+
+def test_sizes_of_templates_are_limited(own_home):
+    refused = new("world", "one", "--template", "field", "--size", 40)
+    assert refused.exit_code == 2
+    assert "3<=x<=8" in refused.output

@@ -11,7 +11,8 @@ from learnblock.extensions import custom_blocks, worlds
 from learnblock.extensions.worlds import PackedWorld
 from learnblock.perception import tag_names
 from learnblock.server.projects.packing import encode_whole
-from learnblock.server.projects.project_file import Project, encode
+from learnblock.server.projects.project import Project, ProjectPart
+from learnblock.server.projects.project_file import encode
 from shared_worlds import OTHER_ROOM, ROOM
 
 DRIVES = "main:\n    function.move_straight(100)\n    function.sleep(5)\nend\n"
@@ -51,6 +52,40 @@ def test_a_project_runs_on_its_robot_in_its_world(tmp_path):
     program.write_text(DRIVES)
     same = report(program, "--robot", "sim-thymio", "--world", "line")
     assert report(path)["trace_sha256"] == same["trace_sha256"]
+
+
+def test_a_project_with_several_robots_runs_as_its_programs_together(tmp_path):
+    programs = {"one": "sim-ebo", "two": "sim-thymio"}
+    parts = [ProjectPart(name, DRIVES, robot=robot) for name, robot in programs.items()]
+    path = tmp_path / "p.learnblock"
+    path.write_bytes(encode(Project("p", world="sumo").with_parts(parts)))
+    for name in programs:
+        (tmp_path / f"{name}.bt").write_text(DRIVES)
+    found = report(path)
+    named = [f"{tmp_path / name}.bt@{robot}" for name, robot in programs.items()]
+    same = report(*named, "--world", "sumo")
+    assert [(one["name"], one["robot"]) for one in found["robots"]] == [*programs.items()]
+    assert [one["pose"] for one in found["robots"]] == [one["pose"] for one in same["robots"]]
+
+
+def test_a_project_runs_a_shared_program_in_all_its_robots(tmp_path):
+    path = tmp_path / "p.learnblock"
+    project = Project("p", world="empty")
+    path.write_bytes(encode(project.with_parts([ProjectPart("ant", DRIVES, count=3)])))
+    program = tmp_path / "ant.bt"
+    program.write_text(DRIVES)
+    found, same = report(path), report(f"{program}@sim-ebo:3", "--world", "empty")
+    assert [one["name"] for one in found["robots"]] == ["ant-1", "ant-2", "ant-3"]
+    assert [one["pose"] for one in found["robots"]] == [one["pose"] for one in same["robots"]]
+
+
+def test_a_mistake_in_a_project_with_several_robots_names_the_robot(tmp_path):
+    parts = [ProjectPart("one", DRIVES), ProjectPart("two", "main:\n    print(\nend\n")]
+    path = tmp_path / "p.learnblock"
+    path.write_bytes(encode(Project("p").with_parts(parts)))
+    shown = call("run", path)
+    assert shown.exit_code == 1
+    assert "p.learnblock (two)" in shown.output
 
 
 def test_a_project_runs_in_the_world_that_it_brings_and_installs_nothing(leave, tmp_path):

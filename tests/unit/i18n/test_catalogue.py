@@ -112,6 +112,12 @@ def test_a_composed_code_uses_every_matching_word(write, tmp_path):
     assert run(tmp_path) == (0, [])
 
 
+def test_a_composed_code_of_python_uses_every_matching_word(write, tmp_path):
+    write(f"{MESSAGES}/en/wire.ftl", "wire-cut-why = Cut.", "wire-cut-how = Cut.")
+    write("src/wire.py", 'Phrase(f"wire-{reason}-why")')
+    assert run(tmp_path) == (0, ["wire-cut-how is not used"])
+
+
 def test_an_unused_word_is_listed(write, tmp_path):
     write(f"{MESSAGES}/en/wire.ftl", "wire-cut = Cut.")
     assert run(tmp_path) == (0, ["wire-cut is not used"])

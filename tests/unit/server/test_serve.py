@@ -45,6 +45,14 @@ def visit(address):
         yield Visitor(opened)
 
 
+def status(address, cookie):
+    connection = http.client.HTTPConnection(address.split("/")[2], timeout=TIMEOUT)
+    connection.request("GET", "/palette/en.json", headers={"Cookie": cookie})
+    answer = connection.getresponse().status
+    connection.close()
+    return answer
+
+
 def children(process):
     found = subprocess.run(
         ["ps", "-o", "pid=", "--ppid", str(process.pid)],
@@ -141,6 +149,16 @@ def test_it_listens_on_a_unix_socket(tmp_path):
     assert not path.exists()
 
 
+def test_the_address_has_no_token_if_a_proxy_sends_it(tmp_path):
+    options = ("--port", "0", "--proxy-sends-token", "--projects", str(tmp_path))
+    with learnblock(*options) as (_, address):
+        assert address.endswith("/")
+        assert [status(address, cookie) for cookie in ("", f"learnblock_token={TOKEN}")] == [
+            403,
+            200,
+        ]
+
+
 def test_the_socket_of_a_killed_server_is_taken_over(tmp_path):
     path = tmp_path / "socket"
     with socket.socket(socket.AF_UNIX) as abandoned:
@@ -213,3 +231,11 @@ def test_a_page_is_answered_by_plain_http():
         connection.request("GET", f"/?token={TOKEN}")
         assert connection.getresponse().headers["Content-Type"].startswith("text/html")
         connection.close()
+
+
+@pytest.mark.parametrize(
+    ("options", "is_for_one"),
+    [({}, False), ({"for_one": True}, True), ({"proxy_sends_token": True}, True)],
+)
+def test_a_server_behind_a_hub_or_in_a_class_is_one_persons(tmp_path, options, is_for_one):
+    assert Service(tmp_path, **options).is_for_one == is_for_one

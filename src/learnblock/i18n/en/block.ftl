@@ -60,7 +60,7 @@ block-two-shapes = 'shape' of { $where } is both a statement and a value. Write 
 block-not-translations = '{ $key }' of { $where } is { $value }. Write {"{\"EN\": \"...\", \"ES\": \"...\"}"}.
 block-bad-language = { $value } in '{ $key }' of { $where } is not a language. Write a code such as EN, ES or PT-BR.
 block-duplicate-language = The language { $language } appears twice in '{ $key }' of { $where }. Keep one.
-block-bad-need = { $value } in 'needs' of { $where } is not a device. Write a device such as Base, or one with its key, such as JointMotor:CAMERA or RGBLed:{"{"}slot{"}"}.
+block-bad-need = { $value } in 'needs' of { $where } is neither a sense nor a device. Write a sense such as heading, a device such as Base, or one with its key, such as JointMotor:CAMERA or RGBLed:{"{"}slot{"}"}.
 block-not-list = '{ $key }' of { $where } is { $value }. Write a list, such as { $example }.
 block-bad-default = The default { $value } of { $where } does not fit the type { $type }. { $type ->
     [float] Write a number, such as 0.5.
@@ -75,7 +75,7 @@ block-bad-default = The default { $value } of { $where } does not fit the type {
 block-bad-range = 'range' of { $where } is { $value }. { $problem }
 block-range-form = Write [0, 100], or [0, 10, 1] with a step.
 block-range-not-number = Only numbers can have a range.
-block-choices-type = 'choices' of { $where } needs the type "choice".
+block-choices-type = 'choices' of { $where } needs the type "choice" or "string".
 block-bad-choices = 'choices' of { $where } is { $value }. Write at most { $most } different choices of one line each, such as ["slow", "fast"].
 block-unknown-choice = 'choiceNames' in { $where } has a translation for { $value }, which is not one of the choices.
 block-unknown-choice-like = 'choiceNames' in { $where } has a translation for { $value }, which is not one of the choices. Did you mean '{ $suggestion }'?

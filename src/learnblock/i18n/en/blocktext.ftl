@@ -41,7 +41,9 @@ blocktext-write-instead = Write '{ $instead }' instead of '{ $found }'.
 # $quote: " or '
 blocktext-straight-quote = Write a straight quote { $quote } instead of { $found }.
 blocktext-semicolon = Remove ';' and write each statement on its own line.
-blocktext-braces = Block-Text has no braces: a block begins with ':' and closes with 'end'. Write other Python between backticks or in a 'python:' block.
+blocktext-braces = Block-Text has braces only for dictionaries, such as 'ages = {"{"}"Ana": 10{"}"}'. A block begins with ':' and closes with 'end'.
+blocktext-entry-equals = Between a key and its value there is ':', not '='.
+blocktext-entry-without-value = A dictionary has a value for each key, such as '{"{"}"Ana": 10{"}"}'. A list has square brackets.
 blocktext-meaningless = '{ $found }' has no meaning in Block-Text. Remove it.
 blocktext-reserved-word = '{ $word }' is a reserved word. Choose another name.
 blocktext-unknown-word = No statement begins with '{ $word }'. Check its spelling.
@@ -49,7 +51,7 @@ blocktext-unknown-word-near = No statement begins with '{ $word }'. Did you mean
 blocktext-switch = Block-Text has no 'switch'. Use 'if' and 'elif'.
 # $word: var or let
 blocktext-declaration = Block-Text has no '{ $word }'. Write only the name, '=' and the value.
-blocktext-loop = Block-Text has no 'loop'. Write 'repeat 10:' or 'while True:'.
+blocktext-loop = Block-Text has no 'loop'. Write 'repeat 10:' or 'forever:'.
 blocktext-foreach = Block-Text has no 'foreach'. Write 'for x in values:'.
 blocktext-from = Block-Text has no 'from'. Write 'import "name"' to import a library.
 blocktext-python-statement = Block-Text has no '{ $word }'. Write 'python:' above this line and 'end' below it.
@@ -83,8 +85,12 @@ blocktext-missing-quote = There is no closing { $quote } on this line. Write { $
 blocktext-triple-quote = Write one quote on each side of the text. Use '\n' for a new line.
 blocktext-join-texts = Use '+' to join two pieces of text.
 # $prefix: a letter such as f
-blocktext-string-prefix = Block-Text has no '{ $prefix }' before quotes. Join text with '+' and 'str(...)'.
-blocktext-f-string = Block-Text has no 'f' before quotes. Write '{ $instead }' instead of '{ $found }'.
+blocktext-string-prefix = Block-Text has no '{ $prefix }' before quotes. Leave it out, and write '\\' for a backslash in the text.
+blocktext-f-string-quotes = The text ends at these quotes. Use the other kind of quotes inside the braces, as in f"{"{"}d['name']{"}"}".
+blocktext-f-string-space = Write no space between '{ $prefix }' and the quotes.
+blocktext-f-string-value = This value is too complicated for a text. Give it a name on the line above, such as 'x = ...', and write '{"{"}x{"}"}' here.
+blocktext-f-string-brace = In text with 'f', values go between '{"{"}' and '{"}"}'. To show a brace, write it twice.
+blocktext-f-string-format = Block-Text writes a value as it is. Round it first, such as '{"{"}round(x, 1){"}"}'.
 # $escape: such as \u
 blocktext-escape-without-number = '{ $escape }' must be followed by the number of a character. Write '\\' for a backslash.
 blocktext-no-character-number = There is no character with the number { $number }. Write '\\' for a backslash.
@@ -132,8 +138,8 @@ blocktext-for-equals = Write 'for { $name } from 1 to 10:', without '='.
 ## Lines of other languages. $found: a part of the line, $instead: what to write instead
 
 blocktext-comment = A comment begins with '#'. Write '{ $instead }' instead of '{ $found }'.
-blocktext-endless = Block-Text has no '{ $found }'. Write 'while True:' to repeat forever, or 'repeat 10:' to repeat a number of times.
-blocktext-repeat-number = 'repeat' needs a number. Write 'repeat 10:', or 'while True:' to repeat forever.
+blocktext-endless = Block-Text has no '{ $found }'. Write 'forever:' to repeat forever, or 'repeat 10:' to repeat a number of times.
+blocktext-repeat-number = 'repeat' needs a number. Write 'repeat 10:', or 'forever:' to repeat forever.
 blocktext-function-for-def = 'function.' uses a skill of the robot. Write '{ $header }' to make your own function.
 blocktext-drive = Block-Text has no '{ $found }'. '{ $instead }' drives at 40 mm/s until the next command. To stop after 2 seconds, write 'function.sleep(2)' and 'function.stop_bot()' below it.
 blocktext-steps = The robot has no steps. '{ $instead }' drives at 40 mm/s until the next command. To stop after 2 seconds, write 'function.sleep(2)' and 'function.stop_bot()' below it.
@@ -158,8 +164,7 @@ blocktext-multiply = Write '*' to multiply: '{ $instead }' instead of '{ $found 
 blocktext-name-again = Each side of 'and' and 'or' needs its own variable. Write '{ $instead }' instead of '{ $found }'.
 blocktext-python-file = This line is Python. Remove it, or give the file a name that ends in '.py'.
 blocktext-import-not-needed = Remove this line. Block-Text has functions such as 'sqrt(9)', 'random(1, 6)' and 'function.sleep(1)' without an import.
-blocktext-if-in-value = Block-Text has no 'if' inside a value. Write 'if { $condition }:', '{ $yes }', 'else:', '{ $no }', 'end', each on its own line.
+blocktext-if-without-else = A value with 'if' needs 'else' and the other value, such as '"near" if x < 10 else "far"'.
 blocktext-lambda = Block-Text has no 'lambda'. Write '{ $header }', 'return { $value }', 'end', each on its own line.
-blocktext-dictionary = Block-Text has no dictionaries such as { $found }, but Python has. Write a backtick before and after it: { $line }
-blocktext-comprehension = Block-Text has no 'for' inside '[...]', but Python has. Write a backtick before and after it: { $line }
+blocktext-comprehension = Block-Text has no 'for' inside brackets, but Python has. Write a backtick before and after it: { $line }
 blocktext-comma-in-list = Items of a list are separated by commas. Write '{ $instead }' instead of '{ $found }'.

@@ -73,6 +73,7 @@ check-negative-wait = The robot can't wait { $seconds } seconds. Write 0 or more
 # $value, $choices: as written in the program
 check-outside-range = '{ $parameter }' of '{ $call }' is { $value } here. It should be between { $least } and { $most }.
 check-unknown-choice = '{ $parameter }' of '{ $call }' is { $value } here. The choices are: { $choices }.
+check-unknown-choice-near = '{ $parameter }' of '{ $call }' is { $value } here. Did you mean { $near }?
 check-not-a-colour = '{ $parameter }' of '{ $call }' is { $value } here. Write a colour such as "#ff8800".
 check-whole-number = 'for ... from ... to' counts in whole numbers, not { $number }.
 check-text-for-number = This is text, but it must be a number.
@@ -80,6 +81,8 @@ check-counts-up = This loop never runs, because it counts up from { $start } to 
 check-counts-up-python = This loop never runs, because it counts up and { $stop } is not above { $start }. To count down, write 'range({ $start }, { $stop }, -1)': it stops before { $stop }.
 check-never-repeats = With 'repeat { $count }' the lines inside never run. Write a number above 0.
 check-never-repeats-python = With 'range({ $count })' the lines inside never run. Write a number above 0.
+check-wait-until = Waiting for a condition is no skill. Write 'wait until' and the condition, such as 'wait until function.is_front_obstacle()'.
+check-idle-wait = Nothing changes this while the program waits here, so it waits forever or not at all. Ask the robot in it, such as '{ $skill }'.
 check-idle-loop = This loop does nothing, so it never ends. Write the lines to repeat inside it, or remove it.
 check-step-zero = With 'step 0' the loop would never end. Write another step.
 
@@ -95,6 +98,7 @@ check-answer-for-number = What is typed in is always text, even a number such as
 check-answer-changed = '{ $name }' holds what was typed in, which is always text, even 5. Write '{ $instead }'.
 check-words-for-number = '{ $name }' holds text, such as "{ $text }", but a number is needed. Use a variable that holds a number.
 check-number-without-quotes = A number is needed here, not text. Write { $number } without quotes.
+check-dictionary-for-number = '{ $value }' is a dictionary here, but a number is needed. Write a key in square brackets behind it, such as '["Ana"]'.
 check-list-for-number = '{ $values }' is a list here, but a number is needed. Write '{ $values }[0]' for its first item, or 'len({ $values })' for their number.
 check-join-text = Only text can be added to text. Write 'str({ $value })'.
 check-append = Only a list can be added to a list. Write 'append({ $values }, { $item })' to add one item.
@@ -124,6 +128,7 @@ check-variable-called = '{ $name }' is a number, not a function. Write '{ $name 
 check-list-called = '{ $name }' is not a function. Write '{ $name }[{ $value }]' for one of its items.
 check-not-whole = "{ $text }" is not a whole number, so 'int' can't read it. Write digits only, such as "4".
 check-argument-type = { $wanted ->
+    [dictionary] '{ $call }' needs a dictionary first, but '{ $value }' is not a dictionary.
     [list] '{ $call }' needs a list first, but '{ $value }' is not a list.
    *[text] '{ $call }' needs text first, but '{ $value }' is not text.
 }
@@ -136,20 +141,36 @@ check-numbers-of-list = '{ $call }' calculates with the numbers of a list, but {
 
 # $devices: noun phrases from check-device
 check-skill-without-answer = This robot has no { $devices }: it can't answer '{ $skill }'.
-check-skill-without-base = This robot has no { $devices }: it can't do '{ $skill }'.
+check-skill-impossible = This robot has no { $devices }: it can't do '{ $skill }'.
 check-skill-without-effect = This robot has no { $devices }: '{ $skill }' does nothing.
 check-no-device-of-name = This robot has no { $device } '{ $key }': '{ $skill }' does nothing. Use one of these: { $known }.
-# $kind: the type of the device. $key: the name of one of several such devices, or empty
+# $kind: a sense, or the type of a device. $key: which of several such devices, or what it can do, or empty
 check-device = { $kind ->
     [Accelerometer] accelerometer
     [Animator] animations
     [Base] wheels
     [Bumper] bumper
-    [Camera] camera
+    [Camera] { $key ->
+        [emotions] camera that may recognise emotions (see: learnblock perception)
+       *[other] camera
+    }
     [Controller] controller
-    [Display] screen
+    [Display] face
     [DistanceSensors] distance sensors
     [GroundSensors] ground sensors
+    [black-line] camera or ground sensors
+    [blue-line] camera
+    [brightness] light sensor or camera
+    [ground-line] ground sensors or camera
+    [heading] gyroscope or wheels
+    [obstacle-back] distance sensor at the back
+    [obstacle-front] distance sensor or bumper at the front
+    [obstacle-left] distance sensor on the left
+    [obstacle-right] distance sensor on the right
+    [red-line] camera
+    [shaking] accelerometer
+    [tilting] accelerometer
+    [text-display] LED matrix or screen
     [Gyroscope] gyroscope
     [Infrared] infrared receiver
     [JointMotor] { $key ->
@@ -160,10 +181,51 @@ check-device = { $kind ->
     [LightSensor] light sensor
     [MP3] music player
     [Matrix] LED matrix
+    [Pen] { $key ->
+        [full] room for more lines: its drawing has 20,000 points
+       *[other] pen (simulated robots have one)
+    }
+    [Screen] screen
     [RGBLed] coloured LED
-    [Speaker] speaker
+    [Speaker] { $key ->
+        [play] recorded sounds
+        [say] voice
+       *[other] speaker
+    }
    *[other] { $kind } { $key }
 }
+# What serves a skill on the chosen robot. $devices: from check-serving-device
+check-serving = On this robot: { $devices }
+check-serving-device = { $kind ->
+    [Accelerometer] the accelerometer
+    [Base] the wheels
+    [Bumper] the bumper
+    [Camera] the camera
+    [DistanceSensors] { $key ->
+        [front] the distance sensors at the front
+        [left] the distance sensors on the left
+        [right] the distance sensors on the right
+        [back] the distance sensors at the back
+       *[other] the distance sensors
+    }
+    [GroundSensors] the sensors under it
+    [Gyroscope] the gyroscope
+    [LightSensor] the light sensor
+    [Matrix] the LED matrix
+    [Screen] the screen
+   *[other] { $kind } { $key }
+}
+# $device: one that only robots of users and plugins can have
+check-device-of-none = { $device } (none of LearnBlock's robots has one, but a robot of your own can)
+
+## Which robots can run a program. $devices: noun phrases from check-device
+
+check-robot-runs = runs
+# $devices: from check-serving-device
+check-robot-runs-with = runs, with { $devices }
+check-robot-without = runs, but has no { $devices }
+check-robot-refused = can't run it: has no { $devices }
+check-robot-unknown = depends on its settings
 
 ## Structure
 
@@ -172,13 +234,14 @@ check-too-many-loops = More than { $limit } loops are nested here, which is too 
 # $word: break or continue
 check-outside-loop = '{ $word }' only works inside a loop. Move it into one, or remove it.
 check-outside-function = 'return' only works inside a 'def'. Move it into one, or remove it.
-check-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this line. Write 'while True:' above the other lines of '{ $name }' and 'end' below them.
+check-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this line. Write 'forever:' above the other lines of '{ $name }' and 'end' below them.
 check-calls-itself-python = '{ $name }' calls itself here again and again, without end. Remove this line. Write 'while True:' above the other lines of '{ $name }', and indent them by 4 more spaces.
 # $word: break, continue or return
 check-unreachable-after-jump = This is never reached because of '{ $word }' on line { $line }. Write it above that line, or remove it.
-check-unreachable-after-loop = This is never reached because the 'while True' loop on line { $line } never ends. Write it in the loop or above, or leave the loop with 'break'.
+check-unreachable-after-loop = This is never reached because the loop on line { $line } never ends. Write it in the loop or above, or leave the loop with 'break'.
 check-unreachable-after-branches = This is never reached because no branch of the 'if' on line { $line } continues here. Write it above the 'if', or remove it.
-check-sensor-outside-loop = '{ $skill }' is checked only once, when the program gets here. Put the 'if' inside 'while True:' to keep checking, or use a 'when'.
+check-sensor-outside-loop = '{ $skill }' is checked only once, when the program gets here. Put the 'if' inside 'forever:' to keep checking, or use a 'when'.
+check-sensor-outside-loop-python = '{ $skill }' is checked only once, when the program gets here. Put the 'if' inside 'while True:' to keep checking, or write what it does as a function below '@robot.when(lambda: { $skill }())'.
 
 ## A program that can't run. $problem: a message from above, or from another file
 

@@ -36,6 +36,11 @@ cli-skill-returns = {"  "}Returns: { $kind ->
 }
 cli-skill-needs = {"  "}Needs: { $devices }
 cli-skill-needs-nothing = {"  "}Needs: no device
+cli-one-or-all-robots = Choose one of '--robot' and '--all-robots'.
+# $devices: noun phrases from check-device
+cli-served-by = { $devices }
+cli-served-by-nothing = no { $devices }
+cli-served-by-no-robot = None of LearnBlock's robots has this. A robot of your own can: see docs/add-a-robot.md.
 
 cli-blocks-none = You have no custom blocks yet. Make one on the page, or run: learnblock blocks import FILE
 

@@ -55,3 +55,10 @@ perception-tags-not-toml = Tag names are lines such as: ball = 3 ({ $reason })
 perception-tags-bad-name = '{ $name }' cannot be the name of a tag. Use 1 to { $limit } printable characters.
 perception-tags-number-as-name = '{ $name }' is a number, so it cannot be the name of a tag. Use at least one letter.
 perception-tags-bad-number = '{ $name }' has the value { $value }. The number of a tag is a whole number from 0 to { $last }.
+
+# The settings of camera recognition.
+perception-setting-component = HOST:PORT of a component to use; empty for LearnBlock's own detector
+perception-setting-emotions = recognise emotions on real cameras; the law may forbid it
+perception-setting-layout = meaning of a picture's width for components: rows (RoboComp's), columns or auto
+perception-setting-video = a video file to use in place of the webcam; empty for none
+perception-setting-webcam = this computer's webcam to use as an extra camera: 0 is the first one

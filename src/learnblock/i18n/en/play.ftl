@@ -4,6 +4,7 @@ play-robot-moves = The robot is moving. Pause or stop the program before you pla
 play-program-running = A program is running. Stop it first.
 play-no-question = The program is not waiting for an answer.
 play-no-robot = No robot is ready. Choose a robot in the bar.
+play-nothing-to-look-back-at = There is nothing to look back at. Run the program first.
 # $reason is the text of an unexpected error of a driver.
 play-not-started = The program could not be run: { $reason }
 

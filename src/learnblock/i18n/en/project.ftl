@@ -34,6 +34,10 @@ project-expects-block-sets = It must be a list of at most { $limit } block sets.
 # $example is JSON.
 project-expects-libraries = It must give the version of each library, such as { $example }.
 project-expects-workspace = Remove the workspace from the file to lay the blocks out again.
+project-expects-first = It must be the name of the first robot.
+project-expects-count = It must be the number of robots that run the program: 1 to { $limit }.
+project-expects-others = It must be a list of at most { $limit } robots, each with its name, robot and blocktext.
+project-robot-name = The robots of a project need different names of at most 40 letters, digits, spaces and hyphens, unlike '{ $name }'.
 
 ## Folder
 
@@ -49,6 +53,7 @@ project-no-access = { $action ->
        *[read-runs] The list of runs can't be read from { $folder }: { $reason }
     }
 project-name-taken = There is already a project named '{ $name }'. Choose another name.
+project-picture-wrong = A picture of a project must be a JPEG of at most { $limit } bytes and { $side } pixels a side.
 project-in-use = The project '{ $name }' is open. Close its pages first.
 
 ## Opening

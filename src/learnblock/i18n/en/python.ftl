@@ -55,5 +55,6 @@ python-unknown-event = There is no '{ $found }'. Write '@robot.when' for an even
 python-unknown-event-near = There is no '{ $found }'. Did you mean '@robot.{ $near }'?
 python-event-of-robot = An event belongs to the robot. Write '@robot.{ $name }' instead of '{ $found }'.
 python-event-without-at = An event begins with '@'. Write '@robot.{ $name }'.
+python-wait-without-lambda = Waiting has to ask its condition again and again. Write 'robot.wait_until(lambda: { $condition })'.
 python-event-without-lambda = An event has to ask its condition again and again. Write '@robot.when(lambda: { $condition })'.
 python-never-run = The events never run, because 'robot.run()' is missing. Write it as the last line.

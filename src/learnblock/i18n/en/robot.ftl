@@ -2,6 +2,10 @@
 
 # $device is the type of device in the programming interface, such as Base.
 robot-key-taken = This robot already has a device of type { $device } with the key '{ $key }'. Give the second one a different key.
+# Messages between robots.
+robot-message-name = The name of a message is a text of 1 to { $limit } characters, such as "go".
+robot-message-value = A message can't carry this value ({ $type }). Send a number, a text, true or false, or a list or dictionary of these.
+robot-message-too-large = The value of the message '{ $message }' has { $size } bytes, but a message can carry at most { $limit }. Send less at once.
 robot-stopped = The robot has been stopped, so it can't be used any more. Run the program again.
 robot-skill-name-taken = A skill can't be called '{ $name }', because every robot already has that name. Choose another name.
 robot-unknown-skill = This robot has no skill '{ $name }'.
@@ -73,6 +77,7 @@ robot-setting-thymio-connection = auto uses Thymio Suite if it is running, else 
 robot-setting-thymio-device = serial port; empty for the first Thymio found
 robot-setting-track = distance between the wheels in mm
 robot-setting-speed-unit = wheel speed at motor speed 1, in mm/s
+robot-setting-name = what you call this robot
 robot-setting-scene = LearnBlock's script, the paper's scene, or a robot by the names of its parts
 robot-setting-script = object with the script; empty for the default
 robot-setting-object = path of an object in the scene, such as /Robot/sonar

@@ -26,6 +26,7 @@ run-blocked =
        *[other] The program waited { $seconds } seconds for something other than the robot and was stopped. To let time pass, use a sleep of the robot.
     }
 run-link-closed = The program closed its connection to the robot and was stopped.
+run-lost = The run could not be made, although it was tried again: { $reason }. This is not the fault of the program.
 # $status is the exit status of the process.
 run-process-ended = The program's process ended unexpectedly with status { $status }.
 run-processor-time =
@@ -136,6 +137,7 @@ run-means-unpack-many = There are only { $before } names before '=', but more va
 # $type and $failed are Python's names of errors.
 run-error-without-text = The error { $type } has no readable message: its __str__ raised { $failed }.
 run-second-robot = A program can have only one robot at a time. Remove the second Robot() from it.
+run-inline-thread = A thread of the program used the robot. Here only the program's own steps may do that: call the robot's functions outside the thread.
 run-input-ended = The program asked for input, but there is none left.
 # $event is Python's name of what was attempted, such as os.fork.
 run-no-processes = A robot program is not allowed to start or stop other programs ({ $event }).
@@ -156,6 +158,7 @@ run-variable-uses-robot = The __str__ of a variable cannot use the robot or prin
 run-value-not-sendable = A value cannot be sent to the robot: { $reason }.
 # $size and $limit are numbers of bytes.
 run-value-too-large = A value of { $size } bytes is too large to be sent to the robot: the limit is { $limit } bytes.
+run-not-a-trace = This is not the trace of a run on simulated robots.
 run-no-program-file = LEARNBLOCK_TRACE can only record a program that is run from a file, and this one is not.
 
 # Failures of the robot. $reason is a sentence or another program's error message.

@@ -48,7 +48,7 @@ server-incomplete-address = Open the whole address that LearnBlock printed when 
 server-wrong-address = LearnBlock does not accept this address or this page. Open the address that LearnBlock printed; behind a proxy, start LearnBlock with --allow-host NAME.
 server-not-built-title = The page has not been built
 server-not-built = This LearnBlock runs from its sources, without a built page. Build the page with Node.js, and reload:
-server-no-floor-picture = The floor of this world has no picture.
+server-no-picture = There is no such picture.
 
 ## Messages from a page
 
@@ -88,3 +88,19 @@ server-dev-no-watchfiles = learnblock dev needs watchfiles. Run pip install -e '
 server-dev-no-checkout = learnblock dev needs the sources of LearnBlock, including the frontend folder. To use the page, run learnblock.
 server-dev-no-node = learnblock dev needs Node.js { $version } or newer.
 server-dev-started = The page with hot reload: { $address }
+
+## Lessons
+
+# $problem is a sentence.
+server-lesson-file = The file '{ $name }' is not a lesson. { $problem }
+server-lesson-name = A lesson can't be called '{ $name }'. Rename the file, with letters, digits and hyphens.
+# $problem is a sentence.
+server-lesson-missing = The lesson '{ $name }' of this project can't be opened. { $problem }
+server-lesson-none = This project has no lesson.
+server-lesson-other-robot = This step is not meant for the robot '{ $robot }'.
+server-lesson-no-hint = There are no more hints for this run. Change the program and run it again.
+server-lesson-no-question = This step has no such question.
+server-lesson-checking = The program is being checked already. Wait, or stop the check.
+server-lesson-not-met = A goal was not reached.
+server-lesson-too-many = You already have { $limit } lessons of your own. Delete one first.
+server-lesson-only-here = Only someone at the computer that runs LearnBlock can add, change or delete lessons, or see their solutions.

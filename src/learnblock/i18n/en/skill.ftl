@@ -5,4 +5,6 @@ skill-file-syntax = { $file } can't be loaded because of a mistake on line { $li
 # $reason is an error of the file in English, such as ZeroDivisionError: division by zero
 skill-file-broken = { $file } can't be loaded ({ $reason }). Correct the file and run the program again.
 # A turn that takes too long; $turned and $angle in degrees.
+skill-still-driving = The robot drove only { $driven } of { $distance } mm in { $seconds } seconds. Is it stuck, or lifted off the floor?
+skill-speed-not-positive = The speed is { $speed } mm/s. Write a speed of more than 0; a negative distance drives backwards.
 skill-still-turning = The robot turned only { $turned } of { $angle } degrees in { $seconds } seconds. Is it stuck, or lifted off the floor?

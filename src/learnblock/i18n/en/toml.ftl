@@ -8,6 +8,9 @@ toml-too-deep = It is nested too deeply.
 toml-wrong-value = { $place } is { $value }, but must be { $allowed }.
 toml-wrong-value-like = { toml-wrong-value } Did you mean '{ $suggestion }'?
 toml-missing-value = The key '{ $key }' is missing from { $place }. It must be { $allowed }.
+# A table whose keys are free, such as a text by language.
+toml-wrong-key = A key of { $place } must be { $allowed }.
+toml-wrong-entry = Each value of { $place } must be { $allowed }.
 # A header with one pair of brackets where several tables are allowed.
 toml-single-table = '{ $name }' is a single table, but there can be several. Write its header as [[{ $name }]].
 
@@ -15,6 +18,8 @@ toml-single-table = '{ $name }' is a single table, but there can be several. Wri
 toml-number = a number from { $least } to { $most }
 toml-whole-number = a whole number from { $least } to { $most }
 toml-text = text of { $least } to { $most } characters
+toml-plain-text = text
+toml-tagged = a table whose '{ $key }' is { $allowed }
 toml-boolean = true or false
 toml-table = a table of keys and values
 toml-choice = { $count ->

@@ -8,6 +8,7 @@ unknown-name =
         [block-set] no block set
         [button] no button
         [camera] no camera
+        [check] no check
         [colour] no colour
         [component] no component
         [connection] no connection
@@ -15,15 +16,23 @@ unknown-name =
         [detector] no detector
         [device] no device
         [device-function] no device function
+        [direction] no direction
         [emotion] no emotion
         [emulator] no emulator
         [event] no event
         [example] no example
         [function] no function
+        [goal] no goal
+        [hint] no hint
         [joint] no joint
+        [key] no key
         [led] no LED
+        [lesson] no lesson
+        [lesson-step] no step
         [library] no library
+        [light-object] no object with a mass
         [line] no line
+        [note] no note
         [project] no project
         [robot] no robot
         [setting] no setting
@@ -31,6 +40,7 @@ unknown-name =
         [skill] no skill
         [start-pose] no start pose
         [tag] no tag
+        [thing] no object
         [variable] no variable
         [version] no version
         [world] no world

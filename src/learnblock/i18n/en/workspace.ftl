@@ -1,13 +1,15 @@
 # Problems of blocks, shown at the block.
 
 workspace-missing-value = This block has an empty slot. Plug a value into it, such as a number, a text or a variable.
-workspace-missing-number = This block has an empty slot for a number. Plug one in, such as a number from the tab 'Maths' or a variable.
-workspace-missing-text = This block has an empty slot for a text. Plug one in, such as a text from the tab 'Text' or a variable.
+workspace-missing-number = This block has an empty slot for a number. Plug one in, such as a number from 'Maths' or a variable.
+workspace-missing-text = This block has an empty slot for a text. Plug one in, such as a text from 'Maths' or a variable.
+workspace-missing-dictionary = A dictionary is missing in this block. Plug in the variable that holds it.
 workspace-missing-list = This block has an empty slot for a list. Plug one in, such as 'create list with' or a variable.
-workspace-missing-text-or-list = 'length of' has an empty slot. Plug in text from the tab 'Text', 'create list with' from the tab 'Lists', or a variable.
+workspace-missing-text-or-list = 'length of' has an empty slot. Plug in text from 'Maths', 'create list with' from 'Variables', or a variable.
 workspace-missing-variable-of-list = This block has no list to change. Plug in a variable that holds a list.
-workspace-missing-condition = A condition is missing in this block, and an empty slot counts as 'false'. Plug in a comparison from the tab 'Logic' or a question for the robot.
-workspace-missing-side = One side of this block is empty, and an empty slot counts as 'false'. Plug in a comparison from the tab 'Logic' or a question for the robot.
+workspace-missing-condition = A condition is missing in this block, and an empty slot counts as 'false'. Plug in a comparison from 'Maths' or a question for the robot.
+workspace-wait-without-condition = A condition is missing in this block, so it waits forever. Plug in a comparison from 'Maths' or a question for the robot.
+workspace-missing-side = One side of this block is empty, and an empty slot counts as 'false'. Plug in a comparison from 'Maths' or a question for the robot.
 workspace-empty-block = There is nothing inside this block, so it does nothing. Put blocks into it, or remove it.
 workspace-missing-variable = This block is missing a variable. Choose one.
 workspace-missing-python = Write a Python expression here.
@@ -23,7 +25,7 @@ workspace-unknown-skill = There is no skill '{ $name }' here. Remove this block.
 workspace-unknown-block = A program can't have a block of type '{ $type }' here. Remove it.
 workspace-misplaced-block = This block belongs under 'at the start', outside of all other blocks.
 workspace-robot-not-first = 'robot' must come before everything else. Move this block to the beginning.
-workspace-second-main = A program can have only one 'main program'. Move the blocks under this one to the other one, and delete this one.
+workspace-second-main = A program can have only one 'when Run is pressed'. Move the blocks under this one to the other one, and delete this one.
 workspace-empty-comparison = This comparison compares nothing. Remove it.
 workspace-python-lines = A Python value must be on one line. Use the block for Python lines instead.
 workspace-unused-value = This value is not used. Put it into a block 'set ... to', or remove it.
@@ -36,33 +38,33 @@ workspace-too-deep = Too many blocks are nested here. Move some of them into a f
 
 # $count: the number of blocks in the stack
 workspace-loose-blocks = { $count ->
-    [one] This block does not run, because it is not connected to the program. Drag it under 'main program' or another block of the program, or delete it.
-   *[other] These { $count } blocks do not run, because they are not connected to the program. Drag them under 'main program' or another block of the program, or delete them.
+    [one] This block does not run, because it is not connected to the program. Drag it under 'when Run is pressed' or another block of the program, or delete it.
+   *[other] These { $count } blocks do not run, because they are not connected to the program. Drag them under 'when Run is pressed' or another block of the program, or delete them.
 }
 workspace-no-program = { $count ->
-    [one] This block does not run, because the program has no 'main program'. Take it from the tab 'Start', and drag this block under it.
-   *[other] These { $count } blocks do not run, because the program has no 'main program'. Take it from the tab 'Start', and drag these blocks under it.
+    [one] This block does not run, because the program has no 'when Run is pressed'. Take it from 'Events', and drag this block under it.
+   *[other] These { $count } blocks do not run, because the program has no 'when Run is pressed'. Take it from 'Events', and drag these blocks under it.
 }
 workspace-loose-value = This value is not plugged into any block, so it does nothing. Drag it into a slot of another block, or delete it.
-workspace-only-functions = '{ $name }' is never called, so the program does nothing. Take 'main program' from the tab 'Start', and put '{ $name }' from the tab 'Functions' under it.
+workspace-only-functions = '{ $name }' is never called, so the program does nothing. Take 'when Run is pressed' from 'Events', and put '{ $name }' from 'My blocks' under it.
 
 ## Mistakes in a program that check.ftl words for text: the same, in the words of blocks
 
-workspace-unknown-name = '{ $name }' has no value. Put a block 'set { $name } to' from the tab 'Variables' above.
+workspace-unknown-name = '{ $name }' has no value. Put a block 'set { $name } to' from 'Variables' above.
 workspace-unknown-name-near = '{ $name }' has no value. Did you mean '{ $near }'? Choose it in this block.
 workspace-read-before-set = '{ $name }' has no value yet when the program gets here. Move the block 'set { $name } to' up to the beginning of the program.
-workspace-unknown-function = There is no function '{ $name }'. Make it with a 'define' block from the tab 'Functions', or remove this block.
+workspace-unknown-function = There is no function '{ $name }'. Make it with a 'define' block from 'My blocks', or remove this block.
 workspace-no-such-skill = The robot has no skill '{ $name }'. Remove this block, and take another one from the palette.
-workspace-unknown-when = There is no event '{ $name }'. Make it with 'New event…' in the tab 'Events', or choose another one in this block.
+workspace-unknown-when = There is no event '{ $name }'. Make it with 'New event…' in 'Events', or choose another one in this block.
 workspace-unknown-when-near = There is no event '{ $name }'. Did you mean '{ $near }'? Choose it in this block.
-workspace-never-started = Nothing starts the event '{ $name }', so it never runs. Put a block 'start { $name }' from the tab 'Events' into the program, or add a condition to this block with its '+'.
+workspace-never-started = Nothing starts the event '{ $name }', so it never runs. Put a block 'start { $name }' from 'Events' into the program, or add a condition to this block with its '+'.
 workspace-events-never-run = This loop never ends, so events such as '{ $name }' never run. Put what the loop repeats into an event with 'true' as its condition, or put an 'if' with 'break out of loop' into the loop.
 # $word: def or when
 workspace-defined-twice = { $word ->
     [def] There are two functions '{ $name }'.
    *[other] There are two events '{ $name }'.
 } Rename this one, or move its blocks to the other one and delete this one.
-workspace-not-imported = This block belongs to the library '{ $library }'. Put a block 'import { $library }' from the tab 'Control' under 'at the start'.
+workspace-not-imported = This block belongs to the library '{ $library }'. Put a block 'import { $library }' from 'Control' under 'at the start'.
 # $names: of the parameters without a value
 workspace-missing-argument = This block needs a value for: { $names }. Remove it, and take '{ $call }' from the palette again: that one has all its slots.
 workspace-too-many-arguments = { $most ->
@@ -70,8 +72,8 @@ workspace-too-many-arguments = { $most ->
     [one] '{ $call }' takes only 1 value ({ $parameters }).
    *[other] '{ $call }' takes only { $most } values ({ $parameters }).
 } Remove the whole block, and take '{ $call }' from the palette again: it has the right slots.
-workspace-text-for-number = This is text, but a number is needed. Put a number from the tab 'Maths' here.
-workspace-number-as-text = "{ $number }" is text here, but a number is needed. Replace this block with a number from the tab 'Maths', and write { $number } in it.
+workspace-text-for-number = This is text, but a number is needed. Put a number from 'Maths' here.
+workspace-number-as-text = "{ $number }" is text here, but a number is needed. Replace this block with a number from 'Maths', and write { $number } in it.
 workspace-outside-range = This value is { $value }. Choose one between { $least } and { $most }.
 workspace-negative-wait = The robot can't wait { $seconds } seconds. Write 0 or more.
 # $choices: as in a program
@@ -81,38 +83,41 @@ workspace-whole-number = 'count with' counts in whole numbers, not { $number }. 
 workspace-step-zero = With 'by 0' the loop would never end. Write another number after 'by'.
 workspace-counts-up = This loop never runs, because it counts up from { $start } to { $stop }. Write -1 after 'by' to count down.
 workspace-never-repeats = Repeating { $count } times means that the blocks inside never run. Write a number above 0.
+workspace-idle-wait = Nothing changes this condition while the program waits here, so it waits forever or not at all. Use a question for the robot in it.
 workspace-idle-loop = Nothing is inside this loop, so it never ends. Put the blocks that it should repeat into it, or remove it.
 workspace-speed-as-angle = This is a speed: the robot would keep turning at { $speed }°/s. { $side ->
     [left] To turn left by { $speed } degrees, use the block 'turn right by ...°' with -{ $speed }: a negative angle turns left.
    *[other] To turn by { $speed } degrees, use the block 'turn right by ...°'.
 }
-workspace-convert-to-number = This is text, but a number is needed. Put the block 'int' from the tab 'Text' around it, which makes it a number.
-workspace-answer-for-number = What is typed in is always text, even 5, but a number is needed here. Put the block 'int' from the tab 'Text' around this.
-workspace-answer-changed = '{ $name }' holds what was typed in, which is always text, even 5. Use 'set { $name } to' with 'int' from the tab 'Text' around what was typed in.
+workspace-convert-to-number = This is text, but a number is needed. Put the block 'int' from 'Maths' around it, which makes it a number.
+workspace-answer-for-number = What is typed in is always text, even 5, but a number is needed here. Put the block 'int' from 'Maths' around this.
+workspace-answer-changed = '{ $name }' holds what was typed in, which is always text, even 5. Use 'set { $name } to' with 'int' from 'Maths' around what was typed in.
+workspace-dictionary-for-number = This is a dictionary, but a number is needed. Put the block 'in dictionary get' from 'Variables' around it.
 workspace-list-for-number = This is a list, but a number is needed. Use 'in list ... get #' for one of its items, or 'length of' for how many it has.
-workspace-join-text = Only text can be added to text. Put the block 'str' from the tab 'Text' around this, which makes it text.
-workspace-append = Only a list can be added to a list. To add one item, replace the whole block 'set ... to' with 'in list ... insert at last' from the tab 'Lists'.
+workspace-join-text = Only text can be added to text. Put the block 'str' from 'Maths' around this, which makes it text.
+workspace-append = Only a list can be added to a list. To add one item, replace the whole block 'set ... to' with 'in list ... insert at last' from 'Variables'.
 # $advice: one of the messages about text for a number
 workspace-never-equal = Text never equals a number. { $advice }
 workspace-repeat-whole-number = 'repeat' needs a whole number, not { $number }. Write { $less } or { $more }.
 workspace-for-number = This is a number, not a list. To count, use 'count with { $name } from 1 to { $value }' instead of 'for each item'.
-workspace-text-as-condition = Text is not a condition: it counts as true. Put a comparison from the tab 'Logic' or a question for the robot here.
-workspace-number-as-condition = The number { $number } is not a condition. Put a comparison from the tab 'Logic' or a question for the robot here.
-workspace-action-as-condition = This block does something and answers nothing. Put a comparison from the tab 'Logic' or a question for the robot here.
+workspace-text-as-condition = Text is not a condition: it counts as true. Put a comparison from 'Maths' or a question for the robot here.
+workspace-number-as-condition = The number { $number } is not a condition. Put a comparison from 'Maths' or a question for the robot here.
+workspace-action-as-condition = This block does something and answers nothing. Put a comparison from 'Maths' or a question for the robot here.
 workspace-no-result = This function returns nothing, so there is no value to use. Give it a 'return' block, or put it into the program without this block around it.
-workspace-bare-value = Each side of '{ $operator }' needs its own comparison. Replace this with '{ $variable } { $comparison } { $value }' from the tab 'Logic'.
+workspace-bare-value = Each side of '{ $operator }' needs its own comparison. Replace this with '{ $variable } { $comparison } { $value }' from 'Maths'.
 workspace-divide-by-zero = Nothing can be divided by 0. Write another number here.
 workspace-length-of-number = 'length of' needs text or a list, but this is a number. Plug in text or a list instead.
-workspace-numbers-of-list = This is text, but the block around it needs a list of numbers. Replace it with 'create list with' from the tab 'Lists', and plug numbers into that.
+workspace-numbers-of-list = This is text, but the block around it needs a list of numbers. Replace it with 'create list with' from 'Variables', and plug numbers into that.
 workspace-past-end = { $length ->
     [one] There is no item # { $index }. The list has only 1 item, which is # 0: items are counted from 0.
    *[other] There is no item # { $index }. The list has { $length } items, and they are counted from 0: the last one is # { $last }.
 }
 workspace-loop-past-end = There is no item # { $index } in the last round: items are counted from 0. Count from 0 to 'length of { $values }' - 1.
-workspace-empty-list-item = '{ $values }' is empty, so it has no item # { $index }. Before this block, put items into it with 'in list ... insert at last' from the tab 'Lists'.
-workspace-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this block, and put 'repeat while' with 'true' in its slot around the other blocks of '{ $name }'.
+workspace-empty-list-item = '{ $values }' is empty, so it has no item # { $index }. Before this block, put items into it with 'in list ... insert at last' from 'Variables'.
+workspace-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this block, and put 'repeat forever' around the other blocks of '{ $name }'.
 # $devices: noun phrases from check-device
 workspace-skill-without-answer = This robot has no { $devices }, so it can't answer this question. Remove the block, or choose another robot.
+workspace-skill-impossible = This robot has no { $devices }, so it can't do this. Remove the block, or choose another robot.
 workspace-skill-without-effect = This robot has no { $devices }, so this block does nothing. Remove it, or choose another robot.
 workspace-no-device-of-name = This robot has no { $device } '{ $key }', so this block does nothing. Choose one of: { $known }.
 workspace-outside-loop = This block only works inside a loop. Move it into a 'repeat', 'count with' or 'for each item' block, or remove it.
@@ -123,4 +128,4 @@ workspace-unreachable-after-jump = This block never runs: the block above it lea
 } first. Move it above that block, or remove it.
 workspace-unreachable-after-loop = This block never runs: the loop above it never ends. Move it into the loop or above it, or leave the loop with 'break out of loop'.
 workspace-unreachable-after-branches = This block never runs: every branch of the 'if' above leaves before it. Move it above the 'if', or remove it.
-workspace-sensor-outside-loop = The robot is asked only once, when the program gets here. To keep asking, put this block into 'repeat while' with 'true' in its slot, or use an event from the tab 'Events'.
+workspace-sensor-outside-loop = The robot is asked only once, when the program gets here. To keep asking, put this block into 'repeat forever', or use an event from 'Events'.

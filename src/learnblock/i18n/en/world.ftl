@@ -10,7 +10,19 @@ world-name-taken =
         [start] Two starts are called '{ $name }'. Give each its own name.
        *[goal] Two goals are called '{ $name }'. Give each its own name.
     }
+# $after is the goal that has to be reached before.
+world-goal-circle = The goal '{ $name }' comes after '{ $after }', which comes after '{ $name }' itself. Remove one 'after'.
+# A goal that a robot can't reach; $name is the goal's.
+world-goal-off-floor = The goal '{ $name }' cannot be reached: it is outside the floor.
+world-goal-behind-wall = The goal '{ $name }' cannot be reached: a wall is in the way.
+world-goal-behind-box = The goal '{ $name }' cannot be reached: a box is in the way.
+world-goal-behind-cylinder = The goal '{ $name }' cannot be reached: a cylinder is in the way.
+world-goal-behind-board = The goal '{ $name }' cannot be reached: a tag or a face is in the way.
+world-goal-behind-prop = The goal '{ $name }' cannot be reached: solid decoration is in the way.
+world-goal-behind-border = The goal '{ $name }' cannot be reached: it is too close to the wall around the floor.
+world-goal-behind-things = The goal '{ $name }' cannot be reached: several things are in the way.
 world-path-part = Write each part of a path as {"{"} forward = 300 {"}"} or as {"{"} turn = 90, radius = 300 {"}"}.
+world-reach-choice = A goal has at most one of 'robot', 'object', 'together' and 'alone'.
 world-line-shape = A line needs either 'points' (two or more) or 'start' and 'path'.
 world-line-empty = A line needs a length, but this one ends where it starts.
 world-line-open = The closed line '{ $name }' has to end where it starts, at ({ $start_x }, { $start_y }). It ends at ({ $x }, { $y }).
@@ -51,6 +63,10 @@ world-key-taken =
 # A run in a world.
 
 world-no-room = The world '{ $world }' has no free floor for another robot.
+world-no-variants = The world '{ $world }' has no variants. Add [vary] to its file, with at least one bound.
+# $name is an object or a start.
+world-no-room-to-vary = Variant { $variant } of the world '{ $world }' has no room for '{ $name }'. Reduce the bounds in [vary] of its file.
+world-bad-variant = The variant has to be a whole number from 0, not '{ $variant }'.
 world-robot-taken = The world already has a robot called '{ $name }'. Choose another name.
 world-bad-pace = The pace has to be free, real or a positive number such as 5, not '{ $pace }'.
 world-bad-seed = The seed has to be a whole number, not '{ $seed }'.

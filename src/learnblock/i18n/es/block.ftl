@@ -52,7 +52,7 @@ block-two-shapes = En { $where }, 'shape' es a la vez una instrucción y un valo
 block-not-translations = En { $where }, '{ $key }' es { $value }. Escribe {"{\"EN\": \"...\", \"ES\": \"...\"}"}.
 block-bad-language = { $value }, en '{ $key }' para { $where }, no es un idioma. Escribe un código como EN, ES o PT-BR.
 block-duplicate-language = El idioma { $language } aparece dos veces en '{ $key }' para { $where }. Deja uno.
-block-bad-need = { $value }, en 'needs' para { $where }, no es un dispositivo. Escribe uno como Base, o con su clave, como JointMotor:CAMERA o RGBLed:{"{"}slot{"}"}.
+block-bad-need = { $value }, en 'needs' para { $where }, no es ni un sentido ni un dispositivo. Escribe un sentido como heading, un dispositivo como Base, o uno con su clave, como JointMotor:CAMERA o RGBLed:{"{"}slot{"}"}.
 block-not-list = En { $where }, '{ $key }' es { $value }. Escribe una lista, por ejemplo { $example }.
 block-bad-default = El valor por defecto { $value } para { $where } no encaja en el tipo { $type }. { $type ->
     [float] Escribe un número, por ejemplo 0.5.
@@ -67,7 +67,7 @@ block-bad-default = El valor por defecto { $value } para { $where } no encaja en
 block-bad-range = En { $where }, 'range' es { $value }. { $problem }
 block-range-form = Escribe [0, 100], o [0, 10, 1] con un paso.
 block-range-not-number = Solo los números pueden tener un intervalo.
-block-choices-type = En { $where }, 'choices' necesita el tipo "choice".
+block-choices-type = En { $where }, 'choices' necesita el tipo "choice" o "string".
 block-bad-choices = En { $where }, 'choices' es { $value }. Escribe como mucho { $most } opciones distintas de una línea cada una, por ejemplo ["slow", "fast"].
 block-unknown-choice = En { $where }, 'choiceNames' traduce { $value }, que no es ninguna de sus opciones.
 block-unknown-choice-like = En { $where }, 'choiceNames' traduce { $value }, que no es ninguna de sus opciones. ¿Querías decir '{ $suggestion }'?

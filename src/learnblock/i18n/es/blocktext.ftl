@@ -41,7 +41,9 @@ blocktext-write-instead = Escribe '{ $instead }' en lugar de '{ $found }'.
 # $quote: " or '
 blocktext-straight-quote = Escribe una comilla recta { $quote } en lugar de { $found }.
 blocktext-semicolon = Quita ';' y escribe cada instrucción en su propia línea.
-blocktext-braces = En Block-Text no hay llaves: un bloque empieza con ':' y se cierra con 'end'. Escribe otro código de Python entre acentos graves o en un bloque 'python:'.
+blocktext-braces = En Block-Text las llaves son solo para diccionarios, por ejemplo 'ages = {"{"}"Ana": 10{"}"}'. Un bloque empieza con ':' y se cierra con 'end'.
+blocktext-entry-equals = Entre una clave y su valor va ':', no '='.
+blocktext-entry-without-value = Un diccionario tiene un valor para cada clave, por ejemplo '{"{"}"Ana": 10{"}"}'. Una lista lleva corchetes.
 blocktext-meaningless = '{ $found }' no significa nada en Block-Text. Quítalo.
 blocktext-reserved-word = '{ $word }' es una palabra reservada. Elige otro nombre.
 blocktext-unknown-word = Ninguna instrucción empieza con '{ $word }'. Revisa cómo está escrito.
@@ -49,7 +51,7 @@ blocktext-unknown-word-near = Ninguna instrucción empieza con '{ $word }'. ¿Qu
 blocktext-switch = En Block-Text no hay 'switch'. Usa 'if' y 'elif'.
 # $word: var or let
 blocktext-declaration = En Block-Text no hay '{ $word }'. Escribe solo el nombre, '=' y el valor.
-blocktext-loop = En Block-Text no hay 'loop'. Escribe 'repeat 10:' o 'while True:'.
+blocktext-loop = En Block-Text no hay 'loop'. Escribe 'repeat 10:' o 'forever:'.
 blocktext-foreach = En Block-Text no hay 'foreach'. Escribe 'for x in values:'.
 blocktext-from = En Block-Text no hay 'from'. Escribe 'import "name"' para importar una biblioteca.
 blocktext-python-statement = En Block-Text no hay '{ $word }'. Escribe 'python:' encima de esta línea y 'end' debajo.
@@ -83,8 +85,12 @@ blocktext-missing-quote = En esta línea falta { $quote } para cerrar. Escribe {
 blocktext-triple-quote = Escribe una sola comilla a cada lado del texto. Usa '\n' para una línea nueva.
 blocktext-join-texts = Une dos textos con '+'.
 # $prefix: a letter such as f
-blocktext-string-prefix = En Block-Text no hay '{ $prefix }' delante de un texto. Une textos con '+' y 'str(...)'.
-blocktext-f-string = En Block-Text no hay 'f' antes de las comillas. Escribe '{ $instead }' en lugar de '{ $found }'.
+blocktext-string-prefix = En Block-Text no hay '{ $prefix }' antes de las comillas. Quítala, y escribe '\\' para una barra invertida en el texto.
+blocktext-f-string-quotes = El texto termina en estas comillas. Usa el otro tipo de comillas dentro de las llaves, como en f"{"{"}d['name']{"}"}".
+blocktext-f-string-space = No pongas espacio entre '{ $prefix }' y las comillas.
+blocktext-f-string-value = Este valor es demasiado complicado para un texto. Dale un nombre en la línea de arriba, como 'x = ...', y escribe aquí '{"{"}x{"}"}'.
+blocktext-f-string-brace = En un texto con 'f', los valores van entre '{"{"}' y '{"}"}'. Para escribir una llave, ponla dos veces.
+blocktext-f-string-format = Block-Text escribe los valores como son. Redondéalos antes, por ejemplo '{"{"}round(x, 1){"}"}'.
 # $escape: such as \u
 blocktext-escape-without-number = Después de '{ $escape }' va el número de un carácter. Para una barra inversa, escribe '\\'.
 blocktext-no-character-number = No hay ningún carácter con el número { $number }. Para una barra inversa, escribe '\\'.
@@ -132,8 +138,8 @@ blocktext-for-equals = Escribe 'for { $name } from 1 to 10:', sin '='.
 ## Lines of other languages. $found: a part of the line, $instead: what to write instead
 
 blocktext-comment = Un comentario empieza por '#'. Escribe '{ $instead }' en lugar de '{ $found }'.
-blocktext-endless = En Block-Text no hay '{ $found }'. Escribe 'while True:' para repetir siempre, o 'repeat 10:' para repetir un número de veces.
-blocktext-repeat-number = 'repeat' necesita un número. Escribe 'repeat 10:', o 'while True:' para repetir siempre.
+blocktext-endless = En Block-Text no hay '{ $found }'. Escribe 'forever:' para repetir siempre, o 'repeat 10:' para repetir un número de veces.
+blocktext-repeat-number = 'repeat' necesita un número. Escribe 'repeat 10:', o 'forever:' para repetir siempre.
 blocktext-function-for-def = 'function.' usa una habilidad del robot. Escribe '{ $header }' para crear tu propia función.
 blocktext-drive = En Block-Text no hay '{ $found }'. Con '{ $instead }' el robot avanza a 40 mm/s hasta la siguiente orden. Para que pare a los 2 segundos, escribe debajo 'function.sleep(2)' y 'function.stop_bot()'.
 blocktext-steps = El robot no avanza por pasos. Con '{ $instead }' el robot avanza a 40 mm/s hasta la siguiente orden. Para que pare a los 2 segundos, escribe debajo 'function.sleep(2)' y 'function.stop_bot()'.
@@ -158,8 +164,7 @@ blocktext-multiply = Para multiplicar se escribe '*': '{ $instead }' en lugar de
 blocktext-name-again = Cada lado de 'and' y 'or' necesita su propia variable. Escribe '{ $instead }' en lugar de '{ $found }'.
 blocktext-python-file = Esta línea es Python. Quítala, o dale al archivo un nombre que termine en '.py'.
 blocktext-import-not-needed = Quita esta línea. Block-Text tiene funciones como 'sqrt(9)', 'random(1, 6)' y 'function.sleep(1)' sin importar nada.
-blocktext-if-in-value = En Block-Text no hay 'if' dentro de un valor. Escribe 'if { $condition }:', '{ $yes }', 'else:', '{ $no }', 'end', cada uno en su propia línea.
+blocktext-if-without-else = Un valor con 'if' necesita 'else' y el otro valor, por ejemplo '"near" if x < 10 else "far"'.
 blocktext-lambda = En Block-Text no hay 'lambda'. Escribe '{ $header }', 'return { $value }', 'end', cada uno en su propia línea.
-blocktext-dictionary = En Block-Text no hay diccionarios como { $found }, pero en Python sí. Escribe un acento grave delante y otro detrás: { $line }
-blocktext-comprehension = En Block-Text no hay 'for' dentro de '[...]', pero en Python sí. Escribe un acento grave delante y otro detrás: { $line }
+blocktext-comprehension = En Block-Text no hay 'for' entre corchetes o llaves, pero en Python sí. Escribe un acento grave delante y otro detrás: { $line }
 blocktext-comma-in-list = Los elementos de una lista se separan con comas. Escribe '{ $instead }' en lugar de '{ $found }'.

@@ -73,6 +73,7 @@ check-negative-wait = El robot no puede esperar { $seconds } segundos. Escribe 0
 # $value, $choices: as written in the program
 check-outside-range = '{ $parameter }' de '{ $call }' es { $value } aquí. Debería estar entre { $least } y { $most }.
 check-unknown-choice = '{ $parameter }' de '{ $call }' es { $value } aquí. Las opciones son: { $choices }.
+check-unknown-choice-near = '{ $parameter }' de '{ $call }' es { $value } aquí. ¿Querías decir { $near }?
 check-not-a-colour = '{ $parameter }' de '{ $call }' es { $value } aquí. Escribe un color como "#ff8800".
 check-whole-number = 'for ... from ... to' cuenta con números enteros, no con { $number }.
 check-text-for-number = Esto es un texto, pero tiene que ser un número.
@@ -80,6 +81,8 @@ check-counts-up = Este bucle no se ejecuta nunca, porque cuenta hacia delante de
 check-counts-up-python = Este bucle no se ejecuta nunca, porque cuenta hacia delante y { $stop } no es mayor que { $start }. Para contar hacia atrás escribe 'range({ $start }, { $stop }, -1)': se detiene antes de llegar a { $stop }.
 check-never-repeats = Con 'repeat { $count }' las líneas de dentro no se ejecutan nunca. Escribe un número mayor que 0.
 check-never-repeats-python = Con 'range({ $count })' las líneas de dentro no se ejecutan nunca. Escribe un número mayor que 0.
+check-wait-until = Esperar a una condición no es una habilidad. Escribe 'wait until' y la condición, por ejemplo 'wait until function.is_front_obstacle()'.
+check-idle-wait = Nada cambia esto mientras el programa espera aquí, así que espera para siempre o nada. Pregunta en ello al robot, por ejemplo '{ $skill }'.
 check-idle-loop = Este bucle no hace nada, así que no termina nunca. Escribe dentro las líneas que debe repetir, o quítalo.
 check-step-zero = Con 'step 0' el bucle no terminaría nunca. Escribe otro paso.
 
@@ -95,6 +98,7 @@ check-answer-for-number = Lo que se escribe con el teclado es siempre un texto, 
 check-answer-changed = '{ $name }' contiene lo que se ha escrito con el teclado, que siempre es un texto, aunque sea 5. Escribe '{ $instead }'.
 check-words-for-number = '{ $name }' contiene un texto, como "{ $text }", pero hace falta un número. Usa una variable que contenga un número.
 check-number-without-quotes = Aquí hace falta un número, no un texto. Escribe { $number } sin comillas.
+check-dictionary-for-number = '{ $value }' es aquí un diccionario, y hace falta un número. Escribe detrás una clave entre corchetes, por ejemplo '["Ana"]'.
 check-list-for-number = '{ $values }' es una lista aquí, pero hace falta un número. Escribe '{ $values }[0]' para su primer elemento, o 'len({ $values })' para saber cuántos tiene.
 check-join-text = A un texto solo se le puede sumar otro texto. Escribe 'str({ $value })'.
 check-append = A una lista solo se le puede sumar otra lista. Escribe 'append({ $values }, { $item })' para añadir un elemento.
@@ -124,6 +128,7 @@ check-variable-called = '{ $name }' es un número, no una función. Escribe '{ $
 check-list-called = '{ $name }' no es una función. Escribe '{ $name }[{ $value }]' para uno de sus elementos.
 check-not-whole = "{ $text }" no es un número entero, y 'int' no puede leerlo. Escribe solo cifras, como "4".
 check-argument-type = { $wanted ->
+    [dictionary] '{ $call }' necesita primero un diccionario, y '{ $value }' no es un diccionario.
     [list] '{ $call }' necesita primero una lista, y '{ $value }' no es una lista.
    *[text] '{ $call }' necesita primero un texto, y '{ $value }' no es un texto.
 }
@@ -136,7 +141,7 @@ check-numbers-of-list = '{ $call }' calcula con los números de una lista, pero 
 
 # $devices: noun phrases from check-device
 check-skill-without-answer = Este robot no tiene { $devices }: no puede responder a '{ $skill }'.
-check-skill-without-base = Este robot no tiene { $devices }: no puede hacer '{ $skill }'.
+check-skill-impossible = Este robot no tiene { $devices }: no puede hacer '{ $skill }'.
 check-skill-without-effect = Este robot no tiene { $devices }: '{ $skill }' no hace nada.
 check-no-device-of-name = Este robot no tiene { $device } '{ $key }': '{ $skill }' no hace nada. Usa uno de estos: { $known }.
 # $kind: the type of the device. $key: the name of one of several such devices, or empty
@@ -145,11 +150,27 @@ check-device = { $kind ->
     [Animator] animaciones
     [Base] ruedas
     [Bumper] parachoques
-    [Camera] cámara
+    [Camera] { $key ->
+        [emotions] cámara que pueda reconocer emociones (mira: learnblock perception)
+       *[other] cámara
+    }
     [Controller] mando
-    [Display] pantalla
+    [Display] cara
     [DistanceSensors] sensores de distancia
     [GroundSensors] sensores de suelo
+    [black-line] cámara o sensores de suelo
+    [blue-line] cámara
+    [brightness] sensor de luz o cámara
+    [ground-line] sensores de suelo o cámara
+    [heading] giroscopio o ruedas
+    [obstacle-back] sensor de distancia detrás
+    [obstacle-front] sensor de distancia o parachoques delante
+    [obstacle-left] sensor de distancia a la izquierda
+    [obstacle-right] sensor de distancia a la derecha
+    [red-line] cámara
+    [shaking] acelerómetro
+    [tilting] acelerómetro
+    [text-display] matriz de LED o pantalla
     [Gyroscope] giroscopio
     [Infrared] receptor de infrarrojos
     [JointMotor] { $key ->
@@ -160,10 +181,49 @@ check-device = { $kind ->
     [LightSensor] sensor de luz
     [MP3] reproductor de música
     [Matrix] matriz de LED
+    [Pen] { $key ->
+        [full] sitio para más líneas: su dibujo ya tiene 20 000 puntos
+       *[other] lápiz (los robots simulados sí)
+    }
+    [Screen] pantalla
     [RGBLed] LED de colores
-    [Speaker] altavoz
+    [Speaker] { $key ->
+        [play] sonidos grabados
+        [say] voz
+       *[other] altavoz
+    }
    *[other] { $kind } { $key }
 }
+# $device: one that only robots of users and plugins can have
+check-serving = En este robot: { $devices }
+check-serving-device = { $kind ->
+    [Accelerometer] el acelerómetro
+    [Base] las ruedas
+    [Bumper] el parachoques
+    [Camera] la cámara
+    [DistanceSensors] { $key ->
+        [front] los sensores de distancia de delante
+        [left] los sensores de distancia de la izquierda
+        [right] los sensores de distancia de la derecha
+        [back] los sensores de distancia de detrás
+       *[other] los sensores de distancia
+    }
+    [GroundSensors] los sensores de debajo
+    [Gyroscope] el giroscopio
+    [LightSensor] el sensor de luz
+    [Matrix] la matriz de LED
+    [Screen] la pantalla
+   *[other] { $kind } { $key }
+}
+check-device-of-none = { $device } (ningún robot de LearnBlock tiene, pero uno tuyo puede tener)
+
+## Which robots can run a program. $devices: noun phrases from check-device
+
+check-robot-runs-with = funciona, con { $devices }
+check-robot-runs = funciona
+check-robot-without = funciona, pero sin { $devices }
+check-robot-refused = no funciona: no tiene { $devices }
+check-robot-unknown = depende de sus ajustes
 
 ## Structure
 
@@ -172,13 +232,14 @@ check-too-many-loops = Aquí hay más de { $limit } bucles unos dentro de otros,
 # $word: break or continue
 check-outside-loop = '{ $word }' solo funciona dentro de un bucle. Ponlo dentro de uno, o quítalo.
 check-outside-function = 'return' solo funciona dentro de un 'def'. Ponlo dentro de uno, o quítalo.
-check-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita esta línea. Escribe 'while True:' encima de las demás líneas de '{ $name }' y 'end' debajo.
+check-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita esta línea. Escribe 'forever:' encima de las demás líneas de '{ $name }' y 'end' debajo.
 check-calls-itself-python = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita esta línea. Escribe 'while True:' encima de las demás líneas de '{ $name }' y ponles 4 espacios más delante.
 # $word: break, continue or return
 check-unreachable-after-jump = Aquí no se llega nunca, por el '{ $word }' de la línea { $line }. Escríbelo encima de esa línea, o quítalo.
-check-unreachable-after-loop = Aquí no se llega nunca, porque el bucle 'while True' de la línea { $line } no termina. Escríbelo dentro del bucle o encima, o sal del bucle con 'break'.
+check-unreachable-after-loop = Aquí no se llega nunca, porque el bucle de la línea { $line } no termina. Escríbelo dentro del bucle o encima, o sal del bucle con 'break'.
 check-unreachable-after-branches = Aquí no se llega nunca, porque ninguna rama del 'if' de la línea { $line } sigue hasta aquí. Escríbelo encima del 'if', o quítalo.
-check-sensor-outside-loop = '{ $skill }' se mira una sola vez, cuando el programa llega aquí. Pon el 'if' dentro de 'while True:' para seguir mirando, o usa un 'when'.
+check-sensor-outside-loop = '{ $skill }' se mira una sola vez, cuando el programa llega aquí. Pon el 'if' dentro de 'forever:' para seguir mirando, o usa un 'when'.
+check-sensor-outside-loop-python = '{ $skill }' se mira una sola vez, cuando el programa llega aquí. Pon el 'if' dentro de 'while True:' para seguir mirando, o escribe lo que hace como una función debajo de '@robot.when(lambda: { $skill }())'.
 
 ## A program that can't run. $problem: a message from above, or from another file
 

@@ -31,6 +31,11 @@ cli-skill-returns = {"  "}Devuelve: { $kind ->
 }
 cli-skill-needs = {"  "}Necesita: { $devices }
 cli-skill-needs-nothing = {"  "}Necesita: ningún dispositivo
+cli-one-or-all-robots = Elige '--robot' o '--all-robots'.
+# $devices: noun phrases from check-device
+cli-served-by = { $devices }
+cli-served-by-nothing = no tiene { $devices }
+cli-served-by-no-robot = Ningún robot de LearnBlock tiene esto. Uno tuyo puede tenerlo: consulta docs/add-a-robot.md.
 
 cli-blocks-none = Aún no tienes bloques propios. Haz uno en la página, o escribe: learnblock blocks import ARCHIVO
 

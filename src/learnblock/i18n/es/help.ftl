@@ -21,6 +21,7 @@ help-learnblock-with-no-browser = Solo muestra la dirección de la página.
 help-learnblock-with-window = Muestra la página en una ventana aparte.
 help-learnblock-with-base-url = Ruta de la página detrás de un proxy.
 help-learnblock-with-take-over = Si otro LearnBlock está usando la carpeta, deja que lo guarde todo y termine.
+help-learnblock-with-proxy-sends-token = Un proxy identifica a quien entra y envía el token (LEARNBLOCK_TOKEN) como cookie.
 help-learnblock-with-read-only = Abre y ejecuta proyectos, pero no guarda nada, para que otro LearnBlock pueda seguir.
 help-learnblock-with-new-token = Cambia la dirección de la página, para que la anterior deje de abrirla.
 help-learnblock-with-allow-host = Nombre con el que un proxy o la red llama a este ordenador.
@@ -39,12 +40,32 @@ help-blocks-export = Exporta un bloque propio a un archivo, para compartirlo.
 help-blocks-import = Importa un bloque propio de un archivo exportado, sin ejecutarlo.
 help-blocks-import-with-replace = Sustituye tu bloque del mismo nombre.
 
+help-calls =
+    Muestra qué llamó a qué en una ejecución, y durante cuánto tiempo.
+
+    El registro lo escribe learnblock run --why. Los tiempos son los del robot. Dos registros se muestran uno al lado del otro, por ejemplo los de un programa en dos robots: un asterisco marca lo que solo llamó uno de ellos.
+help-calls-with-from = Desde este momento, en s.
+help-calls-with-to = Hasta este momento, en s.
+help-calls-with-svg = Dibuja el grafo en este archivo.
+help-calls-with-json = { help-blocks-with-json }
+
 help-check =
     Busca errores en programas sin ejecutarlos.
 
-    Con --robot muestra también los dispositivos que le faltan a ese robot. El código de salida es 1 si hay errores; los avisos no lo cambian.
+    Con --robot comprueba también que ese robot tiene lo que necesita cada programa. El código de salida es 1 si hay errores; los avisos no lo cambian.
+help-check-with-all-robots = Muestra qué robots pueden ejecutar cada programa.
 help-check-with-robot = El robot: mira learnblock robots.
 help-check-with-json = { help-blocks-with-json }
+
+help-compare =
+    Muestra dónde se separaron dos ejecuciones, y por qué.
+
+    Por ejemplo después de un cambio, con otra semilla, o en otro robot. El ruido solo no cuenta: cuenta la primera decisión distinta. Después de un cambio solo, también la primera orden al robot. Los registros los escribe learnblock run --why, o se descargan de la página.
+
+    Con --with-twin basta un registro de un robot real: su gemelo obedece las mismas órdenes, y la diferencia muestra cómo calibrar el robot.
+help-compare-with-with-twin = Compara la ejecución de un robot real con lo que hace su gemelo con las mismas órdenes.
+help-compare-with-world = El mundo en el que estuvo el robot real.
+help-compare-with-json = { help-blocks-with-json }
 
 help-component =
     Ofrece nuestro detector a RoboComp.
@@ -96,6 +117,33 @@ help-format-with-check = No cambia nada; sale con 1 si cambiaría algo.
 help-format-with-stdout = Muestra el resultado sin cambiar nada.
 help-format-with-json = { help-blocks-with-json }
 
+help-class =
+    Abre una clase: se entra con una palabra, desde cualquier dispositivo del aula.
+
+    Muestra la dirección y la palabra para entrar, y abre el panel de quien enseña. Cada persona tiene
+    un nombre y cuatro dibujos en lugar de una cuenta, y un LearnBlock propio en este ordenador. Ctrl-C
+    lo guarda todo y cierra la clase; la misma orden la vuelve a abrir.
+help-class-with-folder = Dónde se guarda la clase  [por defecto: classes/NAME en tu carpeta]
+help-class-with-port = Escucha en este puerto  [por defecto: 8421, o uno libre si está ocupado]
+help-class-with-host = Escucha en esta dirección  [por defecto: 0.0.0.0]
+help-class-with-allow-host = Un nombre que la red usa para este ordenador.
+help-class-with-tls = Usa HTTPS, con un certificado hecho para la clase.
+help-class-with-no-browser = Solo muestra las direcciones.
+help-class-with-delete = Elimina la clase con todo lo que se ha hecho en ella.
+
+help-grade =
+    Evalúa los programas de una clase con las comprobaciones de una lección.
+
+    HANDED_IN son programas (.bt, .py o .learnblock), o carpetas con un programa o una carpeta por alumno; o --class indica una clase de `learnblock class`. Los resultados son results.csv y results.html en la carpeta de --out. La misma orden, repetida, hace solo lo que falta. Ninguna nota es definitiva: decide el profesor.
+help-grade-with-class = Evalúa esta clase: de cada persona, el programa más nuevo del paso de la lección.
+help-grade-with-lesson = Nombre, archivo o carpeta de la lección.
+help-grade-with-step = El paso  [por defecto: el último con comprobaciones]
+help-grade-with-variants = Prueba también en tantas variantes del mundo  [por defecto: las del paso]
+help-grade-with-robots = Los robots  [por defecto: los del paso]
+help-grade-with-jobs = Ejecuciones a la vez  [por defecto: los procesadores]
+help-grade-with-scheduler = Ejecuta en el clúster de Dask con esta dirección.
+help-grade-with-out = Carpeta de los resultados.
+
 help-import =
     Importa programas del LearnBlock original.
 
@@ -108,6 +156,34 @@ help-import-with-output = Carpeta de los archivos nuevos  [por defecto: la carpe
 help-import-with-to = Si se escriben proyectos para la página o programas en Block-Text.
 help-import-with-replace = Reemplaza los archivos que ya existan.
 help-import-with-json = { help-blocks-with-json }
+
+help-lesson =
+    Enumera, muestra, comprueba, prueba o empaqueta lecciones.
+
+    LESSON es el nombre de una lección que viene con LearnBlock, una carpeta o un archivo (.lblesson).
+help-lesson-list = Enumera las lecciones que vienen con LearnBlock.
+help-lesson-list-with-json = { help-blocks-with-json }
+help-lesson-show = Muestra una lección: de qué trata, y las instrucciones y metas de sus pasos.
+help-lesson-show-with-solutions = También las notas, las soluciones y los programas incorrectos del docente.
+help-lesson-show-with-json = { help-blocks-with-json }
+help-lesson-check =
+    Comprueba una lección: sus archivos, sus soluciones y sus programas incorrectos.
+
+    Las soluciones tienen que cumplir todas las comprobaciones en cada robot y en cada variante; un programa incorrecto típico tiene que fallar en la comprobación que debe y recibir su pista. El código de salida es 1 si algo está mal.
+help-lesson-check-with-robot = Solo en este robot; se puede repetir.
+help-lesson-check-with-variants = Tantas variantes del mundo.
+help-lesson-check-with-json = { help-blocks-with-json }
+help-lesson-try =
+    Prueba un programa en un paso de una lección y dice qué comprobaciones cumple.
+
+    El código de salida es 1 si no las cumple en cada variante y en cada robot.
+help-lesson-try-with-robot = { help-lesson-check-with-robot }
+help-lesson-try-with-variants = { help-lesson-check-with-variants }
+help-lesson-try-with-hints = Da pistas si falla, de la primera a la última.
+help-lesson-try-with-json = { help-blocks-with-json }
+help-lesson-pack = Comprueba los archivos de una lección y los empaqueta en uno (.lblesson).
+help-lesson-pack-with-for-pupils = Sin lo que solo recibe el docente.
+help-lesson-pack-with-out = El archivo que se escribe.
 
 help-library = Crea, instala o quita bibliotecas de habilidades.
 help-library-list = Muestra las bibliotecas instaladas.
@@ -150,7 +226,10 @@ help-new-skill =
     La habilidad es un bloque enseguida.
 help-new-skill-with-folder = Escribe en esta carpeta en vez de en tu carpeta de LearnBlock.
 help-new-skill-with-force = { help-new-robot-with-force }
-help-new-world = Crea un mundo para el simulador, con un objeto de cada tipo.
+help-new-world = Crea un mundo para el simulador, con un objeto de cada tipo o a partir de una plantilla.
+help-new-world-with-template = Crea un campo con obstáculos, una pista que seguir o un laberinto.
+help-new-world-with-size = Cómo de grande es un mundo de una plantilla.
+help-new-world-with-seed = Cuál de los mundos de la plantilla: el mismo número crea el mismo mundo.
 help-new-world-with-folder = { help-new-skill-with-folder }
 help-new-world-with-force = { help-new-robot-with-force }
 
@@ -165,6 +244,7 @@ help-open-with-no-browser = { help-learnblock-with-no-browser }
 help-open-with-window = { help-learnblock-with-window }
 help-open-with-base-url = { help-learnblock-with-base-url }
 help-open-with-take-over = { help-learnblock-with-take-over }
+help-open-with-proxy-sends-token = { help-learnblock-with-proxy-sends-token }
 help-open-with-read-only = { help-learnblock-with-read-only }
 help-open-with-new-token = { help-learnblock-with-new-token }
 help-open-with-allow-host = { help-learnblock-with-allow-host }
@@ -178,6 +258,12 @@ help-perception-set-with-default = Vuelve al valor por defecto.
 help-perception-set-with-yes = No pregunta.
 help-perception-set-with-json = { help-blocks-with-json }
 
+help-replay =
+    Comprueba las posiciones y los objetivos de una traza repitiéndola.
+
+    Las órdenes a las ruedas de los robots simulados se repiten en un mundo limpio.
+help-replay-with-world = Nombre o archivo del mundo, en vez del de la traza.
+
 help-robots = Muestra los robots; configura, busca o prueba los reales.
 help-robots-with-json = { help-blocks-with-json }
 help-robots-set = Muestra o cambia los ajustes de un robot real.
@@ -190,14 +276,18 @@ help-robots-test = Prueba todos los dispositivos de un robot, uno tras otro.
 help-robots-test-with-yes = No pregunta; el robot se mueve enseguida.
 help-robots-setup = Prepara un robot: copia nuestro agente a un EV3 o nuestros scripts a una escena.
 
-help-run = Ejecuta un programa (.bt, .py o .learnblock) en un robot.
+help-run = Ejecuta programas (.bt, .py o .learnblock) en robots.
 help-run-with-robot = { help-check-with-robot }
 help-run-with-world = { help-emulate-with-world }
 help-run-with-seed = Semilla de todo el ruido; la misma semilla da la misma ejecución.
+help-run-with-variant = Una variante del mundo; 0 es el mundo tal como está dibujado.
+help-run-with-variants = Ejecuta en las variantes de la 1 a este número.
 help-run-with-pace = Velocidad: la máxima (por defecto), tiempo real o este número de veces más rápido.
 help-run-with-for = Para tras estos segundos del tiempo del robot  [por defecto: 300 a velocidad free]
 help-run-with-trace = Escribe la traza como JSON Lines.
+help-run-with-why = Escribe un registro para preguntas: mira learnblock why.
 help-run-with-picture = Dibuja el mundo y el recorrido como .png o .svg.
+help-run-with-keys = Pulsa las teclas de este archivo: consulta docs/keyboard.md.
 help-run-with-anyway = Ejecuta aunque al robot le falte un dispositivo que necesita.
 help-run-with-allow-network = Permite al programa usar la red.
 help-run-with-json = { help-blocks-with-json }
@@ -230,6 +320,13 @@ help-tags-print =
     Imprime la página al 100 % y deja el margen blanco de cada etiqueta.
 help-tags-print-with-side = Lado del cuadrado negro en mm.
 help-tags-print-with-output = Archivo que se escribe.
+
+help-why =
+    Responde a una pregunta sobre una ejecución.
+
+    Por ejemplo, por qué giró el robot, o por qué no. El registro lo escribe learnblock run --why. Sin pregunta, la orden muestra lo que puedes preguntar. El tiempo va en segundos.
+help-why-with-more = Muestra también las causas de menos importancia.
+help-why-with-json = { help-blocks-with-json }
 
 help-worlds = Muestra los mundos del simulador.
 help-worlds-with-json = { help-blocks-with-json }

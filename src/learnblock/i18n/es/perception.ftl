@@ -56,3 +56,10 @@ perception-tags-not-toml = Los nombres de etiquetas son líneas como: ball = 3 (
 perception-tags-bad-name = '{ $name }' no puede ser el nombre de una etiqueta. Usa de 1 a { $limit } caracteres visibles.
 perception-tags-number-as-name = '{ $name }' es un número, así que no puede ser el nombre de una etiqueta. Usa al menos una letra.
 perception-tags-bad-number = '{ $name }' tiene el valor { $value }. El número de una etiqueta es un número entero de 0 a { $last }.
+
+# Los ajustes del reconocimiento con cámaras.
+perception-setting-component = SERVIDOR:PUERTO de un componente; vacío para el detector propio de LearnBlock
+perception-setting-emotions = reconocer emociones en cámaras reales; la ley puede prohibirlo
+perception-setting-layout = qué es el ancho de una imagen para los componentes: rows (RoboComp), columns o auto
+perception-setting-video = un vídeo que se usa en lugar de la cámara web; vacío para ninguno
+perception-setting-webcam = la cámara web de este ordenador como cámara adicional: 0 es la primera

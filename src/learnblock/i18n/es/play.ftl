@@ -4,6 +4,7 @@ play-robot-moves = El robot se está moviendo. Pausa o para el programa antes de
 play-program-running = Hay un programa en marcha. Páralo primero.
 play-no-question = El programa no espera ninguna respuesta.
 play-no-robot = No hay ningún robot listo. Elige uno en la barra.
+play-nothing-to-look-back-at = No hay nada que recordar. Ejecuta primero el programa.
 play-not-started = No se ha podido ejecutar el programa: { $reason }
 
 play-no-function = Este bloque no tiene ninguna función que reciba el robot. Escribe una primero.

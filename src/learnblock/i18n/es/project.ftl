@@ -28,6 +28,10 @@ project-expects-shown = Debe ser el nombre de un conjunto de bloques, como 'firs
 project-expects-block-sets = Debe ser una lista de { $limit } conjuntos de bloques como máximo.
 project-expects-libraries = Debe dar la versión de cada biblioteca, como { $example }.
 project-expects-workspace = Quita el espacio de trabajo del archivo para colocar los bloques de nuevo.
+project-expects-first = Debe ser el nombre del primer robot.
+project-expects-count = Debe ser el número de robots que ejecutan el programa: de 1 a { $limit }.
+project-expects-others = Debe ser una lista de { $limit } robots como máximo, cada uno con su name, robot y blocktext.
+project-robot-name = Los robots de un proyecto necesitan nombres distintos de 40 letras, cifras, espacios y guiones como máximo, no '{ $name }'.
 
 ## Folder
 
@@ -42,6 +46,7 @@ project-no-access = { $action ->
        *[read-runs] No se puede leer la lista de ejecuciones en { $folder }: { $reason }
     }
 project-name-taken = Ya hay un proyecto llamado '{ $name }'. Elige otro nombre.
+project-picture-wrong = La imagen de un proyecto debe ser un JPEG de { $limit } bytes y { $side } píxeles por lado como máximo.
 project-in-use = El proyecto '{ $name }' está abierto. Cierra antes sus páginas.
 
 ## Opening

@@ -55,5 +55,6 @@ python-unknown-event = No existe '{ $found }'. Escribe '@robot.when' para un eve
 python-unknown-event-near = No existe '{ $found }'. ¿Querías decir '@robot.{ $near }'?
 python-event-of-robot = Un evento es del robot. Escribe '@robot.{ $name }' en lugar de '{ $found }'.
 python-event-without-at = Un evento empieza por '@'. Escribe '@robot.{ $name }'.
+python-wait-without-lambda = Para esperar hay que comprobar la condición una y otra vez. Escribe 'robot.wait_until(lambda: { $condition })'.
 python-event-without-lambda = Un evento tiene que comprobar su condición una y otra vez. Escribe '@robot.when(lambda: { $condition })'.
 python-never-run = Los eventos no se ejecutan nunca, porque falta 'robot.run()'. Escríbelo en la última línea.

@@ -1,6 +1,10 @@
 # Robots de cualquier tipo: su clase, sus dispositivos y habilidades, sus ajustes.
 
 robot-key-taken = Este robot ya tiene un dispositivo de tipo { $device } con la clave '{ $key }'. Dale otra clave al segundo.
+# Mensajes entre robots.
+robot-message-name = El nombre de un mensaje es un texto de 1 a { $limit } caracteres, como "ya".
+robot-message-value = Un mensaje no puede llevar este valor ({ $type }). Envía un número, un texto, verdadero o falso, o una lista o un diccionario de estos.
+robot-message-too-large = El valor del mensaje '{ $message }' tiene { $size } bytes, pero un mensaje puede llevar { $limit } como máximo. Envía menos de una vez.
 robot-stopped = El robot se ha parado y ya no se puede usar. Ejecuta el programa otra vez.
 robot-skill-name-taken = Una habilidad no se puede llamar '{ $name }', porque todos los robots ya tienen ese nombre. Elige otro nombre.
 robot-unknown-skill = Este robot no tiene ninguna habilidad '{ $name }'.
@@ -69,6 +73,7 @@ robot-setting-thymio-connection = auto usa Thymio Suite si está en marcha; si n
 robot-setting-thymio-device = puerto serie; vacío para el primer Thymio que se encuentre
 robot-setting-track = distancia entre las ruedas en mm
 robot-setting-speed-unit = velocidad de una rueda con velocidad de motor 1, en mm/s
+robot-setting-name = cómo llamas a este robot
 robot-setting-scene = el script de LearnBlock, la escena del artículo o un robot por los nombres de sus partes
 robot-setting-script = objeto con el script; vacío para el habitual
 robot-setting-object = ruta de un objeto en la escena, como /Robot/sonar

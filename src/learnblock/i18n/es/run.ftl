@@ -25,6 +25,7 @@ run-blocked =
        *[other] El programa ha esperado { $seconds } segundos a algo que no es el robot y se ha detenido. Para dejar pasar el tiempo, usa un sleep del robot.
     }
 run-link-closed = El programa ha cerrado su conexión con el robot y se ha detenido.
+run-lost = No se ha podido hacer la ejecución, aunque se ha intentado otra vez: { $reason }. La culpa no es del programa.
 # $status es el estado de salida del proceso.
 run-process-ended = El proceso del programa ha terminado de forma inesperada con el estado { $status }.
 run-processor-time =
@@ -135,6 +136,7 @@ run-means-unpack-many = Hay solo { $before } nombres antes de '=', pero más val
 # $type y $failed son nombres de errores de Python.
 run-error-without-text = El error { $type } no tiene un mensaje legible: su __str__ ha fallado con { $failed }.
 run-second-robot = Un programa solo puede tener un robot a la vez. Quita el segundo Robot().
+run-inline-thread = Un hilo del programa ha usado el robot. Aquí solo puede hacerlo el propio programa: llama a las funciones del robot fuera del hilo.
 run-input-ended = El programa ha pedido un texto, pero ya no queda ninguno.
 # $event es el nombre que Python da a lo que se intentó, como os.fork.
 run-no-processes = Un programa de robot no puede iniciar ni detener otros programas ({ $event }).
@@ -155,6 +157,7 @@ run-variable-uses-robot = El __str__ de una variable no puede usar el robot ni e
 run-value-not-sendable = No se puede enviar un valor al robot: { $reason }.
 # $size y $limit son números de bytes.
 run-value-too-large = Un valor de { $size } bytes es demasiado grande para enviarlo al robot: el límite es de { $limit } bytes.
+run-not-a-trace = Esto no es la traza de una ejecución con robots simulados.
 run-no-program-file = LEARNBLOCK_TRACE solo puede registrar un programa que se ejecuta desde un archivo, y este no es el caso.
 
 # Fallos del robot. $reason es una frase o el mensaje de un error ajeno.

@@ -38,7 +38,7 @@ server-incomplete-address = Abre la dirección completa que LearnBlock mostró a
 server-wrong-address = LearnBlock no acepta esta dirección o esta página. Abre la dirección que LearnBlock mostró; detrás de un proxy, inicia LearnBlock con --allow-host NOMBRE.
 server-not-built-title = La página no está construida
 server-not-built = Este LearnBlock se ejecuta desde su código fuente, sin una página construida. Construye la página con Node.js y vuelve a cargar:
-server-no-floor-picture = El suelo de este mundo no tiene ninguna imagen.
+server-no-picture = No hay ninguna imagen así.
 
 ## Messages from a page
 
@@ -73,3 +73,17 @@ server-dev-no-watchfiles = learnblock dev necesita watchfiles. Ejecuta pip insta
 server-dev-no-checkout = learnblock dev necesita el código fuente de LearnBlock, incluida la carpeta frontend. Para usar la página, ejecuta learnblock.
 server-dev-no-node = learnblock dev necesita Node.js { $version } o más nuevo.
 server-dev-started = La página, que se recarga sola: { $address }
+
+## Lecciones
+
+server-lesson-file = El archivo «{ $name }» no es una lección. { $problem }
+server-lesson-name = Una lección no puede llamarse «{ $name }». Cambia el nombre del archivo, con letras, cifras y guiones.
+server-lesson-missing = No se puede abrir la lección «{ $name }» de este proyecto. { $problem }
+server-lesson-none = Este proyecto no tiene lección.
+server-lesson-other-robot = Este paso no es para el robot «{ $robot }».
+server-lesson-no-hint = No hay más pistas para esta ejecución. Cambia el programa y ejecútalo otra vez.
+server-lesson-no-question = Este paso no tiene esa pregunta.
+server-lesson-checking = El programa ya se está comprobando. Espera o detén la comprobación.
+server-lesson-not-met = No se alcanzó una meta.
+server-lesson-too-many = Ya tienes { $limit } lecciones propias. Elimina una antes.
+server-lesson-only-here = Solo alguien sentado ante el ordenador que ejecuta LearnBlock puede añadir, cambiar o eliminar lecciones, o ver sus soluciones.

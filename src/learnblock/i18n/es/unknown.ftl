@@ -8,6 +8,7 @@ unknown-name =
         [block-set] ningún conjunto de bloques
         [button] ningún botón
         [camera] ninguna cámara
+        [check] ninguna comprobación
         [colour] ningún color
         [component] ningún componente
         [connection] ninguna conexión
@@ -15,15 +16,23 @@ unknown-name =
         [detector] ningún detector
         [device] ningún dispositivo
         [device-function] ninguna función de dispositivo
+        [direction] ninguna dirección
         [emotion] ninguna emoción
         [emulator] ningún emulador
         [event] ningún evento
         [example] ningún ejemplo
         [function] ninguna función
+        [goal] ningún objetivo
+        [hint] ninguna pista
         [joint] ninguna articulación
+        [key] ninguna tecla
         [led] ningún LED
+        [lesson] ninguna lección
+        [lesson-step] ningún paso
         [library] ninguna biblioteca
+        [light-object] ningún objeto con masa
         [line] ninguna línea
+        [note] ninguna nota
         [project] ningún proyecto
         [robot] ningún robot
         [setting] ningún ajuste
@@ -31,6 +40,7 @@ unknown-name =
         [skill] ninguna habilidad
         [start-pose] ninguna posición inicial
         [tag] ninguna etiqueta
+        [thing] ningún objeto
         [variable] ninguna variable
         [version] ninguna versión
         [world] ningún mundo

@@ -1,13 +1,15 @@
 # Problems of blocks, shown at the block.
 
 workspace-missing-value = Este bloque tiene un hueco vacío. Encaja en él un valor, como un número, un texto o una variable.
-workspace-missing-number = Este bloque tiene un hueco vacío para un número. Encaja uno, como un número de la pestaña 'Matemáticas' o una variable.
-workspace-missing-text = Este bloque tiene un hueco vacío para un texto. Encaja uno, como un texto de la pestaña 'Texto' o una variable.
+workspace-missing-number = Este bloque tiene un hueco vacío para un número. Encaja uno, como un número de 'Cálculo' o una variable.
+workspace-missing-text = Este bloque tiene un hueco vacío para un texto. Encaja uno, como un texto de 'Cálculo' o una variable.
+workspace-missing-dictionary = A este bloque le falta un diccionario. Encaja la variable que lo guarda.
 workspace-missing-list = Este bloque tiene un hueco vacío para una lista. Encaja una, como 'crear lista con' o una variable.
-workspace-missing-text-or-list = 'longitud de' tiene un hueco vacío. Encaja un texto de la pestaña 'Texto', 'crear lista con' de la pestaña 'Listas', o una variable.
+workspace-missing-text-or-list = 'longitud de' tiene un hueco vacío. Encaja un texto de 'Cálculo', 'crear lista con' de 'Variables', o una variable.
 workspace-missing-variable-of-list = Este bloque no tiene lista que cambiar. Encaja una variable que contenga una lista.
-workspace-missing-condition = A este bloque le falta una condición, y un hueco vacío cuenta como 'falso'. Encaja una comparación de la pestaña 'Lógica' o una pregunta al robot.
-workspace-missing-side = Un lado de este bloque está vacío, y un hueco vacío cuenta como 'falso'. Encaja una comparación de la pestaña 'Lógica' o una pregunta al robot.
+workspace-missing-condition = A este bloque le falta una condición, y un hueco vacío cuenta como 'falso'. Encaja una comparación de 'Cálculo' o una pregunta al robot.
+workspace-wait-without-condition = A este bloque le falta una condición, así que espera para siempre. Encaja una comparación de 'Cálculo' o una pregunta al robot.
+workspace-missing-side = Un lado de este bloque está vacío, y un hueco vacío cuenta como 'falso'. Encaja una comparación de 'Cálculo' o una pregunta al robot.
 workspace-empty-block = Dentro de este bloque no hay nada, así que no hace nada. Pon bloques dentro, o quítalo.
 workspace-missing-variable = A este bloque le falta una variable. Elige una.
 workspace-missing-python = Escribe aquí una expresión de Python.
@@ -23,7 +25,7 @@ workspace-unknown-skill = Aquí no hay ninguna habilidad '{ $name }'. Quita este
 workspace-unknown-block = Un programa no puede tener aquí un bloque de tipo '{ $type }'. Quítalo.
 workspace-misplaced-block = Este bloque va bajo 'al empezar', fuera de todos los demás bloques.
 workspace-robot-not-first = 'robot' va antes que todo lo demás. Mueve este bloque al principio.
-workspace-second-main = Un programa solo puede tener un 'programa principal'. Mueve los bloques de este al otro, y borra este.
+workspace-second-main = Un programa solo puede tener un 'al pulsar Ejecutar'. Mueve los bloques de este al otro, y borra este.
 workspace-empty-comparison = Esta comparación no compara nada. Quítala.
 workspace-python-lines = Un valor de Python va en una sola línea. Usa el bloque de líneas de Python.
 workspace-unused-value = Este valor no se usa. Ponlo en un bloque 'establecer ... a', o quítalo.
@@ -36,33 +38,33 @@ workspace-too-deep = Aquí hay demasiados bloques unos dentro de otros. Mueve al
 
 # $count: the number of blocks in the stack
 workspace-loose-blocks = { $count ->
-    [one] Este bloque no se ejecuta, porque no está unido al programa. Arrástralo debajo de 'programa principal' o de otro bloque del programa, o bórralo.
-   *[other] Estos { $count } bloques no se ejecutan, porque no están unidos al programa. Arrástralos debajo de 'programa principal' o de otro bloque del programa, o bórralos.
+    [one] Este bloque no se ejecuta, porque no está unido al programa. Arrástralo debajo de 'al pulsar Ejecutar' o de otro bloque del programa, o bórralo.
+   *[other] Estos { $count } bloques no se ejecutan, porque no están unidos al programa. Arrástralos debajo de 'al pulsar Ejecutar' o de otro bloque del programa, o bórralos.
 }
 workspace-no-program = { $count ->
-    [one] Este bloque no se ejecuta, porque el programa no tiene 'programa principal'. Tómalo de la pestaña 'Inicio' y arrastra este bloque debajo.
-   *[other] Estos { $count } bloques no se ejecutan, porque el programa no tiene 'programa principal'. Tómalo de la pestaña 'Inicio' y arrastra estos bloques debajo.
+    [one] Este bloque no se ejecuta, porque el programa no tiene 'al pulsar Ejecutar'. Tómalo de 'Eventos' y arrastra este bloque debajo.
+   *[other] Estos { $count } bloques no se ejecutan, porque el programa no tiene 'al pulsar Ejecutar'. Tómalo de 'Eventos' y arrastra estos bloques debajo.
 }
 workspace-loose-value = Este valor no está encajado en ningún bloque, así que no hace nada. Arrástralo a un hueco de otro bloque, o bórralo.
-workspace-only-functions = Nadie llama a '{ $name }', así que el programa no hace nada. Pon 'programa principal', de la pestaña 'Inicio', y debajo '{ $name }', de la pestaña 'Funciones'.
+workspace-only-functions = Nadie llama a '{ $name }', así que el programa no hace nada. Pon 'al pulsar Ejecutar', de 'Eventos', y debajo '{ $name }', de 'Mis bloques'.
 
 ## Mistakes in a program that check.ftl words for text: the same, in the words of blocks
 
-workspace-unknown-name = '{ $name }' no tiene valor. Pon más arriba un bloque 'establecer { $name } a' de la pestaña 'Variables'.
+workspace-unknown-name = '{ $name }' no tiene valor. Pon más arriba un bloque 'establecer { $name } a' de 'Variables'.
 workspace-unknown-name-near = '{ $name }' no tiene valor. ¿Querías decir '{ $near }'? Elígela en este bloque.
 workspace-read-before-set = '{ $name }' aún no tiene valor cuando el programa llega aquí. Sube el bloque 'establecer { $name } a' al principio del programa.
-workspace-unknown-function = No hay ninguna función '{ $name }'. Créala con un bloque 'definir' de la pestaña 'Funciones', o quita este bloque.
+workspace-unknown-function = No hay ninguna función '{ $name }'. Créala con un bloque 'definir' de 'Mis bloques', o quita este bloque.
 workspace-no-such-skill = El robot no tiene ninguna habilidad '{ $name }'. Quita este bloque y toma otro de la paleta.
-workspace-unknown-when = No hay ningún evento '{ $name }'. Créalo con 'Nuevo evento…' en la pestaña 'Eventos', o elige otro en este bloque.
+workspace-unknown-when = No hay ningún evento '{ $name }'. Créalo con 'Nuevo evento…' en 'Eventos', o elige otro en este bloque.
 workspace-unknown-when-near = No hay ningún evento '{ $name }'. ¿Querías decir '{ $near }'? Elígelo en este bloque.
-workspace-never-started = Nada inicia el evento '{ $name }', así que no se ejecuta nunca. Pon en el programa un bloque 'iniciar { $name }' de la pestaña 'Eventos', o añade una condición a este bloque con su '+'.
+workspace-never-started = Nada inicia el evento '{ $name }', así que no se ejecuta nunca. Pon en el programa un bloque 'iniciar { $name }' de 'Eventos', o añade una condición a este bloque con su '+'.
 workspace-events-never-run = Este bucle no termina nunca, así que los eventos como '{ $name }' no se ejecutan. Pasa lo que repite el bucle a un evento con 'verdadero' como condición, o pon en el bucle un 'si' con 'romper el bucle'.
 # $word: def or when
 workspace-defined-twice = { $word ->
     [def] Hay dos funciones '{ $name }'.
    *[other] Hay dos eventos '{ $name }'.
 } Cambia el nombre de este bloque, o pasa sus bloques al otro y borra este.
-workspace-not-imported = Este bloque es de la biblioteca '{ $library }'. Pon un bloque 'importar { $library }' de la pestaña 'Control' bajo 'al empezar'.
+workspace-not-imported = Este bloque es de la biblioteca '{ $library }'. Pon un bloque 'importar { $library }' de 'Control' bajo 'al empezar'.
 # $names: of the parameters without a value
 workspace-missing-argument = A este bloque le falta un valor para: { $names }. Quítalo y toma '{ $call }' otra vez de la paleta: ese tiene todos sus huecos.
 workspace-too-many-arguments = { $most ->
@@ -70,8 +72,8 @@ workspace-too-many-arguments = { $most ->
     [one] '{ $call }' lleva solo 1 valor ({ $parameters }).
    *[other] '{ $call }' lleva solo { $most } valores ({ $parameters }).
 } Quita el bloque entero y toma '{ $call }' otra vez de la paleta: tiene los huecos justos.
-workspace-text-for-number = Esto es un texto, pero hace falta un número. Pon aquí un número de la pestaña 'Matemáticas'.
-workspace-number-as-text = "{ $number }" es un texto aquí, pero hace falta un número. Cambia este bloque por un número de la pestaña 'Matemáticas' y escribe en él { $number }.
+workspace-text-for-number = Esto es un texto, pero hace falta un número. Pon aquí un número de 'Cálculo'.
+workspace-number-as-text = "{ $number }" es un texto aquí, pero hace falta un número. Cambia este bloque por un número de 'Cálculo' y escribe en él { $number }.
 workspace-outside-range = Este valor es { $value }. Elige uno entre { $least } y { $most }.
 workspace-negative-wait = El robot no puede esperar { $seconds } segundos. Escribe 0 o más.
 # $choices: as in a program
@@ -81,42 +83,45 @@ workspace-whole-number = 'contar con' cuenta con números enteros, no con { $num
 workspace-step-zero = Con 'de a 0' el bucle no terminaría nunca. Escribe otro número después de 'de a'.
 workspace-counts-up = Este bucle no se ejecuta nunca, porque cuenta hacia delante de { $start } a { $stop }. Escribe -1 después de 'de a' para contar hacia atrás.
 workspace-never-repeats = Si se repite { $count } veces, los bloques de dentro no se ejecutan nunca. Escribe un número mayor que 0.
+workspace-idle-wait = Nada cambia esta condición mientras el programa espera aquí, así que espera para siempre o nada. Usa en ella una pregunta al robot.
 workspace-idle-loop = Dentro de este bucle no hay nada, así que no termina nunca. Pon dentro los bloques que debe repetir, o quítalo.
 workspace-speed-as-angle = Esto es una velocidad: el robot seguiría girando a { $speed }°/s. { $side ->
     [left] Para girar { $speed } grados a la izquierda, usa el bloque 'girar ...° a la derecha' con -{ $speed }: un ángulo negativo gira a la izquierda.
    *[other] Para girar { $speed } grados, usa el bloque 'girar ...° a la derecha'.
 }
-workspace-convert-to-number = Esto es un texto, pero hace falta un número. Ponle alrededor el bloque 'int' de la pestaña 'Texto', que lo convierte en un número.
-workspace-answer-for-number = Lo que se escribe con el teclado es siempre un texto, aunque sea 5, pero aquí hace falta un número. Pon alrededor de esto el bloque 'int' de la pestaña 'Texto'.
-workspace-answer-changed = '{ $name }' contiene lo que se ha escrito con el teclado, que siempre es un texto, aunque sea 5. Usa 'establecer { $name } a' con 'int', de la pestaña 'Texto', alrededor de lo que se escribe.
+workspace-convert-to-number = Esto es un texto, pero hace falta un número. Ponle alrededor el bloque 'int' de 'Cálculo', que lo convierte en un número.
+workspace-answer-for-number = Lo que se escribe con el teclado es siempre un texto, aunque sea 5, pero aquí hace falta un número. Pon alrededor de esto el bloque 'int' de 'Cálculo'.
+workspace-answer-changed = '{ $name }' contiene lo que se ha escrito con el teclado, que siempre es un texto, aunque sea 5. Usa 'establecer { $name } a' con 'int', de 'Cálculo', alrededor de lo que se escribe.
+workspace-dictionary-for-number = Esto es un diccionario, y hace falta un número. Pon alrededor el bloque 'en el diccionario obtener' de 'Variables'.
 workspace-list-for-number = Esto es una lista, pero hace falta un número. Usa 'en la lista ... obtener #' para uno de sus elementos, o 'longitud de' para saber cuántos tiene.
-workspace-join-text = A un texto solo se le puede sumar otro texto. Pon alrededor de esto el bloque 'str' de la pestaña 'Texto', que lo convierte en un texto.
-workspace-append = A una lista solo se le puede sumar otra lista. Para añadir un elemento, cambia todo el bloque 'establecer ... a' por 'en la lista ... insertar en último', de la pestaña 'Listas'.
+workspace-join-text = A un texto solo se le puede sumar otro texto. Pon alrededor de esto el bloque 'str' de 'Cálculo', que lo convierte en un texto.
+workspace-append = A una lista solo se le puede sumar otra lista. Para añadir un elemento, cambia todo el bloque 'establecer ... a' por 'en la lista ... insertar en último', de 'Variables'.
 # $advice: one of the messages about text for a number
 workspace-never-equal = Un texto nunca es igual a un número. { $advice }
 workspace-repeat-whole-number = 'repetir' necesita un número entero, no { $number }. Escribe { $less } o { $more }.
 workspace-for-number = Esto es un número, no una lista. Para contar usa 'contar con { $name } desde 1 hasta { $value }' en vez de 'para cada elemento'.
-workspace-text-as-condition = Un texto no es una condición: cuenta como verdadero. Pon aquí una comparación de la pestaña 'Lógica' o una pregunta al robot.
-workspace-number-as-condition = El número { $number } no es una condición. Pon aquí una comparación de la pestaña 'Lógica' o una pregunta al robot.
-workspace-action-as-condition = Este bloque hace algo y no responde nada. Pon aquí una comparación de la pestaña 'Lógica' o una pregunta al robot.
+workspace-text-as-condition = Un texto no es una condición: cuenta como verdadero. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.
+workspace-number-as-condition = El número { $number } no es una condición. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.
+workspace-action-as-condition = Este bloque hace algo y no responde nada. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.
 workspace-no-result = Esta función no devuelve nada, así que no hay ningún valor que usar. Ponle un bloque 'devolver', o úsala en el programa sin este bloque alrededor.
 workspace-bare-value = Cada lado de '{ $operator ->
     [and] y
     [or] o
    *[other] { $operator }
-}' necesita su propia comparación. Cambia esto por '{ $variable } { $comparison } { $value }' de la pestaña 'Lógica'.
+}' necesita su propia comparación. Cambia esto por '{ $variable } { $comparison } { $value }' de 'Cálculo'.
 workspace-divide-by-zero = No se puede dividir entre 0. Escribe aquí otro número.
 workspace-length-of-number = 'longitud de' necesita un texto o una lista, pero esto es un número. Encaja en su lugar un texto o una lista.
-workspace-numbers-of-list = Esto es un texto, pero el bloque que lo rodea necesita una lista de números. Cámbialo por 'crear lista con', de la pestaña 'Listas', y encaja números en ella.
+workspace-numbers-of-list = Esto es un texto, pero el bloque que lo rodea necesita una lista de números. Cámbialo por 'crear lista con', de 'Variables', y encaja números en ella.
 workspace-past-end = { $length ->
     [one] No hay ningún elemento # { $index }. La lista tiene solo 1 elemento, el # 0: los elementos se cuentan desde 0.
    *[other] No hay ningún elemento # { $index }. La lista tiene { $length } elementos, que se cuentan desde 0: el último es el # { $last }.
 }
 workspace-loop-past-end = En la última vuelta no hay ningún elemento # { $index }: los elementos se cuentan desde 0. Cuenta desde 0 hasta 'longitud de { $values }' - 1.
-workspace-empty-list-item = '{ $values }' está vacía, así que no tiene ningún elemento # { $index }. Antes de este bloque, pon elementos en ella con 'en la lista ... insertar en último', de la pestaña 'Listas'.
-workspace-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita este bloque y pon 'repetir mientras' con 'verdadero' en su hueco alrededor de los demás bloques de '{ $name }'.
+workspace-empty-list-item = '{ $values }' está vacía, así que no tiene ningún elemento # { $index }. Antes de este bloque, pon elementos en ella con 'en la lista ... insertar en último', de 'Variables'.
+workspace-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita este bloque y pon 'repetir siempre' alrededor de los demás bloques de '{ $name }'.
 # $devices: noun phrases from check-device
 workspace-skill-without-answer = Este robot no tiene { $devices }, así que no puede responder a esta pregunta. Quita el bloque o elige otro robot.
+workspace-skill-impossible = Este robot no tiene { $devices }, así que no puede hacer esto. Quita el bloque o elige otro robot.
 workspace-skill-without-effect = Este robot no tiene { $devices }, así que este bloque no hace nada. Quítalo o elige otro robot.
 workspace-no-device-of-name = Este robot no tiene { $device } '{ $key }', así que este bloque no hace nada. Elige: { $known }.
 workspace-outside-loop = Este bloque solo funciona dentro de un bucle. Ponlo dentro de un bloque 'repetir', 'contar con' o 'para cada elemento', o quítalo.
@@ -127,4 +132,4 @@ workspace-unreachable-after-jump = Este bloque no se ejecuta nunca: el de encima
 }. Ponlo encima de ese bloque, o quítalo.
 workspace-unreachable-after-loop = Este bloque no se ejecuta nunca: el bucle de encima no termina. Ponlo dentro del bucle o encima de él, o sal del bucle con 'romper el bucle'.
 workspace-unreachable-after-branches = Este bloque no se ejecuta nunca: todas las ramas del 'si' de encima salen antes. Ponlo encima del 'si', o quítalo.
-workspace-sensor-outside-loop = Al robot se le pregunta solo una vez, cuando el programa llega aquí. Para seguir preguntando, pon este bloque dentro de 'repetir mientras' con 'verdadero' en su hueco, o usa un evento de la pestaña 'Eventos'.
+workspace-sensor-outside-loop = Al robot se le pregunta solo una vez, cuando el programa llega aquí. Para seguir preguntando, pon este bloque dentro de 'repetir siempre', o usa un evento de 'Eventos'.

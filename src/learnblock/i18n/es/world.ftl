@@ -10,7 +10,19 @@ world-name-taken =
         [start] Dos salidas se llaman '{ $name }'. Dale a cada una su propio nombre.
        *[goal] Dos objetivos se llaman '{ $name }'. Dale a cada uno su propio nombre.
     }
+# $after es el objetivo que hay que alcanzar antes.
+world-goal-circle = El objetivo '{ $name }' va después de '{ $after }', que va después de '{ $name }'. Quita uno de los 'after'.
+# Un objetivo que un robot no puede alcanzar; $name es el del objetivo.
+world-goal-off-floor = El objetivo '{ $name }' no se puede alcanzar: está fuera del suelo.
+world-goal-behind-wall = El objetivo '{ $name }' no se puede alcanzar: hay una pared en medio.
+world-goal-behind-box = El objetivo '{ $name }' no se puede alcanzar: hay una caja en medio.
+world-goal-behind-cylinder = El objetivo '{ $name }' no se puede alcanzar: hay un cilindro en medio.
+world-goal-behind-board = El objetivo '{ $name }' no se puede alcanzar: hay una etiqueta o una cara en medio.
+world-goal-behind-prop = El objetivo '{ $name }' no se puede alcanzar: hay un adorno sólido en medio.
+world-goal-behind-border = El objetivo '{ $name }' no se puede alcanzar: está demasiado cerca de la pared que rodea el suelo.
+world-goal-behind-things = El objetivo '{ $name }' no se puede alcanzar: hay varias cosas en medio.
 world-path-part = Escribe cada parte de un camino como {"{"} forward = 300 {"}"} o como {"{"} turn = 90, radius = 300 {"}"}.
+world-reach-choice = Un objetivo tiene como mucho uno de 'robot', 'object', 'together' y 'alone'.
 world-line-shape = Una línea necesita 'points' (dos o más) o bien 'start' y 'path'.
 world-line-empty = Una línea necesita una longitud, pero esta termina donde empieza.
 world-line-open = La línea cerrada '{ $name }' tiene que terminar donde empieza, en ({ $start_x }, { $start_y }). Termina en ({ $x }, { $y }).
@@ -51,6 +63,10 @@ world-key-taken =
 # Una ejecución en un mundo.
 
 world-no-room = En el mundo '{ $world }' no queda suelo libre para otro robot.
+world-no-variants = El mundo '{ $world }' no tiene variantes. Añade [vary] a su archivo, con al menos un límite.
+# $name es un objeto o una salida.
+world-no-room-to-vary = En la variante { $variant } del mundo '{ $world }' no hay sitio para '{ $name }'. Reduce los límites en [vary] de su archivo.
+world-bad-variant = La variante tiene que ser un número entero desde 0, no '{ $variant }'.
 world-robot-taken = En el mundo ya hay un robot llamado '{ $name }'. Elige otro nombre.
 world-bad-pace = El ritmo tiene que ser free, real o un número positivo como 5, no '{ $pace }'.
 world-bad-seed = La semilla tiene que ser un número entero, no '{ $seed }'.

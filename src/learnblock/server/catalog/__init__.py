@@ -1,16 +1,44 @@
 """The choices of a page: robots, worlds, examples, settings and tag names."""
 
-from learnblock.server.catalog.examples import example, example_choices
+from learnblock.server.catalog.examples import example, example_choices, example_programs, suits
 from learnblock.server.catalog.greeting import welcome
+from learnblock.server.catalog.lessons import (
+    LESSON_ENDING,
+    add_lesson,
+    attempts_of,
+    copy_lesson,
+    delete_lesson,
+    find_lesson,
+    find_own,
+    find_whole,
+    free_lesson_name,
+    lesson_choices,
+    star_names,
+)
 from learnblock.server.catalog.robots import robot_choices
+from learnblock.server.catalog.runs_on import runs_on
 from learnblock.server.catalog.tags import tag_dictionary
 from learnblock.server.catalog.worlds import check_world_name, usual_world, world_choices
 
 __all__ = [
+    "LESSON_ENDING",
+    "add_lesson",
+    "attempts_of",
     "check_world_name",
+    "copy_lesson",
+    "delete_lesson",
     "example",
     "example_choices",
+    "example_programs",
+    "find_lesson",
+    "find_own",
+    "find_whole",
+    "free_lesson_name",
+    "lesson_choices",
     "robot_choices",
+    "runs_on",
+    "star_names",
+    "suits",
     "tag_dictionary",
     "usual_world",
     "welcome",

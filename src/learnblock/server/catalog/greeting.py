@@ -9,13 +9,22 @@ from learnblock.server.catalog.worlds import world_choices
 from learnblock.server.messages import Welcome
 
 
-def welcome(folder: str, read_only: Phrase | None = None, *, warns: bool = False) -> Welcome:
+def welcome(
+    folder: str,
+    read_only: Phrase | None = None,
+    *,
+    warns: bool = False,
+    teaches: bool = False,
+    address: str | None = None,
+) -> Welcome:
     """Create the first message to a page.
 
     Args:
         folder: the projects folder.
         read_only: why nothing may be written; None if it may.
         warns: whether the page says what does not contain programs.
+        teaches: whether the page may have what only the teacher has.
+        address: the address by which other devices reach the server; None if they can't.
     """
     return Welcome(
         version=version("learnblock-studio"),
@@ -25,4 +34,6 @@ def welcome(folder: str, read_only: Phrase | None = None, *, warns: bool = False
         folder=folder,
         read_only=read_only,
         warns=warns,
+        teaches=teaches,
+        address=address,
     )

@@ -1,19 +1,32 @@
 """The robots that a project can use."""
 
+from functools import cache
+
+from msgspec import structs
+
 from learnblock import robots
+from learnblock.blocks import builtin
 from learnblock.errors import LearnBlockError
+from learnblock.robots.settings import given_names
+from learnblock.senses import SENSES, served_by
 from learnblock.server.messages import RobotChoice
 
 
 def robot_choices() -> tuple[RobotChoice, ...]:
     """The available robots."""
-    return tuple(map(_robot_choice, robots.entries().values()))
+    names = given_names()
+    choices = map(_robot_choice, robots.entries().values())
+    return tuple(structs.replace(one, given=names.get(one.name, "")) for one in choices)
 
 
 def _robot_choice(entry: robots.RobotEntry) -> RobotChoice:
     if entry.simulated is False:
         # The drivers of real robots are slow to load too.
-        return RobotChoice(entry.name, entry.name, simulated=False)
+        # What the twin has; only robots in a world have a pen.
+        twin = robots.entries().get(f"sim-{entry.name}")
+        lacks = tuple(sorted({*_lacks(twin), "Pen"})) if twin else ()
+        serves = _serves(twin) if twin else {}
+        return RobotChoice(entry.name, entry.name, simulated=False, lacks=lacks, serves=serves)
     # The simulator is slow to import, and the server has to respond before that.
     from learnblock.robots.simulated import SimulatedRobot  # noqa: PLC0415
 
@@ -24,4 +37,35 @@ def _robot_choice(entry: robots.RobotEntry) -> RobotChoice:
     except LearnBlockError:
         # It is listed anyway; choosing it reports its error.
         return RobotChoice(entry.name, entry.name, simulated=False)
-    return RobotChoice(entry.name, title or entry.name, simulated)
+    return RobotChoice(entry.name, title or entry.name, simulated, _lacks(entry), _serves(entry))
+
+
+def _lacks(entry: robots.RobotEntry) -> tuple[str, ...]:
+    """What blocks need and the robot can't serve; nothing if its devices are unknown."""
+    equipment = _equipment(entry)
+    if equipment is None:
+        return ()
+    return tuple(need for need in _needs() if served_by(need, equipment) is None)
+
+
+def _serves(entry: robots.RobotEntry) -> dict[str, str]:
+    """What serves each sense that the robot has; nothing if its devices are unknown."""
+    equipment = _equipment(entry)
+    if equipment is None:
+        return {}
+    ways = ((sense, served_by(sense, equipment)) for sense in SENSES)
+    return {sense: way for sense, way in ways if way}
+
+
+def _equipment(entry: robots.RobotEntry) -> frozenset[str] | None:
+    try:
+        return entry.load().known_equipment()
+    except LearnBlockError:
+        return None
+
+
+@cache
+def _needs() -> tuple[str, ...]:
+    """Every need of the built-in blocks; a parameter may choose among devices of one type."""
+    found = (need.partition(":{")[0] for block in builtin().values() for need in block.needs)
+    return tuple(sorted(set(found)))

@@ -45,4 +45,6 @@ def _world_choices() -> Iterator[WorldChoice]:
             world = simulated.find_world(name)
         except WorldError:
             continue
-        yield WorldChoice(name, world.title or name, own=(own / f"{name}.toml").is_file())
+        robots = simulated.robots_for(world)
+        is_own = (own / f"{name}.toml").is_file()
+        yield WorldChoice(name, world.title or name, own=is_own, robots=robots)

@@ -19,10 +19,11 @@ _BLOCKTEXT_STATEMENTS: Mapping[str, tuple[str, str]] = {
     "elif": ("elif", "elif ${condition}:\n    ${pass}"),
     "else": ("else", "else:\n    ${pass}"),
     "while": ("while", "while ${condition}:\n    ${pass}\nend"),
-    "while True": ("while", "while True:\n    ${pass}\nend"),
+    "forever": ("forever", "forever:\n    ${pass}\nend"),
     "repeat": ("repeat", "repeat ${1:4}:\n    ${2:pass}\nend"),
     "for in": ("for", "for ${x} in ${values}:\n    ${pass}\nend"),
     "for from to": ("for", "for ${1:i} from ${2:1} to ${3:10}:\n    ${4:pass}\nend"),
+    "wait until": ("wait", "wait until ${condition}"),
     "break": ("break", "break"),
     "continue": ("continue", "continue"),
     "return": ("return", "return"),
@@ -64,7 +65,8 @@ _WHEN_MEMBERS = {"active": "active", "time": "time"} | {
     name: f"{name}()" for name in ("activate", "deactivate")
 }
 _ROBOT_MEMBERS = {"when": "when", "when_start": "when_start", "run": "run()"} | {
-    "elapsedTime": "elapsedTime(${seconds})"
+    "elapsedTime": "elapsedTime(${seconds})",
+    "wait_until": "wait_until(lambda: ${condition})",
 }
 
 

@@ -13,6 +13,8 @@ _TOKEN = re.compile(
     """,
     re.VERBOSE,
 )
+#: The end of an unfinished f-string, from the value that is open.
+_OPEN_VALUE = re.compile(r"(?<!\{)(?:\{\{)*\{([^{}]*)$")
 _OPENING, _CLOSING = frozenset("([{"), frozenset(")]}")
 _TYPED = re.compile(r"[^\W\d]\w*$")
 _DOTTED = re.compile(r"([^\W\d]\w*)\s*\.\s*$")
@@ -54,7 +56,8 @@ class Cursor:
         """The cursor at a line and column, from 1; after the end, that of the last line."""
         lines = text.split("\n")
         written = lines[min(max(line, 1), len(lines)) - 1]
-        return cls(written[: max(column - 1, 0)], written[max(column - 1, 0) :])
+        before = written[: max(column - 1, 0)]
+        return cls(_in_value(before), written[len(before) :])
 
     @property
     def typed(self) -> str:
@@ -115,6 +118,23 @@ class Cursor:
         """The innermost call whose arguments are being written, if any."""
         opened = _open_calls(self.before)
         return opened[-1] if opened and opened[-1].name else None
+
+
+def _in_value(before: str) -> str:
+    """`before`, without the f-string around the value that the cursor is in, if it is in one.
+
+    An open bracket takes its place, so that columns stay the same.
+    """
+    tokens = [*_TOKEN.finditer(before)][-2:]
+    if len(tokens) < 2 or tokens[0][0] not in {"f", "F"} or tokens[1]["text"] is None:
+        return before
+    text = tokens[1]
+    is_closed = len(text[0]) > 1 and text[0][-1] == text[0][0]
+    value = None if is_closed or text.start() > tokens[0].end() else _OPEN_VALUE.search(text[0])
+    if value is None:
+        return before
+    start = text.start() + value.start(1)
+    return " " * (start - 1) + "(" + before[start:]
 
 
 def _open_calls(before: str) -> list[OpenCall]:

@@ -2,14 +2,22 @@
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from learnblock.blocks import BlockConfiguration
+from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import attribute_from_python
+from learnblock.language.check.robots import serving, serving_phrase
 from learnblock.server.help.cursor import Cursor
 from learnblock.server.help.vocabulary import Vocabulary
 from learnblock.server.help.words import Words, library_parameters, signature
 from learnblock.server.messages import Description
+
+#: Words that are names, except at the beginning of a line.
+_AT_START = frozenset(("repeat", "forever", "wait", "python"))
+_ONLY_BLOCKTEXT = frozenset(
+    ("end", "main", "when", "activate", "deactivate", "function", "until", *_AT_START)
+)
 
 
 @dataclass(frozen=True)
@@ -20,6 +28,7 @@ class Meaning:
         title: the name with its parameters.
         text: the description.
         needs: devices that the robot lacks for it.
+        serves: what serves its senses on the robot; None if it has none, or is unknown.
         defined: the beginning of the line that defines it; empty if there is none.
         sort: the kind of name if it can be renamed, else empty.
         name: the name for `Rename`.
@@ -33,6 +42,7 @@ class Meaning:
     sort: str = ""
     name: str = ""
     local: bool = False
+    serves: Phrase | None = None
 
 
 @dataclass(frozen=True)
@@ -69,6 +79,7 @@ class Describer:
             title=meaning.title,
             text=meaning.text,
             needs=meaning.needs,
+            serves=meaning.serves,
             line=line,
             column=column,
             from_column=start + 1,
@@ -112,9 +123,13 @@ class Describer:
         return None
 
     def skill(self, skill: BlockConfiguration, name: str) -> Meaning:
-        devices = self.vocabulary.document.target.devices
-        needs = () if devices is None else skill.lacks(devices)
-        return Meaning(name + signature(skill), self.words.tooltip(skill), needs)
+        equipment = self.vocabulary.document.target.equipment
+        meaning = Meaning(name + signature(skill), self.words.tooltip(skill))
+        if equipment is None:
+            return meaning
+        ways = serving(skill.needs, equipment)
+        serves = serving_phrase(ways) if ways else None
+        return replace(meaning, needs=skill.lacks(equipment), serves=serves)
 
     def called(self, name: str) -> Meaning | None:
         """The called function, by its name and prefix."""
@@ -139,10 +154,11 @@ class Describer:
     def keyword(self, word: str) -> Meaning | None:
         if self.is_python and word == "robot":
             return Meaning(word, self.words.say("robot"))
-        if word in {"repeat", "python"} and not self.cursor.begins_line:
+        if word in _AT_START and not self.cursor.begins_line:
             return None
-        only_blocktext = {"end", "main", "when", "repeat", "activate", "deactivate", "function"}
-        if self.is_python and word in only_blocktext | {"python"}:
+        if word == "until" and self.cursor.word_before != "wait":
+            return None
+        if self.is_python and word in _ONLY_BLOCKTEXT:
             return None
         text = self.words.about("keywords", word)
         return Meaning(word, text) if text else None

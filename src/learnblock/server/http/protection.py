@@ -4,6 +4,9 @@ The server runs programs on the user's computer, and any web page in the user's 
 requests to 127.0.0.1. Three checks keep them out: a random token that is only in the opened
 address; the Host header, against names made to point to this computer (DNS rebinding); and
 the Origin header, against pages from other servers.
+
+A proxy that logs users in, as under JupyterHub, can send the token for them. Then it alone knows
+the token, and the page needs none.
 """
 
 import hmac
@@ -13,7 +16,7 @@ from dataclasses import dataclass
 from http import HTTPStatus
 from urllib.parse import urlsplit
 
-from starlette.datastructures import Headers, MutableHeaders
+from starlette.datastructures import MutableHeaders
 from starlette.requests import HTTPConnection
 from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -50,22 +53,34 @@ class Protection:
             fake.
         origins: hosts, with ports if any, of other pages that may use the server: the
             names that a proxy gives it.
+        proxy_sends_token: whether a proxy sends the token, as a cookie, with the requests of users
+            that it has logged in.
     """
 
     token: str
     hosts: frozenset[str] = frozenset(LOCAL_HOSTS)
     origins: frozenset[str] = frozenset()
+    proxy_sends_token: bool = False
 
     @classmethod
-    def of(cls, token: str, hosts: Iterable[str] = (), origins: Iterable[str] = ()) -> "Protection":
+    def of(
+        cls,
+        token: str,
+        hosts: Iterable[str] = (),
+        origins: Iterable[str] = (),
+        *,
+        proxy_sends_token: bool = False,
+    ) -> "Protection":
         """Allow the computer's own names besides `hosts`."""
         known = frozenset(map(str.lower, (*LOCAL_HOSTS, *hosts)))
-        return cls(token, known, frozenset(map(str.lower, origins)))
+        return cls(token, known, frozenset(map(str.lower, origins)), proxy_sends_token)
 
-    def admits(self, headers: Headers) -> bool:
-        """Whether a request with these headers is allowed at all."""
-        host = headers.get("host", "").lower()
-        return self._is_host(host) and self._is_origin(headers.get("origin"), host)
+    def admits(self, request: HTTPConnection) -> bool:
+        """Whether a request is allowed at all."""
+        host = request.headers.get("host", "").lower()
+        # What comes from the proxy was sent to a name under which the user is logged in.
+        is_for_us = self.trusts(request) if self.proxy_sends_token else self._is_host(host)
+        return is_for_us and self._is_origin(request.headers.get("origin"), host)
 
     def knows(self, token: str | None) -> bool:
         """Whether this is the token."""
@@ -82,7 +97,9 @@ class Protection:
 
         A proxy passes on the requests of other computers as its own, so behind one no request does.
         """
-        is_passed_on = bool(self.origins or _PASSED_ON & set(request.headers))
+        is_passed_on = bool(
+            self.proxy_sends_token or self.origins or _PASSED_ON & set(request.headers)
+        )
         client = request.client
         return client is not None and not is_passed_on and is_loopback(client.host)
 
@@ -117,7 +134,7 @@ class Guard:
         self._protection = protection
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        if scope["type"] == "lifespan" or self._protection.admits(Headers(scope=scope)):
+        if scope["type"] == "lifespan" or self._protection.admits(HTTPConnection(scope)):
             await self._app(scope, receive, _marking(send))
         elif scope["type"] == "websocket":
             # A handshake that is never accepted ends as 403.
@@ -133,7 +150,10 @@ def _refusal() -> PlainTextResponse:
 def _marking(send: Send) -> Send:
     async def mark(message: Message) -> None:
         if message["type"] == "http.response.start":
-            MutableHeaders(scope=message).update(_HEADERS)
+            headers = MutableHeaders(scope=message)
+            for name, value in _HEADERS.items():
+                # A response may allow less.
+                headers.setdefault(name, value)
         await send(message)
 
     return mark

@@ -36,6 +36,22 @@ from learnblock.server.messages.carrying import (
     Noted,
     OfferedCode,
 )
+from learnblock.server.messages.connecting import (
+    ConnectRobot,
+    Correction,
+    CorrectRobot,
+    DisconnectRobot,
+    FindRobots,
+    KnownRobot,
+    NameRobot,
+    NearbyRobot,
+    RobotConnected,
+    RobotCorrected,
+    RobotsNearby,
+    RobotValues,
+    TryRobot,
+    UseRobot,
+)
 from learnblock.server.messages.containment import (
     AllowNetwork,
     Containment,
@@ -62,6 +78,78 @@ from learnblock.server.messages.custom_blocks import (
     SaveCustomBlock,
     TryCustomBlock,
 )
+from learnblock.server.messages.kept import (
+    CallsBeside,
+    CloseRun,
+    ComparedRun,
+    CompareRuns,
+    DeleteRun,
+    KeptRun,
+    KeptRuns,
+    ListRuns,
+    NameRun,
+    OpenRun,
+    ReadCallsBeside,
+    RunsCompared,
+    RunShown,
+    RunStep,
+)
+from learnblock.server.messages.lesson_editor import (
+    ChangeLesson,
+    CopyLesson,
+    ExaminedStep,
+    ExamineLesson,
+    ExportLesson,
+    LessonExamined,
+    LessonExported,
+    LessonNotes,
+    LessonProblem,
+    LessonSaved,
+    LessonToEdit,
+    LessonTried,
+    MakeLesson,
+    ReadLessonNotes,
+    SaveLesson,
+    SolvedStep,
+    StopTrying,
+    TriedProgram,
+    TryLesson,
+    WrongProgram,
+)
+from learnblock.server.messages.lessons import (
+    LARGEST_LESSON,
+    AnswerPuzzle,
+    AnswerQuiz,
+    CheckStep,
+    DeleteLesson,
+    ImportLesson,
+    ImportLessonFolder,
+    Introduce,
+    LessonAttempt,
+    LessonChecked,
+    LessonChoice,
+    LessonGoal,
+    LessonGoals,
+    LessonHint,
+    LessonHints,
+    LessonImported,
+    LessonPuzzle,
+    LessonQuiz,
+    Lessons,
+    LessonShown,
+    LessonStep,
+    LessonText,
+    LessonWords,
+    ListLessons,
+    PuzzleJudged,
+    QuizJudged,
+    RestartStep,
+    ShowStep,
+    ShowVariant,
+    StartLesson,
+    StopChecking,
+    TakeHint,
+)
 from learnblock.server.messages.libraries import (
     MOST_LIBRARIES,
     MOST_SKILLS,
@@ -86,6 +174,31 @@ from learnblock.server.messages.libraries import (
     SkillClash,
     UseLibrary,
 )
+from learnblock.server.messages.looking import (
+    Asked,
+    AskWhy,
+    CalledFunction,
+    CallEdge,
+    CallGraph,
+    LookBack,
+    Past,
+    Predicted,
+    Questions,
+    ReadCalls,
+    ReadPastPicture,
+    ReadPrediction,
+    ReadQuestions,
+    ReadTimeline,
+    ReadValues,
+    Timeline,
+    TimeMark,
+    TwinFinding,
+    ValuesThere,
+    ValueThere,
+    WhyAnswer,
+    WhyQuestion,
+    WhySentence,
+)
 from learnblock.server.messages.program import (
     MOST_BREAKPOINTS,
     Complete,
@@ -100,14 +213,20 @@ from learnblock.server.messages.program import (
     Format,
     Place,
     Problem,
+    ReadRunsOn,
     RecoverBlocks,
     RecoverText,
     Redo,
     Rename,
+    RunsOn,
     SetBreakpoints,
     Undo,
+    Verdict,
 )
 from learnblock.server.messages.projects import (
+    LARGEST_PICTURE,
+    CloseProject,
+    CopyProject,
     Delete,
     ExampleChoice,
     Export,
@@ -116,11 +235,13 @@ from learnblock.server.messages.projects import (
     History,
     Import,
     ImportOriginal,
+    KeepPicture,
     ListHistory,
     ListProjects,
     New,
     Open,
     Opened,
+    OpenExample,
     OriginalImported,
     PastRun,
     ProjectEntry,
@@ -132,6 +253,7 @@ from learnblock.server.messages.projects import (
     SaveAs,
     Saved,
     Settings,
+    Stage,
     TakenIn,
     Version,
     Welcome,
@@ -149,13 +271,19 @@ from learnblock.server.messages.running import (
     CameraFrame,
     ChooseRobot,
     ChooseWorld,
+    Drawing,
     Drive,
     Ended,
     GoalNow,
+    HandleRobot,
+    HoldKeys,
     InputWanted,
+    KeysWanted,
     Pause,
     PlaceRobot,
     Printed,
+    PrintedByRobots,
+    PrintedPart,
     ResetWorld,
     Resume,
     Robot,
@@ -169,12 +297,25 @@ from learnblock.server.messages.running import (
     Sound,
     Step,
     Stop,
+    StrokePart,
     Telemetry,
     Variables,
     WatchCamera,
     WhenNow,
 )
 from learnblock.server.messages.settings import ChangeSettings, ReadSettings, Setting, SettingsTable
+from learnblock.server.messages.tabs import (
+    AddTab,
+    CloseTab,
+    OpenTab,
+    RenameTab,
+    ReopenTab,
+    SetRobotCount,
+    Tab,
+    TabOpened,
+    TabRobot,
+    Tabs,
+)
 from learnblock.server.messages.tags import (
     MOST_TAGS,
     ExportTags,
@@ -188,15 +329,18 @@ from learnblock.server.messages.worlds import (
     DeleteWorld,
     ExportWorld,
     ImportWorld,
+    MakeWorld,
     ReadWorld,
     RenameWorld,
     RestoreWorld,
     SaveWorld,
     Scene,
+    UnreachableGoal,
     WorldChecked,
     WorldChoice,
     WorldDeleted,
     WorldExported,
+    WorldMade,
     Worlds,
     WorldToEdit,
 )
@@ -204,6 +348,8 @@ from learnblock.server.messages.worlds import (
 FromPage = (
     Open
     | New
+    | OpenExample
+    | CloseProject
     | Import
     | ImportOriginal
     | InstallOffered
@@ -214,6 +360,8 @@ FromPage = (
     | RestoreWorld
     | SaveAs
     | RenameProject
+    | CopyProject
+    | KeepPicture
     | Delete
     | Export
     | ListProjects
@@ -239,12 +387,30 @@ FromPage = (
     | Step
     | SetSpeed
     | Answer
+    | HoldKeys
+    | HandleRobot
     | ResetWorld
     | PlaceRobot
     | Drive
     | WatchCamera
+    | ReadTimeline
+    | ReadPrediction
+    | LookBack
+    | ReadPastPicture
+    | ReadValues
+    | ReadCalls
+    | ReadQuestions
+    | AskWhy
+    | ListRuns
+    | OpenRun
+    | CloseRun
+    | NameRun
+    | DeleteRun
+    | CompareRuns
+    | ReadCallsBeside
     | ReadWorld
     | CheckWorld
+    | MakeWorld
     | SaveWorld
     | ListCustomBlocks
     | CheckCustomBlock
@@ -264,8 +430,15 @@ FromPage = (
     | ReadContainment
     | ReadNetwork
     | AllowNetwork
+    | ReadRunsOn
     | ReadSettings
     | ChangeSettings
+    | AddTab
+    | SetRobotCount
+    | OpenTab
+    | CloseTab
+    | ReopenTab
+    | RenameTab
     | SaveTags
     | ReadTags
     | ExportTags
@@ -280,6 +453,36 @@ FromPage = (
     | UseLibrary
     | BeginRobot
     | MakeRobot
+    | FindRobots
+    | ConnectRobot
+    | DisconnectRobot
+    | TryRobot
+    | CorrectRobot
+    | NameRobot
+    | UseRobot
+    | Introduce
+    | ListLessons
+    | StartLesson
+    | ShowStep
+    | RestartStep
+    | CheckStep
+    | StopChecking
+    | ShowVariant
+    | TakeHint
+    | AnswerQuiz
+    | AnswerPuzzle
+    | ImportLesson
+    | ImportLessonFolder
+    | DeleteLesson
+    | MakeLesson
+    | ChangeLesson
+    | ExamineLesson
+    | SaveLesson
+    | TryLesson
+    | StopTrying
+    | ExportLesson
+    | ReadLessonNotes
+    | CopyLesson
 )
 
 ToPage = (
@@ -299,19 +502,35 @@ ToPage = (
     | Conflict
     | Completions
     | Description
+    | RunsOn
     | RunState
     | InputWanted
+    | KeysWanted
     | Printed
+    | PrintedByRobots
     | Ended
     | Variables
     | RunningLine
+    | Timeline
+    | Predicted
+    | Past
+    | ValuesThere
+    | CallGraph
+    | Questions
+    | WhyAnswer
+    | KeptRuns
+    | RunShown
+    | RunsCompared
+    | CallsBeside
     | Telemetry
+    | Drawing
     | RobotLink
     | Sound
     | CameraFrame
     | Scene
     | WorldToEdit
     | WorldChecked
+    | WorldMade
     | WorldExported
     | WorldDeleted
     | CodeOffered
@@ -326,6 +545,8 @@ ToPage = (
     | Containment
     | Network
     | SettingsTable
+    | Tabs
+    | TabOpened
     | Tags
     | TagsRead
     | Libraries
@@ -336,9 +557,29 @@ ToPage = (
     | RobotBegun
     | RobotMade
     | Robots
+    | RobotsNearby
+    | RobotConnected
+    | RobotValues
+    | RobotCorrected
+    | Lessons
+    | LessonShown
+    | LessonGoals
+    | LessonChecked
+    | LessonHints
+    | QuizJudged
+    | PuzzleJudged
+    | LessonImported
+    | LessonToEdit
+    | LessonExamined
+    | LessonSaved
+    | LessonTried
+    | LessonExported
+    | LessonNotes
 )
 
 __all__ = [
+    "LARGEST_LESSON",
+    "LARGEST_PICTURE",
     "LONGEST_CONTENT",
     "LONGEST_TEXT",
     "MOST_ARGUMENTS",
@@ -347,27 +588,48 @@ __all__ = [
     "MOST_LIBRARIES",
     "MOST_SKILLS",
     "MOST_TAGS",
+    "AddTab",
     "AllowNetwork",
     "Answer",
+    "AnswerPuzzle",
+    "AnswerQuiz",
+    "AskWhy",
+    "Asked",
     "BeginRobot",
     "BlockSetRead",
     "BlockSets",
     "BlocksShown",
+    "CallEdge",
+    "CallGraph",
+    "CalledFunction",
+    "CallsBeside",
     "CameraFrame",
+    "ChangeLesson",
     "ChangeSettings",
     "CheckCustomBlock",
+    "CheckStep",
     "CheckWorld",
     "ChooseBlockSet",
     "ChooseRobot",
     "ChooseWorld",
+    "CloseProject",
+    "CloseRun",
+    "CloseTab",
     "CodeOffered",
+    "CompareRuns",
+    "ComparedRun",
     "Complete",
     "Completion",
     "Completions",
     "Conflict",
+    "ConnectRobot",
     "Containment",
     "ConvertLibrary",
     "Coordinate",
+    "CopyLesson",
+    "CopyProject",
+    "CorrectRobot",
+    "Correction",
     "CustomBlock",
     "CustomBlockChecked",
     "CustomBlockPreview",
@@ -377,20 +639,27 @@ __all__ = [
     "Delete",
     "DeleteBlockSet",
     "DeleteCustomBlock",
+    "DeleteLesson",
+    "DeleteRun",
     "DeleteWorld",
     "Describe",
     "Description",
+    "DisconnectRobot",
     "Document",
     "DownloadLibrary",
+    "Drawing",
     "Drive",
     "DuplicateCustomBlock",
     "EditBlocks",
     "EditText",
     "Ended",
+    "ExamineLesson",
+    "ExaminedStep",
     "ExampleChoice",
     "Export",
     "ExportBlockSet",
     "ExportCustomBlock",
+    "ExportLesson",
     "ExportTags",
     "ExportWorld",
     "Exportable",
@@ -398,19 +667,52 @@ __all__ = [
     "ExportableFunction",
     "Failed",
     "File",
+    "FindRobots",
     "Format",
     "FromPage",
     "GoalNow",
+    "HandleRobot",
     "History",
+    "HoldKeys",
     "Id",
     "Import",
     "ImportCustomBlock",
+    "ImportLesson",
+    "ImportLessonFolder",
     "ImportLibraries",
     "ImportOriginal",
     "ImportWorld",
     "InputWanted",
     "InstallOffered",
     "InstalledLibrary",
+    "Introduce",
+    "KeepPicture",
+    "KeptRun",
+    "KeptRuns",
+    "KeysWanted",
+    "KnownRobot",
+    "LessonAttempt",
+    "LessonChecked",
+    "LessonChoice",
+    "LessonExamined",
+    "LessonExported",
+    "LessonGoal",
+    "LessonGoals",
+    "LessonHint",
+    "LessonHints",
+    "LessonImported",
+    "LessonNotes",
+    "LessonProblem",
+    "LessonPuzzle",
+    "LessonQuiz",
+    "LessonSaved",
+    "LessonShown",
+    "LessonStep",
+    "LessonText",
+    "LessonToEdit",
+    "LessonTried",
+    "LessonWords",
+    "Lessons",
     "Libraries",
     "LibrariesRead",
     "LibraryConverted",
@@ -421,36 +723,63 @@ __all__ = [
     "ListCustomBlocks",
     "ListExportable",
     "ListHistory",
+    "ListLessons",
     "ListLibraries",
     "ListProjects",
+    "ListRuns",
+    "LookBack",
+    "MakeLesson",
     "MakeLibrary",
     "MakeRobot",
+    "MakeWorld",
     "Message",
     "Name",
+    "NameRobot",
+    "NameRun",
+    "NearbyRobot",
     "Network",
     "New",
     "Notation",
     "Noted",
     "OfferedCode",
     "Open",
+    "OpenExample",
+    "OpenRun",
+    "OpenTab",
     "Opened",
     "OriginalImported",
     "PaletteChanged",
+    "Past",
     "PastRun",
     "Pause",
     "Place",
     "PlaceRobot",
+    "Predicted",
     "Printed",
+    "PrintedByRobots",
+    "PrintedPart",
     "Problem",
     "ProjectEntry",
     "ProjectRenamed",
     "Projects",
+    "PuzzleJudged",
+    "Questions",
+    "QuizJudged",
     "ReadBlockSet",
+    "ReadCalls",
+    "ReadCallsBeside",
     "ReadContainment",
+    "ReadLessonNotes",
     "ReadLibraries",
     "ReadNetwork",
+    "ReadPastPicture",
+    "ReadPrediction",
+    "ReadQuestions",
+    "ReadRunsOn",
     "ReadSettings",
     "ReadTags",
+    "ReadTimeline",
+    "ReadValues",
     "ReadWorld",
     "RecoverBlocks",
     "RecoverText",
@@ -458,8 +787,11 @@ __all__ = [
     "RemoveLibrary",
     "Rename",
     "RenameProject",
+    "RenameTab",
     "RenameWorld",
+    "ReopenTab",
     "ResetWorld",
+    "RestartStep",
     "Restore",
     "RestoreCustomBlock",
     "RestoreWorld",
@@ -467,16 +799,25 @@ __all__ = [
     "Robot",
     "RobotBegun",
     "RobotChoice",
+    "RobotConnected",
+    "RobotCorrected",
     "RobotLink",
     "RobotMade",
     "RobotProblem",
+    "RobotValues",
     "Robots",
+    "RobotsNearby",
     "Run",
+    "RunShown",
     "RunState",
+    "RunStep",
     "RunningLine",
+    "RunsCompared",
+    "RunsOn",
     "SaveAs",
     "SaveBlockSet",
     "SaveCustomBlock",
+    "SaveLesson",
     "SaveTags",
     "SaveWorld",
     "Saved",
@@ -484,35 +825,65 @@ __all__ = [
     "Seen",
     "Sensor",
     "SetBreakpoints",
+    "SetRobotCount",
     "SetSpeed",
     "Setting",
     "Settings",
     "SettingsTable",
     "ShortText",
+    "ShowStep",
+    "ShowVariant",
     "SkillClash",
+    "SolvedStep",
     "Sound",
+    "Stage",
+    "StartLesson",
     "StateName",
     "Step",
     "Stop",
+    "StopChecking",
+    "StopTrying",
+    "StrokePart",
+    "Tab",
+    "TabOpened",
+    "TabRobot",
+    "Tabs",
     "Tags",
     "TagsRead",
+    "TakeHint",
     "TakenIn",
     "Telemetry",
     "Text",
+    "TimeMark",
+    "Timeline",
     "ToPage",
+    "TriedProgram",
     "TryCustomBlock",
+    "TryLesson",
+    "TryRobot",
+    "TwinFinding",
     "Undo",
+    "UnreachableGoal",
     "UseLibrary",
+    "UseRobot",
+    "ValueThere",
+    "ValuesThere",
     "Variables",
+    "Verdict",
     "Version",
     "View",
     "WatchCamera",
     "Welcome",
     "WhenNow",
+    "WhyAnswer",
+    "WhyQuestion",
+    "WhySentence",
     "WorldChecked",
     "WorldChoice",
     "WorldDeleted",
     "WorldExported",
+    "WorldMade",
     "WorldToEdit",
     "Worlds",
+    "WrongProgram",
 ]

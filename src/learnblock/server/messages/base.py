@@ -15,7 +15,7 @@ MOST_CARRIED = 8
 
 Notation = Literal["blocktext", "python"]
 View = Literal["blocks", "blocktext", "python"]
-StateName = Literal["idle", "starting", "running", "paused", "held", "input", "ended"]
+StateName = Literal["idle", "starting", "running", "paused", "held", "input", "done", "ended"]
 Text = Annotated[str, Meta(max_length=LONGEST_TEXT)]
 FileText = Annotated[str, Meta(max_length=LONGEST_FILE)]
 Name = Annotated[str, Meta(min_length=1, max_length=100)]

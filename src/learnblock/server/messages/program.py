@@ -27,11 +27,13 @@ class EditBlocks(Message, frozen=True):
         edit: the number of the page's edit; the resulting `Document` has the same number.
         workspace: the workspace after the edit.
         revision: the revision that the page shows, apart from its own edits; 0 for the current one.
+        shown: the number of the program that it edits, of `TabOpened`.
     """
 
     edit: int
     workspace: Workspace
     revision: int = 0
+    shown: int = 0
 
 
 class EditText(Message, frozen=True):
@@ -41,6 +43,7 @@ class EditText(Message, frozen=True):
     notation: Notation
     text: Text
     revision: int = 0
+    shown: int = 0
 
 
 class RecoverBlocks(Message, frozen=True):
@@ -50,11 +53,13 @@ class RecoverBlocks(Message, frozen=True):
         edit: the number of the page's edit.
         workspace: the workspace after the edit.
         base: the workspace that was edited.
+        shown: as in `EditBlocks`.
     """
 
     edit: int
     workspace: Workspace
     base: Workspace
+    shown: int = 0
 
 
 class RecoverText(Message, frozen=True):
@@ -64,6 +69,7 @@ class RecoverText(Message, frozen=True):
     notation: Notation
     text: Text
     base: Text
+    shown: int = 0
 
 
 class Undo(Message, frozen=True):
@@ -106,6 +112,10 @@ class Describe(Message, frozen=True):
     language: Name = "en"
 
 
+class ReadRunsOn(Message, frozen=True):
+    """Ask which robots can run the program; the reply is `RunsOn`."""
+
+
 class SetBreakpoints(Message, frozen=True):
     """Set breakpoints at these blocks."""
 
@@ -113,6 +123,27 @@ class SetBreakpoints(Message, frozen=True):
 
 
 # To the page.
+
+
+class Verdict(Struct, frozen=True, omit_defaults=True):
+    """Whether a robot can run the program.
+
+    Args:
+        robot: its name.
+        state: ``without`` if it runs without some decoration; ``unknown`` if the robot's devices
+            are known only once it is connected.
+        message: the verdict in words, with what the robot lacks.
+    """
+
+    robot: str
+    state: Literal["runs", "without", "refused", "unknown"]
+    message: Phrase
+
+
+class RunsOn(Message, frozen=True):
+    """Which robots can run the program."""
+
+    robots: tuple[Verdict, ...]
 
 
 class Problem(Struct, frozen=True, omit_defaults=True):
@@ -227,6 +258,7 @@ class Description(Message, frozen=True):
         title: the name with its parameters; empty if there is no help.
         text: the help.
         needs: required devices that the chosen robot lacks.
+        serves: what serves its senses on the chosen robot; None if it has none, or is unknown.
         line: the line of its definition in the same text, from 1; 0 for none.
         column: the column of its definition.
         from_column: the column where its name starts.
@@ -239,6 +271,7 @@ class Description(Message, frozen=True):
     title: str = ""
     text: str = ""
     needs: tuple[str, ...] = ()
+    serves: Phrase | None = None
     line: int = 0
     column: int = 0
     from_column: int = 0

@@ -1,5 +1,6 @@
 """Messages about projects: choices, files, versions and runs."""
 
+from collections.abc import Mapping
 from typing import Annotated, Literal
 
 from msgspec import Meta, Struct, field
@@ -11,19 +12,30 @@ from learnblock.server.messages.base import (
     LONGEST_TEXT,
     Message,
     Name,
+    ShortText,
 )
 from learnblock.server.messages.worlds import WorldChoice
 
 #: The maximum number of libraries that come with a project.
 MOST_BESIDE = 10
+#: The limit of a project's picture in bytes.
+LARGEST_PICTURE = 20_000
+
+Stage = Literal["starter", "explorer", "coder"]
 
 # From the page.
 
 
 class Open(Message, frozen=True):
-    """Open a project; the reply is `Opened`."""
+    """Open a project; the reply is `Opened`.
+
+    Args:
+        name: its name.
+        tab: the robot to show; by default, and if there is no such robot, the first one.
+    """
 
     name: Name
+    tab: ShortText = ""
 
 
 class New(Message, frozen=True):
@@ -32,10 +44,34 @@ class New(Message, frozen=True):
     Args:
         name: the name; a number is added if it is taken.
         example: the example to start with; None for an empty program.
+        robot: the user's robot, for an empty program and for an example that it can run; empty for
+            the usual one.
     """
 
     name: Name = "program"
     example: str | None = None
+    robot: ShortText = ""
+
+
+class OpenExample(Message, frozen=True):
+    """Open a project of an example that has not been changed; create one if there is none.
+
+    Args:
+        name: the name of a new project; a number is added if it is taken.
+        example: the example.
+        robot: the user's robot, used if it can run the example; empty for that of the example.
+    """
+
+    name: Name
+    example: Name
+    robot: ShortText = ""
+
+
+class CloseProject(Message, frozen=True):
+    """Leave the open project, which a page of the server need not have.
+
+    As when a page is closed, its program goes on for a while.
+    """
 
 
 class Import(Message, frozen=True):
@@ -73,9 +109,40 @@ class SaveAs(Message, frozen=True):
 
 
 class RenameProject(Message, frozen=True):
-    """Rename the open project and its history; its pages receive `ProjectRenamed`."""
+    """Rename a project and its history.
+
+    Args:
+        name: the new name.
+        project: a project that no page shows, and `Projects` follows; empty for the open one,
+            whose pages receive `ProjectRenamed`.
+    """
 
     name: Name
+    project: ShortText = ""
+
+
+class CopyProject(Message, frozen=True):
+    """Copy a project that need not be open; `Projects` follows.
+
+    Args:
+        project: its name.
+        name: the name of the copy; a number is added if it is taken.
+    """
+
+    project: Name
+    name: Name
+
+
+class KeepPicture(Message, frozen=True):
+    """Keep a picture of the open project's world for the list of projects, which follows.
+
+    Args:
+        project: its name; if it is no longer open, the picture is not kept.
+        content: a JPEG in base64.
+    """
+
+    project: Name
+    content: Annotated[bytes, Meta(max_length=LARGEST_PICTURE)]
 
 
 class Delete(Message, frozen=True):
@@ -85,9 +152,15 @@ class Delete(Message, frozen=True):
 
 
 class Export(Message, frozen=True):
-    """Ask for a file of the open project; the reply is `File`."""
+    """Ask for a file of a project; the reply is `File`.
+
+    Args:
+        format: its type.
+        project: the project; empty for the open one.
+    """
 
     format: Literal["bt", "py", "learnblock"]
+    project: ShortText = ""
 
 
 class ListProjects(Message, frozen=True):
@@ -107,22 +180,48 @@ class Restore(Message, frozen=True):
 # To the page.
 
 
-class RobotChoice(Struct, frozen=True):
-    """A robot to choose; simulated robots are in a world."""
+class RobotChoice(Struct, frozen=True, omit_defaults=True):
+    """A robot to choose; simulated robots are in a world.
+
+    Args:
+        name: its name.
+        title: its name for readers.
+        simulated: whether it is in a world.
+        lacks: the needs of blocks that it can't serve, such as ``Pen``; see `learnblock.senses`.
+        serves: what serves each sense that it has.
+        given: what the user calls it; empty without such a name.
+    """
 
     name: str
     title: str
     simulated: bool
+    lacks: tuple[str, ...] = ()
+    serves: Mapping[str, str] = {}
+    given: str = ""
 
 
-class ExampleChoice(Struct, frozen=True):
-    """An example to open, with its robot and world."""
+class ExampleChoice(Struct, frozen=True, omit_defaults=True):
+    """An example to open, with its kinds of robots and its world.
+
+    Args:
+        name: its name.
+        title: its title.
+        description: what it does.
+        robot: the kinds of robots.
+        world: the world.
+        robots: how many robots there are.
+        stage: for whom it is.
+        is_first: whether it is one of the first programs, which do one task each.
+    """
 
     name: str
     title: str
     description: str
     robot: str
     world: str
+    robots: int = 1
+    stage: Stage = "starter"
+    is_first: bool = False
 
 
 class Welcome(Message, frozen=True):
@@ -137,6 +236,8 @@ class Welcome(Message, frozen=True):
         read_only: why nothing may be changed; None if it may.
         warns: whether the page says by itself what does not contain programs: once for a server
             that other computers can use, to a user at the server's own.
+        teaches: whether the page may have what only the teacher has.
+        address: the numeric address by which other devices reach the server; None if they can't.
     """
 
     version: str
@@ -146,13 +247,22 @@ class Welcome(Message, frozen=True):
     folder: str
     read_only: Phrase | None = None
     warns: bool = False
+    teaches: bool = False
+    address: str | None = None
 
 
 class ProjectEntry(Struct, frozen=True):
-    """A project; `changed` is seconds since 1970."""
+    """A project.
+
+    Args:
+        name: its name.
+        changed: when it was changed, in seconds since 1970.
+        picture: when its picture was taken; 0 if it has none.
+    """
 
     name: str
     changed: float
+    picture: float = 0.0
 
 
 class Projects(Message, frozen=True):
@@ -162,12 +272,21 @@ class Projects(Message, frozen=True):
 
 
 class Opened(Message, frozen=True):
-    """A project is open; a `Document`, a `Scene` and a `RunState` follow."""
+    """A project is open; `Tabs`, a `Document`, a `Scene` and a `RunState` follow.
+
+    Args:
+        name: its name.
+        robot: the kind of the robot that is shown.
+        world: the world.
+        breakpoints: those of the robot's program.
+        tab: the name of the robot; empty if it is alone.
+    """
 
     name: str
     robot: str
     world: str
     breakpoints: tuple[str, ...] = ()
+    tab: str = ""
 
 
 class ProjectRenamed(Message, frozen=True):

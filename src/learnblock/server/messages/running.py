@@ -4,8 +4,11 @@ from typing import Annotated, Any, Literal
 
 from msgspec import Meta, Struct, field
 
+from learnblock.client.keyboard import KEYS, Key
 from learnblock.i18n import Phrase
 from learnblock.server.messages.base import Coordinate, Message, Name, StateName
+
+VariantNumber = Annotated[int, Meta(ge=0, le=9999)]
 
 # From the page.
 
@@ -15,7 +18,15 @@ class ChooseRobot(Message, frozen=True):
 
 
 class ChooseWorld(Message, frozen=True):
+    """Choose a world, or another variant of it.
+
+    Args:
+        name: its name.
+        variant: the number of a variant; 0 is the world as it is drawn.
+    """
+
     name: Name
+    variant: VariantNumber = 0
 
 
 class Run(Message, frozen=True):
@@ -58,6 +69,12 @@ class Answer(Message, frozen=True):
     text: Annotated[str, Meta(max_length=10_000)]
 
 
+class HoldKeys(Message, frozen=True):
+    """The keys that the user holds down now, for all programs that ask for them."""
+
+    keys: Annotated[tuple[Key, ...], Meta(max_length=len(KEYS))]
+
+
 class ResetWorld(Message, frozen=True):
     """Reset the world to its initial state; only while no program runs."""
 
@@ -74,6 +91,12 @@ class PlaceRobot(Message, frozen=True):
     x: Coordinate
     y: Coordinate
     heading: Annotated[float, Meta(ge=-360, le=360)]
+
+
+class HandleRobot(Message, frozen=True):
+    """Shake a simulated robot, or tilt it to a side until another message; also during a run."""
+
+    how: Literal["shake", "level", "front", "back", "left", "right"]
 
 
 class Drive(Message, frozen=True):
@@ -102,7 +125,8 @@ class RunState(Message, frozen=True):
 
     Args:
         state: ``idle`` before the first run, ``ended`` after one; ``paused`` together
-            with its world, ``held`` before a line of code; ``input`` while it waits for `Answer`.
+            with its world, ``held`` before a line of code; ``input`` while it waits for `Answer`;
+            ``done`` once it has ended while the programs of other robots go on.
         block: the block it is paused at.
         speed: the speed of simulated time, as a multiple of real time; None is the fastest.
     """
@@ -118,10 +142,49 @@ class InputWanted(Message, frozen=True):
     prompt: str
 
 
+class KeysWanted(Message, frozen=True):
+    """The programs of a run ask whether keys are held down.
+
+    Args:
+        keys: the keys they ask for; all if that is unknown, none once they have ended.
+        programs: the number of programs that ask for keys.
+    """
+
+    keys: tuple[Key, ...]
+    programs: int = 1
+
+
 class Printed(Message, frozen=True):
-    """Output of the program, at most a few thousand characters at once."""
+    """Output of the program, at most a few thousand characters at once.
+
+    Args:
+        text: the output.
+        until: the number of characters that the program has printed so far, with it; each print
+            counts as a line.
+    """
 
     text: str
+    until: int = 0
+
+
+class PrintedPart(Struct, frozen=True):
+    """What one of several robots printed without another in between.
+
+    Args:
+        robot: its name.
+        text: the output.
+        until: the number of characters that it has printed so far; see `Printed`.
+    """
+
+    robot: str
+    text: str
+    until: int
+
+
+class PrintedByRobots(Message, frozen=True):
+    """`Printed` for robots that share a program, in the order in which they printed."""
+
+    parts: tuple[PrintedPart, ...]
 
 
 class GoalNow(Struct, frozen=True):
@@ -143,7 +206,10 @@ class Ended(Message, frozen=True):
         no_effect: skills that had no effect, each with the missing device.
         custom_block: the file name of the custom block with the error, if it was in one.
         custom_line: the line of its source, from 1; 0 if unknown.
+        trace_sha256: the hash of the trace; empty if a real robot took part with others.
+        repeatable: whether the same programs give the same run: no real robot took part.
         tried: whether it was `TryCustomBlock` rather than the program.
+        others: whether other robots' programs go on; the report of the whole run follows.
     """
 
     ended: str
@@ -155,9 +221,11 @@ class Ended(Message, frozen=True):
     emotions: tuple[str, ...] = ()
     no_effect: tuple[tuple[str, str], ...] = ()
     trace_sha256: str = ""
+    repeatable: bool = True
     custom_block: str = ""
     custom_line: int = 0
     tried: bool = False
+    others: bool = False
 
 
 class WhenNow(Struct, frozen=True):
@@ -201,6 +269,7 @@ class Robot(Struct, frozen=True, omit_defaults=True):
         leds: red, green, blue, by key.
         emotion: the emotion it shows; ``none`` if it shows none.
         speed: mm/s forward and degrees/s clockwise, if known.
+        text: the text on its screen, or beside it; empty if there is none.
     """
 
     name: str
@@ -212,6 +281,35 @@ class Robot(Struct, frozen=True, omit_defaults=True):
     leds: dict[str, tuple[int, int, int]] = field(default_factory=dict)
     emotion: str = "none"
     speed: tuple[float, float] | None = None
+    text: str = ""
+
+
+class StrokePart(Struct, frozen=True):
+    """What a stroke of a pen has gained.
+
+    Args:
+        stroke: the number of the stroke, from 0.
+        color: red, green and blue, 0 to 255.
+        width: mm.
+        points: (mm east, mm north), after those sent before.
+    """
+
+    stroke: int
+    color: tuple[int, int, int]
+    width: float
+    points: tuple[tuple[float, float], ...]
+
+
+class Drawing(Message, frozen=True):
+    """What has been drawn on the floor since the last such message.
+
+    Args:
+        fresh: whether everything drawn before is gone.
+        parts: in the order in which the strokes were begun.
+    """
+
+    fresh: bool
+    parts: tuple[StrokePart, ...] = ()
 
 
 class Sensor(Struct, frozen=True, omit_defaults=True):
@@ -301,9 +399,18 @@ class Seen(Struct, frozen=True, omit_defaults=True):
 
 
 class CameraFrame(Message, frozen=True):
-    """The size and the findings of the camera frame (JPEG) in the next binary message."""
+    """The size and the findings of the camera frame (JPEG) in the next binary message.
+
+    Args:
+        width: in pixels.
+        height: in pixels.
+        time: when it was taken, in s.
+        seen: the findings.
+        past: whether it is of a moment that the page looks back at.
+    """
 
     width: int
     height: int
     time: float
     seen: tuple[Seen, ...] = ()
+    past: bool = False

@@ -1,6 +1,6 @@
 """Messages about worlds: their appearance, and editing them."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from msgspec import Meta, Struct
 
@@ -20,6 +20,20 @@ class CheckWorld(Message, frozen=True):
     """Check a world and preview its lines; the reply is `WorldChecked`."""
 
     world: dict[str, Any]
+
+
+class MakeWorld(Message, frozen=True):
+    """Ask for a world from a template; the reply is `WorldMade`.
+
+    Args:
+        template: what kind of world.
+        size: how large.
+        seed: which of its worlds; the same number makes the same world.
+    """
+
+    template: Literal["field", "track", "maze"]
+    size: Annotated[int, Meta(ge=3, le=8)]
+    seed: Annotated[int, Meta(ge=0, le=999_999)]
 
 
 class SaveWorld(Message, frozen=True):
@@ -76,12 +90,20 @@ class RestoreWorld(Message, frozen=True):
 # To the page.
 
 
-class WorldChoice(Struct, frozen=True):
-    """A world to choose; the user's `own` worlds can be edited in place."""
+class WorldChoice(Struct, frozen=True, omit_defaults=True):
+    """A world to choose; the user's `own` worlds can be edited in place.
+
+    Args:
+        name: its name.
+        title: its title.
+        own: whether it is the user's.
+        robots: how many robots its goals are for.
+    """
 
     name: str
     title: str
     own: bool
+    robots: int = 1
 
 
 class Worlds(Message, frozen=True):
@@ -114,6 +136,7 @@ class Scene(Message, frozen=True):
         robots: name and description of each robot (`RobotDescription`), ours first.
         cameras: the keys of our robot's cameras.
         start: x, y, heading where the next run starts.
+        variant: the number of the world's variant; 0 is the world as it is drawn.
         real: whether our robot is a real robot.
     """
 
@@ -123,6 +146,7 @@ class Scene(Message, frozen=True):
     robots: tuple[tuple[str, dict[str, Any]], ...]
     cameras: tuple[str, ...] = ()
     start: tuple[float, float, float] | None = None
+    variant: int = 0
     real: bool = False
 
 
@@ -139,8 +163,33 @@ class WorldToEdit(Message, frozen=True):
     save_as: str
 
 
+class UnreachableGoal(Struct, frozen=True):
+    """A goal that our robot can't reach.
+
+    Args:
+        sort: the kind of goal, as in a world's file.
+        index: its place among the goals of this kind.
+        reason: what is in the way, in words.
+    """
+
+    sort: str
+    index: int
+    reason: Phrase
+
+
 class WorldChecked(Message, frozen=True):
-    """The mistakes in a world; if there are none, `lines` as in `Scene`."""
+    """The mistakes in a world; if there are none, `lines` as in `Scene`.
+
+    Args:
+        unreachable: the goals that our robot can't reach; the world can still be saved.
+    """
 
     problems: tuple[Phrase, ...]
     lines: tuple[tuple[tuple[float, float], ...], ...] = ()
+    unreachable: tuple[UnreachableGoal, ...] = ()
+
+
+class WorldMade(Message, frozen=True):
+    """A world from a template, as in its file (`WorldFile`)."""
+
+    world: dict[str, Any]

@@ -1,11 +1,11 @@
-"""Handlers of messages about completion and help."""
+"""Handlers of questions about the program: completion, help, and the robots that can run it."""
 
 from collections.abc import Mapping
 from functools import partial
 
 from anyio import to_thread
 
-from learnblock.server import messages
+from learnblock.server import catalog, messages
 from learnblock.server.help import services
 from learnblock.server.pages.page import Handler, Page
 
@@ -15,7 +15,7 @@ async def _complete(page: Page, message: messages.Complete) -> None:
         await to_thread.run_sync(
             partial(
                 services.complete,
-                page.session.document,
+                page.part.document,
                 message.notation,
                 message.line,
                 message.column,
@@ -31,7 +31,7 @@ async def _describe(page: Page, message: messages.Describe) -> None:
         await to_thread.run_sync(
             partial(
                 services.describe,
-                page.session.document,
+                page.part.document,
                 message.notation,
                 message.line,
                 message.column,
@@ -42,7 +42,13 @@ async def _describe(page: Page, message: messages.Describe) -> None:
     )
 
 
+async def _runs_on(page: Page, message: messages.ReadRunsOn) -> None:
+    del message
+    page.send(await to_thread.run_sync(catalog.runs_on, page.part.document))
+
+
 HANDLERS: Mapping[type, Handler] = {
     messages.Complete: _complete,
     messages.Describe: _describe,
+    messages.ReadRunsOn: _runs_on,
 }

@@ -36,7 +36,8 @@ async def _try(page: Page, message: messages.TryCustomBlock) -> None:
     made = await to_thread.run_sync(
         trial, message.name, message.source, message.function, message.arguments
     )
-    await page.session.try_out(made)
+    async with page.sessions.connections.reserved(page, page.session.robots):
+        await page.session.runs.try_out(page.part, page.player, made)
 
 
 async def _duplicate(page: Page, message: messages.DuplicateCustomBlock) -> None:

@@ -6,43 +6,54 @@ from learnblock.server import messages
 from learnblock.server.pages.page import Handler, Page
 from learnblock.server.program.document import Document
 
+Edit = messages.EditBlocks | messages.EditText | messages.RecoverBlocks | messages.RecoverText
+
 
 async def _edit_blocks(page: Page, message: messages.EditBlocks) -> None:
-    await page.session.edit(page, message.edit, message.revision, "blocks", message.workspace)
+    if _is_for_the_shown_program(page, message):
+        await page.part.edit(page, message.edit, message.revision, "blocks", message.workspace)
 
 
 async def _edit_text(page: Page, message: messages.EditText) -> None:
-    await page.session.edit(page, message.edit, message.revision, message.notation, message.text)
+    if _is_for_the_shown_program(page, message):
+        await page.part.edit(page, message.edit, message.revision, message.notation, message.text)
 
 
 async def _recover_blocks(page: Page, message: messages.RecoverBlocks) -> None:
-    await page.session.recover(page, message.edit, "blocks", message.workspace, message.base)
+    if _is_for_the_shown_program(page, message):
+        await page.part.recover(page, message.edit, "blocks", message.workspace, message.base)
 
 
 async def _recover_text(page: Page, message: messages.RecoverText) -> None:
-    await page.session.recover(page, message.edit, message.notation, message.text, message.base)
+    if _is_for_the_shown_program(page, message):
+        await page.part.recover(page, message.edit, message.notation, message.text, message.base)
+
+
+def _is_for_the_shown_program(page: Page, message: Edit) -> bool:
+    """False for an edit of a robot that another page has closed meanwhile."""
+    return message.shown == page.shown.number
 
 
 async def _undo(page: Page, _: messages.Undo) -> None:
-    await page.session.undo()
+    await page.part.undo()
 
 
 async def _redo(page: Page, _: messages.Redo) -> None:
-    await page.session.redo()
+    await page.part.redo()
 
 
 async def _format(page: Page, _: messages.Format) -> None:
-    await page.session.change(Document.formatted)
+    await page.part.change(Document.formatted)
 
 
 async def _rename(page: Page, message: messages.Rename) -> None:
-    await page.session.change(
+    await page.part.change(
         lambda document: document.renamed(message.sort, message.name, message.new)
     )
 
 
 async def _set_breakpoints(page: Page, message: messages.SetBreakpoints) -> None:
-    page.session.set_breakpoints(tuple(message.blocks))
+    page.session.set_breakpoints(page.part, tuple(message.blocks))
 
 
 HANDLERS: Mapping[type, Handler] = {

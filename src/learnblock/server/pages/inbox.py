@@ -15,6 +15,7 @@ _NEWEST_ONLY = (
     messages.PlaceRobot,
     messages.Drive,
     messages.CheckWorld,
+    messages.MakeWorld,
     messages.CheckCustomBlock,
 )
 

@@ -24,7 +24,7 @@ async def _list(page: Page, _: messages.ListLibraries) -> None:
 
 
 async def _list_exportable(page: Page, _: messages.ListExportable) -> None:
-    program = page.session.document.block_tree
+    program = page.part.document.block_tree
     page.send(await to_thread.run_sync(_exportable, program))
 
 
@@ -48,7 +48,7 @@ async def _download(page: Page, message: messages.DownloadLibrary) -> None:
 
 
 async def _make(page: Page, message: messages.MakeLibrary) -> None:
-    program = page.session.document.block_tree
+    program = page.part.document.block_tree
 
     def make() -> Library:
         manifest = libraries.manifest(message.name, message.version, message.title)
@@ -63,7 +63,7 @@ async def _convert(page: Page, message: messages.ConvertLibrary) -> None:
 
 async def _use(page: Page, message: messages.UseLibrary) -> None:
     await to_thread.run_sync(libraries.installed, message.name)
-    await page.session.change(lambda document: document.with_import(message.name))
+    await page.part.change(lambda document: document.with_import(message.name))
 
 
 async def _changing(page: Page, change: Callable[[], None]) -> None:

@@ -12,15 +12,22 @@ from learnblock.server.pages import (
     asking,
     block_sets,
     carrying,
+    connecting,
     containment,
     controlling,
     custom_blocks,
     editing,
+    kept,
+    lesson_editor,
+    lesson_notes,
+    lessons,
     libraries,
+    looking,
     past,
     projecting,
     robot_making,
     settings,
+    tabs,
     tags,
     world_editing,
 )
@@ -34,8 +41,14 @@ HANDLERS = {
     **editing.HANDLERS,
     **asking.HANDLERS,
     **controlling.HANDLERS,
+    **looking.HANDLERS,
+    **kept.HANDLERS,
+    **lessons.HANDLERS,
+    **lesson_editor.HANDLERS,
+    **lesson_notes.HANDLERS,
     **world_editing.HANDLERS,
     **block_sets.HANDLERS,
+    **tabs.HANDLERS,
     **tags.HANDLERS,
     **settings.HANDLERS,
     **libraries.HANDLERS,
@@ -43,6 +56,7 @@ HANDLERS = {
     **containment.HANDLERS,
     **custom_blocks.HANDLERS,
     **robot_making.HANDLERS,
+    **connecting.HANDLERS,
 }
 
 
@@ -54,6 +68,8 @@ class Lobby:
         grace: seconds for which a project stays open without a page.
         read_only: why nothing may be written; None if it may.
         for_others: whether other computers can connect.
+        for_one: whether all pages are one person's, on whatever device.
+        address: the address by which they reach this one, if it is in a network.
     """
 
     def __init__(
@@ -63,10 +79,14 @@ class Lobby:
         read_only: Phrase | None = None,
         *,
         for_others: bool = False,
+        for_one: bool = False,
+        address: str | None = None,
     ) -> None:
         self._folder = folder
         self._read_only = read_only
         self._should_warn = for_others
+        self._for_one = for_one
+        self._address = address
         self._sessions = Sessions(ProjectFolder(folder, read_only=read_only is not None), grace)
 
     async def serve(self, socket: WebSocket, *, is_local: bool = False) -> None:
@@ -76,10 +96,18 @@ class Lobby:
             socket: the page's websocket.
             is_local: whether its user is at this computer.
         """
-        page = Page(socket, self._sessions, HANDLERS, is_local=is_local)
+        page = Page(socket, self._sessions, HANDLERS, is_local=is_local, is_alone=self._for_one)
         warns = self._should_warn and is_local
         self._should_warn = self._should_warn and not warns
-        welcome = partial(catalog.welcome, str(self._folder), self._read_only, warns=warns)
+        folder = str(self._folder)
+        welcome = partial(
+            catalog.welcome,
+            folder,
+            self._read_only,
+            warns=warns,
+            teaches=is_local,
+            address=self._address,
+        )
         page.send(await to_thread.run_sync(welcome))
         await page.serve()
 

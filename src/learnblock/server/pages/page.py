@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import secrets
 from collections.abc import Awaitable, Callable, Mapping
 from contextlib import AbstractAsyncContextManager, nullcontext
 from typing import TYPE_CHECKING, Any
@@ -10,7 +11,7 @@ import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from learnblock.errors import LearnBlockError
-from learnblock.i18n import Phrase
+from learnblock.i18n import Multilingual, Phrase
 from learnblock.server import messages
 from learnblock.server.messages.problems import phrase_of
 from learnblock.server.pages.inbox import Inbox
@@ -18,8 +19,11 @@ from learnblock.server.pages.outbox import Outbox, OutboxFullError
 from learnblock.server.pages.quota import Quota
 from learnblock.server.pages.reading import require_reading
 from learnblock.server.program.shown import Shown
+from learnblock.server.sessions.lesson_trial import LessonTrial
 
 if TYPE_CHECKING:
+    from learnblock.server.runs.player import Player
+    from learnblock.server.sessions.part import Part
     from learnblock.server.sessions.session import Session
     from learnblock.server.sessions.sessions import Sessions
 
@@ -34,7 +38,16 @@ _TOO_SLOW = 1013
 
 _log = logging.getLogger(__name__)
 _decoder = msgspec.json.Decoder(messages.FromPage)
-_encoder = msgspec.json.Encoder()
+
+
+def _with_languages(text: object) -> object:
+    """A text that is known in several languages, for the page to choose from."""
+    if isinstance(text, Multilingual):
+        return {"texts": dict(text.texts)}
+    raise NotImplementedError(type(text).__name__)
+
+
+_encoder = msgspec.json.Encoder(enc_hook=_with_languages)
 
 Handler = Callable[["Page", Any], Awaitable[None]]
 
@@ -51,6 +64,7 @@ class Page:
         sessions: the open projects.
         handlers: a handler for each kind of message.
         is_local: whether its user is at the server's computer.
+        is_alone: whether all pages of the server are this user's, on whatever device.
     """
 
     def __init__(
@@ -60,9 +74,13 @@ class Page:
         handlers: Mapping[type, Handler],
         *,
         is_local: bool = False,
+        is_alone: bool = False,
     ) -> None:
         self.sessions = sessions
         self.is_local = is_local
+        self.is_alone = is_alone
+        #: Whose projects of lessons are this page's; a page that never says so owns no other's.
+        self.browser = "" if is_local or is_alone else secrets.token_hex(16)
         #: What this page needs to allow its project the network; empty if it can't.
         self.network_key = ""
         self.shown = Shown()
@@ -73,6 +91,7 @@ class Page:
         self._session: Session | None = None
         self._inbox = Inbox()
         self._outbox = Outbox()
+        self.lesson_trial = LessonTrial(self.send)
 
     @property
     def session(self) -> "Session":
@@ -85,6 +104,29 @@ class Page:
             raise LearnBlockError("server-no-project")
         return self._session
 
+    @property
+    def has_session(self) -> bool:
+        """Whether the page has opened a project; the start page has not."""
+        return self._session is not None
+
+    @property
+    def part(self) -> "Part":
+        """The program that the page shows, with its robots.
+
+        Raises:
+            LearnBlockError: the page has opened no project.
+        """
+        return self.session.part_of(self)
+
+    @property
+    def player(self) -> "Player":
+        """The robot that the page shows.
+
+        Raises:
+            LearnBlockError: the page has opened no project.
+        """
+        return self.part.player_of(self)
+
     async def serve(self) -> None:
         """Serve the page; return once it has disconnected and all its messages are handled."""
         try:
@@ -94,25 +136,35 @@ class Page:
                 await self._handle_all()
                 sending.cancel()
         finally:
+            self.lesson_trial.stop()
             self.leave()
+            self.sessions.connections.left(self)
 
     def send(self, message: messages.Message, data: bytes | None = None) -> None:
         """Queue a message for the page, followed by `data`, if any."""
         self._outbox.put(message, data)
 
-    def join(self, session: "Session") -> None:
-        """Show a project, instead of the previous one."""
+    def join(self, session: "Session", tab: str = "") -> None:
+        """Show a robot of a project, instead of the previous project."""
         self.leave()
         self.shown = Shown()
         self.network_key = ""
         self._session = session
-        session.join(self)
+        session.join(self, tab)
 
-    async def move_to(self, session: "Session") -> None:
+    async def move_to(self, session: "Session", tab: str = "") -> None:
         """Show a project once the previous one is saved, so that the page need not wait for it."""
+        await self._save()
+        self.join(session, tab)
+
+    async def move_out(self) -> None:
+        """Show no project any more, once the open one is saved."""
+        await self._save()
+        self.leave()
+
+    async def _save(self) -> None:
         if self._session:
             await self._session.archive.flush()
-        self.join(session)
 
     def leave(self) -> None:
         """Stop showing a project."""

@@ -1,29 +1,44 @@
 """Handlers of messages about projects."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from anyio import to_thread
 
-from learnblock import running
+from learnblock import robots, running
 from learnblock.i18n import Phrase
 from learnblock.server import catalog, messages
 from learnblock.server.pages.page import Handler, Page
 from learnblock.server.projects.packing import fits
-from learnblock.server.projects.project_file import LARGEST, Project
-from learnblock.server.sessions.prepared import DEFAULT_WORLD
-
-_EMPTY = "main:\n    pass\nend\n"
+from learnblock.server.projects.project import Project, ProjectPart
+from learnblock.server.projects.project_file import LARGEST
+from learnblock.server.sessions.prepared import DEFAULT_WORLD, EMPTY
 
 
 async def _open(page: Page, message: messages.Open) -> None:
-    await page.move_to(await page.sessions.open(message.name))
+    await page.move_to(await page.sessions.open(message.name), message.tab)
 
 
 async def _new(page: Page, message: messages.New) -> None:
     page.new_projects.take()
     project = await to_thread.run_sync(new_project, message)
     await page.move_to(await page.sessions.start(project))
+
+
+async def _open_example(page: Page, message: messages.OpenExample) -> None:
+    wanted = messages.New(message.name, message.example, message.robot)
+    project = await to_thread.run_sync(new_project, wanted)
+    unchanged = await page.sessions.find_unchanged(project)
+    if unchanged:
+        session = await page.sessions.open(unchanged)
+    else:
+        page.new_projects.take()
+        session = await page.sessions.start(project)
+    await page.move_to(session)
+
+
+async def _close(page: Page, _: messages.CloseProject) -> None:
+    await page.move_out()
 
 
 async def _import(page: Page, message: messages.Import) -> None:
@@ -46,13 +61,48 @@ async def _import_original(page: Page, message: messages.ImportOriginal) -> None
 
 async def _save_as(page: Page, message: messages.SaveAs) -> None:
     page.new_projects.take()
-    await page.move_to(await page.sessions.start(replace(page.session.project, name=message.name)))
+    project = page.session.project
+    copy = await page.sessions.start(replace(project, name=message.name))
+    await _copy_picture(page, project.name, copy.name)
+    await copy.resume_lesson()
+    await page.move_to(copy)
     # The file of the copy does not carry anything yet.
     page.session.archive.changed()
 
 
 async def _rename(page: Page, message: messages.RenameProject) -> None:
-    await page.sessions.rename(page.session, message.name)
+    if message.project:
+        await page.sessions.rename_unshown(message.project, message.name)
+        await _list(page, messages.ListProjects())
+    else:
+        await page.sessions.rename(page.session, message.name)
+
+
+async def _copy(page: Page, message: messages.CopyProject) -> None:
+    page.new_projects.take()
+    session = await page.sessions.open(message.project)
+    copy = await page.sessions.start(replace(session.project, name=message.name))
+    # The file of the copy does not carry anything yet.
+    copy.archive.changed()
+    for one in (session, copy):
+        page.sessions.left(one)
+    await _copy_picture(page, session.name, copy.name)
+    await _list(page, messages.ListProjects())
+
+
+async def _copy_picture(page: Page, name: str, copy: str) -> None:
+    folder = page.sessions.folder
+    await to_thread.run_sync(folder.copy_picture, name, copy)
+    await to_thread.run_sync(folder.lesson(name).copy_to, folder.lesson(copy), page.browser)
+
+
+async def _keep_picture(page: Page, message: messages.KeepPicture) -> None:
+    # The page made the picture while it was perhaps leaving the project.
+    if not page.has_session or page.session.name != message.project:
+        return
+    folder = page.sessions.folder
+    await to_thread.run_sync(folder.keep_picture, message.project, message.content)
+    await _list(page, messages.ListProjects())
 
 
 async def _delete(page: Page, message: messages.Delete) -> None:
@@ -61,8 +111,14 @@ async def _delete(page: Page, message: messages.Delete) -> None:
 
 
 async def _export(page: Page, message: messages.Export) -> None:
-    folder, project = page.sessions.folder, page.session.project
-    filename, text = await to_thread.run_sync(folder.export, project, message.format)
+    folder = page.sessions.folder
+    if message.project:
+        session = await page.sessions.open(message.project)
+        page.sessions.left(session)
+        project, part = session.project, 0
+    else:
+        project, part = page.session.project, page.session.parts.index(page.part)
+    filename, text = await to_thread.run_sync(folder.export, project, message.format, part)
     page.send(messages.File(filename, text))
     if message.format == "learnblock" and not await to_thread.run_sync(fits, project):
         page.send(messages.Failed(Phrase("project-carries-less", limit=LARGEST)))
@@ -76,23 +132,33 @@ async def _list(page: Page, _: messages.ListProjects) -> None:
 def new_project(message: messages.New) -> Project:
     """Create a project with the program of an example, or with an empty one."""
     if message.example is None:
-        return _project(message.name, _EMPTY, running.DEFAULT_ROBOT, DEFAULT_WORLD)
+        robot = robots.find(message.robot or running.DEFAULT_ROBOT).name
+        return Project(name=message.name, blocktext=EMPTY, robot=robot, world=DEFAULT_WORLD)
     example = catalog.example(message.example)
-    text = running.read_text(running.example(f"{example.name}.bt"))
-    return _project(message.name, text, example.robot, example.world)
+    project = Project(name=message.name, world=example.world)
+    project = project.with_parts(list(_parts(example.name)))
+    if message.robot and catalog.suits(message.robot, example.name):
+        return replace(project, robot=message.robot)
+    return project
 
 
-def _project(name: str, blocktext: str, robot: str, world: str) -> Project:
-    return Project(name=name, blocktext=blocktext, robot=robot, world=world)
+def _parts(example: str) -> Iterator[ProjectPart]:
+    for program, robot, count in catalog.example_programs(example):
+        text = running.read_text(running.example(f"{program}.bt"))
+        yield ProjectPart(program.rpartition("/")[2], text, robot=robot, count=count)
 
 
 HANDLERS: Mapping[type, Handler] = {
     messages.Open: _open,
     messages.New: _new,
+    messages.OpenExample: _open_example,
+    messages.CloseProject: _close,
     messages.Import: _import,
     messages.ImportOriginal: _import_original,
     messages.SaveAs: _save_as,
     messages.RenameProject: _rename,
+    messages.CopyProject: _copy,
+    messages.KeepPicture: _keep_picture,
     messages.Delete: _delete,
     messages.Export: _export,
     messages.ListProjects: _list,

@@ -16,7 +16,18 @@ async def _read(page: Page, message: messages.ReadWorld) -> None:
 
 
 async def _check(page: Page, message: messages.CheckWorld) -> None:
-    page.send(await to_thread.run_sync(_checked, message.world))
+    robot = page.session.robots[0]
+    page.send(await to_thread.run_sync(_checked, message.world, robot))
+
+
+async def _make(page: Page, message: messages.MakeWorld) -> None:
+    def make() -> messages.WorldMade:
+        from learnblock.monitor import worlds  # noqa: PLC0415
+
+        made = worlds.made_world(message.template, message.size, message.seed)
+        return messages.WorldMade(worlds.world_values(made))
+
+    page.send(await to_thread.run_sync(make))
 
 
 async def _save(page: Page, message: messages.SaveWorld) -> None:
@@ -135,14 +146,17 @@ def _title(name: str) -> str:
     return titles.get(name, name)
 
 
-def _checked(values: dict[str, Any]) -> messages.WorldChecked:
+def _checked(values: dict[str, Any], robot: str) -> messages.WorldChecked:
     from learnblock.monitor import worlds  # noqa: PLC0415
 
     try:
         world = worlds.world_from_values(values)
     except WorldError as error:
         return messages.WorldChecked(tuple(one.message for one in error.diagnostics))
-    return messages.WorldChecked((), worlds.world_lines(world))
+    unreachable = tuple(
+        messages.UnreachableGoal(*goal) for goal in worlds.unreachable(world, robot)
+    )
+    return messages.WorldChecked((), worlds.world_lines(world), unreachable)
 
 
 def _saved(name: str, values: dict[str, Any]) -> messages.WorldChecked | None:
@@ -159,6 +173,7 @@ def _saved(name: str, values: dict[str, Any]) -> messages.WorldChecked | None:
 HANDLERS: Mapping[type, Handler] = {
     messages.ReadWorld: _read,
     messages.CheckWorld: _check,
+    messages.MakeWorld: _make,
     messages.SaveWorld: _save,
     messages.ImportWorld: _import,
     messages.ExportWorld: _export,

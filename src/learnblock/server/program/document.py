@@ -70,7 +70,7 @@ class Document:
         workspace: Workspace | None = None,
         python: str | None = None,
         *,
-        devices: frozenset[str] | None = None,
+        equipment: frozenset[str] | None = None,
     ) -> "Document":
         """Restore a saved document.
 
@@ -80,9 +80,9 @@ class Document:
             configurations: the known skills, by name.
             workspace: its blocks and their positions.
             python: the Python as its author wrote it.
-            devices: the robot's devices, as ``Type:KEY``.
+            equipment: what the robot has; see `learnblock.senses.equipment`.
         """
-        target = Target(robot_module, configurations, devices)
+        target = Target(robot_module, configurations, equipment)
         tree, mistakes = recover(blocktext)
         if mistakes:
             last = _last_good(target, tree, workspace, python)
@@ -121,9 +121,9 @@ class Document:
             return replace(self, good=good)
         return replace(self, origin="blocks", good=good, unread=None, remarks=said)
 
-    def with_robot(self, module: str, devices: frozenset[str] | None = None) -> "Document":
+    def with_robot(self, module: str, equipment: frozenset[str] | None = None) -> "Document":
         """Choose another robot."""
-        target = replace(self.target, robot_module=module, devices=devices)
+        target = replace(self.target, robot_module=module, equipment=equipment)
         unread = self.unread
         if unread and unread.view == "python":
             unread = replace(unread, text=with_robot(unread.text, module))
@@ -155,7 +155,7 @@ class Document:
             configurations,
             self.workspace,
             self.python_by_hand,
-            devices=self.target.devices,
+            equipment=self.target.equipment,
         )
 
     def formatted(self) -> "Document":

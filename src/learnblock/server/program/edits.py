@@ -113,7 +113,7 @@ class _Moment:
             target.configurations,
             _read_workspace(zlib.decompress(self.workspace)),
             None if self.python is None else _unpacked(self.python),
-            devices=target.devices,
+            equipment=target.equipment,
         )
 
     @property

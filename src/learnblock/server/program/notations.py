@@ -21,12 +21,12 @@ class Target:
     Args:
         robot_module: the module from which its Python imports the robot.
         configurations: the known skills, by name.
-        devices: the robot's devices, as ``Type:KEY``; None if unknown.
+        equipment: what the robot has, see `learnblock.senses.equipment`; None if unknown.
     """
 
     robot_module: str
     configurations: Mapping[str, BlockConfiguration] = field(default_factory=dict)
-    devices: frozenset[str] | None = None
+    equipment: frozenset[str] | None = None
 
     @cached_property
     def importable(self) -> Importable:

@@ -61,7 +61,7 @@ def owners(extents: Iterable[Extent]) -> list[int | None]:
 
 
 def _checked(tree: Program, target: Target, python: str | None = None) -> list[Diagnostic]:
-    return check(tree, target.configurations, target.devices, target.importable, python=python)
+    return check(tree, target.configurations, target.equipment, target.importable, python=python)
 
 
 def _in_authors_python(

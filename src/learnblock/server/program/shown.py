@@ -18,10 +18,16 @@ MOST_PROBLEMS = 200
 class Shown:
     """The program as shown by a page: what it has sent and received.
 
-    `edit` is the number of its last edit.
+    Args:
+        number: how many programs of this project the page has shown before.
+
+    Attributes:
+        number: the same; an edit of another number was meant for an earlier program.
+        edit: the number of its last edit.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, number: int = 0) -> None:
+        self.number = number
         self.edit = 0
         self._views: dict[View, object] = {}
         #: The revision that its last edit was made on, and its edits of each view since.

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
+from itertools import count, takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, Self
 
@@ -24,18 +25,20 @@ from learnblock.errors import (
 from learnblock.i18n import Phrase
 from learnblock.language.python.generation import ROBOT_IMPORT
 from learnblock.running import DEFAULT_ROBOT, forbid_network, move_network
-from learnblock.server.messages import LONGEST_TEXT, PastRun, ProjectEntry, Version
-from learnblock.server.projects.history import History, Reason
-from learnblock.server.projects.packing import encode_whole
-from learnblock.server.projects.project_file import (
-    ENDING,
-    LARGEST,
-    LONGEST_NAME,
-    Project,
-    checked_name,
-    decode,
-    encode,
+from learnblock.server.messages import (
+    LARGEST_PICTURE,
+    LONGEST_TEXT,
+    PastRun,
+    ProjectEntry,
+    Version,
 )
+from learnblock.server.projects.history import History, Reason
+from learnblock.server.projects.kept_runs import KeptRuns
+from learnblock.server.projects.lesson_folder import LessonFolder
+from learnblock.server.projects.packing import encode_whole
+from learnblock.server.projects.picture import PictureError, check_picture
+from learnblock.server.projects.project import LONGEST_NAME, Project, ProjectPart, checked_name
+from learnblock.server.projects.project_file import ENDING, LARGEST, decode, encode
 from learnblock.storage.files import save
 
 if TYPE_CHECKING:
@@ -174,11 +177,21 @@ class ProjectFolder:
 
     def free_name(self, wish: str) -> str:
         """Find a free name like `wish`."""
-        plain = _plain(wish)
-        # Windows and macOS ignore case in file names.
         taken = {name.casefold() for name in self._names()}
-        names = (plain, *(f"{plain} {number}" for number in range(2, len(taken) + 3)))
-        return next(name for name in names if name.casefold() not in taken)
+        return next(name for name in self._names_like(wish) if name.casefold() not in taken)
+
+    def taken_names(self, wish: str) -> list[str]:
+        """The names of projects that were created with this name, the first one first."""
+        known = {name.casefold(): name for name in self._names()}
+        wanted = (name.casefold() for name in self._names_like(wish))
+        return [known[name] for name in takewhile(known.__contains__, wanted)]
+
+    def _names_like(self, wish: str) -> Iterator[str]:
+        # They are compared without case, which Windows and macOS ignore in file names.
+        plain = _plain(wish)
+        yield plain
+        for number in count(2):
+            yield f"{plain} {number}"
 
     def rename(self, name: str, wish: str) -> None:
         """Rename a project's file and its history, both or neither.
@@ -266,8 +279,9 @@ class ProjectFolder:
         if f".{ending}" != ENDING:
             raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("project-type"))])
         project = decode(text.encode("utf-8", "replace"), stem)
-        _require_short(project.blocktext, filename)
-        _require_short(project.python or "", filename)
+        for part in project.parts:
+            _require_short(part.blocktext, filename)
+            _require_short(part.python or "", filename)
         return replace(project, name=name)
 
     def import_original(
@@ -296,20 +310,26 @@ class ProjectFolder:
         _require_short(made.blocktext, filename)
         return Project(self.free_name(stem), made.blocktext, workspace=made.workspace), made.report
 
-    def export(self, project: Project, format_: Format) -> tuple[str, str]:
-        """Export a project: return the name and the text of a file.
+    def export(self, project: Project, format_: Format, part: int = 0) -> tuple[str, str]:
+        """Export a project, or the program of one of its robots: the name and text of a file.
+
+        Args:
+            project: the project.
+            format_: the format; only `learnblock` has all robots.
+            part: the index of the robot whose program is exported.
 
         Raises:
             ProgramError: the format is Python and the program has mistakes.
             ProjectError: the project can't be written as a file.
         """
+        if format_ == "learnblock":
+            return f"{project.name}.{format_}", encode_whole(project, leaves=True).decode()
+        one = project.parts[part]
+        name = one.name if project.has_several else project.name
         if format_ == "bt":
-            text = project.blocktext
-        elif format_ == "py":
-            text = project.python if project.python is not None else _python(project)
-        else:
-            text = encode_whole(project, leaves=True).decode()
-        return f"{project.name}.{format_}", text
+            return f"{name}.{format_}", one.blocktext
+        text = one.python if one.python is not None else _python(one)
+        return f"{name}.{format_}", text
 
     # History.
 
@@ -352,6 +372,64 @@ class ProjectFolder:
         with _reporting(self._path(name), "read-runs"):
             return self._history(name).runs()
 
+    def kept_runs(self, name: str) -> KeptRuns:
+        """The logs of a project's runs.
+
+        Raises:
+            ProjectError: no project can have this name.
+        """
+        return KeptRuns(self._history(name).folder / "runs", self.read_only, self.now)
+
+    def lesson(self, name: str) -> LessonFolder:
+        """How far a project has come in its lesson.
+
+        Raises:
+            ProjectError: no project can have this name.
+        """
+        return LessonFolder(name, self._history(name).folder, self.read_only)
+
+    # Pictures.
+
+    def keep_picture(self, name: str, jpeg: bytes) -> None:
+        """Keep a picture of a project instead of the one before.
+
+        Raises:
+            PictureError: it is not such a picture.
+            ProjectError: it can't be saved.
+        """
+        self._require_writing()
+        check_picture(jpeg)
+        with _reporting(self._path(name), "save"):
+            self._history(name).keep_picture(jpeg)
+
+    def copy_picture(self, name: str, copy: str) -> None:
+        """Give a copy of a project its picture, if it has one.
+
+        Raises:
+            ProjectError: it can't be saved.
+        """
+        self._require_writing()
+        with _reporting(self._path(copy), "save"), suppress(FileNotFoundError):
+            self._history(copy).keep_picture(self._history(name).picture.read_bytes())
+
+    def picture(self, name: str) -> bytes | None:
+        """The picture of a project; None if it has none."""
+        try:
+            with self._history(name).picture.open("rb") as file:
+                jpeg = file.read(LARGEST_PICTURE + 1)
+            check_picture(jpeg)
+        except (OSError, PictureError):
+            # Another program may have put any file there.
+            return None
+        return jpeg
+
+    def _picture_taken(self, name: str) -> float:
+        """When a project's picture was taken, in seconds since 1970; 0 if it has none."""
+        try:
+            return self._history(name).picture.stat().st_mtime
+        except OSError:
+            return 0.0
+
     def _require_writing(self) -> None:
         if self.read_only:
             raise ProjectError(
@@ -369,7 +447,8 @@ class ProjectFolder:
         for path in self.path.glob("*" + ENDING):
             # Another program may just have created or deleted the file.
             with suppress(OSError, ProjectError):
-                yield ProjectEntry(checked_name(path.stem), path.stat().st_mtime)
+                name = checked_name(path.stem)
+                yield ProjectEntry(name, path.stat().st_mtime, self._picture_taken(name))
 
     def _names(self) -> list[str]:
         return sorted(entry.name for entry in self._entries())
@@ -424,9 +503,9 @@ def _robot_of(module: str) -> str:
         return DEFAULT_ROBOT
 
 
-def _python(project: Project) -> str:
-    tree = language.parse(project.blocktext, f"{project.name}.bt")
-    return language.to_python(tree, robots.module_of(project.robot)).text
+def _python(part: ProjectPart) -> str:
+    tree = language.parse(part.blocktext, f"{part.name}.bt")
+    return language.to_python(tree, robots.module_of(part.robot)).text
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""The history of a project: its versions and its runs."""
+"""The history of a project: its versions, its runs and its last picture."""
 
 import re
 import time
@@ -12,7 +12,8 @@ import msgspec
 from learnblock.errors import UnknownNameError
 from learnblock.server.messages import PastRun, Version
 from learnblock.server.projects.carried import NOTHING
-from learnblock.server.projects.project_file import ENDING, LARGEST, Project, decode, encode
+from learnblock.server.projects.project import Project
+from learnblock.server.projects.project_file import ENDING, LARGEST, decode, encode
 from learnblock.storage.files import save
 
 Reason = Literal["run", "time", "restored", "outside", "conflict"]
@@ -28,7 +29,7 @@ _read_runs = msgspec.json.Decoder(list[PastRun]).decode
 
 @dataclass(frozen=True)
 class History:
-    """The versions and runs of one project, in one folder.
+    """The versions, runs and picture of one project, in one folder.
 
     Args:
         name: the name of the project.
@@ -103,6 +104,19 @@ class History:
         except (msgspec.MsgspecError, RecursionError):
             # A damaged list of runs must not prevent the next run.
             return ()
+
+    def keep_picture(self, jpeg: bytes) -> None:
+        """Save a picture of the project.
+
+        Raises:
+            OSError: the folder can't be written to.
+        """
+        save(self.picture, jpeg)
+
+    @property
+    def picture(self) -> Path:
+        """The path of the project's picture, which it may not have."""
+        return self.folder / "picture.jpg"
 
     @property
     def _runs(self) -> Path:

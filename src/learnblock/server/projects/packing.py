@@ -12,7 +12,8 @@ from learnblock.errors import LearnBlockError, ProjectError
 from learnblock.extensions import custom_blocks, libraries
 from learnblock.perception import tag_names
 from learnblock.server.projects.carried import NOTHING, Carried, CarriedWorld, Code
-from learnblock.server.projects.project_file import Project, encode
+from learnblock.server.projects.project import Project
+from learnblock.server.projects.project_file import encode
 from learnblock.storage import skill_files
 from learnblock.storage.home import home_id
 
@@ -52,7 +53,7 @@ def packed(project: Project, home: str) -> Project:
 
     What can't be read is left out: the project itself must be saved all the same.
     """
-    texts = [project.blocktext, project.python or ""]
+    texts = [text for one in project.parts for text in (one.blocktext, one.python or "")]
     code = _code(project, texts)
     carried = Carried(
         home=home,

@@ -1,4 +1,4 @@
-"""Projects, and their files: readable JSON with a version number.
+"""The files of projects: readable JSON with a version number.
 
 ```json
 {
@@ -19,15 +19,23 @@ choose blocks in the palette, ``libraries`` has the versions with which the prog
 ``tags`` the numbers of tags that differ from the user's. ``carried`` (see `carried`) has what the
 program needs of its author's own things; a file with it has version 2, so that older versions of
 LearnBlock ask for a newer one.
+
+A project with several robots has version 3. The program and the robot above are those of the first,
+whose name is ``first``, and ``others`` has the rest:
+
+```json
+  "first": "sumo",
+  "others": [
+    {"name": "bystander", "robot": "sim-thymio", "blocktext": ["main:", ...], ...}
+  ]
+```
+
+If several robots run one of the programs, its ``count`` says how many, and the file has version 4.
 """
 
 import codecs
-import dataclasses
 import json
 import re
-import unicodedata
-from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Annotated, Any, NoReturn
 
 import msgspec
@@ -39,61 +47,51 @@ from learnblock.extensions.libraries import Name, Version
 from learnblock.i18n import Phrase
 from learnblock.language.workspace.blocks import Workspace
 from learnblock.perception.tag_names import LAST_TAG
-from learnblock.running import DEFAULT_ROBOT
+from learnblock.running import DEFAULT_ROBOT, MOST_ROBOTS
 from learnblock.server.messages import MOST_BREAKPOINTS, MOST_CARRIED, Id
 from learnblock.server.projects.carried import NOTHING, Carried, CarriedWorld, Code, TagNames
+from learnblock.server.projects.project import (
+    LONGEST_NAME,
+    LONGEST_PART_NAME,
+    Project,
+    ProjectPart,
+    is_part_name,
+    is_plain,
+)
 from learnblock.storage.file_phrases import place as phrase_of_place
 from learnblock.storage.file_phrases import unknown_key
-from learnblock.storage.files import is_device_name
 
 ENDING = ".learnblock"
 VERSION = 1
 #: The version of a file that carries something.
 CARRYING_VERSION = 2
+#: The version of a file with several robots.
+TEAM_VERSION = 3
+#: The version of a file in which robots share a program.
+SHARED_VERSION = 4
+_VERSIONS = (VERSION, CARRYING_VERSION, TEAM_VERSION, SHARED_VERSION)
 #: The maximum size in bytes; a thousand statements with their blocks take a tenth of it.
 LARGEST = 4 * 1024 * 1024
-LONGEST_NAME = 100
 #: The maximum number of imports in a program.
 MOST_LIBRARIES = 1000
 
-# No separators, no first character that hides a file on Unix, no last one that Windows strips.
-_NAME = re.compile(r"[^\W_](?:[\w .-]*[\w-])?")
-
-
-@dataclass(frozen=True)
-class Project:
-    """A program with the layout of its blocks, its robot and its world.
-
-    Args:
-        name: the name, also of its file.
-        blocktext: the program in Block-Text.
-        python: the Python that its author wrote by hand; None if it is generated.
-        workspace: its blocks; None to lay them out.
-        robot: its name.
-        world: its name; empty for the usual world of the robot.
-        breakpoints: the ids of blocks.
-        shown: the name of the block set that the palette shows.
-        block_sets: the block sets that are saved in the project.
-        libraries: the versions with which the program was made, by name.
-        tags: the numbers of tags, by name, that this project uses instead of the user's.
-        carried: the author's own things that the program needs.
-    """
-
-    name: str
-    blocktext: str = ""
-    python: str | None = None
-    workspace: Workspace | None = None
-    robot: str = DEFAULT_ROBOT
-    world: str = ""
-    breakpoints: tuple[str, ...] = ()
-    shown: str = EVERYTHING
-    block_sets: tuple[BlockSet, ...] = ()
-    libraries: Mapping[str, str] = dataclasses.field(default_factory=dict)
-    tags: Mapping[str, int] = dataclasses.field(default_factory=dict)
-    carried: Carried = NOTHING
-
-
 Choice = Annotated[str, Meta(max_length=LONGEST_NAME)]
+PartName = Annotated[str, Meta(max_length=LONGEST_PART_NAME)]
+Count = Annotated[int, Meta(ge=1, le=MOST_ROBOTS)]
+
+
+class _Part(Struct, forbid_unknown_fields=True, omit_defaults=True):
+    """The values of one of the other programs."""
+
+    name: PartName
+    blocktext: list[str]
+    robot: Choice = DEFAULT_ROBOT
+    breakpoints: Annotated[list[Id], Meta(max_length=MOST_BREAKPOINTS)] = field(
+        default_factory=list
+    )
+    python: list[str] | None = None
+    workspace: Workspace | None = None
+    count: Count = 1
 
 
 class _File(Struct, forbid_unknown_fields=True):
@@ -113,6 +111,9 @@ class _File(Struct, forbid_unknown_fields=True):
     carried: Carried = NOTHING
     python: list[str] | None = None
     workspace: Workspace | None = None
+    count: Count = 1
+    first: PartName = ""
+    others: Annotated[list[_Part], Meta(max_length=MOST_ROBOTS - 1)] = field(default_factory=list)
 
 
 class _Head(Struct):
@@ -123,24 +124,6 @@ class _Head(Struct):
 
 _read_head = msgspec.json.Decoder(_Head).decode
 _read_file = msgspec.json.Decoder(_File).decode
-
-
-def checked_name(name: str) -> str:
-    """Check a name, and return it in the form of file names.
-
-    Raises:
-        ProjectError: a project can't have this name.
-    """
-    name = unicodedata.normalize("NFC", name)
-    if not _NAME.fullmatch(name) or len(name.encode("utf-8", "replace")) > LONGEST_NAME:
-        _refuse(
-            name,
-            "wrong-name",
-            Phrase("project-name-wrong", name=name[:120], limit=LONGEST_NAME),
-        )
-    if is_device_name(name):
-        _refuse(name, "wrong-name", Phrase("project-name-device", name=name))
-    return name
 
 
 def encode(project: Project) -> bytes:
@@ -200,6 +183,21 @@ def _project(file: _File, name: str) -> Project:
         libraries=file.libraries,
         tags=file.tags,
         carried=file.carried,
+        count=file.count,
+        first=file.first,
+        others=tuple(map(_part, file.others)),
+    )
+
+
+def _part(part: _Part) -> ProjectPart:
+    return ProjectPart(
+        name=part.name,
+        blocktext="\n".join(part.blocktext),
+        python=None if part.python is None else "\n".join(part.python),
+        workspace=part.workspace,
+        robot=part.robot,
+        breakpoints=tuple(part.breakpoints),
+        count=part.count,
     )
 
 
@@ -218,23 +216,37 @@ def _text(data: bytes, filename: str) -> str:
 def _check_version(version: object, filename: str) -> None:
     if version is None:
         _refuse(filename, "no-project", Phrase("project-none", start=_START))
-    if version not in (VERSION, CARRYING_VERSION) or isinstance(version, bool):
+    if version not in _VERSIONS or isinstance(version, bool):
         _refuse(
             filename,
             "unknown-version",
-            Phrase("project-version", version=f"{version!r:.40}", known=str(CARRYING_VERSION)),
+            Phrase("project-version", version=f"{version!r:.40}", known=str(SHARED_VERSION)),
         )
 
 
 def _check_choices(file: _File, filename: str) -> None:
     """Refuse paths: a project names robots and worlds, and never points outside its folder."""
-    for key, value in (("robot", file.robot), ("world", file.world)):
-        if value and not _NAME.fullmatch(value):
+    kinds = [("robot", one) for one in (file.robot, *(other.robot for other in file.others))]
+    for key, value in (*kinds, ("world", file.world)):
+        if value and not is_plain(value):
             _refuse(
                 filename,
                 "no-name",
                 Phrase("project-path", kind=key, value=repr(value), example=_SUCH_AS[key]),
             )
+
+    _check_names(file, filename)
+
+
+def _check_names(file: _File, filename: str) -> None:
+    """Refuse robots that could not be distinguished, and too many."""
+    robots = file.count + sum(one.count for one in file.others)
+    if robots > MOST_ROBOTS:
+        _refuse(filename, "too-many", Phrase("tabs-too-many", limit=MOST_ROBOTS))
+    names = [file.first, *(one.name for one in file.others)] if robots > 1 else []
+    for name in names:
+        if not is_part_name(name) or names.count(name) > 1:
+            _refuse(filename, "robot-name", Phrase("project-robot-name", name=name))
 
 
 #: How a project's file starts.
@@ -256,11 +268,15 @@ _EXPECTED = {
     "tags": Phrase("project-expects-tags", example='{"door": 12}', last=LAST_TAG),
     "carried": Phrase("project-expects-carried"),
     "workspace": Phrase("project-expects-workspace"),
+    "first": Phrase("project-expects-first"),
+    "count": Phrase("project-expects-count", limit=MOST_ROBOTS),
+    "others": Phrase("project-expects-others", limit=MOST_ROBOTS - 1),
 }
 #: The positions of a file with keys of their own.
 _PARTS: tuple[tuple[str, type[Struct]], ...] = (
     (r"block_sets.*\.(?:show|hide)", BlockNames),
     (r"block_sets.*", BlockSet),
+    (r"others.*", _Part),
     (r"carried\.world", CarriedWorld),
     (r"carried\.(?:code|offered)", Code),
     (r"carried", Carried),
@@ -343,8 +359,7 @@ _SPREAD = 3
 
 def _values(project: Project) -> dict[str, Any]:
     """The file's values; blocks stay Structs, because only `msgspec` can encode deep ones."""
-    version = CARRYING_VERSION if project.carried or project.tags else VERSION
-    values: dict[str, Any] = {"learnblock": version, "robot": project.robot}
+    values: dict[str, Any] = {"learnblock": _version(project), "robot": project.robot}
     values["world"] = project.world
     values["breakpoints"] = list(project.breakpoints)
     if project.shown != EVERYTHING:
@@ -362,6 +377,38 @@ def _values(project: Project) -> dict[str, Any]:
         values["python"] = project.python.split("\n")
     if project.workspace is not None:
         values["workspace"] = msgspec.structs.asdict(project.workspace)
+    return values | _team_values(project)
+
+
+def _team_values(project: Project) -> dict[str, Any]:
+    """The values that only a file with several robots has."""
+    values: dict[str, Any] = {"first": project.parts[0].name} if project.has_several else {}
+    if project.count > 1:
+        values["count"] = project.count
+    if project.others:
+        values["others"] = [_part_values(part) for part in project.others]
+    return values
+
+
+def _version(project: Project) -> int:
+    if any(part.count > 1 for part in project.parts):
+        return SHARED_VERSION
+    if project.others:
+        return TEAM_VERSION
+    return CARRYING_VERSION if project.carried or project.tags else VERSION
+
+
+def _part_values(part: ProjectPart) -> dict[str, Any]:
+    values: dict[str, Any] = {"name": part.name, "robot": part.robot}
+    if part.count > 1:
+        values["count"] = part.count
+    if part.breakpoints:
+        values["breakpoints"] = list(part.breakpoints)
+    values["blocktext"] = part.blocktext.split("\n")
+    if part.python is not None:
+        values["python"] = part.python.split("\n")
+    if part.workspace is not None:
+        values["workspace"] = msgspec.structs.asdict(part.workspace)
     return values
 
 
@@ -372,8 +419,9 @@ def _written(value: Any, depth: int = _SPREAD, indent: str = "") -> str:
     inner = indent + "  "
     if isinstance(value, dict):
         opening, closing = "{}"
-        items = value.items()
-        parts = [f"{_key(key)}: {_written(one, depth - 1, inner)}" for key, one in items]
+        # Each of the other robots has texts and blocks as the file itself has.
+        items = ((key, one, depth + (1 if key == "others" else -1)) for key, one in value.items())
+        parts = [f"{_key(key)}: {_written(one, levels, inner)}" for key, one, levels in items]
     else:
         opening, closing = "[]"
         parts = [_written(one, depth - 1, inner) for one in value]

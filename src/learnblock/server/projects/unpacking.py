@@ -13,7 +13,7 @@ from learnblock.perception import tag_names
 from learnblock.server.messages.problems import phrase_of
 from learnblock.server.projects.carried import Carried, CarriedWorld, Code
 from learnblock.server.projects.packing import block_file, library_file
-from learnblock.server.projects.project_file import Project
+from learnblock.server.projects.project import Project
 from learnblock.storage.home import saved_home_id
 
 Value = TypeVar("Value")

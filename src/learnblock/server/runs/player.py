@@ -1,18 +1,23 @@
 """Runs the program of a project, and moves its robot while no program runs."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Sequence
 from typing import TYPE_CHECKING
 
 from anyio import to_thread
+from msgspec.structs import replace
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.running import Report
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.status import State
+from learnblock.runtime.trace import Collision
 from learnblock.server import messages
 from learnblock.server.runs import telemetry
-from learnblock.server.runs.console import Console
+from learnblock.server.runs.console import Console, Voice, message_of
+from learnblock.server.runs.kept import OpenedRun
+from learnblock.server.runs.keyboard import Keyboard
+from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.playing import Played, Playing, Setting, prepared
 from learnblock.server.runs.reporter import Reporter
 from learnblock.server.runs.viewers import Viewer, Viewers
@@ -20,7 +25,6 @@ from learnblock.server.runs.viewers import Viewer, Viewers
 if TYPE_CHECKING:
     from learnblock.devices import Pose
     from learnblock.monitor import Monitor
-    from learnblock.robots import RobotEntry
 
 #: The states reported as such; a paused program is reported with its line, an ended one with its
 #: report.
@@ -35,16 +39,30 @@ NOWHERE = messages.RunningLine(0)
 
 
 class Player:
-    """The robot of a project in its world, and the program that it runs.
+    """A robot of a project in its world, and the program that it runs.
 
     Args:
-        viewers: the pages that show the project.
+        console: the output of the program, which other robots may run too.
+        readers: the pages that show the console.
+        keyboard: the keyboard of the project.
         on_run_ended: called after each run.
+        on_state: called after each change of the program's state.
     """
 
-    def __init__(self, viewers: Viewers, on_run_ended: Callable[[messages.Ended], object]) -> None:
-        self.viewers = viewers
+    def __init__(
+        self,
+        console: Console,
+        readers: Viewers,
+        keyboard: Keyboard,
+        on_run_ended: Callable[[messages.Ended], object],
+        on_state: Callable[[], object],
+    ) -> None:
+        self.readers = readers
+        #: The pages that show this robot.
+        self.viewers = Viewers()
+        self._keyboard = keyboard
         self._on_run_ended = on_run_ended
+        self._on_state = on_state
         self._monitor: Monitor | None = None
         self._scene: messages.Scene | None = None
         self._playing: Playing | None = None
@@ -53,8 +71,15 @@ class Player:
         self._asked: messages.InputWanted | None = None
         self._variables: messages.Variables | None = None
         self._ended: messages.Ended | None = None
-        self._console = Console()
-        self._reporter = Reporter(self, self._console)
+        #: The report of the last run; None while one goes on.
+        self.report: Report | None = None
+        #: Looks back at this run or the last one; None before the first, and if no log is kept.
+        self.newest: Looking | None = None
+        #: A kept run that pages look back at instead.
+        self._kept: OpenedRun | None = None
+        self.console = console
+        self.voice = Voice(console)
+        self._reporter = Reporter(self, console)
 
     # For the reporter.
 
@@ -68,17 +93,45 @@ class Player:
         return self._playing is not None
 
     @property
+    def state(self) -> messages.StateName:
+        """The state of the program."""
+        return self._state.state
+
+    @property
+    def has_failed(self) -> bool:
+        """Whether the last run has ended with an error."""
+        return self._ended is not None and self._ended.ended == "error"
+
+    @property
+    def collisions(self) -> Sequence[Collision]:
+        """What the robot has bumped into in this run, or the last one, if that is known."""
+        if self.report:
+            return self.report.collisions
+        recorder = self._playing.run.recorder if self._playing else None
+        return tuple(recorder.collisions) if recorder else ()
+
+    @property
+    def variables(self) -> dict[str, str]:
+        """The program's variables as it has reported them, those of the function first."""
+        told = self._variables
+        return {**told.shared, **told.local} if told else {}
+
+    @property
     def running_line(self) -> messages.RunningLine:
         return self._playing.running_line if self._playing else NOWHERE
 
     # Pages.
 
     def join(self, page: Viewer) -> None:
-        """Send a page what the other pages have received."""
+        """Send a page what the other pages have received, and all changes from now on."""
         self._reporter.flush()
-        printed = messages.Printed(self._console.kept) if self._console.kept else None
-        known = (self._scene, self._state, printed, self._variables, self._asked, self._ended)
-        for message in known:
+        self.viewers.add(page)
+        printed = message_of(self.console.kept)
+        of_run = (self._variables, self._asked, self._ended)
+        kept = self._kept
+        scene = kept.scene or self._scene if kept else self._scene
+        shown = kept.shown if kept else None
+        for message in (scene, self._state, printed, *of_run, shown):
             if message is not None:
                 page.send(message)
         self._reporter.greet()
@@ -89,15 +142,10 @@ class Player:
 
     # The robot in its world.
 
-    async def set_the_stage(self, robot: "RobotEntry", world: str) -> None:
-        """Put a robot into a world.
-
-        Raises:
-            LearnBlockError: there is no room for it, or a program runs.
-        """
-        self._require_rest()
-        monitor = await to_thread.run_sync(_monitor, robot, world)
+    async def stage(self, monitor: "Monitor") -> None:
+        """Show the robot in its world, while no program runs."""
         await self._close_monitor()
+        self.show_newest()
         self._monitor = monitor
         self._scene = telemetry.scene(monitor)
         self.viewers.send(self._scene)
@@ -105,8 +153,13 @@ class Player:
 
     def forget(self) -> None:
         """Forget the result and the variables of the last run, which was in another world."""
-        self._variables = self._ended = None
+        self.show_newest()
+        self._variables = self._ended = self.newest = None
         self._enter("idle")
+
+    def attend(self) -> None:
+        """Watch the world, because something moves in it or is about to."""
+        self._reporter.attend()
 
     def place(self, x: float, y: float, heading: float) -> None:
         """Place the robot; the next run starts there.
@@ -117,6 +170,15 @@ class Player:
         if self._state.state not in {"idle", "ended", "paused", "held"}:
             raise LearnBlockError("play-robot-moves")
         self._require_monitor().place(x, y, heading)
+        self._reporter.attend()
+
+    def handle(self, how: str) -> None:
+        """Shake or tilt the robot.
+
+        Raises:
+            LearnBlockError: it is a real robot.
+        """
+        self._require_monitor().handle(how)
         self._reporter.attend()
 
     def drive(self, advance: float, rotation: float) -> None:
@@ -138,10 +200,21 @@ class Player:
 
     async def run(self, played: Played, setting: Setting, *, paused: bool) -> None:
         """Run a program from the beginning."""
-        playing = prepared(played, setting, self, self._console, paused=paused)
+        playing = prepared(played, setting, self, self.voice, paused=paused)
+        await self.begin(playing)
+        playing.start()
+
+    async def begin(self, playing: Playing) -> None:
+        """Follow a run that is about to start."""
         playing.run.set_speed(self._speed)
         await self._close_monitor()
-        self._begin(playing)
+        self.console.clear()
+        self._variables = self._ended = self.report = None
+        self._playing = playing
+        self.newest = playing.looking
+        self.show_newest()
+        self._enter("starting")
+        self._reporter.attend()
 
     async def stop(self) -> None:
         """Stop the program and the robot, and return once both have stopped."""
@@ -184,16 +257,60 @@ class Player:
         self._asked = None
         self._playing.watcher.answer(text)
 
+    def leave(self, page: Viewer) -> None:
+        """Stop sending messages to a page."""
+        self.viewers.remove(page)
+        self._reporter.watch()
+
     async def close(self) -> None:
         """Stop the program, the robot and the reports."""
         await self.stop()
         await self._close_monitor()
         self._reporter.close()
 
+    @property
+    def looking(self) -> Looking | None:
+        """Looks back at the kept run that is shown, or at the newest one; None if there is none."""
+        return self._kept.looking if self._kept else self.newest
+
+    def show_kept(self, kept: OpenedRun) -> None:
+        """Let pages look back at a kept run.
+
+        Raises:
+            LearnBlockError: a program runs.
+        """
+        self._require_rest()
+        self._kept = kept
+        self.viewers.send(kept.shown)
+        if scene := kept.scene or self._scene:
+            self.viewers.send(scene)
+
+    def show_newest(self) -> None:
+        """Let pages look back at the newest run again."""
+        if self._kept is None:
+            return
+        self._kept = None
+        self.viewers.send(messages.RunShown())
+        if printed := message_of(self.console.kept):
+            self.viewers.send(printed)
+        if self._scene:
+            self.viewers.send(self._scene)
+
+    def require_looking(self) -> Looking:
+        """What looks back at the run that is shown.
+
+        Raises:
+            LearnBlockError: there is none.
+        """
+        looking = self.looking
+        if looking is None:
+            raise LearnBlockError("play-nothing-to-look-back-at")
+        return looking
+
     # Reports of the run.
 
     def on_state(self, state: State) -> None:
-        if state in _STATES:
+        if state in _STATES and self.state != "done":
             self._enter(_STATES[state])
 
     def on_held(self, line: int) -> None:
@@ -212,11 +329,31 @@ class Player:
         self._asked = messages.InputWanted(prompt)
         self.viewers.send(self._asked)
 
+    def on_keys_wanted(self) -> None:
+        if self._playing:
+            self._keyboard.want(self, self._playing.run.program.keys)
+
+    def held_keys(self) -> Collection[str]:
+        return self._keyboard.held(self)
+
+    def on_done(self, report: Report) -> None:
+        """Report the end of the program while those of other robots go on."""
+        if self._playing is None:
+            return
+        self._reporter.flush()
+        self._asked = None
+        self._keyboard.ignore(self)
+        self.report = report
+        self._ended = replace(self._playing.ended(report), others=True)
+        self.viewers.send(self._ended)
+        self._enter("done")
+
     def on_ended(self, report: Report | Exception) -> None:
         playing = self._playing
         assert playing is not None  # noqa: S101 - each run reports its end once
         self._monitor = playing.run.monitor or self._monitor
         self._playing = self._asked = None
+        self._keyboard.ignore(self)
         self._reporter.flush()
         self._reporter.attend()
         self._report_end(playing, report)
@@ -224,22 +361,16 @@ class Player:
 
     # Helpers.
 
-    def _begin(self, playing: Playing) -> None:
-        self._console.clear()
-        self._variables = self._ended = None
-        self._playing = playing
-        self._enter("starting")
-        self._reporter.attend()
-        playing.start()
-
     def _enter(self, state: messages.StateName, block: str | None = None) -> None:
         self._reporter.flush()
         before, self._state = self._state, messages.RunState(state, block, self._speed)
         if self._state != before:
             self.viewers.send(self._state)
+            self._on_state()
 
     def _report_end(self, playing: Playing, report: Report | Exception) -> None:
         if isinstance(report, Report):
+            self.report = report
             self._ended = playing.ended(report)
         else:
             phrase = Phrase("play-not-started", reason=str(report))
@@ -261,10 +392,3 @@ class Player:
         if self._monitor:
             # It waits for the thread of manual driving.
             await to_thread.run_sync(self._monitor.close)
-
-
-def _monitor(robot: "RobotEntry", world: str) -> "Monitor":
-    # The server answers before the simulator is loaded, which is slow.
-    from learnblock.monitor import make_monitor  # noqa: PLC0415
-
-    return make_monitor(robot, world)

@@ -2,22 +2,28 @@
 
 import asyncio
 import threading
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, BinaryIO, Protocol
 
 from learnblock.devices import Pose
 from learnblock.robots import RobotEntry
 from learnblock.running import Options, ProgramRun, Report
 from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.log.keeping import RunLog
 from learnblock.runtime.program import Program
+from learnblock.runtime.trace import Recorder
 from learnblock.server import messages
 from learnblock.server.runs import memory
-from learnblock.server.runs.console import Console
+from learnblock.server.runs.console import Voice
+from learnblock.server.runs.looking import Looking
 from learnblock.server.runs.trial import Trial
 from learnblock.server.runs.watcher import Audience, RunWatcher
 from learnblock.storage import skill_files
+
+if TYPE_CHECKING:
+    from learnblock.monitor import Monitor
 
 #: The seed of the command line, so that the same run can be repeated there.
 SEED = 0
@@ -33,8 +39,11 @@ class Setting:
         world: the world of a simulated robot.
         start: the pose at which the user placed the robot; None for the world's own start.
         breakpoints: the blocks before which it pauses.
+        variant: the number of the world's variant; 0 is the world as it is drawn.
         network: whether the user's settings allow it the network.
         tags: the numbers of tags that the project uses instead of the user's.
+        trace: what takes the trace; None for no file.
+        seconds: the limit of the run, in the robot's time; None for none.
     """
 
     name: str
@@ -42,8 +51,11 @@ class Setting:
     world: str
     start: Pose | None
     breakpoints: tuple[str, ...]
+    variant: int = 0
     network: bool = False
     tags: Mapping[str, int] = field(default_factory=dict)
+    trace: BinaryIO | None = None
+    seconds: float | None = None
 
 
 class Played(Protocol):
@@ -59,6 +71,45 @@ class Played(Protocol):
         """The first line of a block; None if the program does not contain it."""
 
 
+class Controlled(Protocol):
+    """A run of one program, whether it is alone or one of several."""
+
+    @property
+    def program(self) -> Program:
+        """The program."""
+
+    @property
+    def monitor(self) -> "Monitor | None":
+        """The robot as the page shows it, once the program has created it."""
+
+    @property
+    def is_deterministic(self) -> bool:
+        """Whether the same programs, world and seed give the same run."""
+
+    @property
+    def recorder(self) -> Recorder | None:
+        """The events recorded so far, if they are kept apart from those of other robots."""
+
+    def run(self) -> Report:
+        """Run the program to its end."""
+
+    def stop(self) -> None: ...
+
+    def pause(self) -> None: ...
+
+    def resume(self) -> None: ...
+
+    def step(self) -> None: ...
+
+    def step_over(self) -> None: ...
+
+    def set_breakpoints(self, lines: Collection[int]) -> None: ...
+
+    def set_speed(self, factor: float | None) -> None: ...
+
+    def report_variables(self, *, enabled: bool) -> None: ...
+
+
 class Playing:
     """A run: the program as it was at the start, its controls and its watcher.
 
@@ -66,12 +117,20 @@ class Playing:
         played: the program.
         run: the prepared run.
         watcher: the watcher of `run`.
+        looking: looks back at the run; None if no log of it is kept.
     """
 
-    def __init__(self, played: Played, run: ProgramRun, watcher: RunWatcher) -> None:
+    def __init__(
+        self,
+        played: Played,
+        run: Controlled,
+        watcher: RunWatcher,
+        looking: Looking | None = None,
+    ) -> None:
         self.played = played
         self.run = run
         self.watcher = watcher
+        self.looking = looking
         #: Set when the run has ended and its robot has been released.
         self.over = asyncio.Event()
 
@@ -116,6 +175,7 @@ class Playing:
             emotions=report.emotions,
             no_effect=tuple((str(one["skill"]), str(one["device"])) for one in report.no_effect),
             trace_sha256=report.trace_sha256,
+            repeatable=self.run.is_deterministic,
         )
 
     def _own_place(self, within: Any, line: int) -> tuple[str, int]:
@@ -139,7 +199,7 @@ def prepared(
     played: Played,
     setting: Setting,
     audience: Audience,
-    console: Console,
+    voice: Voice,
     *,
     paused: bool,
 ) -> Playing:
@@ -149,18 +209,36 @@ def prepared(
         played: a program without errors.
         setting: the robot and the world.
         audience: receives the reports of the run.
-        console: takes the output.
+        voice: takes the output.
         paused: pause before the first line.
     """
-    watcher = RunWatcher(audience, console)
+    watcher = RunWatcher(audience, voice)
+    program = replace(played.program(setting.name), tags=setting.tags)
+    log = RunLog(program)
     run = ProgramRun(
-        replace(played.program(setting.name), tags=setting.tags),
+        program,
         setting.robot,
-        Options(world=setting.world, seed=SEED, start=setting.start, network=setting.network),
+        Options(
+            world=setting.world,
+            seed=SEED,
+            variant=setting.variant,
+            start=setting.start,
+            network=setting.network,
+            seconds=setting.seconds,
+        ),
+        trace=setting.trace,
         watcher=watcher,
         debugger=Debugger(lines(played, setting.breakpoints), paused=paused),
+        log=log,
     )
-    return Playing(played, run, watcher)
+    return Playing(played, run, watcher, looking_at(played, log))
+
+
+def looking_at(played: Played, log: RunLog) -> Looking:
+    """What looks back at the run of a program that is about to start."""
+    count = log.program.python.count("\n") + 1
+    # The blocks as they are now: the user may change the program while it runs.
+    return Looking(log, [played.block_at(line) for line in range(1, count + 1)])
 
 
 def lines(played: Played, blocks: Iterable[str]) -> frozenset[int]:

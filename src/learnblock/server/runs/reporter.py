@@ -9,7 +9,8 @@ from anyio import to_thread
 
 from learnblock.server import messages
 from learnblock.server.runs import telemetry
-from learnblock.server.runs.console import Console
+from learnblock.server.runs.console import Console, message_of
+from learnblock.server.runs.drawn import Drawn
 from learnblock.server.runs.viewers import Viewers
 
 if TYPE_CHECKING:
@@ -39,13 +40,17 @@ class Reported(Protocol):
     @property
     def viewers(self) -> Viewers: ...
 
+    @property
+    def readers(self) -> Viewers:
+        """The pages that show the console."""
+
 
 class Reporter:
     """Watches the world while something moves in it, and sleeps otherwise.
 
     Args:
         of: the run, its world and its pages.
-        console: the program's output.
+        console: the output of the program, which other robots may run too.
     """
 
     def __init__(self, of: Reported, console: Console) -> None:
@@ -57,6 +62,7 @@ class Reporter:
         #: The last message of each type; equal ones are not sent again.
         self._last: dict[type[messages.Message], messages.Message] = {}
         self._filmed: Picture | None = None
+        self._drawn = Drawn()
         self._tasks = (
             asyncio.create_task(_repeat(TELEMETRY_PERIOD, self._awake, self._look)),
             asyncio.create_task(_repeat(CAMERA_PERIOD, self._watched, self._film)),
@@ -76,13 +82,13 @@ class Reporter:
     def greet(self) -> None:
         """Report the world once more, even if nothing moves, for a page that has just opened it."""
         self._last.clear()
+        self._drawn.forget()
         self.attend()
 
     def flush(self) -> None:
         """Send the output so far."""
-        if text := self._console.take():
-            for page in self._of.viewers:
-                page.send(messages.Printed(text))
+        if printed := message_of(self._console.take()):
+            self._of.readers.send(printed)
 
     def close(self) -> None:
         """Stop watching."""
@@ -100,7 +106,15 @@ class Reporter:
             self._awake.clear()
 
     async def _report_world(self, monitor: "Monitor") -> None:
-        self._send(await to_thread.run_sync(telemetry.telemetry, monitor))
+        state = await to_thread.run_sync(telemetry.telemetry, monitor)
+        if monitor is not self._of.monitor:
+            # The robot is in another world by now, which the pages already show.
+            return
+        self._send(state)
+        drawing = self._drawn.news(monitor.strokes())
+        if drawing:
+            for page in self._of.viewers:
+                page.send(drawing)
         # After the state, which may reveal a broken link.
         self._send(telemetry.link(monitor))
         for sound in telemetry.sounds(monitor):
@@ -123,7 +137,7 @@ class Reporter:
             return
         picture = await to_thread.run_sync(monitor.camera)
         # The same object means that nothing has moved since.
-        if picture and picture is not self._filmed:
+        if picture and picture is not self._filmed and monitor is self._of.monitor:
             self._filmed = picture
             for page in watching:
                 page.send(telemetry.camera_frame(picture), picture.jpeg)

@@ -8,6 +8,7 @@ from learnblock.server import messages
 
 if TYPE_CHECKING:
     from learnblock.monitor import Monitor, RobotNow
+    from learnblock.monitor.monitor import State
     from learnblock.monitor.pictures import Picture
 
 
@@ -18,7 +19,11 @@ def scene(monitor: "Monitor") -> messages.Scene:
 
 def telemetry(monitor: "Monitor") -> messages.Telemetry:
     """Its current state."""
-    state = monitor.state()
+    return of_state(monitor.state())
+
+
+def of_state(state: "State") -> messages.Telemetry:
+    """A state, be it the current one or one of the past."""
     return messages.Telemetry(
         time=state.time,
         robots=tuple(map(_robot, state.robots)),
@@ -39,10 +44,10 @@ def sounds(monitor: "Monitor") -> tuple[messages.Sound, ...]:
     return tuple(messages.Sound(one.device, one.action, one.values) for one in monitor.sounds())
 
 
-def camera_frame(picture: "Picture") -> messages.CameraFrame:
+def camera_frame(picture: "Picture", *, past: bool = False) -> messages.CameraFrame:
     """The message that precedes the picture itself."""
     seen = msgspec.convert(picture.seen, tuple[messages.Seen, ...], from_attributes=True)
-    return messages.CameraFrame(picture.width, picture.height, picture.time, seen)
+    return messages.CameraFrame(picture.width, picture.height, picture.time, seen, past)
 
 
 def _robot(now: "RobotNow") -> messages.Robot:
@@ -58,6 +63,7 @@ def _robot(now: "RobotNow") -> messages.Robot:
         leds=now.leds,
         emotion=now.emotion,
         speed=now.speed,
+        text=now.text,
     )
 
 

@@ -2,18 +2,18 @@
 
 import asyncio
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import Protocol
 
 from learnblock.running import Report
 from learnblock.runtime.messages import Variables
 from learnblock.runtime.status import State
 from learnblock.runtime.watcher import Watcher
-from learnblock.server.runs.console import Console
+from learnblock.server.runs.console import Voice
 
 
 class Audience(Protocol):
-    """The receiver of a run's events, in the event loop."""
+    """The receiver of a run's events, in the event loop unless they say otherwise."""
 
     def on_state(self, state: State) -> None: ...
 
@@ -23,6 +23,11 @@ class Audience(Protocol):
 
     def on_input(self, prompt: str) -> None: ...
 
+    def on_keys_wanted(self) -> None: ...
+
+    def held_keys(self) -> Collection[str]:
+        """The keys that users hold down for the program; called from the run's thread."""
+
     def on_ended(self, report: Report | Exception) -> None: ...
 
 
@@ -31,15 +36,16 @@ class RunWatcher(Watcher):
 
     Args:
         audience: receives the events, in the event loop that is running now.
-        console: takes the output.
+        voice: takes the output.
     """
 
-    def __init__(self, audience: Audience, console: Console) -> None:
+    def __init__(self, audience: Audience, voice: Voice) -> None:
         self._audience = audience
-        self._console = console
+        self._voice = voice
         self._loop = asyncio.get_running_loop()
         #: The line of the program's Python that is running; 0 before the first.
         self.current_line = 0
+        self._wants_keys = False
         self._input = threading.Condition()
         self._answer: str | None = None
         self._cancelled = False
@@ -47,7 +53,7 @@ class RunWatcher(Watcher):
     # The run's thread.
 
     def printed(self, text: str) -> None:
-        self._console.printed(text)
+        self._voice.printed(text)
 
     def line(self, number: int) -> None:
         self.current_line = number
@@ -74,6 +80,13 @@ class RunWatcher(Watcher):
         with self._input:
             self._cancelled = True
             self._input.notify_all()
+
+    def held_keys(self, time: float) -> Collection[str]:
+        del time
+        if not self._wants_keys:
+            self._wants_keys = True
+            self._pass_on(self._audience.on_keys_wanted)
+        return self._audience.held_keys()
 
     def ended(self, report: Report | Exception) -> None:
         """Report the end of the run."""

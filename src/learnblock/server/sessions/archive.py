@@ -1,7 +1,8 @@
 """An open project on disk: the project, its versions and its runs."""
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine, Sequence
+from functools import partial
 from time import monotonic
 from typing import Any, Protocol, TypeVar
 
@@ -9,11 +10,12 @@ from anyio import to_thread
 
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.server.messages import PastRun
+from learnblock.runtime.log.blocks import Block
+from learnblock.server.messages import KeptRun, PastRun
 from learnblock.server.messages.problems import phrase_of
 from learnblock.server.projects.folder import FileChangedError, FileState, ProjectFolder
 from learnblock.server.projects.history import Reason
-from learnblock.server.projects.project_file import Project
+from learnblock.server.projects.project import Project
 from learnblock.server.sessions.saver import Saver
 
 #: Seconds of changes after which a version is saved.
@@ -41,6 +43,9 @@ class Archived(Protocol):
 
     def kept_outside(self, version: str) -> None:
         """Called with the version of what another program has saved if that could not be merged."""
+
+    def runs_kept(self, runs: tuple[KeptRun, ...]) -> None:
+        """Called with the runs that are kept when there is a new one."""
 
     def failed(self, error: Phrase) -> None:
         """Called with the reason why something could not be saved."""
@@ -89,9 +94,31 @@ class Archive:
 
     def add_run(self, run: PastRun) -> None:
         """Save the result of a run."""
-        if self._folder.read_only:
-            return
-        task = asyncio.create_task(self._tried(self._folder.add_run, self._project.name, run))
+        if not self._folder.read_only:
+            self._later(self._tried(self._folder.add_run, self._project.name, run))
+
+    def keep_logs(self, began: float, version: str, logs: Sequence[tuple[Block, ...]]) -> None:
+        """Keep the logs of a run's programs, and say so.
+
+        Args:
+            began: when the run began, in seconds since 1970.
+            version: the version of the project that ran.
+            logs: that of each program.
+        """
+        if logs and not self._folder.read_only:
+            self._later(self._keep_logs(began, version, logs))
+
+    async def _keep_logs(
+        self, began: float, version: str, logs: Sequence[tuple[Block, ...]]
+    ) -> None:
+        kept = self._folder.kept_runs(self._project.name)
+        for blocks in logs:
+            await self._tried(partial(kept.add, began, blocks, version=version))
+        if (runs := await self._tried(kept.runs)) is not None:
+            self._project.runs_kept(runs)
+
+    def _later(self, saving: Coroutine[Any, Any, object]) -> None:
+        task = asyncio.create_task(saving)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 

@@ -12,13 +12,34 @@ from learnblock.server import catalog
 from learnblock.server.messages import WorldChoice
 from learnblock.server.program.document import Document
 from learnblock.server.projects.carried import Code
-from learnblock.server.projects.project_file import Project
+from learnblock.server.projects.project import Project, ProjectPart
 from learnblock.server.projects.unpacking import only_read, unpacked
 from learnblock.server.sessions.library_versions import LibraryVersions
 from learnblock.server.sessions.shown_blocks import ShownBlocks
 
+#: An empty program.
+EMPTY = "main:\n    pass\nend\n"
 #: Used if the project's world is missing and its robot has no default world.
 DEFAULT_WORLD = "empty"
+
+
+@dataclass(frozen=True)
+class PreparedPart:
+    """One of the programs of a project, with the robots that run it.
+
+    Args:
+        name: the name of its robot; several are numbered.
+        document: its program.
+        robot: the kind of robot that it names, else the default.
+        breakpoints: the ids of blocks.
+        count: how many robots run it.
+    """
+
+    name: str
+    document: Document
+    robot: RobotEntry
+    breakpoints: tuple[str, ...] = ()
+    count: int = 1
 
 
 @dataclass(frozen=True)
@@ -27,12 +48,10 @@ class Prepared:
 
     Args:
         name: the name of the project.
-        document: its program.
-        robot: the robot that it names, else the default.
+        parts: its programs with their robots.
         world: the world that it names, else the default.
         shown_blocks: the block set of the palette.
         libraries: the versions with which it was made.
-        breakpoints: the ids of blocks.
         tags: the numbers of tags that it uses instead of the user's.
         offered: the code that it carries and the user has not installed.
         remarks: the differences from the saved project, with reasons.
@@ -41,12 +60,10 @@ class Prepared:
     """
 
     name: str
-    document: Document
-    robot: RobotEntry
+    parts: tuple[PreparedPart, ...]
     world: str
     shown_blocks: ShownBlocks
     libraries: LibraryVersions
-    breakpoints: tuple[str, ...] = ()
     tags: Mapping[str, int] = field(default_factory=dict)
     offered: Code = field(default_factory=Code)
     remarks: tuple[Phrase, ...] = ()
@@ -63,33 +80,34 @@ def prepare(project: Project, *, read_only: bool = False) -> Prepared:
     """
     unpacking = only_read(project) if read_only else unpacked(project)
     project = unpacking.project
-    robot, no_robot = _robot(project.robot)
-    world, no_world = _world(project.world, robot)
-    document = Document.from_text(
-        project.blocktext,
-        robot.module,
-        all_configurations(),
-        project.workspace,
-        project.python,
-        devices=robot.load().known_devices(),
-    )
+    parts = [_prepared_part(part) for part in project.parts]
+    world, no_world = _world(project.world, parts[0][0].robot)
     shown_blocks, no_set = _shown_blocks(project)
     libraries = LibraryVersions(project.libraries)
     on_libraries = libraries.remarks(project.carried.offered.libraries)
     return Prepared(
         name=project.name,
-        document=document.settled(),
-        robot=robot,
+        parts=tuple(part for part, _ in parts),
         world=world,
         shown_blocks=shown_blocks,
         libraries=libraries,
-        breakpoints=tuple(project.breakpoints),
         tags=project.tags,
         offered=project.carried.offered,
-        remarks=(*unpacking.remarks, *no_robot, *no_world, *no_set, *on_libraries),
+        remarks=(
+            *unpacking.remarks,
+            *(remark for _, no_robot in parts for remark in no_robot),
+            *no_world,
+            *no_set,
+            *on_libraries,
+        ),
         notes=unpacking.notes,
         worlds=catalog.world_choices() if unpacking.adds_world else (),
     )
+
+
+def empty_part(name: str, robot: RobotEntry, count: int) -> PreparedPart:
+    """An empty program for robots of one kind; this is slow."""
+    return _prepared_part(ProjectPart(name, EMPTY, robot=robot.name, count=count))[0]
 
 
 def loaded(name: str) -> RobotEntry:
@@ -101,6 +119,20 @@ def loaded(name: str) -> RobotEntry:
     entry = robots.find(name)
     entry.load()
     return entry
+
+
+def _prepared_part(part: ProjectPart) -> tuple[PreparedPart, tuple[Phrase, ...]]:
+    robot, no_robot = _robot(part.robot)
+    document = Document.from_text(
+        part.blocktext,
+        robot.module,
+        all_configurations(),
+        part.workspace,
+        part.python,
+        equipment=robot.load().known_equipment(),
+    )
+    prepared = PreparedPart(part.name, document.settled(), robot, part.breakpoints, part.count)
+    return prepared, no_robot
 
 
 def _robot(name: str) -> tuple[RobotEntry, tuple[Phrase, ...]]:

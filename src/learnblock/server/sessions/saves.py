@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from learnblock.server.messages import View
 from learnblock.server.program.revisions import Revision
-from learnblock.server.projects.project_file import Project
+from learnblock.server.projects.project import Project
 
 #: An editor in which a file was opened more saves ago overwrites what was written since.
 MOST_SAVES = 50

@@ -2,8 +2,8 @@
 
 import asyncio
 from collections.abc import Callable, Iterable, Mapping
-from time import time
-from typing import Literal, TypeVar
+from dataclasses import dataclass
+from typing import Literal
 
 from anyio import to_thread
 
@@ -11,29 +11,51 @@ from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.block_sets import BlockSet
 from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
-from learnblock.running import may_use_network
+from learnblock.lessons.reading import OpenLesson
+from learnblock.robots import RobotEntry
+from learnblock.running import MOST_ROBOTS
+from learnblock.running.robot_names import robot_names
 from learnblock.server import catalog, messages
-from learnblock.server.messages import View
 from learnblock.server.program.document import Document
-from learnblock.server.program.merging import Content, Edit, Merged, base_of
-from learnblock.server.program.shared import SharedProgram
+from learnblock.server.program.shown import Shown
 from learnblock.server.projects.carried import Carried, Code
 from learnblock.server.projects.folder import ProjectFolder
+from learnblock.server.projects.lesson_folder import Progress
 from learnblock.server.projects.offering import offer, without
-from learnblock.server.projects.project_file import Project
+from learnblock.server.projects.project import LONGEST_PART_NAME, Project, is_part_name
+from learnblock.server.runs.keyboard import Keyboard
 from learnblock.server.runs.player import Player
-from learnblock.server.runs.playing import Played, Setting
-from learnblock.server.runs.trial import Trial
 from learnblock.server.runs.viewers import Viewer, Viewers
 from learnblock.server.sessions.archive import Archive
-from learnblock.server.sessions.prepared import DEFAULT_WORLD, Prepared, loaded, prepare
-from learnblock.server.sessions.saves import Saved, Saves
+from learnblock.server.sessions.coach import Coach
+from learnblock.server.sessions.part import Part
+from learnblock.server.sessions.prepared import (
+    DEFAULT_WORLD,
+    Prepared,
+    PreparedPart,
+    empty_part,
+    loaded,
+    prepare,
+)
+from learnblock.server.sessions.runs import Runs
+from learnblock.server.sessions.saves import Saves
 
-Result = TypeVar("Result")
+
+@dataclass(frozen=True)
+class ClosedPart:
+    """A program that was closed last with its robots, and can be reopened.
+
+    Args:
+        part: the program with its robots.
+        index: its place among the others.
+    """
+
+    part: Part
+    index: int
 
 
 class Session:
-    """An open project.
+    """An open project: one robot with its program, or several robots in one world.
 
     Its methods run in the event loop; a caller that changes the project must hold `turn`.
 
@@ -44,57 +66,71 @@ class Session:
 
     def __init__(self, folder: ProjectFolder, prepared: Prepared) -> None:
         self.name = prepared.name
-        self.robot = prepared.robot
         self.world = prepared.world
-        self.breakpoints = prepared.breakpoints
+        #: The number of the world's variant; 0, the world as it is drawn, whenever it is opened.
+        self.variant = 0
         self.shown_blocks = prepared.shown_blocks
         self.libraries = prepared.libraries
         self.tags = prepared.tags
         self.offered = prepared.offered
-        self.program = SharedProgram(prepared.document)
         self.turn = asyncio.Lock()
-        #: The program changes in one thread at a time.
-        self._thinking = asyncio.Lock()
+        #: Guides through a lesson; None if the project has none.
+        self.coach: Coach | None = None
         self._folder = folder
-        self.archive = Archive(folder, self)
-        self._saves = Saves(self._save())
-        self.viewers = Viewers()
         self._remarks = prepared.remarks
         self._notes = prepared.notes
         self._new_worlds = prepared.worlds
-        self._last_run = (0.0, "")
-        self._network = False
-        self.player = Player(self.viewers, self._keep_run)
-
-    @property
-    def document(self) -> Document:
-        """The current program."""
-        return self.program.document
+        self.viewers = Viewers()
+        self.keyboard = Keyboard(self.viewers)
+        self.parts = [Part(part, self) for part in prepared.parts]
+        self._name_robots()
+        self._saved = self.project
+        for part in self.parts:
+            part.saves = Saves(part.saved(self._saved))
+        self._closed: ClosedPart | None = None
+        self._tabs = self._tabs_now()
+        self.archive = Archive(folder, self)
+        self.runs = Runs(self, folder)
 
     @property
     def project(self) -> Project:
         """The project in the form that is saved."""
-        return self._project_with(self.document)
+        return self._project_with({})
 
-    def _project_with(self, document: Document) -> Project:
-        return Project(
+    @property
+    def robots(self) -> tuple[str, ...]:
+        """The names of the kinds of its robots."""
+        return tuple(part.robot.name for part in self.parts for _ in part.players)
+
+    @property
+    def has_several(self) -> bool:
+        """Whether there are several robots, which need names."""
+        return len(self.robots) > 1
+
+    def _project_with(self, documents: Mapping[Part, Document]) -> Project:
+        """The project with other programs of some parts."""
+        programs = {part: documents.get(part, part.document) for part in self.parts}
+        libraries = [self.libraries.used(one.good.tree) for one in programs.values()]
+        project = Project(
             name=self.name,
-            blocktext=document.blocktext,
-            python=document.python_by_hand,
-            workspace=document.workspace,
-            robot=self.robot.name,
             world=self.world,
-            breakpoints=self.breakpoints,
             shown=self.shown_blocks.name,
             block_sets=self.shown_blocks.carried,
-            libraries=self.libraries.used(document.good.tree),
+            libraries={name: one[name] for one in libraries for name in sorted(one)},
             tags=self.tags,
             carried=Carried(offered=self.offered),
         )
+        return project.with_parts([part.saved_with(one) for part, one in programs.items()])
 
     async def close(self) -> None:
-        """End the running program, and save."""
-        await self.player.close()
+        """End the running programs, and save."""
+        await self.runs.stop()
+        if self.coach:
+            await self.coach.close()
+        for part in self.parts:
+            await part.close()
+        if self._closed:
+            await self._closed.part.close()
         await self.archive.close()
 
     async def rename(self, name: str) -> None:
@@ -104,28 +140,52 @@ class Session:
             LearnBlockError: the name is taken, or the file can't be renamed.
         """
         await self.archive.rename(name)
+        self._name_single()
         self.viewers.send(messages.ProjectRenamed(name))
 
-    async def set_the_stage(self) -> None:
-        """Put the robot into its world before the first page joins."""
+    async def begin_lesson(self, opened: OpenLesson, browser: str) -> None:
+        """Follow a lesson from its first step, in the browser with this id."""
+        progress = Progress(opened.name, browser=browser)
+        self.coach = Coach(self, opened, progress, self._folder.lesson)
+        await self.coach.begin()
+
+    async def resume_lesson(self) -> None:
+        """Go on with the lesson that the project follows, if there is one."""
+        progress = await to_thread.run_sync(self._folder.lesson(self.name).progress)
+        if progress is None:
+            return
         try:
-            await self.player.set_the_stage(self.robot, self.world)
+            opened = await to_thread.run_sync(catalog.find_lesson, progress.lesson)
         except LearnBlockError as error:
-            # The pages show the problem, and the user can choose another world.
-            self._remarks = (*self._remarks, error.phrase)
+            missing = Phrase("server-lesson-missing", name=progress.lesson, problem=error.phrase)
+            self._remarks = (*self._remarks, missing)
+            return
+        self.coach = Coach(self, opened, progress, self._folder.lesson)
+        await self.coach.resume()
 
     # Pages.
 
-    def join(self, page: Viewer) -> None:
-        """Send a page the whole project, and all changes from now on."""
+    def join(self, page: Viewer, tab: str = "") -> None:
+        """Send a page the whole project, and all changes from now on.
+
+        Args:
+            page: the page.
+            tab: the name of the robot to show; the first one if there is none with this name.
+        """
         self.viewers.add(page)
         if self._new_worlds:
             page.send(messages.Worlds(self._new_worlds))
             self._new_worlds = ()
-        page.send(messages.Opened(self.name, self.robot.name, self.world, self.breakpoints))
+        part = self._named(tab) or self.parts[0]
+        tab, robot = self._tab_name(part), part.robot.name
+        page.send(messages.Opened(self.name, robot, self.world, part.breakpoints, tab))
+        page.send(messages.Tabs(self._tabs_now(), tab, part.players[0].voice.robot))
         page.send(self.shown_blocks.message())
         page.send(catalog.tag_dictionary())
-        page.send(self.program.update(page.shown))
+        part.join(page, part.players[0])
+        self.keyboard.join(page)
+        if self.coach:
+            self.coach.join(page)
         for remark in self._remarks:
             page.send(messages.Failed(remark))
         for note in self._notes:
@@ -134,106 +194,286 @@ class Session:
         self._notes = ()
         if self.offered:
             page.send(offer(self.offered))
-        self.player.join(page)
 
     def leave(self, page: Viewer) -> None:
         """Stop sending messages to a page."""
         self.viewers.remove(page)
-        self.player.watch()
+        self.keyboard.leave(page)
+        self.part_of(page).leave(page)
 
-    # The program.
+    def show(self, page: Viewer, tab: str, robot: str = "") -> None:
+        """Show a page another robot.
 
-    async def change(self, edit: Callable[[Document], Document]) -> None:
-        """Change the program, and send every page what it doesn't show yet.
+        Args:
+            page: the page.
+            tab: the name of its program's tab; the current one if there is none with this name.
+            robot: its name, if several run the program; the first if there is none.
+        """
+        before = self.part_of(page)
+        before.leave(page)
+        self._show(page, self._named(tab) or before, robot)
+
+    def _show(self, page: Viewer, part: Part, robot: str = "") -> None:
+        page.shown = Shown(page.shown.number + 1)
+        player = part.player_named(robot)
+        page.send(
+            messages.TabOpened(
+                self._tab_name(part),
+                part.robot.name,
+                self.world,
+                page.shown.number,
+                part.breakpoints,
+                player.voice.robot,
+            )
+        )
+        part.join(page, player)
+        # The page has forgotten which keys its user held.
+        self.keyboard.leave(page)
+        self.keyboard.join(page)
+
+    def part_of(self, page: Viewer) -> Part:
+        """The program that a page shows."""
+        return next(part for part in self.parts if page in part.viewers)
+
+    # Robots.
+
+    async def add_robots(self, page: Viewer, robot: str, count: int) -> None:
+        """Add an empty program for one or more robots of a kind, and show it to the page.
 
         Raises:
-            LearnBlockError: the edit is impossible; nothing has changed.
+            LearnBlockError: there is no such robot, no room, too many, several real ones, or a
+                program runs.
         """
-        await self._think(lambda: self.program.change(edit))
+        self.runs.require_rest()
+        self._require_few(count)
+        entry = await to_thread.run_sync(loaded, robot)
+        _require_simulated(entry, count)
+        prepared = await to_thread.run_sync(empty_part, self._free_name(entry.name), entry, count)
+        await self._insert(self._new_part(prepared), len(self.parts))
+        self.show(page, self.parts[-1].name)
 
-    async def edit(
-        self, page: Viewer, number: int, revision: int, view: View, content: Content
-    ) -> None:
-        """Merge an edit of a page, which wins where others have changed the same line since.
+    async def set_robot_count(self, part: Part, count: int) -> None:
+        """Let another number of robots run a program.
 
-        Args:
-            page: the page.
-            number: the number of its edit.
-            revision: the revision that it shows, apart from its own edits; 0 for the current one.
-            view: the edited view.
-            content: the view after the edit.
+        Raises:
+            LearnBlockError: there is no room, there are too many, or several real ones, or a
+                program runs.
         """
+        before = len(part.players)
+        if count == before:
+            return
+        self.runs.require_rest()
+        self._require_few(count - before)
+        _require_simulated(part.robot, count)
+        left = self._resize(part, count)
+        try:
+            await self.runs.set_the_stage()
+        except LearnBlockError:
+            left += self._resize(part, before)
+            raise
+        finally:
+            for player in left:
+                await player.close()
+        part.forget_run()
+        self._name_single()
+        self.part_changed()
 
-        def merge() -> Merged:
-            revisions = self.program.revisions
-            base = page.shown.base(view, revision or revisions.last.number, revisions)
-            merged = self.program.merge(Edit(view, content, base), page.shown)
-            page.shown.edited(number, view, content)
-            return merged
+    def _resize(self, part: Part, count: int) -> tuple[Player, ...]:
+        """Let another number of robots run a program; return those that are left over."""
+        pages = [page for player in part.players[count:] for page in player.viewers]
+        for page in pages:
+            part.leave(page)
+        left = part.set_count(count)
+        self._name_robots()
+        for page in pages:
+            self._show(page, part)
+        return left
 
-        merged = await self._think(merge)
-        if merged.lost:
-            await self._keep(merged.lost, self.viewers, "page")
+    async def _set_robot_counts(self, counts: Iterable[tuple[Part, int]]) -> None:
+        """Let other numbers of robots run some programs; those that lose robots come first."""
+        for part, count in sorted(counts, key=lambda one: one[1] - len(one[0].players)):
+            await self.set_robot_count(part, count)
 
-    async def recover(
-        self, page: Viewer, number: int, view: View, content: Content, base: Content
-    ) -> None:
-        """Merge an edit that a page had made before its connection was lost.
+    def _require_few(self, more: int) -> None:
+        if len(self.robots) + more > MOST_ROBOTS:
+            raise LearnBlockError("tabs-too-many", limit=MOST_ROBOTS)
 
-        What others have changed since wins.
+    async def close_robot(self, name: str) -> None:
+        """Close a program with its robots; it can be reopened until the next one is closed.
 
-        Args:
-            page: the page.
-            number: the number of its edit.
-            view: the edited view.
-            content: the view after the edit.
-            base: the view before the edit.
+        Raises:
+            LearnBlockError: it is the last one, or a program runs.
         """
+        self.runs.require_rest()
+        part = self.require(name)
+        if len(self.parts) == 1:
+            raise LearnBlockError("tabs-last")
+        await self.archive.keep_version("time")
+        index = self.parts.index(part)
+        self.parts.remove(part)
+        before, self._closed = self._closed, ClosedPart(part, index)
+        if before:
+            await before.part.close()
+        for page in part.viewers:
+            part.leave(page)
+            self._show(page, self.parts[max(0, index - 1)])
+        self._name_single()
+        await self.set_the_stage()
+        self.part_changed()
 
-        def merge() -> Merged:
-            edit = Edit(view, content, base_of(self.document, base), wins=False)
-            merged = self.program.merge(edit, page.shown)
-            page.shown.repeated(number, view)
-            return merged
+    async def reopen_robot(self, page: Viewer) -> None:
+        """Reopen the program that was closed last, and show it to the page.
 
-        merged = await self._think(merge)
-        if merged.lost:
-            await self._keep(merged.lost, [page], "before")
+        Raises:
+            LearnBlockError: none was closed, there are too many, or a program runs.
+        """
+        self.runs.require_rest()
+        if self._closed is None:
+            raise LearnBlockError("tabs-none-closed")
+        self._require_few(len(self._closed.part.players))
+        part, index = self._closed.part, self._closed.index
+        self._closed = None
+        part.name = self._free_name(part.name)
+        await self._insert(part, index)
+        self.show(page, part.name)
 
-    async def undo(self) -> None:
-        """Undo the last edit, if there is one."""
-        await self._think(self.program.undo)
+    async def rename_robot(self, name: str, new: str) -> None:
+        """Rename a robot, or all that share a program.
 
-    async def redo(self) -> None:
-        """Redo the last undone edit, if there is one."""
-        await self._think(self.program.redo)
+        Raises:
+            LearnBlockError: a robot can't have this name, or a program runs.
+        """
+        self.runs.require_rest()
+        part = self.require(name)
+        if not is_part_name(new) or (self._named(new) not in (None, part)):
+            raise LearnBlockError("tabs-wrong-name", name=new, limit=LONGEST_PART_NAME)
+        part.name = new
+        self._name_robots()
+        # It has the name in the world too.
+        await self.set_the_stage()
+        self.part_changed()
+
+    def part_changed(self) -> None:
+        """Save the project, and show the pages what has changed on a tab."""
+        self.show_tabs()
+        self.archive.changed()
+
+    def show_tabs(self) -> None:
+        """Show the pages what has changed on a tab."""
+        before, self._tabs = self._tabs, self._tabs_now()
+        if self._tabs == before:
+            return
+        for part in self.parts:
+            for player in part.players:
+                tab, shows = self._tab_name(part), player.voice.robot
+                player.viewers.send(messages.Tabs(self._tabs, tab, shows))
+
+    async def _insert(self, part: Part, index: int) -> None:
+        self.parts.insert(index, part)
+        self._name_robots()
+        try:
+            await self.runs.set_the_stage()
+        except LearnBlockError:
+            self.parts.remove(part)
+            self._name_robots()
+            raise
+        self.part_changed()
+
+    def _new_part(self, prepared: PreparedPart) -> Part:
+        part = Part(prepared, self)
+        part.saves = Saves(part.saved(self._saved))
+        return part
+
+    def _named(self, name: str) -> Part | None:
+        return next((part for part in self.parts if part.name == name), None)
+
+    def require(self, name: str) -> Part:
+        """The part with this name.
+
+        Raises:
+            LearnBlockError: there is none.
+        """
+        part = self._named(name)
+        if part is None:
+            raise LearnBlockError("tabs-no-such", name=name)
+        return part
+
+    def _free_name(self, wish: str) -> str:
+        names = (wish, *(f"{wish} {number}" for number in range(2, MOST_ROBOTS + 2)))
+        return next(name for name in names if self._named(name) is None)
+
+    def _name_single(self) -> None:
+        """Give a robot that is alone the name that it has when the project is opened again."""
+        if not self.has_several:
+            self.parts[0].name = self.project.parts[0].name
+        self._name_robots()
+
+    def _name_robots(self) -> None:
+        """Give each robot its name in the world."""
+        names = robot_names([part.name for part in self.parts for _ in part.players])
+        for part in self.parts:
+            part.name_robots([next(names) for _ in part.players])
+
+    def _tab_name(self, part: Part) -> str:
+        """The name of a part's tab; a robot that is alone has none."""
+        return part.name if self.has_several else ""
+
+    def _tabs_now(self) -> tuple[messages.Tab, ...]:
+        return tuple(part.tab for part in self.parts) if self.has_several else ()
+
+    # The programs.
 
     async def restore(self, earlier: Project) -> None:
-        """Restore an earlier program, with the current robot and world."""
+        """Restore earlier programs, with the current world; robots added since then stay."""
+        self.runs.require_rest()
         await self.archive.keep_version("restored")
-        module, devices = self.robot.module, self.robot.load().known_devices()
-        await self.change(lambda _: prepare(earlier).document.with_robot(module, devices))
+        prepared = await to_thread.run_sync(prepare, earlier)
+        like = [(self._like(found, len(prepared.parts)), found) for found in prepared.parts]
+        await self._set_robot_counts((part, found.count) for part, found in like if part)
+        for part, found in like:
+            if part:
+                await part.restore(found.document)
+            else:
+                await self._insert(self._new_part(found), len(self.parts))
 
     async def know(self, configurations: Mapping[str, BlockConfiguration]) -> None:
-        """Read the program with a changed set of skills."""
+        """Read the programs with a changed set of skills."""
         self.libraries = await to_thread.run_sync(self.libraries.renewed)
-        await self._think(
-            lambda: self.program.replace(lambda now: now.with_configurations(configurations))
-        )
+        for part in self.parts:
+            await part.know(configurations)
+
+    async def keep_lost(
+        self, part: Part, lost: Document, pages: Iterable[Viewer], by: Literal["page", "before"]
+    ) -> None:
+        """Save a version with a change that the program of a part lacks, and say so."""
+        version = await self.archive.keep_version("conflict", self._project_with({part: lost}))
+        for page in pages:
+            page.send(messages.Conflict(version, by))
+
+    def _like(self, found: PreparedPart, count: int) -> Part | None:
+        """The robot that another form of the project names so; one that is alone has any name."""
+        if count == len(self.parts) == 1:
+            return self.parts[0]
+        return self._named(found.name)
 
     # The file.
 
     def saving(self) -> tuple[Project, Callable[[], None]]:
         """Return the project, and what confirms the last edit of each page once it is saved."""
-        edits = [(page, page.shown.edit) for page in self.viewers]
-        save = self._save()
+        edits = [(page, page.shown, page.shown.edit) for page in self.viewers]
+        project = self.project
+        saves = [(part, part.saved(project)) for part in self.parts]
 
         def saved() -> None:
-            self._saves.add(save)
-            for page, edit in edits:
-                page.send(messages.Saved(edit))
+            self._saved = project
+            for part, save in saves:
+                part.saves.add(save)
+            for page, shown, edit in edits:
+                # A page that now shows another robot counts its edits from the start again.
+                if page.shown is shown:
+                    page.send(messages.Saved(edit))
 
-        return save.project, saved
+        return project, saved
 
     async def take_in(self, outside: Project) -> bool:
         """Merge the project as another program has saved it; what was changed here wins.
@@ -244,20 +484,11 @@ class Session:
         await self.archive.keep_version("time")
         read_only = self._folder.read_only
         prepared = await to_thread.run_sync(lambda: prepare(outside, read_only=read_only))
-        await self._take_in_settings(self._saves.last.project, outside, prepared)
-        devices = self.robot.load().known_devices()
-        document = prepared.document.with_robot(self.robot.module, devices)
-        view: View = "blocktext" if outside.python is None else "python"
-        base = self._saves.edited(view, document.text_of(view)).revision
-        edit = Edit(view, document.text_of(view), base.text(view), wins=False)
-
-        def merge() -> bool:
-            if self.program.revisions.last == base:
-                self.program.change(lambda _: document)
-                return False
-            return self.program.merge(edit).lost is not None
-
-        is_lost = await self._think(merge)
+        is_lost = await self._take_in_robots(outside, prepared)
+        await self._take_in_settings(self._saved, outside, prepared)
+        for saved, found in zip(outside.parts, prepared.parts, strict=True):
+            if part := self._like(found, len(outside.parts)):
+                is_lost |= await part.take_in(saved, found.document)
         if not is_lost:
             self.viewers.send(messages.TakenIn())
         return is_lost
@@ -266,23 +497,47 @@ class Session:
         """Tell every page which version has another program's change that could not be merged."""
         self.viewers.send(messages.Conflict(version, "file"))
 
-    async def _take_in_settings(self, saved: Project, outside: Project, found: Prepared) -> None:
-        """Choose what another program has chosen, unless the running program forbids it."""
+    async def _take_in_robots(self, outside: Project, found: Prepared) -> bool:
+        """Add and close the robots that another program has; return whether that is impossible."""
+        before = {part.name for part in self._saved.parts}
+        after = {part.name for part in outside.parts}
+        if before == after or len(before) == len(after) == 1:
+            return False
         try:
-            if outside.robot != saved.robot:
-                await self.choose_robot(found.robot.name)
+            for one in found.parts:
+                if self._named(one.name) is None and one.name not in before:
+                    await self._insert(self._new_part(one), len(self.parts))
+            for name in before - after:
+                if self._named(name):
+                    await self.close_robot(name)
+        except LearnBlockError as error:
+            self.failed(error.phrase)
+            return True
+        return False
+
+    async def _take_in_settings(self, saved: Project, outside: Project, found: Prepared) -> None:
+        """Choose what another program has chosen, unless a running program forbids it."""
+        before = {part.name: part for part in saved.parts}
+        try:
+            for there, one in zip(outside.parts, found.parts, strict=True):
+                part, last = self._like(one, len(outside.parts)), before.get(there.name)
+                if part and last and there.robot != last.robot:
+                    await self.choose_robot(part, one.robot.name)
+                if part and last and there.count != last.count:
+                    await self.set_robot_count(part, one.count)
+                if part and last and there.breakpoints != last.breakpoints:
+                    self.set_breakpoints(part, one.breakpoints)
             if outside.world != saved.world:
                 await self.choose_world(found.world)
         except LearnBlockError as error:
             self.failed(error.phrase)
-        if outside.breakpoints != saved.breakpoints:
-            self.set_breakpoints(found.breakpoints)
         if (outside.shown, outside.block_sets) != (saved.shown, saved.block_sets):
             self.shown_blocks = found.shown_blocks
             self.viewers.send(self.shown_blocks.message())
 
-    def _save(self) -> Saved:
-        return Saved(self.project, self.program.revisions.last)
+    def runs_kept(self, runs: tuple[messages.KeptRun, ...]) -> None:
+        """Tell every page which runs are kept."""
+        self.viewers.send(messages.KeptRuns(runs))
 
     def failed(self, message: Phrase) -> None:
         """Tell every page what went wrong."""
@@ -303,32 +558,43 @@ class Session:
 
     # Settings.
 
-    async def choose_robot(self, name: str) -> None:
-        """Change the robot, in the same world.
+    async def set_the_stage(self) -> None:
+        """Put the robots into their world; a problem is shown to every page.
+
+        The user can choose another world.
+        """
+        try:
+            await self.runs.set_the_stage()
+        except LearnBlockError as error:
+            self._remarks = (*self._remarks, error.phrase)
+            self.failed(error.phrase)
+
+    async def choose_robot(self, part: Part, name: str) -> None:
+        """Change the kind of a robot, in the same world.
 
         Raises:
-            LearnBlockError: the robot does not exist, or a program is running.
+            LearnBlockError: the robot does not exist, several would be real ones, or a program is
+                running.
         """
+        self.runs.require_rest()
         robot = await to_thread.run_sync(loaded, name)
-        await self.player.set_the_stage(robot, self.world)
-        self.robot = robot
-        devices = robot.load().known_devices()
-        await self._think(
-            lambda: self.program.replace(lambda now: now.with_robot(robot.module, devices))
-        )
+        _require_simulated(robot, len(part.players))
+        await self.runs.set_the_stage({part: robot})
+        await part.use(robot)
         self._send_settings()
 
-    async def choose_world(self, name: str) -> None:
-        """Change the world.
+    async def choose_world(self, name: str, variant: int = 0) -> None:
+        """Change the world, or its variant.
 
         Raises:
-            LearnBlockError: the world does not exist, or a program is running.
+            LearnBlockError: the world or its variant does not exist, or a program is running.
         """
         await to_thread.run_sync(catalog.check_world_name, name)
-        await self.player.set_the_stage(self.robot, name)
-        if name != self.world:
-            self.player.forget()
-        self.world = name
+        await self.runs.set_the_stage(world=(name, variant))
+        if (name, variant) != (self.world, self.variant):
+            for part in self.parts:
+                part.forget_run()
+        self.world, self.variant = name, variant
         self._send_settings()
 
     async def leave_world(self, name: str) -> None:
@@ -339,13 +605,14 @@ class Session:
         """
         if self.world != name:
             return
-        usual = await to_thread.run_sync(catalog.usual_world, self.robot)
+        usual = await to_thread.run_sync(catalog.usual_world, self.parts[0].robot)
         await self.choose_world(DEFAULT_WORLD if usual in (None, name) else usual)
 
-    def set_breakpoints(self, blocks: tuple[str, ...]) -> None:
-        """Set the blocks before which the program pauses."""
-        self.breakpoints = blocks
-        self.player.set_breakpoints(blocks)
+    def set_breakpoints(self, part: Part, blocks: tuple[str, ...]) -> None:
+        """Set the blocks before which a program pauses."""
+        part.breakpoints = blocks
+        for player in part.players:
+            player.set_breakpoints(blocks)
         self._send_settings()
 
     def show_blocks(self, block_set: BlockSet) -> None:
@@ -358,82 +625,18 @@ class Session:
         self.viewers.send(self.shown_blocks.message())
         self.archive.changed()
 
-    # Running.
-
-    @property
-    def uses_network(self) -> bool:
-        """Whether a program is running that may use the network."""
-        return self._network and self.player.active
-
-    async def run(self, *, paused: bool) -> None:
-        """Run the program from the start, and save a version of it.
-
-        Raises:
-            LearnBlockError: it has errors.
-        """
-        self.document.require_no_errors()
-        await self.player.stop()
-        self._last_run = (time(), await self.archive.keep_version("run"))
-        await self._run(self.document, paused=paused)
-
-    async def try_out(self, trial: Trial) -> None:
-        """Run a single function instead of the program."""
-        await self.player.stop()
-        await self._run(trial, paused=False)
-
-    async def reset_world(self) -> None:
-        """Reset the world to its initial state."""
-        await self.player.set_the_stage(self.robot, self.world)
-
-    async def _run(self, played: Played, *, paused: bool) -> None:
-        self._network = await to_thread.run_sync(may_use_network, self._folder.file(self.name))
-        setting = Setting(
-            self.name,
-            self.robot,
-            self.world,
-            self.player.start,
-            self.breakpoints,
-            network=self._network,
-            tags=self.tags,
-        )
-        await self.player.run(played, setting, paused=paused)
-
-    def _keep_run(self, ended: messages.Ended) -> None:
-        if ended.tried:
-            return
-        began, version = self._last_run
-        self.archive.add_run(
-            messages.PastRun(
-                time=began,
-                robot=self.robot.name,
-                world=self.world,
-                ended=ended.ended,
-                seconds=ended.time,
-                goals=tuple(goal.name for goal in ended.goals if goal.state == "reached"),
-                trace_sha256=ended.trace_sha256,
-                version=version,
-            )
-        )
-
-    # Helpers.
-
-    async def _keep(
-        self, lost: Document, pages: Iterable[Viewer], by: Literal["page", "before"]
-    ) -> None:
-        """Save a version of the project with a change that the program lacks, and say so."""
-        version = await self.archive.keep_version("conflict", self._project_with(lost))
-        for page in pages:
-            page.send(messages.Conflict(version, by))
-
-    async def _think(self, change: Callable[[], Result]) -> Result:
-        """Change the program in a thread, because this is slow, and send the changes."""
-        async with self._thinking:
-            result = await to_thread.run_sync(change)
-        for page in self.viewers:
-            page.send(self.program.update(page.shown))
-        self.archive.changed()
-        return result
+    def part_ended(self, ended: messages.Ended) -> None:
+        """Record how the program of a part ended."""
+        self.runs.ended(ended)
 
     def _send_settings(self) -> None:
-        self.viewers.send(messages.Settings(self.robot.name, self.world, self.breakpoints))
-        self.archive.changed()
+        for part in self.parts:
+            settings = messages.Settings(part.robot.name, self.world, part.breakpoints)
+            part.viewers.send(settings)
+        self.part_changed()
+
+
+def _require_simulated(robot: RobotEntry, count: int) -> None:
+    """Refuse several real robots of a kind: all would use one connection."""
+    if count > 1 and not robot.load().lockstep:
+        raise LearnBlockError("tabs-one-real", robot=robot.name)

@@ -1,7 +1,7 @@
 """The sessions: one for each open project."""
 
 import asyncio
-from collections.abc import Callable, Coroutine, Mapping
+from collections.abc import Callable, Coroutine, Iterator, Mapping
 from contextlib import suppress
 from typing import Any
 
@@ -12,7 +12,8 @@ from learnblock.blocks.known import all_configurations
 from learnblock.errors import LearnBlockError
 from learnblock.server.messages import Message, PaletteChanged
 from learnblock.server.projects.folder import ProjectFolder
-from learnblock.server.projects.project_file import Project, checked_name
+from learnblock.server.projects.project import Project, checked_name, is_same_program
+from learnblock.server.sessions.connections import Connections
 from learnblock.server.sessions.prepared import prepare
 from learnblock.server.sessions.session import Session
 from learnblock.server.sessions.survey import Survey
@@ -37,6 +38,8 @@ class Sessions:
         #: Notices changes that the user makes by hand.
         self.block_files = BlockFiles()
         self.survey = Survey()
+        #: The robots that pages are connected to without a program.
+        self.connections = Connections(self._running_robots)
         #: Lets two pages that open the same project at once share it.
         self._opening = asyncio.Lock()
 
@@ -64,11 +67,44 @@ class Sessions:
         """
         name = checked_name(name)
         async with self._opening:
-            self._keep_open(session.name)
-            before = session.name
-            await session.rename(name)
-            del self._open[before]
-            self._open[name] = session
+            await self._rename(session, name)
+
+    async def rename_unshown(self, project: str, name: str) -> None:
+        """Rename a project that no page shows.
+
+        Raises:
+            LearnBlockError: a page shows it, or its file can't be read or renamed.
+            OSError: its file can't be read.
+        """
+        name = checked_name(name)
+        session = await self.open(project)
+        async with self._opening:
+            if session.viewers:
+                raise LearnBlockError("project-in-use", name=project)
+            try:
+                await self._rename(session, name)
+            finally:
+                self.left(session)
+
+    async def _rename(self, session: Session, name: str) -> None:
+        self._keep_open(session.name)
+        before = session.name
+        await session.rename(name)
+        del self._open[before]
+        self._open[name] = session
+
+    async def find_unchanged(self, project: Project) -> str | None:
+        """The name of a project that was created like this one, and is still as it was."""
+        for name in await to_thread.run_sync(self.folder.taken_names, project.name):
+            with suppress(LearnBlockError):
+                found = await self._project(name)
+                if is_same_program(found, project):
+                    return name
+        return None
+
+    async def _project(self, name: str) -> Project:
+        session = self._open.get(name)
+        return session.project if session else await to_thread.run_sync(self.folder.read, name)
 
     async def delete(self, name: str) -> None:
         """Delete a project that no page shows.
@@ -93,7 +129,7 @@ class Sessions:
     @property
     def uses_network(self) -> bool:
         """Whether a program is running that may use the network."""
-        return any(session.uses_network for session in self._open.values())
+        return any(session.runs.uses_network for session in self._open.values())
 
     def send(self, message: Message) -> None:
         """Send a message to every page of every project."""
@@ -136,6 +172,7 @@ class Sessions:
 
     async def close(self) -> None:
         """Close all sessions: end their programs, and save their projects."""
+        await self.connections.close()
         async with self._opening:
             for task in self._ending.values():
                 task.cancel()
@@ -151,8 +188,15 @@ class Sessions:
                 )
                 session = Session(self.folder, prepared)
                 await session.set_the_stage()
+                await session.resume_lesson()
                 self._open[name] = session
             return self._open[name]
+
+    def _running_robots(self) -> Iterator[str]:
+        """The names of the robots on which programs run."""
+        for session in self._open.values():
+            if session.runs.active:
+                yield from session.robots
 
     def _later(self, change: Coroutine[Any, Any, None]) -> None:
         task = asyncio.create_task(change)
@@ -169,7 +213,7 @@ class Sessions:
     async def _close(self, session: Session) -> None:
         self._keep_open(session.name)
         # Until then, `uses_network` takes its program into account.
-        await session.player.stop()
+        await session.runs.stop()
         del self._open[session.name]
         await session.close()
 

@@ -6,7 +6,7 @@ from learnblock.blocks import block_sets
 from learnblock.blocks.block_sets import EVERYTHING, BlockSet
 from learnblock.errors import UnknownNameError
 from learnblock.server.messages import MOST_CARRIED, BlocksShown
-from learnblock.server.projects.project_file import Project
+from learnblock.server.projects.project import Project
 
 
 @dataclass(frozen=True)

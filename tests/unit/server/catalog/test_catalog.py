@@ -4,7 +4,8 @@ import subprocess
 import sys
 
 from learnblock import robots, running
-from learnblock.server.catalog import example
+from learnblock.server.catalog import example, example_choices, welcome
+from places import ROOT
 
 ASK = """
 import sys
@@ -28,6 +29,41 @@ def test_the_list_of_robots_loads_no_driver():
     }.isdisjoint(done)
 
 
+def test_each_robot_says_what_serves_its_senses():
+    serves = {choice.name: choice.serves for choice in welcome("").robots}
+    assert serves["sim-thymio"]["black-line"] == "GroundSensors:line"
+    assert serves["sim-ebo"]["black-line"] == serves["ebo"]["black-line"] == "Camera"
+    assert "red-line" not in serves["sim-thymio"]
+    assert serves["coppeliasim"] == {}
+
+
+def test_each_robot_says_what_blocks_need_and_it_lacks():
+    lacks = {choice.name: choice.lacks for choice in welcome("").robots}
+    assert "Animator" in lacks["sim-ebo"]
+    assert "Animator" not in lacks["sim-cozmo"]
+    assert set(lacks["sim-ebo"]) | {"Pen"} == set(lacks["ebo"])
+
+
 def test_polygons_opens_without_a_warning():
     source = running.read(running.example("polygons.bt"))
     assert running.check(source, robots.find(example("polygons").robot)) == []
+
+
+PICTURES = ROOT / "frontend/src/features/examples/pictures"
+
+
+def test_each_example_has_its_picture_and_no_picture_is_left_over():
+    pictures = {path.stem for path in PICTURES.iterdir()}
+    assert pictures == {*example_choices()}, "take them anew: scripts/pictures"
+
+
+def test_the_pictures_of_examples_are_small():
+    sizes = {path.name: path.stat().st_size for path in PICTURES.iterdir()}
+    assert {name: size for name, size in sizes.items() if size > 15_000} == {}
+    assert sum(sizes.values()) < 400_000
+
+
+def test_each_first_program_is_on_the_start_page():
+    files = {path.stem for path in (ROOT / "examples/first").glob("*.bt")}
+    first = [one.name for one in example_choices().values() if one.is_first]
+    assert sorted(first) == sorted(f"first-{name}" for name in files)

@@ -40,8 +40,8 @@ end
 
 
 def document(text=PROGRAM):
-    devices = robots.find("sim-thymio").load().device_names()
-    return Document.from_text(text, EBO, builtin(), devices=devices)
+    equipment = robots.find("sim-thymio").load().known_equipment()
+    return Document.from_text(text, EBO, builtin(), equipment=equipment)
 
 
 @pytest.fixture(scope="module")
@@ -91,7 +91,7 @@ def test_after_robot_the_skills_and_its_other_methods_are_suggested():
     found = typed("robot.mo|", "python")
     assert "move_straight" in found
     assert {label for label, option in found.items() if option.sort == "robot"} == {
-        "when", "when_start", "run", "elapsedTime"
+        "when", "when_start", "run", "elapsedTime", "wait_until"
     }  # fmt: skip
 
 
@@ -126,6 +126,25 @@ def test_an_expression_offers_values():
     found = typed("x = s|")
     assert {"speed", "state_seen", "time_go", "True", "sqrt", "function.is_any_tag"} <= found.keys()
     assert "while" not in found
+
+
+@pytest.mark.parametrize("text", ['print(f"at {s|', "x = f'{{ {speed} {s|", 'x = f"{sq|}"'])
+def test_a_value_in_a_text_offers_values(text):
+    found = typed(text)
+    assert {"speed", "sqrt", "function.is_any_tag"} <= found.keys()
+    assert "while" not in found
+
+
+@pytest.mark.parametrize("text", ['print(f"at s|', 'print("{s|', 'x = f"{{s|', 'x = f"{speed} s|'])
+def test_the_text_around_values_offers_nothing(text):
+    assert typed(text) == {}
+
+
+def test_waiting_and_repeating_forever_are_suggested():
+    found = typed("    |")
+    assert found["forever"].insert == "forever:\n    ${pass}\nend"
+    assert found["wait until"].insert == "wait until ${condition}"
+    assert typed("robot.|", "python")["wait_until"].insert == "wait_until(lambda: ${condition})"
 
 
 def test_in_python_a_when_has_its_attributes():
@@ -210,6 +229,25 @@ def test_help_on_a_skill_has_its_parameters_and_description(program):
     assert found.text == builtin()["turn"].tooltip["EN"]
     assert (found.from_column, found.to_column, found.needs) == (14, 18, ())
     assert told(program, "python", "robot.tu|rn(").title == "robot.turn(angle)"
+
+
+@pytest.mark.parametrize(
+    ("skill", "served"),
+    [
+        ("is_center_black_line", "On this robot: the sensors under it"),
+        ("set_orientation", "On this robot: the wheels"),
+        ("is_front_obstacle", "On this robot: the distance sensors at the front"),
+    ],
+)
+def test_help_on_a_skill_says_what_serves_its_sense_on_the_robot(skill, served):
+    program = document(f"main:\n    x = function.{skill}()\nend\n")
+    assert str(told(program, "blocktext", f"function.|{skill}").serves) == served
+
+
+@pytest.mark.parametrize("skill", ["move_straight", "is_center_red_line"])
+def test_help_names_no_device_without_a_sense_or_without_what_serves_it(skill):
+    program = document(f"main:\n    x = function.{skill}()\nend\n")
+    assert told(program, "blocktext", f"function.|{skill}").serves is None
 
 
 def test_a_device_that_the_robot_lacks_is_named(program):
@@ -321,7 +359,7 @@ def test_any_position_in_any_text_has_an_answer(text, notation, line, column):
 def test_every_word_and_function_is_explained_in_every_language():
     english = json.loads((HELP / "en.json").read_text("utf-8"))
     assert english["functions"].keys() == FUNCTIONS
-    assert english["keywords"].keys() == KEYWORDS | {"python", "repeat"}
+    assert english["keywords"].keys() == KEYWORDS | {"python", "repeat", "forever", "wait", "until"}
     assert all(library_parameters(name) for name in FUNCTIONS)
     for path in HELP.glob("*.json"):
         other = json.loads(path.read_text("utf-8"))

@@ -3,7 +3,6 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from starlette.datastructures import Headers
 from starlette.requests import HTTPConnection
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
@@ -13,13 +12,18 @@ from learnblock.server.http.protection import (
     is_loopback,
     offered_token,
 )
-from pages import TOKEN
+from pages import TOKEN, serving
 
 PROTECTION = Protection.of(TOKEN, ["robots.school", "*"], ["robots.school"])
 
 
+def request(*raw, client=None, kind="http"):
+    return HTTPConnection({"type": kind, "client": client, "headers": raw, "query_string": b""})
+
+
 def admits(protection, **headers):
-    return protection.admits(Headers(headers))
+    raw = [(name.encode(), value.encode()) for name, value in headers.items()]
+    return protection.admits(request(*raw))
 
 
 @pytest.mark.parametrize(
@@ -82,7 +86,7 @@ def test_a_token_comes_as_the_second_subprotocol(offered):
 @given(st.text(), st.text() | st.none())
 def test_any_headers_are_accepted_or_refused(host, origin):
     raw = [(b"host", host.encode())] + ([(b"origin", origin.encode())] if origin else [])
-    admitted = PROTECTION.admits(Headers(raw=raw))
+    admitted = PROTECTION.admits(request(*raw))
     assert not admitted or any(name in host.lower() for name in (*LOCAL_HOSTS, ".", ":"))
 
 
@@ -143,6 +147,52 @@ def test_nothing_may_be_fetched_from_other_servers(server):
     assert headers["Referrer-Policy"] == "no-referrer"
 
 
+# Behind a proxy that logs users in, and sends the token for them.
+
+PROXIED = Protection.of(TOKEN, proxy_sends_token=True)
+SENT = f"learnblock_token={TOKEN}"
+
+
+@pytest.fixture(scope="module")
+def proxied(tmp_path_factory):
+    with serving(tmp_path_factory.mktemp("proxied"), proxy_sends_token=True) as running:
+        yield running
+
+
+def test_the_proxy_may_have_any_name():
+    assert admits(PROXIED, host="school.example", cookie=SENT)
+    assert admits(PROXIED, host="school.example", cookie=SENT, origin="https://school.example")
+
+
+@pytest.mark.parametrize("cookie", ["", "learnblock_token=wrong", f"other={TOKEN}"])
+def test_without_the_token_no_name_is_admitted(cookie):
+    assert not admits(PROXIED, host="localhost", cookie=cookie)
+
+
+def test_a_page_of_another_site_is_refused_even_if_the_proxy_lets_it_in():
+    assert not admits(PROXIED, host="school.example", cookie=SENT, origin="https://evil.example")
+
+
+@pytest.mark.parametrize("path", ["/", "/palette/en.json", "/assets/x.js", "/manifest.webmanifest"])
+def test_not_even_a_file_is_sent_without_the_token_of_the_proxy(proxied, path):
+    assert proxied.get(path).status == 403
+
+
+def test_the_page_gets_no_token(proxied):
+    assert proxied.get("/palette/en.json", Cookie=SENT).status == 200
+    assert proxied.get("/", Cookie=SENT).headers["Set-Cookie"] is None
+
+
+def test_the_socket_needs_only_the_token_of_the_proxy(proxied):
+    with proxied.visit(token="stale", additional_headers={"Cookie": SENT}) as visitor:
+        assert visitor.next()["kind"] == "Welcome"
+
+
+def test_the_socket_of_a_page_that_comes_past_the_proxy_is_refused(proxied):
+    with pytest.raises(InvalidStatus, match="403"), proxied.visit():
+        pass
+
+
 # Users at this computer.
 
 ALONE = Protection.of(TOKEN)
@@ -150,9 +200,7 @@ ALONE = Protection.of(TOKEN)
 
 def is_local(protection, client, **headers):
     encoded = [(name.encode(), value.encode()) for name, value in headers.items()]
-    return protection.is_local(
-        HTTPConnection({"type": "websocket", "client": client, "headers": encoded})
-    )
+    return protection.is_local(request(*encoded, client=client, kind="websocket"))
 
 
 @pytest.mark.parametrize("address", ["127.0.0.1", "127.3.2.1", "::1"])
@@ -174,6 +222,10 @@ def test_nor_is_one_that_a_proxy_passes_on(header):
 
 def test_no_request_is_local_to_a_server_that_has_names_for_a_proxy():
     assert not is_local(PROTECTION, ("127.0.0.1", 4711))
+
+
+def test_no_request_is_local_to_a_server_whose_proxy_sends_the_token():
+    assert not is_local(PROXIED, ("127.0.0.1", 4711))
 
 
 @pytest.mark.parametrize("host", ["localhost", "127.0.0.1", "::1"])

@@ -137,3 +137,35 @@ def test_the_result_of_a_run_stays_when_its_world_is_reset(server, open_page):
     with server.visit() as other:
         other.say("Open", name="p")
         assert other.hear("Ended")["ended"]
+
+
+def test_a_checked_world_is_told_with_the_goals_that_cannot_be_reached(open_page):
+    wall = {"points": [[0, -1000], [0, 1000]]}
+    goal = {"reach": [{"name": "finish", "x": 600, "y": 0}]}
+    start = [{"x": -600, "y": 0}]
+    open_page.say("CheckWorld", world={"wall": [wall], "goal": goal, "start": start})
+    checked = open_page.hear("WorldChecked")
+    assert checked["problems"] == []
+    (told,) = checked["unreachable"]
+    assert (told["sort"], told["index"]) == ("reach", 0)
+    assert english(told["reason"]) == "The goal 'finish' cannot be reached: a wall is in the way."
+
+
+def test_a_world_with_mistakes_is_not_searched_for_ways(open_page):
+    open_page.say("CheckWorld", world={"floor": {"size": [1, 1]}})
+    checked = open_page.hear("WorldChecked")
+    assert checked["problems"]
+    assert not checked.get("unreachable")
+
+
+def test_a_world_is_made_from_a_template(open_page):
+    made = []
+    for _ in range(2):
+        open_page.say("MakeWorld", template="track", size=4, seed=12)
+        made.append(open_page.hear("WorldMade")["world"])
+    assert made[0] == made[1]
+    assert made[0]["line"][0]["closed"]
+    open_page.say("CheckWorld", world=made[0])
+    checked = open_page.hear("WorldChecked")
+    assert not checked["problems"]
+    assert not checked.get("unreachable")

@@ -27,7 +27,7 @@ def marks(case, language):
     """The messages on the blocks of a case, as the page shows them."""
     workspace = drawn(case["blocks"])
     robot = robots.find(case.get("robot", "sim-ebo")).load()
-    empty = Document.from_text("", robot.__module__, builtin(), devices=robot.device_names())
+    empty = Document.from_text("", robot.__module__, builtin(), equipment=robot.known_equipment())
     labels = {block.id: label(block, workspace) for block in blocks(workspace)}
     return list(
         dict.fromkeys(

@@ -138,7 +138,7 @@ def test_steps_use_the_currently_chosen_robot(edits):
     edits.replace(edits.document.with_robot(robots.find("sim-thymio").module, frozenset()))
     edits.undo()
     assert "sim_thymio" in edits.document.python
-    assert edits.document.target.devices == frozenset()
+    assert edits.document.target.equipment == frozenset()
 
 
 def test_the_number_of_steps_is_limited(edits, clock, monkeypatch):

@@ -17,7 +17,8 @@ from learnblock.server.projects import offering
 from learnblock.server.projects.carried import Carried, CarriedWorld, Code
 from learnblock.server.projects.folder import ProjectFolder
 from learnblock.server.projects.packing import encode_whole, fits, packed
-from learnblock.server.projects.project_file import LARGEST, Project, decode, encode
+from learnblock.server.projects.project import Project
+from learnblock.server.projects.project_file import LARGEST, decode, encode
 from learnblock.server.projects.unpacking import only_read, unpacked
 from learnblock.storage.home import home, home_id
 from shared_worlds import MAT, OTHER_ROOM, ROOM, png

@@ -19,7 +19,8 @@ from learnblock.running import allow_network, may_use_network
 from learnblock.server.messages import PastRun
 from learnblock.server.program.document import Document
 from learnblock.server.projects.folder import ProjectFolder
-from learnblock.server.projects.project_file import LARGEST, Project, checked_name, decode, encode
+from learnblock.server.projects.project import Project, checked_name
+from learnblock.server.projects.project_file import LARGEST, decode, encode
 from learnblock.storage import files
 from places import ROOT
 
@@ -181,9 +182,9 @@ def assert_read_or_refused(data):
     ("values", "code", "words"),
     [
         (
-            {"learnblock": 3},
+            {"learnblock": 5},
             "unknown-version",
-            "reads version 2. Open it with a newer",
+            "reads version 4. Open it with a newer",
         ),
         ({"learnblock": None}, "no-project", "not a LearnBlock project"),
         ({"robot": 7}, "wrong-value", "'robot' is 7. It must be the name"),

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from learnblock.errors import UnknownNameError
 from learnblock.server.messages import PastRun
 from learnblock.server.projects.history import MOST_RUNS, MOST_VERSIONS, History
-from learnblock.server.projects.project_file import Project
+from learnblock.server.projects.project import Project
 
 
 class Clock:

@@ -220,6 +220,66 @@ def test_a_program_asks_and_is_answered(page):
     assert page.hear("Ended")["ended"] == "finished"
 
 
+LISTENING = """main:
+    while not function.is_key_pressed("space"):
+        if function.is_key_pressed("up"):
+            print("up")
+        end
+    end
+end
+"""
+
+
+def test_a_program_finds_the_keys_that_its_users_hold_down(page):
+    page.open(text=LISTENING)
+    page.say("Run")
+    assert page.hear("KeysWanted")["keys"] == ["up", "space"]
+    page.say("HoldKeys", keys=["up"])
+    page.hear("Printed")
+    page.say("HoldKeys", keys=["space"])
+    assert page.hear("KeysWanted")["keys"] == []
+    assert page.hear("Ended")["ended"] == "finished"
+
+
+def test_a_page_that_is_closed_releases_its_keys(server):
+    with server.visit() as page:
+        page.open(text=LISTENING.replace('"space"', '"enter"').replace('"up"', '"space"'))
+        page.say("Run")
+        page.hear("KeysWanted")
+        with server.visit() as other:
+            other.say("Open", name="program")
+            assert other.hear("KeysWanted")["keys"] == ["space", "enter"]
+            other.say("HoldKeys", keys=["space"])
+            page.hear("Printed")
+        page.say("HoldKeys", keys=["enter"])
+        assert page.hear("Ended")["ended"] == "finished"
+
+
+def test_a_robot_is_shaken_and_tilted_while_its_program_runs(page):
+    text = """main:
+    wait until function.is_tilted("left")
+    print("tilted")
+    wait until function.is_shaken()
+end
+"""
+    page.open(text=text)
+    page.say("ChooseRobot", name="sim-cozmo")
+    page.hear("Scene")
+    page.say("Run")
+    # Only now is there a robot of the program in the world.
+    page.hear("RunningLine", line=6)
+    page.say("HandleRobot", how="left")
+    page.hear("Printed")
+    page.say("HandleRobot", how="shake")
+    assert page.hear("Ended")["ended"] == "finished"
+
+
+def test_an_unknown_key_is_refused(page):
+    page.open(text=LISTENING)
+    page.say("HoldKeys", keys=["escape"])
+    assert page.hear("Failed")
+
+
 def test_a_program_that_waits_for_an_answer_can_be_stopped(page):
     page.open(text='main:\n    name = input("Who? ")\nend\n')
     page.say("Run")
@@ -297,7 +357,9 @@ def test_the_sensors_of_a_real_robot_are_reported_even_if_the_program_reads_none
     (second,) = (one for one in seen[-1]["sensors"] if SECOND.items() <= one.items())
     assert (second["value"], second["unit"], second["highest"]) == (200, "mm", 2000)
     assert seen[-1]["robots"][0]["speed"] == [50.0, 0.0]
-    assert not seen[-1]["robots"][0]["located"]
+    robot = seen[-1]["robots"][0]
+    assert robot.get("located", True)
+    assert 0 < robot["x"] <= 60
     links = [one["state"] for one in heard if one["kind"] == "RobotLink"]
     assert "connected" in links
 

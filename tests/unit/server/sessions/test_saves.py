@@ -1,7 +1,7 @@
 """Which save another program has edited."""
 
 from learnblock.server.program.revisions import Revision
-from learnblock.server.projects.project_file import Project
+from learnblock.server.projects.project import Project
 from learnblock.server.sessions.saves import MOST_SAVES, Saved, Saves
 
 

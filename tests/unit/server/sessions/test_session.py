@@ -107,6 +107,29 @@ def test_the_chosen_world_is_shown(page):
     assert page.hear("Settings")["world"] == "line"
 
 
+def start_of(scene):
+    return scene["world"]["start"][0]
+
+
+def test_a_variant_of_the_world_is_shown_until_another_world_is_chosen(page):
+    page.open(text=PROGRAM)
+    page.say("ChooseWorld", name="arena")
+    drawn = page.hear("Scene")
+    page.say("ChooseWorld", name="arena", variant=7)
+    varied = page.hear("Scene", variant=7)
+    assert start_of(varied) != start_of(drawn)
+    page.say("ChooseRobot", name="sim-thymio")
+    assert page.hear("Scene", variant=7)["world"] == varied["world"]
+    page.say("ChooseWorld", name="arena")
+    assert start_of(page.hear("Scene")) == start_of(drawn)
+
+
+def test_a_world_without_variants_says_so(page):
+    page.open(text=PROGRAM)
+    page.say("ChooseWorld", name="relay", variant=1)
+    assert "variant" in str(page.hear("Failed")["message"])
+
+
 def test_two_projects_do_not_affect_each_other(server, page):
     page.open("one", PROGRAM)
     with server.visit() as other:

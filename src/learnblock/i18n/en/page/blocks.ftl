@@ -1,13 +1,51 @@
 # The view of the program as blocks.
 
 page-blocks-label = Program as blocks
+page-blocks-more = { $count ->
+    [one] 1 more block
+   *[other] { $count } more blocks
+}
+page-blocks-fewer = Fewer blocks
+# $robot: a robot's name. $device: what it lacks, such as: screen
+page-blocks-missing = { $robot } has no { $device }
+page-blocks-inserted = Added: { $block }
+page-blocks-sheet = Blocks: { $group }
+page-blocks-drop-to-delete = Drop here to delete
+page-blocks-other = Other…
+page-blocks-other-prompt = Which one?
+page-blocks-piano = Piano
+page-blocks-pin = Keep the palette open
+page-blocks-unpin = Close the palette after use
+page-blocks-help = Help
+# $block: the words of the block
+page-blocks-help-on = Help: { $block }
+page-blocks-help-key = Explain block
+page-blocks-help-values = Values
+page-blocks-help-insert = Insert this block
+page-blocks-help-range = a number from { $min } to { $max }
+page-blocks-help-choice = one of: { $choices }
+page-blocks-help-float = a number
+page-blocks-help-int = a whole number
+page-blocks-help-string = text
+page-blocks-help-boolean = true or false
+page-blocks-help-list = a list
+page-blocks-help-apriltext = a tag's number or name
+page-blocks-help-colour = a colour
+page-blocks-help-angle = an angle in degrees, clockwise
 page-blocks-search = Search
 page-blocks-search-blocks = Search for blocks
 page-blocks-search-program = Search in the program
 page-blocks-previous = Previous
 page-blocks-next = Next
 page-blocks-close = Close
-page-blocks-loading = Loading blocks… You can edit the text in the meantime.
+page-blocks-empty = Drag a block here.
+page-blocks-empty-keys = Drag a block here, or press Enter on it. Everything works with the keyboard, too: F1 helps.
+page-blocks-loading = Loading blocks…
+page-blocks-rest = { $count ->
+    [one] 1 more block
+   *[other] { $count } more blocks
+    }
+page-blocks-open-rest = Show these blocks
 page-blocks-failed = The blocks could not be loaded. Check that LearnBlock is running, then reload the page.
 page-blocks-new-when = New event…
 page-blocks-when-name = event

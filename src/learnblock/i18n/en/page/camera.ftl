@@ -4,6 +4,7 @@ page-camera-camera = Robot camera
 page-camera-picture = Camera picture. Everything recognised in it is listed below.
 page-camera-found = Recognised in the picture
 page-camera-no-camera = This robot has no camera.
+page-camera-not-kept = The picture of this moment was not recorded.
 page-camera-tag = Tag
 page-camera-face = Face
 page-camera-feeling-face = Face: { $emotion }

@@ -1,6 +1,7 @@
 # Problems and results. $message is the text of an error from Python.
 
 page-problems-none = No problems. The program is ready to run.
+page-problems-runs-on = This program runs on
 page-problems-some = { $count ->
     [one] 1 error in the program
    *[other] { $count } errors in the program
@@ -42,6 +43,9 @@ page-problems-no-effect = No effect
 page-problems-missing = { $skill }: this robot has no { $device }
 page-problems-emotions-off = { $skill }: emotions are not recognised on this camera. Camera recognition in the menu says why.
 page-problems-trace = Trace
+page-problems-hash = Hash of the run
+page-problems-not-repeatable = A real robot took part, so this run can't be repeated exactly.
+page-problems-hash-text = Two runs with the same hash did exactly the same.
 page-problems-run-zero-division-error = You can't divide by zero. Check the number after the division sign ({ $message }).
 page-problems-run-name-error = A name has no value. Give it one first, or check its spelling ({ $message }).
 page-problems-run-unbound-local-error = A variable is used before it has a value. Set it first ({ $message }).

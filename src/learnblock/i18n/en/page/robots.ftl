@@ -65,3 +65,4 @@ page-robots-setting-touch = Touch sensor
 page-robots-setting-track = Distance between wheels
 page-robots-setting-full-speed = Maximum speed
 page-robots-setting-speed-unit = Speed unit
+page-robots-setting-name = Name

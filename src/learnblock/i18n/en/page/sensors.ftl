@@ -27,11 +27,14 @@ page-sensors-name = { $device ->
    *[other] { $device }
 }{ $place ->
     [none] {""}
-    [front] {" front"}
-    [back] {" back"}
-    [left] {" left"}
-    [right] {" right"}
-    [central] {" central"}
+    [front] {" in front"}
+    [back] {" behind"}
+    [left] { $device ->
+        [Accelerometer] {" to the left"}
+       *[other] {" on the left"}
+    }
+    [right] {" on the right"}
+    [central] {" in the middle"}
     [forward] {" forward"}
     [up] {" up"}
    *[other] {" "}{ $place }

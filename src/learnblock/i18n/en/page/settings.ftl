@@ -7,6 +7,7 @@ page-settings-theme-dark = Dark
 page-settings-theme-contrast = High contrast
 page-settings-sound = Robot sounds
 page-settings-audible = Sounds for distances and collisions
+page-settings-celebrate = Celebrate reached goals
 page-settings-about = LearnBlock { $version }. Your projects are in { $folder }.
 page-settings-shortcuts = Keyboard shortcuts
 page-settings-page = Page

@@ -13,6 +13,7 @@ page-text-help = Explain the word at the cursor
 page-text-definition = Go to definition
 page-text-rename = Rename
 page-text-reveal = Show in the other views
+page-text-why = Why did this line run, or not?
 page-text-rename-to = New name of “{ $name }”:
 page-text-cancel = Cancel
 page-text-lacks = This robot has no { $devices }, so this does nothing.

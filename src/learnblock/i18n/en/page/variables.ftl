@@ -3,6 +3,7 @@
 page-variables-title = Program variables
 page-variables-name = Name
 page-variables-value = Value
+page-variables-stack = In { $functions }
 page-variables-local = In this function
 page-variables-shared = Global
 page-variables-whens = Event
@@ -11,3 +12,6 @@ page-variables-time = Active for
 page-variables-active = ● active
 page-variables-inactive = ○ waiting
 page-variables-nothing = Run a program to see its variables.
+page-variables-changes = Changes
+page-variables-change-before = Go to the previous change of { $name }
+page-variables-change-after = Go to the next change of { $name }

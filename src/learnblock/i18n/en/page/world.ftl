@@ -4,8 +4,18 @@ page-world-label = The world. Arrow keys turn the view, plus and minus zoom, W s
 page-world-image = World: { $title }.
 page-world-image-empty = The world is empty.
 page-world-no3d = This browser can't show the world in 3D. Programs still run. To see the world, turn on hardware acceleration or WebGL in the browser's settings, or use a newer browser.
-page-world-toolbar = World view
-page-world-tool-key = { $tool } ({ $key })
+page-world-toolbar = View
+page-world-eye = View and robot
+page-world-this = This world
+page-world-shown = Shown
+page-world-values = Values of the robot
+page-world-front = Front
+page-world-heading = Heading
+page-world-driven = Driven
+page-world-mm = { $mm } mm
+page-world-over-mm = over { $mm } mm
+page-world-degrees = { $degrees }°
+page-world-tool-eye = Robot’s eye view
 page-world-tool-orbit = Look around
 page-world-tool-follow = Follow the robot
 page-world-tool-top = View from above
@@ -16,7 +26,26 @@ page-world-tool-trail = Show the robot's trail
 page-world-tool-beams = Show distance sensor beams
 page-world-tool-place = Place robot with keyboard
 page-world-tool-where = Where is the robot?
+page-world-tool-why = Why is the robot doing this?
+page-world-hand = Shake and tilt the robot
+page-world-tool-shake = Shake robot
+page-world-tool-front = Tilt robot forward
+page-world-tool-back = Tilt robot backward
+page-world-tool-left = Tilt robot to the left
+page-world-tool-right = Tilt robot to the right
 page-world-placing = Arrow keys move the robot by 10 mm (Shift: 100 mm); comma and full stop turn it. Press Escape to finish.
+# $keys: those that programs ask for; $programs: how many do.
+page-world-keys-wanted = { $programs ->
+    [one] The program listens to { $keys }. Click the world to press them.
+   *[other] The programs listen to { $keys }. Click the world to press them.
+}
+page-world-keys-heard = { $programs ->
+    [one] The program listens to { $keys }.
+   *[other] The programs listen to { $keys }.
+}
+page-world-keys-all = all letters, digits, arrows, space and enter
+page-world-key-space = space
+page-world-key-enter = enter
 page-world-placed = The robot stays here.
 page-world-not-now = The robot can't be moved while a program is running. Pause or stop the program first.
 page-world-robot = { $robot } at { $place }
@@ -43,6 +72,30 @@ page-world-emotion-fear = fear
 page-world-emotion-disgust = disgust
 page-world-emotion-surprise = surprise
 page-world-emotion-neutral = a neutral face
+page-world-text = showing “{ $text }”
 page-world-goal-reached = Goal reached: { $name }.
 page-world-goal-failed = Goal failed: { $name }.
 page-world-goal-open = Goal not reached yet: { $name }.
+
+# The themes of worlds.
+
+page-world-kind-ball = Ball
+page-world-kind-barrel = Barrel
+page-world-kind-block = Block
+page-world-kind-cone = Traffic cone
+page-world-kind-crate = Crate
+page-world-kind-flowers = Flowers
+page-world-kind-house = House
+page-world-kind-lamp = Street lamp
+page-world-kind-pile = Pile of blocks
+page-world-kind-planet = Planet
+page-world-kind-post = Post
+page-world-kind-rocket = Rocket
+page-world-kind-tree = Tree
+page-world-theme-playground = Playground
+page-world-theme-city = City
+page-world-theme-space = Space
+page-world-theme-warehouse = Warehouse
+page-world-theme-garden = Garden
+page-world-theme-night = Night
+page-world-theme-maze = Maze

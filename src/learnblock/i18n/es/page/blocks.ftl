@@ -1,13 +1,51 @@
 # La vista del programa en bloques.
 
 page-blocks-label = Programa en bloques
+page-blocks-more = { $count ->
+    [one] 1 bloque más
+   *[other] { $count } bloques más
+}
+page-blocks-fewer = Menos bloques
+# $robot: a robot's name. $device: what it lacks, such as: screen
+page-blocks-missing = { $robot } no tiene { $device }
+page-blocks-inserted = Añadido: { $block }
+page-blocks-sheet = Bloques: { $group }
+page-blocks-drop-to-delete = Suelta aquí para eliminar
+page-blocks-other = Otro…
+page-blocks-other-prompt = ¿Cuál?
+page-blocks-piano = Piano
+page-blocks-pin = Mantener abierta la paleta
+page-blocks-unpin = Cerrar la paleta después de usarla
+page-blocks-help = Ayuda
+# $block: the words of the block
+page-blocks-help-on = Ayuda: { $block }
+page-blocks-help-key = Explicar el bloque
+page-blocks-help-values = Valores
+page-blocks-help-insert = Insertar este bloque
+page-blocks-help-range = un número de { $min } a { $max }
+page-blocks-help-choice = uno de: { $choices }
+page-blocks-help-float = un número
+page-blocks-help-int = un número entero
+page-blocks-help-string = un texto
+page-blocks-help-boolean = verdadero o falso
+page-blocks-help-list = una lista
+page-blocks-help-apriltext = el número o el nombre de una etiqueta
+page-blocks-help-colour = un color
+page-blocks-help-angle = un ángulo en grados, hacia la derecha
 page-blocks-search = Buscar
 page-blocks-search-blocks = Buscar bloques
 page-blocks-search-program = Buscar en el programa
 page-blocks-previous = Anterior
 page-blocks-next = Siguiente
 page-blocks-close = Cerrar
-page-blocks-loading = Cargando los bloques… Mientras tanto puedes editar el texto.
+page-blocks-empty = Arrastra un bloque hasta aquí.
+page-blocks-empty-keys = Arrastra un bloque hasta aquí, o pulsa Intro sobre él. Todo funciona también con el teclado: F1 ayuda.
+page-blocks-loading = Cargando los bloques…
+page-blocks-rest = { $count ->
+    [one] 1 bloque más
+   *[other] { $count } bloques más
+    }
+page-blocks-open-rest = Mostrar estos bloques
 page-blocks-failed = No se han podido cargar los bloques. Comprueba que LearnBlock está en marcha y recarga la página.
 page-blocks-new-when = Nuevo evento…
 page-blocks-when-name = evento

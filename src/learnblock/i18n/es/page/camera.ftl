@@ -4,6 +4,7 @@ page-camera-camera = Cámara del robot
 page-camera-picture = Imagen de la cámara. Lo que reconoce está en la lista de abajo.
 page-camera-found = Reconocido en la imagen
 page-camera-no-camera = Este robot no tiene cámara.
+page-camera-not-kept = La imagen de este momento no se grabó.
 page-camera-tag = Etiqueta
 page-camera-face = Cara
 page-camera-feeling-face = Cara: { $emotion }

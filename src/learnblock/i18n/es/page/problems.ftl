@@ -1,6 +1,7 @@
 # Problemas y resultados.
 
 page-problems-none = Sin problemas. El programa está listo para ejecutarse.
+page-problems-runs-on = Este programa funciona en
 page-problems-some = { $count ->
     [one] 1 error en el programa
    *[other] { $count } errores en el programa
@@ -42,6 +43,9 @@ page-problems-no-effect = Sin efecto
 page-problems-missing = { $skill }: este robot no tiene { $device }
 page-problems-emotions-off = { $skill }: en esta cámara no se reconocen emociones. El menú «Reconocimiento con la cámara» dice por qué.
 page-problems-trace = Traza
+page-problems-hash = Hash de la ejecución
+page-problems-not-repeatable = Participó un robot real: esta ejecución no se puede repetir exactamente.
+page-problems-hash-text = Dos ejecuciones con el mismo hash hicieron exactamente lo mismo.
 page-problems-run-zero-division-error = No se puede dividir entre cero. Revisa el número que hay detrás del signo de división ({ $message }).
 page-problems-run-name-error = Un nombre no tiene valor. Dale uno antes o revisa cómo está escrito ({ $message }).
 page-problems-run-unbound-local-error = Se usa una variable antes de que tenga valor. Dale uno antes ({ $message }).

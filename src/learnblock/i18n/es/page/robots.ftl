@@ -65,3 +65,4 @@ page-robots-setting-touch = Sensor de contacto
 page-robots-setting-track = Distancia entre las ruedas
 page-robots-setting-full-speed = Velocidad máxima
 page-robots-setting-speed-unit = Unidad de velocidad
+page-robots-setting-name = Nombre

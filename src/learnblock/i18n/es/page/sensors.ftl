@@ -27,11 +27,14 @@ page-sensors-name = { $device ->
     [none] {""}
     [front] {" delante"}
     [back] {" detrás"}
-    [left] {" izquierda"}
-    [right] {" derecha"}
-    [central] {" centro"}
-    [forward] {" adelante"}
-    [up] {" arriba"}
+    [left] { $device ->
+        [Accelerometer] {" hacia la izquierda"}
+       *[other] {" a la izquierda"}
+    }
+    [right] {" a la derecha"}
+    [central] {" en el centro"}
+    [forward] {" hacia adelante"}
+    [up] {" hacia arriba"}
    *[other] {" "}{ $place }
 }{ $number ->
     [0] {""}

@@ -13,6 +13,7 @@ page-text-help = Explicar la palabra bajo el cursor
 page-text-definition = Ir a la definición
 page-text-rename = Cambiar el nombre
 page-text-reveal = Mostrar en las otras vistas
+page-text-why = ¿Por qué se ejecutó esta línea, o no?
 page-text-rename-to = Nuevo nombre de «{ $name }»:
 page-text-cancel = Cancelar
 page-text-lacks = Este robot no tiene { $devices }: esto no hace nada.

@@ -5,7 +5,17 @@ page-world-image = Mundo: { $title }.
 page-world-image-empty = El mundo está vacío.
 page-world-no3d = Este navegador no puede mostrar el mundo en 3D. Los programas funcionan igualmente. Para ver el mundo, activa la aceleración por hardware o WebGL en los ajustes del navegador, o usa un navegador más reciente.
 page-world-toolbar = Vista del mundo
-page-world-tool-key = { $tool } ({ $key })
+page-world-eye = Vista y robot
+page-world-this = Este mundo
+page-world-shown = Se muestra
+page-world-values = Valores del robot
+page-world-front = Delante
+page-world-heading = Rumbo
+page-world-driven = Recorrido
+page-world-mm = { $mm } mm
+page-world-over-mm = más de { $mm } mm
+page-world-degrees = { $degrees }°
+page-world-tool-eye = Vista desde el robot
 page-world-tool-orbit = Mirar alrededor
 page-world-tool-follow = Seguir al robot
 page-world-tool-top = Ver desde arriba
@@ -16,7 +26,26 @@ page-world-tool-trail = Mostrar el rastro del robot
 page-world-tool-beams = Mostrar los rayos de los sensores de distancia
 page-world-tool-place = Colocar el robot con el teclado
 page-world-tool-where = ¿Dónde está el robot?
+page-world-tool-why = ¿Por qué hace esto el robot?
+page-world-hand = Sacudir e inclinar el robot
+page-world-tool-shake = Sacudir el robot
+page-world-tool-front = Inclinar el robot hacia delante
+page-world-tool-back = Inclinar el robot hacia atrás
+page-world-tool-left = Inclinar el robot a la izquierda
+page-world-tool-right = Inclinar el robot a la derecha
 page-world-placing = Las flechas mueven el robot 10 mm (Mayús: 100 mm); la coma y el punto lo giran. Pulsa Escape para terminar.
+# $keys: those that programs ask for; $programs: how many do.
+page-world-keys-wanted = { $programs ->
+    [one] El programa escucha { $keys }. Haz clic en el mundo para pulsarlas.
+   *[other] Los programas escuchan { $keys }. Haz clic en el mundo para pulsarlas.
+}
+page-world-keys-heard = { $programs ->
+    [one] El programa escucha { $keys }.
+   *[other] Los programas escuchan { $keys }.
+}
+page-world-keys-all = todas las letras, cifras y flechas, el espacio e intro
+page-world-key-space = espacio
+page-world-key-enter = intro
 page-world-placed = El robot se queda aquí.
 page-world-not-now = El robot no se puede mover mientras se ejecuta un programa. Pausa o para antes el programa.
 page-world-robot = { $robot } a { $place }
@@ -43,6 +72,30 @@ page-world-emotion-fear = miedo
 page-world-emotion-disgust = asco
 page-world-emotion-surprise = sorpresa
 page-world-emotion-neutral = una cara neutra
+page-world-text = muestra «{ $text }»
 page-world-goal-reached = Objetivo alcanzado: { $name }.
 page-world-goal-failed = Objetivo fallido: { $name }.
 page-world-goal-open = Objetivo aún no alcanzado: { $name }.
+
+# The themes of worlds.
+
+page-world-kind-ball = Pelota
+page-world-kind-barrel = Barril
+page-world-kind-block = Bloque
+page-world-kind-cone = Cono de tráfico
+page-world-kind-crate = Caja de madera
+page-world-kind-flowers = Flores
+page-world-kind-house = Casa
+page-world-kind-lamp = Farola
+page-world-kind-pile = Pila de bloques
+page-world-kind-planet = Planeta
+page-world-kind-post = Poste
+page-world-kind-rocket = Cohete
+page-world-kind-tree = Árbol
+page-world-theme-playground = Patio de juegos
+page-world-theme-city = Ciudad
+page-world-theme-space = Espacio
+page-world-theme-warehouse = Almacén
+page-world-theme-garden = Jardín
+page-world-theme-night = Noche
+page-world-theme-maze = Laberinto

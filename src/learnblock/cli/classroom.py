@@ -1,0 +1,106 @@
+"""`learnblock class`: a class in one room, whose pupils join by a word."""
+
+import shutil
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from learnblock.cli.console import say, text
+from learnblock.errors import LearnBlockError
+
+if TYPE_CHECKING:
+    from learnblock.i18n import Phrase
+
+
+@click.command("class")
+@click.argument("name")
+@click.option(
+    "--folder",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Where the class is kept  [default: classes/NAME in your own folder]",
+)
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    help="Listen on this port  [default: 8421, or a free one if that is taken]",
+)
+@click.option("--host", metavar="ADDRESS", help="Listen on this address  [default: 0.0.0.0]")
+@click.option(
+    "--allow-host",
+    "allowed_hosts",
+    metavar="NAME",
+    multiple=True,
+    help="A name that the network uses for this computer.",
+)
+@click.option("--tls", is_flag=True, help="Use HTTPS, with a certificate made for the class.")
+@click.option("--no-browser", is_flag=True, help="Only print the addresses.")
+@click.option("--delete", is_flag=True, help="Delete the class with everything its pupils made.")
+def class_command(name: str, folder: Path | None, *, delete: bool, **choices: Any) -> None:
+    r"""Open a class: pupils join it by a word, from any device in the room.
+
+    It prints the address for pupils and the join word, and opens the teacher's wall. Each pupil has
+    a first name and four pictures instead of an account, and a LearnBlock of their own on this
+    computer. Ctrl-C saves everything and closes the class; the same command opens it again.
+
+    \b
+    learnblock class 7b
+    learnblock class 7b --tls
+    """
+    from learnblock.classroom.roster import class_folder  # noqa: PLC0415 - `--help` needs it not
+
+    folder = folder or class_folder(name)
+    if delete:
+        _delete(name, folder)
+    else:
+        _open(name, folder, **choices)
+
+
+def _open(
+    name: str, folder: Path, *, host: str | None, tls: bool, no_browser: bool, **place: Any
+) -> None:
+    if sys.platform == "win32":
+        raise LearnBlockError("class-not-on-windows")
+    # `--help` needs none of these.
+    from learnblock.classroom.certificate import own_certificate  # noqa: PLC0415
+    from learnblock.classroom.roster import Roster  # noqa: PLC0415
+    from learnblock.classroom.serve import EVERYWHERE, ClassService, serve_class  # noqa: PLC0415
+    from learnblock.server.catalog.lessons import lesson_choices  # noqa: PLC0415
+    from learnblock.server.projects.writer import Writer  # noqa: PLC0415
+    from learnblock.server.serve import show_in_browser  # noqa: PLC0415
+
+    with Writer(folder) as writer:
+        if not writer.claim():
+            raise LearnBlockError("class-already-open", title=name)
+        roster = Roster(folder, name)
+        choices, _ = lesson_choices()
+        service = ClassService(
+            roster,
+            _announce,
+            [(choice.name, choice.title) for choice in choices if not choice.own],
+            host=host or EVERYWHERE,
+            certificate=own_certificate(folder) if tls else None,
+            **place,
+        )
+        serve_class(service, show=None if no_browser else show_in_browser)
+
+
+def _delete(name: str, folder: Path) -> None:
+    from learnblock.classroom.roster import FILE  # noqa: PLC0415 - see above
+
+    if not (folder / FILE).is_file():
+        raise LearnBlockError("class-unknown", title=name, folder=str(folder))
+    click.confirm(text(_question(name)), abort=True)
+    shutil.rmtree(folder)
+    say("class-deleted", title=name)
+
+
+def _question(name: str) -> "Phrase":
+    from learnblock.i18n import Phrase  # noqa: PLC0415 - see above
+
+    return Phrase("class-delete", title=name)
+
+
+def _announce(phrase: "Phrase") -> None:
+    click.echo(text(phrase))

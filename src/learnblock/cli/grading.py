@@ -1,0 +1,191 @@
+"""A grading on the command line: what was handed in, a progress bar, and where the results are."""
+
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import partial
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import click
+
+from learnblock import robots as known_robots
+from learnblock.cli.console import say, text, usage_error
+from learnblock.cli.interrupts import stopped_by_signals
+from learnblock.cli.language import language
+from learnblock.cli.project_files import ENDING, opened
+from learnblock.errors import FileError, LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.lessons.grading.executors import OpenWorkers, cluster, local
+from learnblock.lessons.grading.grading import Grading
+from learnblock.lessons.grading.journal import opened_journal
+from learnblock.lessons.grading.output import write_results
+from learnblock.lessons.grading.plan import Plan, tries
+from learnblock.lessons.grading.values import HandedIn
+from learnblock.lessons.opened import OpenLesson
+from learnblock.lessons.reading import find_lesson
+from learnblock.lessons.trying import attempts
+from learnblock.running.batch import processors
+
+_ENDINGS = (".bt", ".py", ENDING)
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """What the teacher asks for; None leaves the choice to the lesson or to this computer.
+
+    Args:
+        lesson: the name or path of the lesson.
+        step: the number of the step.
+        variants: the number of variants.
+        robots: the names of the robots.
+        jobs: how many runs are made at once.
+        scheduler: the address of a Dask cluster.
+        class_name: the class whose programs are graded; None if files are.
+        out: the folder for the results.
+    """
+
+    lesson: str
+    step: int | None
+    variants: int | None
+    robots: tuple[str, ...] | None
+    jobs: int | None
+    scheduler: str | None
+    class_name: str | None
+    out: Path
+
+
+def grade(handed_in: Sequence[Path], wish: Wish) -> bool:
+    """Grade, write and report the results, and return whether everything is finished."""
+    opened_lesson = find_lesson(wish.lesson)
+    step = wish.step or _last_with_checks(opened_lesson)
+    for name in wish.robots or ():
+        _check_simulated(name)
+    wanted = attempts(opened_lesson, step, robots=wish.robots, variants=wish.variants)
+    plan = Plan(
+        opened_lesson,
+        step,
+        tuple(_read_class(wish, step) if wish.class_name else _read_all(handed_in)),
+        tries(opened_lesson, step, wanted),
+        version("learnblock-studio"),
+    )
+    if not plan.handed_in:
+        raise usage_error("grade-nothing-handed-in")
+    with opened_journal(wish.out) as journal:
+        grading = Grading(plan, journal)
+        with stopped_by_signals(grading.stop):
+            _show(grading, _workers(wish))
+        write_results(grading, wish.out, language(), lesson=wish.lesson)
+    say("grade-written", file=str(wish.out / "results.html"), err=True)
+    return _say_what_is_missing(grading)
+
+
+def _say_what_is_missing(grading: Grading) -> bool:
+    """Say what is missing; return whether nothing is."""
+    if failures := grading.failures:
+        reason = text(failures[0])
+        say("grade-not-made", count=len(failures), reason=reason, err=True)
+    if grading.is_stopped:
+        say("grade-stopped", err=True)
+    return not failures and not grading.is_stopped
+
+
+def _show(grading: Grading, workers: OpenWorkers) -> None:
+    """Make everything, with a bar that says how long it still takes."""
+    shown: Any = click.progressbar(
+        length=1,
+        label=text(Phrase("grade-running")),
+        show_pos=True,
+        file=sys.stderr,
+    )
+    with shown as bar:
+        for progress in grading.run(workers):
+            bar.length = progress.total
+            bar.update(progress.done - bar.pos)
+
+
+def _workers(wish: Wish) -> OpenWorkers:
+    if wish.scheduler:
+        return partial(cluster, wish.scheduler)
+    return partial(local, wish.jobs or processors())
+
+
+def _last_with_checks(opened_lesson: OpenLesson) -> int:
+    steps = enumerate(opened_lesson.lesson.step, start=1)
+    found = [number for number, one in steps if one.check]
+    if not found:
+        raise LearnBlockError("grade-no-checks", lesson=opened_lesson.name)
+    return found[-1]
+
+
+def _check_simulated(name: str) -> None:
+    if not known_robots.find(name).load().lockstep:
+        raise LearnBlockError("grade-real-robot", robot=name)
+
+
+def _read_class(wish: Wish, step: int) -> Iterator[HandedIn]:
+    """What the pupils of a class have made in the step.
+
+    Raises:
+        LearnBlockError: there is no such class.
+    """
+    # The command line needs none of it otherwise.
+    from learnblock.classroom.collecting import collect  # noqa: PLC0415
+    from learnblock.classroom.roster import known_class  # noqa: PLC0415
+
+    assert wish.class_name  # noqa: S101 - the caller has looked
+    for work in collect(known_class(wish.class_name), find_lesson(wish.lesson).name, step):
+        project, file = work.project, str(work.file)
+        if project is None:
+            yield HandedIn(work.pupil, file, reason=Phrase("grade-no-program"))
+        else:
+            is_python = project.python is not None
+            text = project.blocktext if project.python is None else project.python
+            yield HandedIn(work.pupil, file, text, is_python, dict(project.tags))
+
+
+def _read_all(paths: Sequence[Path]) -> Iterator[HandedIn]:
+    """What was handed in, in the order of the names of files in each folder."""
+    for path in paths:
+        if not path.is_dir():
+            yield _read(path, path.stem)
+            continue
+        for inner in sorted(path.iterdir()):
+            if inner.is_dir():
+                yield _read_folder(inner)
+            elif inner.suffix in _ENDINGS:
+                yield _read(inner, inner.stem)
+
+
+def _read_folder(folder: Path) -> HandedIn:
+    """What is in a pupil's folder: the only program in it."""
+    found = sorted(one for one in folder.rglob("*") if one.suffix in _ENDINGS and one.is_file())
+    if len(found) == 1:
+        return _read(found[0], folder.name)
+    names = tuple(str(one.relative_to(folder)) for one in found[:5])
+    reason = Phrase("grade-many-programs", files=names) if found else Phrase("grade-no-program")
+    return HandedIn(folder.name, str(folder), reason=reason)
+
+
+def _read(path: Path, pupil: str) -> HandedIn:
+    try:
+        with opened(path) as program:
+            source = program.source
+            tags = dict(program.tags)
+    except FileError as error:
+        return HandedIn(pupil, str(path), _text_of(path), reason=error.phrase)
+    except LearnBlockError as error:
+        return HandedIn(pupil, str(path), reason=error.phrase)
+    except OSError as error:
+        return HandedIn(pupil, str(path), reason=Phrase(error.strerror or str(error)))
+    return HandedIn(pupil, str(path), source.text, source.is_python, tags)
+
+
+def _text_of(path: Path) -> str:
+    """The text of a program that is invalid, so that the teacher can read it; "" for a project."""
+    with suppress(OSError, UnicodeDecodeError):
+        if path.suffix != ENDING:
+            return path.read_text("utf-8-sig")
+    return ""

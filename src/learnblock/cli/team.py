@@ -1,0 +1,367 @@
+"""A run of several programs on the command line: its output, its state and its report."""
+
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, ExitStack, nullcontext
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+from time import monotonic
+
+import click
+
+from learnblock import running
+from learnblock.cli.assignment import Assignment
+from learnblock.cli.console import ExitCode, print_json, text, usage_error
+from learnblock.cli.interrupts import stopped_by_signals
+from learnblock.cli.keyboard import (
+    Keyboard,
+    NoKeys,
+    RecordedKeyboard,
+    listens_to_terminal,
+    shared_keyboard,
+)
+from learnblock.cli.project_files import ProgramFile, opened_all, robots_in
+from learnblock.cli.reporting import (
+    EXIT_CODES,
+    STATUS_PERIOD,
+    Collector,
+    ask,
+    check_picture,
+    effect_rows,
+    ending_rows,
+    goal_row,
+    mistakes,
+    opened_trace,
+    print_row,
+    refused_report,
+    say_if_not_whole,
+    time_limit,
+)
+from learnblock.errors import FileError, LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.robots import RobotEntry
+from learnblock.running import MOST_ROBOTS, Options, Report
+from learnblock.running.recorded_keys import read_keys_of
+from learnblock.running.robot_names import robot_names
+from learnblock.running.team import Member, TeamReport, TeamRun
+from learnblock.runtime.ending import How
+from learnblock.runtime.log.keeping import RunLog
+
+#: Characters of a name, which is the program's file without its ending.
+LONGEST_NAME = 40
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """A program that was read, and its robots.
+
+    Args:
+        found: the program, with what its project says.
+        entry: the robot.
+        assignment: the program and its robots as the user gave them.
+    """
+
+    found: ProgramFile
+    entry: RobotEntry
+    assignment: Assignment
+
+
+def run_team(
+    programs: Sequence[Assignment],
+    *,
+    robot: str | None,
+    world: str | None,
+    seed: int | None,
+    variant: int | None,
+    pace: str | None,
+    seconds: float | None,
+    trace: Path | None,
+    picture: Path | None,
+    why: Path | None,
+    keys: Path | None,
+    anyway: bool,
+    allow_network: bool,
+    as_json: bool,
+) -> int:
+    """Run several programs together, print the report, and return the exit code."""
+    robots = sum(one.count * robots_in(one.file) for one in programs)
+    if robots > MOST_ROBOTS:
+        raise usage_error("report-team-too-many", count=robots, limit=MOST_ROBOTS)
+    check_picture(picture)
+    with ExitStack() as stack:
+        parts = [part for one in programs for part in _read(stack, one, robot, as_json=as_json)]
+        if _refuse(parts, anyway=anyway, as_json=as_json):
+            return ExitCode.MISTAKES
+        members = list(_members(parts, network=allow_network))
+        listens = not (keys or as_json) and any(listens_to_terminal(one.program) for one in members)
+        if pace is None and (listens or not all(member.twin for member in members)):
+            # A world at full speed would be over before a real robot or a person has moved.
+            pace = "real"
+        worlds = (part.found.world for part in parts if part.entry.load().lockstep)
+        options = Options(world or next(filter(None, worlds), None), seed, pace, variant=variant)
+        options = replace(options, seconds=time_limit(pace, seconds))
+        file = stack.enter_context(opened_trace(trace))
+        keyboards = stack.enter_context(_keyboards(members, keys, quiet=as_json))
+        screen = _Screen(keyboards, quiet=as_json)
+        logs = _logs(members, why)
+        session = TeamRun(members, options, trace=file, watch=screen.watcher, logs=logs)
+        report = _run(session, screen)
+        _print(report, session, screen, as_json=as_json)
+        for log in logs.values():
+            say_if_not_whole(log)
+        if picture:
+            _draw(session, picture)
+    codes = [EXIT_CODES.get(How(one.ended), ExitCode.WELL) for _, one in report.robots]
+    return max(codes)
+
+
+def _keyboards(
+    members: Sequence[Member], keys: Path | None, *, quiet: bool
+) -> AbstractContextManager[Mapping[str, Keyboard]]:
+    """The keyboard of each robot whose program may find keys pressed.
+
+    Args:
+        members: the robots.
+        keys: a file with recorded keys; None for the terminal's.
+        quiet: whether the run does not listen to the terminal, as its output is for a script.
+    """
+    if keys:
+        recorded = read_keys_of(keys, [member.name for member in members])
+        return nullcontext({name: RecordedKeyboard(one) for name, one in recorded.items()})
+    if quiet:
+        return nullcontext({})
+    return shared_keyboard({member.name: member.program for member in members})
+
+
+def _logs(members: Sequence[Member], folder: Path | None) -> dict[str, RunLog]:
+    """The log of each robot in a folder; none without a folder."""
+    if folder is None:
+        return {}
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        return {one.name: RunLog(one.program, folder / f"{one.name}.why") for one in members}
+    except OSError as error:
+        raise usage_error("report-why-not-a-folder", folder=str(folder)) from error
+
+
+class _Screen:
+    """What the programs of a run show, and on a terminal a line with the state of the run.
+
+    Args:
+        keyboards: those of the robots whose programs may find keys pressed, by name.
+        quiet: whether to keep everything for the report.
+    """
+
+    #: The run that is shown.
+    session: TeamRun | None = None
+
+    def __init__(self, keyboards: Mapping[str, Keyboard], *, quiet: bool) -> None:
+        self.voices: dict[str, _Voice] = {}
+        self._keyboards = keyboards
+        self._quiet = quiet
+        self._live = not quiet and sys.stderr.isatty()
+        self._started = self._drawn = monotonic()
+
+    def watcher(self, member: Member) -> "_Voice":
+        """What receives the events of a member."""
+        keyboard = self._keyboards.get(member.name)
+        return self.voices.setdefault(member.name, _Voice(member.name, self, keyboard))
+
+    def show(self, line: str) -> None:
+        """Print a line of a program."""
+        if not self._quiet:
+            self.clear()
+            click.echo(line)
+
+    def ask(self, prompt: str) -> str | None:
+        """Ask the person for a line."""
+        if self._quiet:
+            return None
+        self.clear()
+        return ask(prompt)
+
+    def typing(self) -> AbstractContextManager[None]:
+        """Let the person type a line in the terminal, if programs listen to its keys."""
+        keyboard = next(iter(self._keyboards.values()), NoKeys())
+        return keyboard.typing()
+
+    def tick(self) -> None:
+        """Show the state of the run from time to time."""
+        now = monotonic()
+        if self._live and self.session and now - self._drawn > STATUS_PERIOD:
+            self._drawn = now
+            state = self._state(self.session, now)
+            click.echo(f"\r\x1b[K{state}", nl=False, err=True)
+
+    def clear(self) -> None:
+        """Remove the line with the state."""
+        if self._live:
+            click.echo("\r\x1b[K", nl=False, err=True)
+
+    def close(self) -> None:
+        """Show the lines that have no end, and remove the state."""
+        for voice in self.voices.values():
+            voice.finish()
+        self.clear()
+
+    def _state(self, session: TeamRun, now: float) -> str:
+        running = sum(not session.ended(member) for member in session.members)
+        time = session.simulation.time() if session.simulation else now - self._started
+        counted = Phrase("report-team-running", count=running, all=len(session.members))
+        factor = round(time / max(now - self._started, 0.001), 1)
+        speed = Phrase("report-speed", factor=factor)
+        return f"{time:7.1f} s  {text(counted)}  {text(speed)}"
+
+
+class _Voice(Collector):
+    """The output of one program, each line after the name of its robot."""
+
+    def __init__(self, name: str, screen: _Screen, keyboard: Keyboard | None) -> None:
+        super().__init__(keyboard)
+        self._name = name
+        self._screen = screen
+        self._line = ""
+
+    def printed(self, text: str) -> None:
+        super().printed(text)
+        *lines, self._line = (self._line + text).split("\n")
+        for line in lines:
+            self._screen.show(f"{self._name}: {line}")
+
+    def input(self, prompt: str) -> str | None:
+        self.finish()
+        with self._screen.typing():
+            return self._screen.ask(f"{self._name}: {prompt}")
+
+    def tick(self) -> None:
+        self._screen.tick()
+
+    def finish(self) -> None:
+        """Show what was printed without the end of its line."""
+        if self._line:
+            self._screen.show(f"{self._name}: {self._line}")
+            self._line = ""
+
+
+def _read(
+    stack: ExitStack, assignment: Assignment, robot: str | None, *, as_json: bool
+) -> Sequence[_Part]:
+    try:
+        files = stack.enter_context(opened_all(assignment.file))
+    except FileError as error:
+        if as_json:
+            _print_refused(assignment, refused_report(str(assignment.file), error.diagnostics))
+        raise
+    chosen = assignment.robot or robot
+    return [
+        _Part(found, running.choose_robot(found.source, chosen or found.robot), assignment)
+        for found in files
+    ]
+
+
+def _refuse(parts: Sequence[_Part], *, anyway: bool, as_json: bool) -> bool:
+    """Print what the check finds in the programs; return whether one of them may not run."""
+    refused = False
+    for part in parts:
+        source = part.found.source
+        errors = mistakes(source, part.entry, anyway=anyway, quiet=as_json)
+        if errors and as_json and not refused:
+            _print_refused(part.assignment, refused_report(str(source.path), errors))
+        refused = refused or bool(errors)
+    return refused
+
+
+def _print_refused(assignment: Assignment, report: Report) -> None:
+    named = {"name": _stem(assignment), "program": assignment.file.name}
+    one = {**named, "robot": assignment.robot, **_own(report)}
+    print_json({"robots": [one], "goals": (), "trace_sha256": None})
+
+
+def _members(parts: Sequence[_Part], *, network: bool) -> Iterator[Member]:
+    names = iter(robot_names([_name(part) for part in parts for _ in range(_count(part))]))
+    for part in parts:
+        program = running.program(part.found.source, part.entry)
+        program = replace(program, tags=part.found.tags)
+        may = network or running.may_use_network(part.assignment.file)
+        for _ in range(_count(part)):
+            yield Member(next(names), program, part.entry, may)
+
+
+def _count(part: _Part) -> int:
+    return part.assignment.count * part.found.count
+
+
+def _name(part: _Part) -> str:
+    return part.found.name or _stem(part.assignment)
+
+
+def _stem(assignment: Assignment) -> str:
+    return assignment.file.stem[:LONGEST_NAME]
+
+
+def _run(session: TeamRun, screen: _Screen) -> TeamReport:
+    screen.session = session
+    with stopped_by_signals(session.stop):
+        report = session.run()
+    screen.close()
+    return report
+
+
+def _print(report: TeamReport, session: TeamRun, screen: _Screen, *, as_json: bool) -> None:
+    if as_json:
+        print_json(_as_object(report, screen))
+        return
+    for member, one in report.robots:
+        click.echo(member.name, err=True)
+        for label, value in _rows(member, one, session.options.seconds):
+            print_row(label, value)
+    click.echo(err=True)
+    for goal in report.goals:
+        print_row("report-label-goal", goal_row(goal))
+    differs = text(Phrase("report-team-not-deterministic"))
+    print_row("report-label-trace", report.trace_sha256 or differs)
+
+
+def _rows(member: Member, report: Report, limit: float | None) -> Iterator[tuple[str, str]]:
+    """The rows of one robot: the code of the label, and the value."""
+    yield from ending_rows(report, limit)
+    if report.pose:
+        yield "report-label-pose", "({:.0f}, {:.0f}) mm, {:.0f}°".format(*report.pose)
+    yield from effect_rows(report, member.robot.name)
+
+
+def _as_object(report: TeamReport, screen: _Screen) -> dict[str, object]:
+    return {
+        "robots": [
+            _robot_as_object(member, replace(one, output=screen.voices[member.name].output))
+            for member, one in report.robots
+        ],
+        "goals": list(report.goals),
+        "trace_sha256": report.trace_sha256,
+    }
+
+
+def _robot_as_object(member: Member, report: Report) -> dict[str, object]:
+    named = {"name": member.name, "program": member.program.name, "robot": member.robot.name}
+    return {**named, **_own(report)}
+
+
+def _own(report: Report) -> dict[str, object]:
+    """What a report says about one robot, as opposed to the whole run."""
+    whole = {"goals", "trace_sha256"}
+    return {one.name: getattr(report, one.name) for one in fields(report) if one.name not in whole}
+
+
+def _draw(session: TeamRun, path: Path) -> None:
+    from learnblock.robots.simulated import draw  # noqa: PLC0415 - only a simulated world is drawn
+
+    drawn = {}
+    for member in session.members:
+        client, recorder = session.client(member), session.recorder(member)
+        if client and recorder:
+            drawn[member.name] = client, recorder
+    if not drawn:
+        raise LearnBlockError("report-no-picture")
+    programs = ", ".join(dict.fromkeys(member.program.name for member in session.members))
+    draw(drawn, path, programs)
+    print_row("report-label-picture", str(path))

@@ -1,0 +1,78 @@
+"""Runs of one program in many variants of a world on the command line."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import click
+
+from learnblock.cli.console import ExitCode, print_json, text, usage_error
+from learnblock.cli.interrupts import stopped_by_signals
+from learnblock.cli.reporting import (
+    EXIT_CODES,
+    Prepared,
+    ending,
+    prepared,
+)
+from learnblock.i18n import Phrase
+from learnblock.running import Report
+from learnblock.running.batch import Batch
+from learnblock.running.job import Job
+from learnblock.runtime.ending import How
+
+
+def run_variants(file: Path, *, variants: int, as_json: bool, **choices: Any) -> int:
+    """Run a program in the variants 1 to `variants`, print a table, and return the exit code."""
+    if any(choices.pop(name) is not None for name in ("trace", "picture")) or choices["variant"]:
+        raise usage_error("report-variants-alone")
+    with prepared(file, as_json=as_json, **choices) as found:
+        if found is None:
+            return ExitCode.MISTAKES
+        return _run_all(found, variants, as_json=as_json)
+
+
+def _run_all(found: Prepared, variants: int, *, as_json: bool) -> int:
+    numbers = range(1, variants + 1)
+    keys = found.keys.keys if found.keys else None
+    jobs = [
+        Job(found.program, found.robot, replace(found.options, variant=number), keys)
+        for number in numbers
+    ]
+    batch = Batch(jobs)
+    reports: dict[int, Report] = {}
+    with stopped_by_signals(batch.stop):
+        for result in batch.results():
+            reports[result.job + 1] = result.report
+            if not as_json:
+                click.echo(_row(result.job + 1, result.report, found.options.seconds), err=True)
+    # They end in any order.
+    _print({number: reports[number] for number in numbers if number in reports}, as_json=as_json)
+    codes = (EXIT_CODES.get(How(one.ended), ExitCode.WELL) for one in reports.values())
+    return max(codes) if len(reports) == variants else ExitCode.INTERRUPTED
+
+
+def _row(number: int, report: Report, limit: float | None) -> str:
+    states = [goal.state for goal in report.goals]
+    row = Phrase(
+        "report-variant",
+        variant=number,
+        reached=states.count("reached"),
+        all=len(states),
+        time=round(report.time, 1),
+    )
+    return f"{text(row)}  {ending(report, limit)}" if report.error else text(row)
+
+
+def _has_reached_all(report: Report) -> bool:
+    return bool(report.goals) and all(goal.state == "reached" for goal in report.goals)
+
+
+def _print(reports: Mapping[int, Report], *, as_json: bool) -> None:
+    reached = sum(map(_has_reached_all, reports.values()))
+    if as_json:
+        listed = [{"variant": number, "report": report} for number, report in reports.items()]
+        print_json({"reached": reached, "variants": listed})
+    else:
+        total = Phrase("report-variants-reached", reached=reached, all=len(reports))
+        click.echo(text(total), err=True)

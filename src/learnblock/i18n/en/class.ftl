@@ -1,0 +1,48 @@
+# A class in one room.
+
+## Opening
+
+# $title is the name of the class, $address where pupils come in, $word the join word, $wall and
+# $projector are addresses for the teacher.
+class-opened =
+    Class { $title } is open. Press Ctrl-C to save everything and close it.
+
+      Pupils open  { $address }
+      Join word    { $word }
+
+      Your wall    { $wall }
+      Projector    { $projector }
+
+    The address of your wall holds your key: don't show it to pupils.
+class-bad-title = The name of a class is 1 to 40 letters, digits, spaces, '.', '_' or '-', such as 7b.
+class-already-open = Class { $title } is open already, in another LearnBlock.
+class-unknown = There is no class { $title } in { $folder }.
+class-delete = Delete class { $title } with everything that its pupils have made? This can't be undone.
+class-deleted = Class { $title } is deleted.
+class-not-on-windows = A class needs Linux or macOS on the teacher's computer. On Windows use WSL; pupils can have any device.
+class-no-cryptography = HTTPS needs the library cryptography. Run pip install 'learnblock-studio[tls]', or leave out --tls.
+# $file is the path of a file, $reason a technical text in English.
+class-damaged = { $file } is damaged: { $reason }. Restore it from a backup, or choose another --folder.
+class-newer = { $file } was made by a newer LearnBlock. Update this one.
+
+## Joining
+
+class-wrong-word = That is not the join word. It is on the board.
+class-no-name = Type your first name: 1 to 30 letters.
+class-wrong-pictures = The name and the pictures don't belong together. Try again, or ask your teacher for new pictures.
+# $seconds is a number.
+class-wait = That was wrong too often. Wait { $seconds } { $seconds ->
+        [one] second
+       *[other] seconds
+    } and try again.
+class-closed = New pupils can't join now. Ask your teacher.
+class-full = The class is full: it has { $most } pupils.
+
+## In class
+
+class-not-yours = In class, this is for your teacher.
+class-only-look = You are only looking. Ask the pupil to let you write.
+class-too-fast = That was too often. Wait a moment and try again.
+class-no-pupil = This pupil is no longer in the class.
+class-server-silent = Your place in class is not ready yet. Try again in a moment.
+class-server-failed = Your place in class could not be prepared: { $reason }

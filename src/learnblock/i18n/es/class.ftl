@@ -1,0 +1,44 @@
+# Una clase en un aula.
+
+## Abrir
+
+class-opened =
+    La clase { $title } está abierta. Pulsa Ctrl-C para guardarlo todo y cerrarla.
+
+      El alumnado abre     { $address }
+      Palabra para entrar  { $word }
+
+      Tu panel             { $wall }
+      Proyector            { $projector }
+
+    La dirección de tu panel contiene tu llave: no se la enseñes al alumnado.
+class-bad-title = El nombre de una clase tiene de 1 a 40 letras, cifras, espacios, '.', '_' o '-', por ejemplo 7b.
+class-already-open = La clase { $title } ya está abierta en otro LearnBlock.
+class-unknown = No hay ninguna clase { $title } en { $folder }.
+class-delete = ¿Eliminar la clase { $title } con todo lo que ha hecho su alumnado? No se puede deshacer.
+class-deleted = La clase { $title } se ha eliminado.
+class-not-on-windows = Para abrir una clase hace falta Linux o macOS en el ordenador del profesorado. En Windows usa WSL; el alumnado puede tener cualquier dispositivo.
+class-no-cryptography = HTTPS necesita la biblioteca cryptography. Ejecuta pip install 'learnblock-studio[tls]', o quita --tls.
+class-damaged = { $file } está dañado: { $reason }. Recupéralo de una copia de seguridad o elige otra --folder.
+class-newer = { $file } lo creó un LearnBlock más nuevo. Actualiza este.
+
+## Entrar
+
+class-wrong-word = Esa no es la palabra para entrar. Está en la pizarra.
+class-no-name = Escribe tu nombre: de 1 a 30 letras.
+class-wrong-pictures = El nombre y los dibujos no van juntos. Prueba otra vez o pide dibujos nuevos a tu profe.
+class-wait = Ha fallado demasiadas veces. Espera { $seconds } { $seconds ->
+        [one] segundo
+       *[other] segundos
+    } y prueba otra vez.
+class-closed = Ahora no puede entrar nadie nuevo. Pregunta a tu profe.
+class-full = La clase está llena: tiene { $most } alumnos.
+
+## En clase
+
+class-not-yours = En clase, esto es cosa de tu profe.
+class-only-look = Solo estás mirando. Pide a la otra persona que te deje escribir.
+class-too-fast = Demasiado seguido. Espera un momento y prueba otra vez.
+class-no-pupil = Esta persona ya no está en la clase.
+class-server-silent = Tu sitio en la clase aún no está listo. Prueba otra vez dentro de un momento.
+class-server-failed = No se pudo preparar tu sitio en la clase: { $reason }

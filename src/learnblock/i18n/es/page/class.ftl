@@ -1,0 +1,108 @@
+# Una clase: entrar, el panel de quien enseña, el proyector y lo que muestran las páginas del alumnado.
+
+page-class-title = Clase { $title }
+
+## Entrar
+
+page-class-word = ¿Cuál es la palabra para entrar?
+page-class-next = Siguiente
+page-class-name = ¿Cómo te llamas?
+page-class-known = Ya he estado aquí
+page-class-new = Vengo por primera vez
+page-class-back = Atrás
+page-class-pictures = Toca tus cuatro dibujos
+page-class-chosen = { $count } de 4 dibujos
+page-class-hello = ¡Hola, { $name }!
+page-class-go-on = Continuar
+page-class-not-me = No soy { $name }
+page-class-remember = ¡Te damos la bienvenida, { $name }!
+page-class-remember-text = Estos son tus dibujos secretos. Recuérdalos en este orden o apúntalos: los necesitarás la próxima vez.
+page-class-remembered = Los recordaré
+page-class-picture-apple = Manzana
+page-class-picture-ball = Pelota
+page-class-picture-bell = Campana
+page-class-picture-boat = Barco
+page-class-picture-car = Coche
+page-class-picture-cloud = Nube
+page-class-picture-fish = Pez
+page-class-picture-flower = Flor
+page-class-picture-heart = Corazón
+page-class-picture-house = Casa
+page-class-picture-key = Llave
+page-class-picture-moon = Luna
+page-class-picture-star = Estrella
+page-class-picture-sun = Sol
+page-class-picture-tree = Árbol
+page-class-picture-umbrella = Paraguas
+
+## El panel
+
+page-class-no-key = Esta página es de quien enseña. Abre la dirección del panel que LearnBlock mostró al arrancar.
+page-class-pupils = Alumnado
+page-class-here = { $count ->
+        [0] Aún no ha entrado nadie
+        [one] Hay 1 persona
+       *[other] Hay { $count } personas
+    }
+page-class-word-is = palabra para entrar: { $word }
+page-class-go-to = Abre
+page-class-type-word = y escribe
+page-class-open-door = Puede entrar gente nueva
+page-class-renew-word = Otra palabra para entrar
+page-class-eyes-up-button = Atención
+page-class-stop-all = Parar todos los robots
+page-class-hand-out = Repartir una lección
+page-class-hint-all = Pista para todos
+page-class-projector = Proyector
+page-class-export-all = Descargar todo el trabajo
+page-class-open = Abrir
+page-class-hint = Pista
+page-class-more = Más para { $name }
+page-class-project = Mostrar en el proyector, sin el nombre
+page-class-unproject = Mostrar la palabra para entrar en el proyector
+page-class-renew-pin = Dibujos nuevos
+page-class-export = Descargar el trabajo
+page-class-remove = Eliminar
+page-class-remove-title = ¿Eliminar a { $name }?
+page-class-remove-text = Se elimina todo lo que { $name } ha hecho en esta clase. No se puede deshacer. Descarga antes el trabajo si quieres conservarlo.
+page-class-remove-not = Cancelar
+page-class-pin-of = Dibujos nuevos de { $name }
+page-class-pin-text = Díselos. Los anteriores ya no sirven.
+page-class-hint-to = Pista para { $name }
+page-class-hint-text = ¿En qué debería fijarse?
+page-class-hint-send = Enviar
+page-class-world-of = El mundo de { $name }
+page-class-world-shown = El mundo de alguien de la clase
+page-class-step = { $title } · paso { $step } de { $steps } · { $stars } ★
+page-class-state-idle = Editando
+page-class-state-starting = Arrancando
+page-class-state-running = En marcha
+page-class-state-paused = En pausa
+page-class-state-held = En pausa
+page-class-state-input = Espera una respuesta
+page-class-state-done = Terminado
+page-class-state-ended = Terminado
+page-class-need-hand = Pide ayuda
+page-class-need-stuck = No avanza desde hace { $minutes } min
+page-class-need-error = Tiene un error
+page-class-need-quiet = Sin hacer nada desde hace { $minutes } min
+page-class-need-away = No está
+
+## En una página que muestra el programa de alguien
+
+page-class-hand = Necesito ayuda
+page-class-notes = De tu clase
+page-class-hint-from = Tu profe:
+page-class-asked = Tu profe quiere escribir en tu programa.
+page-class-let = Dejar que escriba
+page-class-let-not = Ahora no
+page-class-writes = Tu profe puede escribir en tu programa.
+page-class-enough = Ya basta
+page-class-looking = Estás mirando el programa de { $name }.
+page-class-ask = Pedir permiso para escribir
+page-class-waiting = Has pedido a { $name } permiso para escribir.
+page-class-ask-not = Déjalo
+page-class-may = Puedes escribir en el programa de { $name }.
+page-class-stop-writing = Volver a solo mirar
+page-class-eyes-up = ¡Atención!
+page-class-eyes-up-text = Mira a tu profe. Tu programa está a salvo.

@@ -1,0 +1,188 @@
+"""The lessons that a project can follow: ours, and the user's own."""
+
+import re
+import unicodedata
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+
+from learnblock.errors import Diagnostic, FileError, LearnBlockError, UnknownNameError
+from learnblock.i18n import Phrase
+from learnblock.lessons import editing, packing, reading, trying
+from learnblock.lessons.lesson import Step
+from learnblock.lessons.reading import OpenLesson
+from learnblock.server.messages import LARGEST_LESSON, LessonChoice
+from learnblock.storage.files import is_device_name, save
+from learnblock.storage.home import home
+
+LESSON_ENDING = ".lblesson"
+MOST_OWN = 200
+
+_NOT_IN_NAMES = re.compile(r"[^\w]+")
+_LONGEST_NEW = 60
+_NAME = re.compile(r"\w[\w .-]{0,78}\w")
+
+
+def lesson_choices() -> tuple[tuple[LessonChoice, ...], tuple[Phrase, ...]]:
+    """The lessons by level, and the errors in files of the user's folder."""
+    choices, problems = [], []
+    for name in reading.shipped():
+        # A test reads all of ours.
+        with suppress(LearnBlockError, OSError):
+            choices.append(_choice(_shipped(name)))
+    for file in own_files():
+        try:
+            choices.append(_choice(reading.open_lesson(file), own=True))
+        except (LearnBlockError, OSError) as error:
+            problem = error.phrase if isinstance(error, LearnBlockError) else str(error)
+            problems.append(Phrase("server-lesson-file", name=file.name, problem=problem))
+    return tuple(sorted(choices, key=lambda one: one.level)), tuple(problems)
+
+
+def find_lesson(name: str) -> OpenLesson:
+    """A lesson without what only the teacher has.
+
+    Raises:
+        UnknownNameError: there is no such lesson.
+        LearnBlockError: its file is invalid.
+    """
+    if name in reading.shipped():
+        return _shipped(name)
+    return reading.for_pupils(find_own(name))
+
+
+def find_own(name: str) -> OpenLesson:
+    """A lesson of the user's, with everything that belongs to it.
+
+    Raises:
+        UnknownNameError: there is no such lesson.
+        LearnBlockError: its file is invalid.
+    """
+    files = {file.stem: file for file in own_files()}
+    if name not in files:
+        raise UnknownNameError("lesson", name, [*reading.shipped(), *files])
+    return reading.open_lesson(files[name])
+
+
+def find_whole(name: str) -> OpenLesson:
+    """A lesson of ours or of the user's, with what only the teacher has.
+
+    Raises:
+        UnknownNameError: there is no such lesson.
+        LearnBlockError: its file is invalid.
+    """
+    return reading.find_lesson(name) if name in reading.shipped() else find_own(name)
+
+
+def copy_lesson(name: str) -> OpenLesson:
+    """Add a copy of a lesson to the user's.
+
+    Raises:
+        UnknownNameError: there is no such lesson.
+        LearnBlockError: its file is invalid, or there are too many lessons.
+        OSError: it can't be saved.
+    """
+    opened = find_whole(name)
+    free = free_lesson_name(name)
+    return add_lesson(free, packing.pack(editing.copied(opened, free)))
+
+
+def own_files() -> list[Path]:
+    """The files of the user's lessons."""
+    found = (file for file in _folder().glob(f"*{LESSON_ENDING}") if _NAME.fullmatch(file.stem))
+    return sorted(found)[:MOST_OWN]
+
+
+def add_lesson(name: str, content: bytes) -> OpenLesson:
+    """Save a lesson's file in the user's folder, instead of one with this name.
+
+    Raises:
+        LearnBlockError: it is no lesson, or can't have this name.
+        OSError: it can't be saved.
+    """
+    if not _NAME.fullmatch(name) or name in reading.shipped():
+        message = Phrase("server-lesson-name", name=name[:100])
+        raise FileError(f"{name[:100]}{LESSON_ENDING}", [Diagnostic("wrong-name", message)])
+    folder, files = _folder(), own_files()
+    if len(files) >= MOST_OWN and folder / f"{name}{LESSON_ENDING}" not in files:
+        raise LearnBlockError("server-lesson-too-many", limit=MOST_OWN)
+    folder.mkdir(parents=True, exist_ok=True)
+    staged = folder / f".{name}{LESSON_ENDING}"
+    save(staged, content[:LARGEST_LESSON])
+    try:
+        opened = reading.open_lesson(staged)
+        save(folder / f"{name}{LESSON_ENDING}", packing.pack(opened))
+    finally:
+        staged.unlink(missing_ok=True)
+    return reading.open_lesson(folder / f"{name}{LESSON_ENDING}")
+
+
+def free_lesson_name(title: str) -> str:
+    """A name for a new lesson of the user's, made of its title; no other lesson has it."""
+    plain = _NOT_IN_NAMES.sub("-", unicodedata.normalize("NFC", title).lower()).strip("-")
+    stem = plain[:_LONGEST_NEW].strip("-")
+    if len(stem) < 2 or is_device_name(stem):
+        stem = f"lesson-{stem}".strip("-")
+    taken = {name.casefold() for name in (*reading.shipped(), *(f.stem for f in own_files()))}
+    names = (stem, *(f"{stem}-{number}" for number in range(2, MOST_OWN + 2)))
+    return next(name for name in names if name.casefold() not in taken)
+
+
+def delete_lesson(name: str) -> None:
+    """Delete a lesson of the user's.
+
+    Raises:
+        UnknownNameError: there is no such lesson.
+        OSError: it can't be deleted.
+    """
+    if name not in {file.stem for file in own_files()}:
+        raise UnknownNameError("lesson", name, [file.stem for file in own_files()])
+    (_folder() / f"{name}{LESSON_ENDING}").unlink()
+
+
+def star_names(step: Step) -> Iterator[str]:
+    """The stars to be earned in a step; see `learnblock.server.projects.lesson_folder`."""
+    if any(not check.optional for check in step.check):
+        yield "goals"
+        if step.variants:
+            yield "everywhere"
+    yield from (f"check-{index}" for index, one in enumerate(step.check) if one.optional)
+    if step.quiz:
+        yield "quiz"
+    if step.puzzle:
+        yield "puzzle"
+
+
+def attempts_of(opened: OpenLesson, number: int) -> tuple[trying.Attempt, ...]:
+    """The robots and variants of the world on which a step is checked."""
+    return trying.attempts(opened, number)
+
+
+def _folder() -> Path:
+    return home() / "lessons"
+
+
+@cache
+def _shipped(name: str) -> OpenLesson:
+    return reading.shipped_lesson(name)
+
+
+def _choice(opened: OpenLesson, *, own: bool = False) -> LessonChoice:
+    lesson = opened.lesson
+    return LessonChoice(
+        name=opened.name,
+        title=_plain(lesson.title),
+        level=lesson.level,
+        minutes=lesson.minutes,
+        aims=tuple(map(_plain, lesson.aims)),
+        robots=lesson.robots,
+        steps=len(lesson.step),
+        stars=sum(len(list(star_names(step))) for step in lesson.step),
+        picture=lesson.picture or "",
+        own=own,
+    )
+
+
+def _plain(text: str | Mapping[str, str]) -> str | dict[str, str]:
+    return text if isinstance(text, str) else dict(text)

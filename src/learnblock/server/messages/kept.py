@@ -1,0 +1,182 @@
+"""Messages about the runs of a project that were kept."""
+
+from typing import Annotated
+
+from msgspec import Meta, Struct
+
+from learnblock.i18n import Phrase
+from learnblock.server.messages.base import Message
+from learnblock.server.messages.looking import CallGraph
+
+#: A kept run: the time at which it began in milliseconds since 1970, and a number.
+RunId = Annotated[str, Meta(pattern=r"^[0-9]{13,15}-[0-9]{1,3}$")]
+#: The limit in characters of the name of a run.
+LONGEST_RUN_NAME = 60
+RunName = Annotated[str, Meta(max_length=LONGEST_RUN_NAME)]
+
+# From the page.
+
+
+class ListRuns(Message, frozen=True):
+    """Ask for the project's kept runs; the reply is `KeptRuns`."""
+
+
+class OpenRun(Message, frozen=True):
+    """Look back at a kept run instead of the newest; every page of the robot gets `RunShown`."""
+
+    run: RunId
+
+
+class CloseRun(Message, frozen=True):
+    """Look back at the newest run again; every page of the robot gets `RunShown`."""
+
+
+class NameRun(Message, frozen=True):
+    """Name a run, which is then kept until it is deleted; without a name it is one of many again.
+
+    The reply is `KeptRuns`.
+    """
+
+    run: RunId
+    name: RunName
+
+
+class DeleteRun(Message, frozen=True):
+    """Delete a run; the reply is `KeptRuns`."""
+
+    run: RunId
+
+
+class CompareRuns(Message, frozen=True):
+    """Compare two kept runs; the reply is `RunsCompared`."""
+
+    first: RunId
+    second: RunId
+
+
+class ReadCallsBeside(Message, frozen=True):
+    """Ask for the call graphs of two kept runs; the reply is `CallsBeside`."""
+
+    first: RunId
+    second: RunId
+
+
+# From the server.
+
+
+class KeptRun(Struct, frozen=True, omit_defaults=True):
+    """A run of the project that was kept.
+
+    Args:
+        id: distinguishes it from the others.
+        time: when it began, or was opened from a file, in seconds since 1970.
+        size: its size in bytes.
+        name: empty unless the user has named it.
+        program: the name of the program, and of the robot among several.
+        identity: a hash of the program, independent of the robot.
+        robot: the robot's id.
+        world: the name of its world; empty for a real robot.
+        variant: the number of the world's variant.
+        seconds: its length.
+        ended: one word, as in `Ended`; empty if its log was cut off.
+        reached: the goals that were reached.
+        missed: the number of the others.
+        foreign: whether it was opened from a file.
+        damaged: whether nothing of it can be read.
+        version: the version of the project that ran; empty if none was saved.
+    """
+
+    id: str
+    time: float
+    size: int = 0
+    name: str = ""
+    program: str = ""
+    identity: str = ""
+    robot: str = ""
+    world: str = ""
+    variant: int = 0
+    seconds: float = 0.0
+    ended: str = ""
+    reached: tuple[str, ...] = ()
+    missed: int = 0
+    foreign: bool = False
+    damaged: bool = False
+    version: str = ""
+
+
+class KeptRuns(Message, frozen=True):
+    """The runs of the project that were kept, the newest first."""
+
+    runs: tuple[KeptRun, ...]
+
+
+class RunShown(Message, frozen=True):
+    """The run that the timeline, the calls and the answers are about.
+
+    Args:
+        run: None for the newest one.
+        changed: whether the program has changed since.
+        remarks: what can't be shown as it was.
+        printed: what the program printed.
+    """
+
+    run: KeptRun | None = None
+    changed: bool = False
+    remarks: tuple[Phrase, ...] = ()
+    printed: str = ""
+
+
+class RunStep(Struct, frozen=True):
+    """What one of two compared runs did when they parted.
+
+    Args:
+        phrase: that, in words.
+        time: when, in s of that run.
+    """
+
+    phrase: Phrase
+    time: float
+
+
+class ComparedRun(Struct, frozen=True):
+    """One of two compared runs.
+
+    Args:
+        id: the run.
+        way: where its robot was, if that is known: the time in s, mm east and mm north.
+        step: what it did when they parted; None if they never did.
+    """
+
+    id: str
+    way: tuple[tuple[float, float, float], ...] = ()
+    step: RunStep | None = None
+
+
+class RunsCompared(Message, frozen=True):
+    """Two kept runs compared.
+
+    Args:
+        first: the one.
+        second: the other.
+        together: until when they did the same, in s of the first run; None if they never parted.
+        because: why they parted, if both answered the same question differently.
+        causes: what was different about them from the start.
+    """
+
+    first: ComparedRun
+    second: ComparedRun
+    together: float | None = None
+    because: Phrase | None = None
+    causes: tuple[Phrase, ...] = ()
+
+
+class CallsBeside(Message, frozen=True):
+    """The call graphs of two runs, with the same name for the program in both.
+
+    Args:
+        first: that of the one run.
+        second: that of the other.
+    """
+
+    first: CallGraph
+    second: CallGraph

@@ -1,0 +1,177 @@
+"""Handlers of messages about lessons that a teacher makes or changes."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+import msgspec
+from anyio import to_thread
+
+from learnblock.blocks import block_sets
+from learnblock.blocks.known import all_configurations
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.lessons import drafting, editing, packing, reading, texts
+from learnblock.lessons.checks import Check
+from learnblock.lessons.describing import describe
+from learnblock.lessons.editing import EditedLesson, Examined
+from learnblock.lessons.opened import OpenLesson
+from learnblock.server import catalog, messages
+from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.teaching import require_teacher
+from learnblock.server.sessions import lesson_view
+
+
+async def _make(page: Page, _: messages.MakeLesson) -> None:
+    require_teacher(page)
+    session = page.session
+    programs = [
+        drafting.Drafted(part.name, part.robot.name, part.document.blocktext)
+        for part in session.parts
+    ]
+    shown = session.shown_blocks.name
+    blocks = shown if shown in block_sets.BUILT_IN and shown != block_sets.EVERYTHING else ""
+
+    def make() -> EditedLesson:
+        return drafting.draft(session.name, session.world, programs, blocks)
+
+    page.send(await to_thread.run_sync(_to_edit, make))
+
+
+async def _change(page: Page, message: messages.ChangeLesson) -> None:
+    require_teacher(page)
+
+    def read() -> EditedLesson:
+        return editing.edited_lesson(catalog.find_own(message.lesson))
+
+    page.send(await to_thread.run_sync(_to_edit, read))
+
+
+def _to_edit(find: Callable[[], EditedLesson]) -> messages.LessonToEdit:
+    return messages.LessonToEdit(find(), tuple(sorted(all_configurations())))
+
+
+async def _examine(page: Page, message: messages.ExamineLesson) -> None:
+    page.send(await to_thread.run_sync(_examined, message.edited, _saved(page, message.edited)))
+
+
+async def _save(page: Page, message: messages.SaveLesson) -> None:
+    require_teacher(page)
+    edited = message.edited
+    opened = await _assembled(page, edited)
+    if opened is None:
+        return
+
+    def save() -> str:
+        return catalog.add_lesson(opened.name, packing.pack(opened)).name
+
+    page.send(messages.LessonSaved(await to_thread.run_sync(save)))
+
+
+async def _try(page: Page, message: messages.TryLesson) -> None:
+    if opened := await _assembled(page, message.edited):
+        page.lesson_trial.start(opened)
+
+
+async def _stop(page: Page, _: messages.StopTrying) -> None:
+    page.lesson_trial.stop()
+
+
+async def _export(page: Page, message: messages.ExportLesson) -> None:
+    if not message.for_pupils:
+        require_teacher(page)
+
+    def pack() -> bytes:
+        opened = catalog.find_own(message.lesson)
+        return packing.pack(reading.for_pupils(opened) if message.for_pupils else opened)
+
+    content = await to_thread.run_sync(pack)
+    page.send(messages.LessonExported(f"{message.lesson}{catalog.LESSON_ENDING}", content))
+
+
+async def _assembled(page: Page, edited: EditedLesson) -> OpenLesson | None:
+    """The lesson; None if it has mistakes, which the page has been told."""
+    saved = _saved(page, edited)
+    examined = await to_thread.run_sync(_examined, edited, saved)
+    if examined.problems:
+        page.send(msgspec.structs.replace(examined, refused=True))
+        return None
+
+    def assemble() -> OpenLesson:
+        name = edited.lesson or catalog.free_lesson_name(_title(edited))
+        return editing.assemble(edited, name, saved)
+
+    return await to_thread.run_sync(assemble)
+
+
+def _saved(page: Page, edited: EditedLesson) -> OpenLesson | None:
+    """The saved lesson that is changed; None for a new one.
+
+    Raises:
+        LearnBlockError: it is missing, or the page may not change it.
+    """
+    if not edited.lesson:
+        return None
+    require_teacher(page)
+    return catalog.find_own(edited.lesson)
+
+
+def _title(edited: EditedLesson) -> str:
+    title = edited.content.get("title")
+    texts = [title] if isinstance(title, str) else [*title.values()] if title else []
+    return next((one for one in texts if isinstance(one, str)), "")
+
+
+def _examined(edited: EditedLesson, saved: OpenLesson | None) -> messages.LessonExamined:
+    examined = editing.examine(edited, edited.lesson or "lesson", saved)
+    steps = examined.content.get("step")
+    tables = [one for one in steps if isinstance(one, dict)] if isinstance(steps, list) else []
+    return messages.LessonExamined(
+        problems=tuple(messages.LessonProblem(one.path, one.message) for one in examined.problems),
+        steps=tuple(_examined_step(examined, index, step) for index, step in enumerate(tables)),
+        drawings=lesson_view.drawings_in(_texts(tables)),
+    )
+
+
+def _examined_step(
+    examined: Examined, index: int, step: Mapping[str, Any]
+) -> messages.ExaminedStep:
+    checks = step.get("check")
+    words = tuple(map(_words, checks)) if isinstance(checks, list) else ()
+    if examined.lesson is None:
+        return messages.ExaminedStep(words)
+    try:
+        opened = OpenLesson("lesson", examined.lesson, None, examined.files)
+        world = opened.described_world(index + 1)
+    except LearnBlockError:
+        # It is among the problems.
+        return messages.ExaminedStep(words)
+    if world is None:
+        return messages.ExaminedStep(words)
+    goals = tuple(goal.name for _, _, goal in world.goal.all())
+    return messages.ExaminedStep(words, goals, tuple(line.name for line in world.line))
+
+
+def _words(check: object) -> Phrase | None:
+    try:
+        return describe(msgspec.convert(check, Check))
+    except (msgspec.ValidationError, ValueError):
+        return None
+
+
+def _texts(steps: Iterable[Mapping[str, Any]]) -> Iterator[str]:
+    for step in steps:
+        text = step.get("text")
+        for one in text.values() if isinstance(text, dict) else [text]:
+            if isinstance(one, str) and len(one) <= texts.LONGEST:
+                yield one
+
+
+HANDLERS: Mapping[type, Handler] = {
+    messages.MakeLesson: _make,
+    messages.ChangeLesson: _change,
+    messages.ExamineLesson: _examine,
+    messages.SaveLesson: _save,
+    messages.TryLesson: _try,
+    messages.StopTrying: _stop,
+    messages.ExportLesson: _export,
+}

@@ -1,0 +1,170 @@
+"""Handlers of messages about lessons."""
+
+from collections.abc import Mapping
+from pathlib import PurePath
+
+from anyio import to_thread
+from msgspec.structs import replace
+
+from learnblock.errors import LearnBlockError
+from learnblock.lessons.archive import received_files, zipped
+from learnblock.server import catalog, messages
+from learnblock.server.pages.page import Handler, Page
+from learnblock.server.pages.teaching import require_teacher
+from learnblock.server.projects.lesson_folder import Progress
+from learnblock.server.sessions import lesson_stage
+from learnblock.server.sessions.coach import Coach
+
+
+async def _list(page: Page, _: messages.ListLessons) -> None:
+    page.send(await to_thread.run_sync(_lessons, page))
+
+
+def _lessons(page: Page) -> messages.Lessons:
+    """The lessons, with how far the user's own projects have come in them."""
+    folder = page.sessions.folder
+    choices, problems = catalog.lesson_choices()
+    begun: dict[str, messages.LessonChoice] = {}
+    # The last changed project is that with which the user goes on.
+    for entry in reversed(folder.entries()):
+        progress = folder.lesson(entry.name).progress()
+        known = next((one for one in choices if progress and one.name == progress.lesson), None)
+        if progress is None or known is None or not _is_own(page, progress):
+            continue
+        earned = sum(len(one.stars) for one in progress.steps.values())
+        before = begun.get(known.name, known)
+        begun[known.name] = replace(
+            known,
+            earned=min(max(earned, before.earned), known.stars),
+            step=progress.step,
+            project=entry.name,
+        )
+    return messages.Lessons(tuple(begun.get(one.name, one) for one in choices), problems)
+
+
+def _is_own(page: Page, progress: Progress) -> bool:
+    """Whether a project was begun in the page's browser, or by its user on any device.
+
+    Projects from before browsers told who they are belong to the server's own computer.
+    """
+    if page.is_alone:
+        return True
+    return progress.browser == page.browser or (page.is_local and not progress.browser)
+
+
+async def _introduce(page: Page, message: messages.Introduce) -> None:
+    page.browser = message.browser
+
+
+async def _start(page: Page, message: messages.StartLesson) -> None:
+    opened = await to_thread.run_sync(catalog.find_lesson, message.lesson)
+    listed = await to_thread.run_sync(_lessons, page)
+    begun = next((one.project for one in listed.lessons if one.name == message.lesson), "")
+    if begun and not message.again:
+        await page.move_to(await page.sessions.open(begun))
+        return
+    page.new_projects.take()
+    project = await to_thread.run_sync(
+        lesson_stage.beginning, opened, 1, message.name, message.robot
+    )
+    session = await page.sessions.start(project)
+    await session.begin_lesson(opened, page.browser)
+    await page.move_to(session)
+    await _tell_worlds(page)
+
+
+async def _show_step(page: Page, message: messages.ShowStep) -> None:
+    await _coach(page).show_step(message.step)
+    await _tell_worlds(page)
+
+
+async def _tell_worlds(page: Page) -> None:
+    """Tell the worlds again: a step may have added one of the lesson's own."""
+    page.send(messages.Worlds(await to_thread.run_sync(catalog.world_choices)))
+
+
+async def _restart_step(page: Page, _: messages.RestartStep) -> None:
+    await _coach(page).restart_step()
+
+
+async def _check(page: Page, _: messages.CheckStep) -> None:
+    await _coach(page).check()
+
+
+async def _stop_checking(page: Page, _: messages.StopChecking) -> None:
+    _coach(page).stop_checking()
+
+
+async def _show_variant(page: Page, message: messages.ShowVariant) -> None:
+    await _coach(page).show_variant(message.robot, message.variant)
+    await page.session.runs.run(page.session.parts[0].players[0], paused=False)
+
+
+async def _take_hint(page: Page, _: messages.TakeHint) -> None:
+    await _coach(page).take_hint()
+
+
+async def _answer_quiz(page: Page, message: messages.AnswerQuiz) -> None:
+    page.send(await _coach(page).answer_quiz(message.choices))
+
+
+async def _answer_puzzle(page: Page, message: messages.AnswerPuzzle) -> None:
+    page.send(await _coach(page).answer_puzzle(message.order))
+
+
+async def _import(page: Page, message: messages.ImportLesson) -> None:
+    require_teacher(page)
+    await _add(page, PurePath(message.filename.replace("\\", "/")).stem, message.content)
+
+
+async def _import_folder(page: Page, message: messages.ImportLessonFolder) -> None:
+    require_teacher(page)
+
+    def pack() -> bytes:
+        return zipped(received_files(message.name, message.files))
+
+    await _add(page, message.name, await to_thread.run_sync(pack))
+
+
+async def _add(page: Page, name: str, content: bytes) -> None:
+    opened = await to_thread.run_sync(catalog.add_lesson, name, content)
+    title = opened.lesson.title
+    plain = title if isinstance(title, str) else dict(title)
+    page.send(messages.LessonImported(opened.name, plain))
+    await _list(page, messages.ListLessons())
+
+
+async def _delete(page: Page, message: messages.DeleteLesson) -> None:
+    require_teacher(page)
+    await to_thread.run_sync(catalog.delete_lesson, message.lesson)
+    await _list(page, messages.ListLessons())
+
+
+def _coach(page: Page) -> Coach:
+    """What guides the open project through its lesson.
+
+    Raises:
+        LearnBlockError: it has no lesson.
+    """
+    coach = page.session.coach
+    if coach is None:
+        raise LearnBlockError("server-lesson-none")
+    return coach
+
+
+HANDLERS: Mapping[type, Handler] = {
+    messages.Introduce: _introduce,
+    messages.ListLessons: _list,
+    messages.StartLesson: _start,
+    messages.ShowStep: _show_step,
+    messages.RestartStep: _restart_step,
+    messages.CheckStep: _check,
+    messages.StopChecking: _stop_checking,
+    messages.ShowVariant: _show_variant,
+    messages.TakeHint: _take_hint,
+    messages.AnswerQuiz: _answer_quiz,
+    messages.AnswerPuzzle: _answer_puzzle,
+    messages.ImportLesson: _import,
+    messages.ImportLessonFolder: _import_folder,
+    messages.DeleteLesson: _delete,
+}

@@ -1,0 +1,102 @@
+"""Opens a kept run, so that pages can look back at it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+from typing import TYPE_CHECKING, Protocol
+
+from learnblock.i18n import Phrase
+from learnblock.runtime.program import Program
+from learnblock.server import messages
+from learnblock.server.runs import telemetry
+from learnblock.server.runs.console import MOST_KEPT
+from learnblock.server.runs.looking import Looking
+
+if TYPE_CHECKING:
+    from learnblock.why.recorded import Recorded
+
+#: Of longer programs, only lines that are where they were have their blocks.
+_MOST_LINES = 10_000
+
+
+class ProgramNow(Protocol):
+    """The program as it is now."""
+
+    def program(self, name: str, /) -> Program:
+        """The program to run."""
+
+    def block_at(self, python_line: int, /) -> str | None:
+        """The block of a line of its Python; None for a line without one."""
+
+
+@dataclass(frozen=True)
+class OpenedRun:
+    """A kept run that is shown.
+
+    Args:
+        looking: looks back at it.
+        shown: what pages say about it.
+        scene: its world; None if that can't be shown.
+    """
+
+    looking: Looking
+    shown: messages.RunShown
+    scene: messages.Scene | None
+
+
+def opened(run: messages.KeptRun, data: bytes, now: ProgramNow) -> OpenedRun:
+    """Open a kept run.
+
+    Args:
+        run: what is known of it.
+        data: its file.
+        now: the program as it is now.
+
+    Raises:
+        LearnBlockError: the file can't be read.
+    """
+    from learnblock.why.verifying import verified  # noqa: PLC0415 - the page opens before
+
+    log = verified(data)
+    then, today = log.recorded.program, now.program(run.program)
+    blocks = [now.block_at(line) for line in _lines_now(then.python, today.python)]
+    shown = messages.RunShown(
+        run,
+        then.identity != today.identity,
+        _remarks(run, log.recorded, has_world=log.has_world),
+        _printed(log.recorded),
+    )
+    return OpenedRun(Looking(log, blocks), shown, _scene(log.recorded) if log.has_world else None)
+
+
+def _lines_now(then: str, now: str) -> Sequence[int]:
+    """For each line of a program, where that line is now; 0 if it is not there any more."""
+    old, new = then.split("\n"), now.split("\n")
+    lines = [0] * len(old)
+    if max(len(old), len(new)) > _MOST_LINES:
+        pairs = enumerate(zip(old, new, strict=False))
+        return [number + 1 if one == other else 0 for number, (one, other) in pairs]
+    for at, there, count in SequenceMatcher(None, old, new).get_matching_blocks():
+        lines[at : at + count] = range(there + 1, there + 1 + count)
+    return lines
+
+
+def _printed(recorded: "Recorded") -> str:
+    """The output of the program, or its end."""
+    lines = [f"{line['print']}\n" for line in recorded.lines if "print" in line]
+    return "".join(lines)[-MOST_KEPT:]
+
+
+def _remarks(run: messages.KeptRun, recorded: "Recorded", *, has_world: bool) -> tuple[Phrase, ...]:
+    if has_world:
+        return ()
+    if "world" in recorded.robot:
+        return (Phrase("kept-world-missing", world=run.world, robot=run.robot),)
+    return (Phrase("kept-real-robot", robot=run.robot),)
+
+
+def _scene(recorded: "Recorded") -> messages.Scene:
+    from learnblock.monitor.world_monitor import WorldMonitor  # noqa: PLC0415 - slow to load
+    from learnblock.why.world_again import WorldAgain  # noqa: PLC0415
+
+    return telemetry.scene(WorldMonitor.of(WorldAgain(recorded).robot))

@@ -1,0 +1,69 @@
+"""The keyboard of a project: every program that listens finds what the users of all pages hold."""
+
+from collections.abc import Hashable, Iterable, Sequence
+
+from learnblock.client.keyboard import KEYS, Key
+from learnblock.server import messages
+from learnblock.server.runs.viewers import Viewer, Viewers
+
+
+class Keyboard:
+    """The keys that users hold down, and those that running programs ask for.
+
+    Its methods run in the event loop, except `held`.
+
+    Args:
+        viewers: the pages that show the project, whichever robot they show.
+    """
+
+    def __init__(self, viewers: Viewers) -> None:
+        self._viewers = viewers
+        self._wanted: dict[Hashable, tuple[Key, ...]] = {}
+        #: The keys that the user of each page holds down.
+        self._pages: dict[Viewer, frozenset[Key]] = {}
+        self._held: frozenset[Key] = frozenset()
+        self._told = messages.KeysWanted(())
+
+    def held(self, program: Hashable) -> Sequence[Key]:
+        """The keys of a program that users of any page hold down; called from its thread."""
+        return [key for key in self._wanted.get(program, ()) if key in self._held]
+
+    def want(self, program: Hashable, keys: tuple[Key, ...]) -> None:
+        """A program asks for these keys from now on."""
+        self._wanted[program] = keys
+        self._tell()
+
+    def ignore(self, program: Hashable) -> None:
+        """A program asks for no more keys, if it ever did."""
+        if self._wanted.pop(program, None) is None:
+            return
+        if not self._wanted:
+            # What is held now is not meant for the next run.
+            self._pages.clear()
+            self._renew()
+        self._tell()
+
+    def hold(self, page: Viewer, keys: Iterable[Key]) -> None:
+        """Let a page's user hold down these keys, and no others."""
+        if self._wanted:
+            self._pages[page] = frozenset(keys)
+            self._renew()
+
+    def join(self, page: Viewer) -> None:
+        """Tell a page which keys the programs ask for."""
+        if self._wanted:
+            page.send(self._told)
+
+    def leave(self, page: Viewer) -> None:
+        """Release the keys that the user of a page holds down."""
+        if self._pages.pop(page, None):
+            self._renew()
+
+    def _renew(self) -> None:
+        self._held = frozenset[Key]().union(*self._pages.values())
+
+    def _tell(self) -> None:
+        wanted = frozenset[Key]().union(*self._wanted.values())
+        keys = tuple(key for key in KEYS if key in wanted)
+        self._told = messages.KeysWanted(keys, programs=len(self._wanted))
+        self._viewers.send(self._told)

@@ -1,0 +1,197 @@
+"""Looks for real robots while a page wants to know which there are."""
+
+import asyncio
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from anyio import CapacityLimiter, to_thread
+
+from learnblock.errors import LearnBlockError
+from learnblock.robots import RobotEntry
+from learnblock.robots.settings import given_names
+from learnblock.running import finding
+from learnblock.server import messages
+from learnblock.server.runs.viewers import Viewer, Viewers
+
+#: The seconds that a driver has to find its robots.
+LIMIT = 2.0
+#: Seconds until robots of a kind are looked for again: a robot that answers is left in peace.
+AGAIN, AGAIN_AFTER_FOUND = 1.0, 6.0
+#: How many drivers look at the same time.
+_MOST_AT_ONCE = 8
+#: The most robots of a kind; an address book is not a robot.
+_MOST_OF_A_KIND = 20
+#: A robot is gone when it has not answered so many times; a beacon may come between two looks.
+_PATIENCE = 2
+
+#: The settings that reach each robot of a kind.
+Settings = tuple[Mapping[str, Any], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A robot that answers.
+
+    Args:
+        shown: the robot as pages know it.
+        entry: its kind.
+        chosen: the settings that reach it.
+    """
+
+    shown: messages.NearbyRobot
+    entry: RobotEntry
+    chosen: Mapping[str, Any]
+
+
+class Nearby:
+    """The robots that answer, for every page that wants to know.
+
+    Args:
+        is_busy: whether a robot with this name is in use, and must not be disturbed.
+    """
+
+    def __init__(self, is_busy: Callable[[str], bool]) -> None:
+        self._is_busy = is_busy
+        self._pages = Viewers()
+        self._searching: asyncio.Task[None] | None = None
+        self._found: dict[str, tuple[Found, ...]] = {}
+        self._missed: dict[str, int] = {}
+        #: The kinds that a program elsewhere on this computer uses.
+        self._elsewhere: set[str] = set()
+        self._known: dict[str, messages.KnownRobot] = {}
+        self._limiter: CapacityLimiter | None = None
+        #: The looks under way, by kind; one goes on even if no page waits for it any more.
+        self._looks: dict[str, asyncio.Task[tuple[Settings, bool]]] = {}
+        self._last: messages.RobotsNearby | None = None
+
+    def find(self, id: str) -> Found | None:  # noqa: A002 - as in the message
+        """The robot with this id, if it has answered."""
+        every = (one for same in self._found.values() for one in same)
+        return next((one for one in every if one.shown.id == id), None)
+
+    def join(self, page: Viewer) -> None:
+        """Send a page every change from now on."""
+        if page not in self._pages:
+            self._pages.add(page)
+        if self._last:
+            page.send(self._last)
+        if self._searching is None:
+            self._searching = asyncio.create_task(self._search())
+
+    def leave(self, page: Viewer) -> None:
+        """Send a page nothing more; without pages, nothing is looked for."""
+        if page in self._pages:
+            self._pages.remove(page)
+        if not self._pages:
+            self.close()
+
+    def close(self) -> None:
+        """Stop looking; what is being asked now ends within its time limit."""
+        if self._searching:
+            self._searching.cancel()
+            self._searching = None
+        self._found, self._last = {}, None
+
+    async def finish_looking(self, robot: str) -> None:
+        """Return once no robot of a kind is being looked for; a look takes `LIMIT` at most."""
+        if robot in self._looks:
+            await asyncio.wait([self._looks[robot]])
+
+    async def refresh(self) -> None:
+        """Read again which kinds there are, how they are called and which are in use."""
+        entries = await to_thread.run_sync(finding.real_robots)
+        self._known = await to_thread.run_sync(self._read_known, entries)
+        self.show()
+
+    async def _search(self) -> None:
+        entries = await to_thread.run_sync(finding.real_robots)
+        self._known = await to_thread.run_sync(self._read_known, entries)
+        self.show()
+        self._limiter = CapacityLimiter(_MOST_AT_ONCE)
+        async with asyncio.TaskGroup() as group:
+            for entry in entries.values():
+                group.create_task(self._repeat(entry))
+
+    async def _repeat(self, entry: RobotEntry) -> None:
+        while True:
+            # A robot in use is not disturbed; it stays in the list until it is free again.
+            if not self._is_busy(entry.name):
+                found, used = await asyncio.shield(self._begin_to_look(entry))
+                if not self._is_busy(entry.name):
+                    self._note(entry, found)
+                    self._elsewhere.discard(entry.name)
+                    self._elsewhere |= {entry.name} if used else set()
+            self.show()
+            await asyncio.sleep(AGAIN_AFTER_FOUND if self._found.get(entry.name) else AGAIN)
+
+    def _begin_to_look(self, entry: RobotEntry) -> "asyncio.Task[tuple[Settings, bool]]":
+        """The look at a kind that is under way, or else a new one."""
+        if entry.name not in self._looks:
+            look = to_thread.run_sync(_look, entry, limiter=self._limiter, abandon_on_cancel=True)
+            self._looks[entry.name] = asyncio.create_task(look)
+            self._looks[entry.name].add_done_callback(lambda _: self._looks.pop(entry.name))
+        return self._looks[entry.name]
+
+    def _note(self, entry: RobotEntry, found: Settings) -> None:
+        self._missed[entry.name] = 0 if found else self._missed.get(entry.name, 0) + 1
+        if found or self._missed[entry.name] >= _PATIENCE:
+            self._found[entry.name] = tuple(
+                _found(entry, chosen) for chosen in found[:_MOST_OF_A_KIND]
+            )
+
+    def show(self) -> None:
+        """Send the pages what has changed."""
+        if not self._pages:
+            return
+        found = (one.shown for same in self._found.values() for one in same)
+        known = (
+            messages.KnownRobot(one.robot, one.name, one.used, self._is_used(one.robot))
+            for one in self._known.values()
+        )
+        shown = messages.RobotsNearby(tuple(found), tuple(known))
+        if shown != self._last:
+            self._last = shown
+            self._pages.send(shown)
+
+    def _is_used(self, name: str) -> bool:
+        return self._is_busy(name) or name in self._elsewhere
+
+    def _read_known(self, entries: Mapping[str, RobotEntry]) -> dict[str, messages.KnownRobot]:
+        used: tuple[str, ...] = ()
+        with suppress(LearnBlockError):
+            used = finding.USED.load().names
+        order = sorted(entries, key=lambda name: used.index(name) if name in used else len(used))
+        names = given_names()
+        return {
+            name: messages.KnownRobot(name, names.get(name, ""), name in used) for name in order
+        }
+
+
+def _look(entry: RobotEntry) -> tuple[Settings, bool]:
+    """The settings that reach each robot of a kind, and whether another program uses it."""
+    found = finding.find(entry, LIMIT)
+    return found, not found and finding.is_in_use(entry)
+
+
+def _found(entry: RobotEntry, chosen: Mapping[str, Any]) -> Found:
+    place = str(chosen.get("device") or chosen.get("address") or "")
+    port = chosen.get("port") or chosen.get("direct_port")
+    where = f"{place}:{port}" if port and not chosen.get("device") else place
+    kind = str(chosen.get("connection", ""))
+    shown = messages.NearbyRobot(
+        id=" ".join(filter(None, (entry.name, kind, where)))[:400],
+        robot=entry.name,
+        way=_way(str(chosen.get("device") or ""), place),
+        place=place,
+    )
+    return Found(shown, entry, chosen)
+
+
+def _way(device: str, address: str) -> Literal["wifi", "usb", "bluetooth", "computer"]:
+    if "rfcomm" in device:
+        return "bluetooth"
+    if device:
+        return "usb"
+    return "computer" if address.startswith(("127.", "localhost")) or not address else "wifi"

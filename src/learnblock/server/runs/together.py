@@ -1,0 +1,231 @@
+"""Several robots of a project in one world, and one run of all their programs."""
+
+import threading
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from learnblock.running import Options, Report
+from learnblock.runtime.debugger import Debugger
+from learnblock.runtime.log.keeping import RunLog
+from learnblock.runtime.program import Program
+from learnblock.runtime.status import State
+from learnblock.server.runs import memory
+from learnblock.server.runs.looking import Looking
+from learnblock.server.runs.player import Player
+from learnblock.server.runs.playing import SEED, Played, Playing, Setting, lines, looking_at
+from learnblock.server.runs.watcher import RunWatcher
+
+if TYPE_CHECKING:
+    from learnblock.monitor import Monitor
+    from learnblock.robots import RobotEntry
+    from learnblock.running.team import Member, TeamReport, TeamRun
+
+
+def staged(robots: "Mapping[str, RobotEntry]", world: str, variant: int) -> "Sequence[Monitor]":
+    """The monitors of robots that stand in a world; this is slow.
+
+    Args:
+        robots: the kinds of robots, by name.
+        world: the name of the world.
+        variant: the number of its variant; 0 is the world as it is drawn.
+
+    Raises:
+        LearnBlockError: there is no such world, or it has no room.
+    """
+    # The server answers before the simulator is loaded, which is slow.
+    from learnblock.monitor import make_monitor, make_monitors  # noqa: PLC0415
+
+    if len(robots) == 1:
+        return [make_monitor(entry, world, variant=variant) for entry in robots.values()]
+    return make_monitors(robots, world, variant)
+
+
+class MemberRun:
+    """One program of a run of several; pausing it pauses all.
+
+    Args:
+        team: the run.
+        member: the robot.
+        debuggers: those of all robots, by name.
+    """
+
+    def __init__(
+        self, team: "TeamRun", member: "Member", debuggers: Mapping[str, Debugger]
+    ) -> None:
+        self._team = team
+        self._member = member
+        self._debuggers = debuggers
+
+    @property
+    def program(self) -> Program:
+        """The program."""
+        return self._member.program
+
+    @property
+    def monitor(self) -> "Monitor | None":
+        """The robot as the page shows it, once the program has created it."""
+        return self._team.monitor(self._member)
+
+    @property
+    def is_deterministic(self) -> bool:
+        """Whether no real robot takes part."""
+        return self._team.is_deterministic
+
+    @property
+    def recorder(self) -> None:
+        """Not kept apart from those of other robots while they run."""
+
+    def run(self) -> Report:
+        """The report of this program; the whole run is started elsewhere."""
+        return self._team.report(self._member)
+
+    def stop(self) -> None:
+        """End all programs."""
+        self._team.stop()
+
+    def pause(self) -> None:
+        """Pause the world at once, and all programs at their next lines."""
+        for debugger in self._debuggers.values():
+            debugger.pause()
+
+    def resume(self) -> None:
+        """Continue all programs."""
+        for debugger in self._debuggers.values():
+            debugger.resume()
+
+    def step(self) -> None:
+        """Run to the next line of this program; the others go on until then."""
+        self._own.pause()
+        self._own.step()
+        self._resume_others()
+
+    def step_over(self) -> None:
+        """Run to the next line of the same function; the other programs go on until then."""
+        self._own.pause()
+        self._own.step_over()
+        self._resume_others()
+
+    def set_breakpoints(self, lines: Collection[int]) -> None:
+        self._own.set_breakpoints(lines)
+
+    def set_speed(self, factor: float | None) -> None:
+        self._team.set_speed(factor)
+
+    def report_variables(self, *, enabled: bool) -> None:
+        self._team.report_variables(self._member, enabled=enabled)
+
+    @property
+    def _own(self) -> Debugger:
+        return self._debuggers[self._member.name]
+
+    def _resume_others(self) -> None:
+        for debugger in self._debuggers.values():
+            if debugger is not self._own:
+                debugger.resume()
+
+
+class MemberWatcher(RunWatcher):
+    """Watches one program of a run of several, which may end before the others.
+
+    Args:
+        player: receives the events.
+    """
+
+    #: The program's part of the run.
+    run: MemberRun
+
+    def __init__(self, player: Player) -> None:
+        super().__init__(player, player.voice)
+        self._player = player
+
+    def state(self, state: State) -> None:
+        super().state(state)
+        if state is State.ENDED:
+            self._pass_on(self._player.on_done, self.run.run())
+
+
+@dataclass(frozen=True, slots=True)
+class Participant:
+    """A robot of a run of several.
+
+    Args:
+        player: follows its program.
+        played: its program.
+        setting: its setting; all have the same world.
+        paused: whether to pause before the first line.
+    """
+
+    player: Player
+    played: Played
+    setting: Setting
+    paused: bool = False
+
+    def member(self) -> "Member":
+        """The robot, as the run needs it."""
+        from learnblock.running.team import Member  # noqa: PLC0415 - as above
+
+        setting = self.setting
+        program = replace(self.played.program(setting.name), tags=setting.tags)
+        return Member(setting.name, program, setting.robot, setting.network, setting.start)
+
+    def looking(self, log: RunLog) -> Looking:
+        """Looks back at the run of this robot."""
+        return looking_at(self.played, log)
+
+    def debugger(self) -> Debugger:
+        """What pauses the program."""
+        return Debugger(lines(self.played, self.setting.breakpoints), paused=self.paused)
+
+
+async def play_together(participants: Sequence[Participant]) -> None:
+    """Run programs in one world from the beginning.
+
+    Args:
+        participants: the robots, in the order in which they take turns.
+
+    Raises:
+        LearnBlockError: there is no room for all robots.
+    """
+    from learnblock.running.team import TeamRun  # noqa: PLC0415 - as above
+
+    watchers = {one.setting.name: MemberWatcher(one.player) for one in participants}
+    debuggers = {one.setting.name: one.debugger() for one in participants}
+    shared = participants[0].setting
+    members = [one.member() for one in participants]
+    logs = {member.name: RunLog(member.program) for member in members}
+    team = TeamRun(
+        members,
+        Options(world=shared.world, seed=SEED, variant=shared.variant, seconds=shared.seconds),
+        trace=shared.trace,
+        watch=lambda member: watchers[member.name],
+        debug=lambda member: debuggers[member.name],
+        monitored=True,
+        logs=logs,
+    )
+    playings = []
+    for member, one in zip(team.members, participants, strict=True):
+        watcher = watchers[member.name]
+        watcher.run = MemberRun(team, member, debuggers)
+        looking = one.looking(logs[member.name])
+        playings.append(Playing(one.played, watcher.run, watcher, looking))
+        await one.player.begin(playings[-1])
+        watcher.run.report_variables(enabled=True)
+    threading.Thread(target=_play, args=(team, playings), name="run", daemon=True).start()
+
+
+def _play(team: "TeamRun", playings: Sequence[Playing]) -> None:
+    outcomes: Sequence[Report | Exception]
+    try:
+        outcomes = _outcomes(team.run())
+    except Exception as error:  # noqa: BLE001 - a driver may raise any exception
+        outcomes = [error] * len(playings)
+    for playing, outcome in zip(playings, outcomes, strict=True):
+        playing.watcher.ended(outcome)
+    memory.give_back()
+
+
+def _outcomes(report: "TeamReport") -> Sequence[Report]:
+    """The report of each robot, with the goals and the trace of the whole run."""
+    trace = report.trace_sha256 or ""
+    return [replace(one, goals=report.goals, trace_sha256=trace) for _, one in report.robots]

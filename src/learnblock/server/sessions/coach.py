@@ -1,0 +1,441 @@
+"""Guides the pages of a project through its lesson."""
+
+import dataclasses
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, BinaryIO, Protocol, cast
+
+from anyio import to_thread
+from msgspec.structs import replace
+
+from learnblock.blocks.block_sets import BlockSet
+from learnblock.errors import LearnBlockError
+from learnblock.lessons.expert import Experts
+from learnblock.lessons.judging import Verdict, judge
+from learnblock.lessons.lesson import Step
+from learnblock.lessons.reading import OpenLesson
+from learnblock.server import catalog, messages
+from learnblock.server.projects.lesson_folder import (
+    EVERYWHERE,
+    GOALS,
+    MOST,
+    PUZZLE,
+    QUIZ,
+    LessonFolder,
+    Progress,
+    StepProgress,
+)
+from learnblock.server.projects.project import Project
+from learnblock.server.runs.viewers import Viewer, Viewers
+from learnblock.server.sessions import lesson_stage as stage
+from learnblock.server.sessions import lesson_view as view
+from learnblock.server.sessions.lesson_check import LessonCheck
+from learnblock.server.sessions.run_judge import Looked, RunJudge, world_of
+
+if TYPE_CHECKING:
+    from learnblock.lessons.hints import Hint
+    from learnblock.server.sessions.part import Part
+    from learnblock.server.sessions.runs import Runs
+
+
+class Pupil(Protocol):
+    """An open project, as its coach sees it."""
+
+    name: str
+    world: str
+    variant: int
+    parts: "list[Part]"
+    viewers: Viewers
+    runs: "Runs"
+
+    @property
+    def project(self) -> Project:
+        """The project in the form that is saved."""
+
+    async def restore(self, earlier: Project) -> None:
+        """Restore programs."""
+
+    async def choose_robot(self, part: "Part", name: str) -> None:
+        """Change the kind of a robot."""
+
+    async def choose_world(self, name: str, variant: int = 0) -> None:
+        """Change the world, or its variant."""
+
+    async def close_robot(self, name: str) -> None:
+        """Close a robot."""
+
+    def show_blocks(self, block_set: BlockSet) -> None:
+        """Show the blocks of a set in the palette."""
+
+
+class Coach:
+    """A project's lesson: its step, and what its pages are told about their program.
+
+    Its methods run in the event loop; a caller that changes something must hold the project's
+    `turn`.
+
+    Args:
+        pupil: the project.
+        opened: the lesson, without what only the teacher has.
+        progress: how far the project has come.
+        keep: returns where that is kept, by the name of the project.
+    """
+
+    def __init__(
+        self,
+        pupil: Pupil,
+        opened: OpenLesson,
+        progress: Progress,
+        keep: Callable[[str], LessonFolder],
+    ) -> None:
+        self._pupil = pupil
+        self._opened = opened
+        last = len(opened.lesson.step)
+        self._progress = replace(progress, step=min(progress.step, last))
+        self._keep = keep
+        self._experts = Experts(opened)
+        self._looked: Looked | None = None
+        self._hints: list[messages.LessonHint] = []
+        self._found: tuple[Hint, ...] = ()
+        self._judge: RunJudge | None = None
+        self._check = LessonCheck(pupil.viewers.send)
+
+    @property
+    def number(self) -> int:
+        """The number of the current step, from 1."""
+        return self._progress.step
+
+    @property
+    def step(self) -> Step:
+        """The current step."""
+        return self._opened.step(self.number)
+
+    @property
+    def _done(self) -> StepProgress:
+        return self._progress.of(self.number)
+
+    # Pages.
+
+    def join(self, page: Viewer) -> None:
+        """Send a page the current step."""
+        page.send(self._shown())
+        if self._check.told.attempts:
+            page.send(self._check.told)
+        if self._hints:
+            page.send(self._hints_now())
+
+    async def close(self) -> None:
+        """Stop judging and checking."""
+        self._check.stop()
+        if self._judge:
+            self._judge.ended()
+            await self._judge.wait()
+        await self._check.wait()
+
+    # Steps.
+
+    async def show_step(self, number: int) -> None:
+        """Go to a step.
+
+        Raises:
+            LearnBlockError: there is no such step, or a program runs.
+        """
+        self._opened.step(number)
+        self._pupil.runs.require_rest()
+        before, after = (stage.group_of(self._opened, one) for one in (self.number, number))
+        keep = self._keep(self._pupil.name)
+        if before != after:
+            await to_thread.run_sync(keep.keep_program, before, self._pupil.project)
+        self._forget()
+        self._set(replace(self._progress, step=number))
+        left = await to_thread.run_sync(keep.program, after) if before != after else None
+        await self._set_the_stage(left, fresh=before != after)
+        await self._look()
+        self._tell()
+
+    async def restart_step(self) -> None:
+        """Begin with the first program of the step again.
+
+        Raises:
+            LearnBlockError: a program runs.
+        """
+        self._pupil.runs.require_rest()
+        self._forget()
+        await self._set_the_stage(None, fresh=True)
+        await self._look()
+        self._tell()
+
+    async def begin(self) -> None:
+        """Set up the first step of a new project."""
+        self._show_blocks()
+        await self._save()
+        await self._look()
+        self._tell()
+
+    async def resume(self) -> None:
+        """Look at the program of a project that has been opened again."""
+        await self._look()
+
+    async def show_variant(self, robot: str, variant: int) -> None:
+        """Choose a robot of the step, and a variant of its world.
+
+        Raises:
+            LearnBlockError: the step is not meant for this robot, or a program runs.
+        """
+        if robot not in self._opened.robots(self.number):
+            raise LearnBlockError("server-lesson-other-robot", robot=robot)
+        self._pupil.runs.require_rest()
+        world = await to_thread.run_sync(stage.world_here, self._opened, self.number, robot)
+        first = self._pupil.parts[0]
+        if first.robot.name != robot:
+            await self._pupil.choose_robot(first, robot)
+        await self._pupil.choose_world(world, variant)
+
+    async def _set_the_stage(self, left: Project | None, *, fresh: bool) -> None:
+        """Choose the world, robots, program and blocks of the current step."""
+        first = self._pupil.parts[0]
+        start = await to_thread.run_sync(
+            stage.beginning, self._opened, self.number, first.name, first.robot.name
+        )
+        names = {part.name for part in start.parts[1:]}
+        for part in self._pupil.parts[1:]:
+            if part.name not in names:
+                await self._pupil.close_robot(part.name)
+        if first.robot.name not in self._opened.robots(self.number):
+            await self._pupil.choose_robot(first, start.robot)
+        await self._pupil.choose_world(start.world)
+        if fresh or len(self._pupil.parts) < len(start.parts):
+            before = left or (start if fresh else self._pupil.project)
+            mine = dataclasses.replace(before.parts[0], name=self._pupil.parts[0].name)
+            wanted = [mine, *start.parts[1:]]
+            await self._pupil.restore(start.with_parts(wanted))
+        self._show_blocks()
+        await self._save()
+
+    def _show_blocks(self) -> None:
+        if blocks := stage.blocks_of(self._opened, self.number):
+            self._pupil.show_blocks(blocks)
+
+    # Runs.
+
+    def watch(self) -> tuple[BinaryIO, float]:
+        """Begin to judge a run that is about to start: what takes its trace, and its limit in s."""
+        self._forget_run()
+        self._judge = RunJudge(
+            self._opened, self.number, self._pupil.parts, self._experts, self._told
+        )
+        return cast("BinaryIO", self._judge.collector), self.step.seconds
+
+    def ended(self) -> None:
+        """Judge the run, whose programs have all ended."""
+        if self._judge:
+            self._judge.ended()
+
+    async def _told(self, looked: Looked, *, live: bool) -> None:
+        """Tell the pages what became of the checks; after the run, its stars are earned."""
+        self._looked = looked
+        earned = 0 if live else await self._earn(stars_of(looked.verdicts))
+        self._pupil.viewers.send(
+            messages.LessonGoals(
+                view.goals(looked.verdicts, self._done),
+                live=live,
+                done=not live and GOALS in stars_of(looked.verdicts),
+                earned=earned,
+                steps=view.steps(self._opened, self._progress),
+            )
+        )
+
+    async def _look(self) -> None:
+        """Judge how the program is built, before its run."""
+        tree = self._pupil.parts[0].document.good.tree
+        verdicts = await to_thread.run_sync(judge, self.step, tree, None, None)
+        self._looked = Looked(tree, verdicts)
+
+    # All variants and robots.
+
+    async def check(self) -> None:
+        """Begin to check the program on all variants and robots.
+
+        Raises:
+            LearnBlockError: the program has errors, or a check goes on.
+        """
+        document = self._pupil.parts[0].document
+        document.require_no_errors()
+        number = self.number
+        found = catalog.attempts_of(self._opened, number)
+
+        async def passed() -> None:
+            if number == self.number:
+                await self._earn((GOALS, EVERYWHERE))
+                self._tell()
+
+        self._check.start(self._opened, number, document.blocktext, found, passed)
+
+    def stop_checking(self) -> None:
+        """Stop checking."""
+        self._check.stop()
+
+    # Hints.
+
+    async def take_hint(self) -> None:
+        """Give the next level of the last hint, or the next hint.
+
+        Raises:
+            LearnBlockError: there is none left.
+        """
+        looked = self._looked
+        if looked is None:
+            raise LearnBlockError("server-lesson-no-hint")
+        if not self._found:
+            self._found = await to_thread.run_sync(self._hinted, looked)
+        given = self._hints[-1] if self._hints else None
+        last = self._found[len(self._hints) - 1] if given else None
+        if given and last and len(given.levels) < len(last.levels):
+            self._hints[-1] = _hint(last, len(given.levels) + 1)
+        elif len(self._hints) < len(self._found):
+            self._hints.append(_hint(self._found[len(self._hints)], 1))
+        else:
+            raise LearnBlockError("server-lesson-no-hint")
+        self._change(replace(self._done, hints=min(self._done.hints + 1, MOST)))
+        await self._save()
+        self._pupil.viewers.send(self._hints_now())
+
+    def _hinted(self, looked: Looked) -> "tuple[Hint, ...]":
+        from learnblock.lessons.hints import Elsewhere, hints  # noqa: PLC0415 - few runs need one
+
+        seen = (looked.tree, looked.verdicts, looked.evidence)
+        usual = self._opened.robots(self.number)[0]
+        elsewhere = Elsewhere(
+            is_variant=self._pupil.variant > 0,
+            is_other_robot=self._pupil.parts[0].robot.name != usual,
+            passes_usually=GOALS in self._done.stars,
+        )
+        world = world_of(self._opened, self.number)
+        return hints(self.step, *seen, world=world, elsewhere=elsewhere)
+
+    def _hints_now(self) -> messages.LessonHints:
+        count, found = len(self._hints), self._found
+        more = count < len(found) or (
+            count > 0 and len(self._hints[-1].levels) < len(found[count - 1].levels)
+        )
+        return messages.LessonHints(tuple(self._hints), more, self._done.hints)
+
+    # Questions.
+
+    async def answer_quiz(self, choices: Sequence[int]) -> messages.QuizJudged:
+        """Judge an answer.
+
+        Raises:
+            LearnBlockError: the step has no question, or no such answers.
+        """
+        quiz = self.step.quiz
+        if quiz is None or any(index >= len(quiz.choices) for index in choices):
+            raise LearnBlockError("server-lesson-no-question")
+        chosen = set(choices)
+        right = chosen == {index for index, one in enumerate(quiz.choices) if one.right}
+        because = {
+            str(index): view.plain(one.because)
+            for index, one in enumerate(quiz.choices)
+            if index in chosen and one.because is not None
+        }
+        self._change(
+            replace(self._done, quiz=tuple(sorted(chosen)), tries=min(self._done.tries + 1, MOST))
+        )
+        await self._earn((QUIZ,) if right else ())
+        self._tell_steps()
+        return messages.QuizJudged(right, because)
+
+    async def answer_puzzle(self, order: Sequence[int]) -> messages.PuzzleJudged:
+        """Judge the order of the puzzle's pieces.
+
+        Raises:
+            LearnBlockError: the step has no puzzle, or no such pieces.
+        """
+        puzzle, _ = view.puzzle(self._opened, self.step, self._done)
+        if puzzle is None or any(index >= len(puzzle.pieces) for index in order):
+            raise LearnBlockError("server-lesson-no-question")
+        given = [puzzle.pieces[index] for index in order]
+        judged = view.judged_puzzle(self._opened, self.step, given)
+        self._change(replace(self._done, tries=min(self._done.tries + 1, MOST)))
+        await self._earn((PUZZLE,) if judged.right else ())
+        self._tell_steps()
+        return judged
+
+    # Helpers.
+
+    def _tell(self) -> None:
+        self._pupil.viewers.send(self._shown())
+
+    def _tell_steps(self) -> None:
+        """Tell the pages which stars are earned."""
+        verdicts = self._looked.verdicts if self._looked else ()
+        found = view.steps(self._opened, self._progress)
+        self._pupil.viewers.send(
+            messages.LessonGoals(view.goals(verdicts, self._done), steps=found)
+        )
+
+    def _shown(self) -> messages.LessonShown:
+        step, done = self.step, self._done
+        puzzle, _ = view.puzzle(self._opened, step, done)
+        return messages.LessonShown(
+            name=self._opened.name,
+            title=view.plain(self._opened.lesson.title),
+            level=self._opened.lesson.level,
+            steps=view.steps(self._opened, self._progress),
+            step=self.number,
+            text=view.plain(step.text),
+            drawings=view.drawings(step, puzzle.pieces if puzzle else ()),
+            goals=view.goals(self._looked.verdicts if self._looked else (), done),
+            attempts=len(catalog.attempts_of(self._opened, self.number)) if step.check else 0,
+            everywhere=EVERYWHERE in done.stars,
+            hints=done.hints,
+            quiz=view.quiz(step, done),
+            puzzle=puzzle,
+            restarts=any(one.program for one in self._opened.lesson.step[: self.number]),
+        )
+
+    def _forget(self) -> None:
+        """Forget the last run, which was in another step."""
+        self._forget_run()
+        self._check.forget()
+        self._looked = None
+
+    def _forget_run(self) -> None:
+        """Forget the last run but for what was seen of it."""
+        self._check.stop()
+        if self._judge:
+            self._judge.forget()
+        self._hints.clear()
+        self._found = ()
+
+    def _set(self, progress: Progress) -> None:
+        self._progress = progress
+
+    def _change(self, done: StepProgress) -> None:
+        self._set(self._progress.with_step(self.number, done))
+
+    async def _earn(self, stars: Sequence[str]) -> int:
+        """Earn stars of the current step, and save; return how many are new."""
+        known = tuple(catalog.star_names(self.step))
+        new = [one for one in stars if one in known and one not in self._done.stars]
+        self._change(replace(self._done, stars=(*self._done.stars, *new)))
+        await self._save()
+        return len(new)
+
+    async def _save(self) -> None:
+        keep = self._keep(self._pupil.name)
+        await to_thread.run_sync(keep.keep_progress, self._progress)
+
+
+def stars_of(verdicts: Sequence[Verdict]) -> tuple[str, ...]:
+    """The stars that a run has earned."""
+    required = [one for one in verdicts if not one.check.optional]
+    extra = (one for one in verdicts if one.check.optional and one.state == "met")
+    stars = tuple(f"check-{one.index}" for one in extra)
+    if required and all(one.state == "met" for one in required):
+        return GOALS, *stars
+    return stars
+
+
+def _hint(hint: "Hint", levels: int) -> messages.LessonHint:
+    # Why it was chosen is for the teacher: it may say what to change.
+    return messages.LessonHint(tuple(map(view.words, hint.levels[:levels])))

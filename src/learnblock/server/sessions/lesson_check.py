@@ -1,0 +1,119 @@
+"""Checks a program on all variants of a step's world and on all its robots."""
+
+import asyncio
+from collections.abc import Awaitable, Callable, Generator, Sequence
+from contextlib import closing
+
+from anyio import to_thread
+from msgspec.structs import replace
+
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.lessons.reading import OpenLesson
+from learnblock.lessons.trying import Attempt, StopSwitch, Tried, try_step
+from learnblock.server import messages
+from learnblock.server.messages.problems import phrase_of
+
+
+class LessonCheck:
+    """What goes on in the background while the user may go on working.
+
+    Args:
+        send: sends a message to the pages.
+    """
+
+    def __init__(self, send: Callable[[messages.Message], object]) -> None:
+        self._send = send
+        self._task: asyncio.Task[None] | None = None
+        self._switch = StopSwitch()
+        #: What the pages have been told last.
+        self.told = messages.LessonChecked()
+
+    def start(
+        self,
+        opened: OpenLesson,
+        step: int,
+        source: str,
+        attempts: Sequence[Attempt],
+        on_passed: Callable[[], Awaitable[object]],
+    ) -> None:
+        """Begin to check a program.
+
+        Args:
+            opened: the lesson.
+            step: the number of the step.
+            source: the program in Block-Text.
+            attempts: the robots and variants.
+            on_passed: called if it passes all.
+
+        Raises:
+            LearnBlockError: a check goes on.
+        """
+        if self.told.running:
+            raise LearnBlockError("server-lesson-checking")
+        self._switch = StopSwitch()
+        waiting = tuple(messages.LessonAttempt(one.robot, one.variant) for one in attempts)
+        self._tell(messages.LessonChecked(waiting, running=True))
+        self._task = asyncio.create_task(self._run(opened, step, source, attempts, on_passed))
+
+    def stop(self) -> None:
+        """Stop; runs that go on end at once."""
+        self._switch.stop()
+
+    def forget(self) -> None:
+        """Forget what was checked."""
+        self.told = messages.LessonChecked()
+
+    async def wait(self) -> None:
+        """Wait until a check that was stopped has ended."""
+        if self._task:
+            await self._task
+
+    async def _run(
+        self,
+        opened: OpenLesson,
+        step: int,
+        source: str,
+        attempts: Sequence[Attempt],
+        on_passed: Callable[[], Awaitable[object]],
+    ) -> None:
+        switch, loop = self._switch, asyncio.get_running_loop()
+
+        def run() -> None:
+            tries = try_step(opened, step, source, attempts, switch=switch)
+            assert isinstance(tries, Generator)  # noqa: S101 - so that it can be given up
+            with closing(tries):
+                for tried in tries:
+                    if switch.is_stopped:
+                        break
+                    loop.call_soon_threadsafe(self._tried, switch, tried)
+
+        problem = None
+        try:
+            await to_thread.run_sync(run)
+        except (LearnBlockError, OSError) as error:
+            problem = phrase_of(error)
+        if switch.is_stopped and self.told.attempts == ():
+            return
+        # The results that the thread has handed over come first.
+        await asyncio.sleep(0)
+        everywhere = all(one.passed for one in self.told.attempts) and not switch.is_stopped
+        if everywhere:
+            await on_passed()
+        self._tell(replace(self.told, running=False, everywhere=everywhere, problem=problem))
+
+    def _tried(self, switch: StopSwitch, tried: Tried) -> None:
+        if switch.is_stopped:
+            return
+        wanted = (tried.attempt.robot, tried.attempt.variant)
+        missed = [one for one in tried.verdicts if not one.check.optional and one.state != "met"]
+        reasons = tuple(one.reason or Phrase("server-lesson-not-met") for one in missed)
+        result = messages.LessonAttempt(*wanted, passed=not missed, reasons=reasons[:3])
+        attempts = tuple(
+            result if (one.robot, one.variant) == wanted else one for one in self.told.attempts
+        )
+        self._tell(replace(self.told, attempts=attempts))
+
+    def _tell(self, told: messages.LessonChecked) -> None:
+        self.told = told
+        self._send(told)

@@ -1,0 +1,167 @@
+"""What a page shows of a lesson: no answers, no solutions, nothing of the teacher's."""
+
+import random
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import count, islice
+from typing import Literal
+
+from learnblock.blocks.known import all_configurations
+from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase
+from learnblock.language import Workspace, parse, to_workspace
+from learnblock.lessons import puzzles
+from learnblock.lessons.checks import Collided, GoalReached, Happens, Never, Reaches, Size, Uses
+from learnblock.lessons.describing import describe
+from learnblock.lessons.judging import Verdict
+from learnblock.lessons.lesson import Step
+from learnblock.lessons.reading import OpenLesson
+from learnblock.lessons.texts import MOST_DRAWINGS, drawn_blocks
+from learnblock.server import catalog, messages
+from learnblock.server.projects.lesson_folder import PUZZLE, QUIZ, Progress, StepProgress
+
+#: The longest program that is drawn.
+_LONGEST_DRAWING = 4000
+
+
+def plain(text: str | Mapping[str, str]) -> messages.LessonText:
+    """A text of a lesson in the form of messages."""
+    return text if isinstance(text, str) else dict(text)
+
+
+def words(text: str | Mapping[str, str] | Phrase) -> messages.LessonWords:
+    """What a pupil reads, in the form of messages."""
+    if isinstance(text, Phrase):
+        return messages.LessonWords(phrase=text)
+    return messages.LessonWords(plain(text))
+
+
+def goals(verdicts: Sequence[Verdict], done: StepProgress) -> tuple[messages.LessonGoal, ...]:
+    """The checks of a step, with their verdicts."""
+    return tuple(
+        messages.LessonGoal(
+            say=words(verdict.check.say or describe(verdict.check)),
+            state=verdict.state,
+            optional=verdict.check.optional,
+            reason=verdict.reason if verdict.state == "failed" else None,
+            earned=f"check-{verdict.index}" in done.stars,
+            ask=asked[0],
+            subject=asked[1],
+        )
+        for verdict in verdicts
+        for asked in (_question(verdict),)
+    )
+
+
+def _question(verdict: Verdict) -> tuple[Literal["", "now", "goal", "bump"], str]:
+    """The question about the run that leads to why a check failed: its kind and subject."""
+    check = verdict.check
+    if verdict.state != "failed" or isinstance(check, Uses | Size):
+        # What is wrong is in the text of the program.
+        return "", ""
+    if isinstance(check, Never) and isinstance(check.what, Collided):
+        return "bump", ""
+    if isinstance(check, Reaches):
+        return "goal", check.goals[0] if len(check.goals) == 1 else ""
+    if isinstance(check, Happens) and isinstance(check.what, GoalReached):
+        return "goal", check.what.name
+    return "now", ""
+
+
+def steps(opened: OpenLesson, progress: Progress) -> tuple[messages.LessonStep, ...]:
+    """The steps of a lesson, with the stars earned."""
+    return tuple(
+        messages.LessonStep(
+            title=plain(step.title),
+            phase=step.phase,
+            stars=len(names := tuple(catalog.star_names(step))),
+            earned=len(set(names) & set(progress.of(number).stars)),
+        )
+        for number, step in enumerate(opened.lesson.step, 1)
+    )
+
+
+def quiz(step: Step, done: StepProgress) -> messages.LessonQuiz | None:
+    """The question of a step, without what is right."""
+    if step.quiz is None:
+        return None
+    choices = step.quiz.choices
+    return messages.LessonQuiz(
+        question=plain(step.quiz.question),
+        choices=tuple(plain(one.text) for one in choices),
+        several=sum(one.right for one in choices) > 1,
+        solved=QUIZ in done.stars,
+    )
+
+
+def puzzle(
+    opened: OpenLesson, step: Step, done: StepProgress
+) -> tuple[messages.LessonPuzzle | None, tuple[str, ...]]:
+    """The puzzle of a step, and its pieces in the right order."""
+    if step.puzzle is None:
+        return None, ()
+    right, *_ = puzzles.right_orders(opened, step.puzzle)
+    pieces = [*right, *(one.strip() for one in step.puzzle.distractors)]
+    # The same for everyone and each time, so that a page that is reloaded shows the same.
+    for seed in count():
+        shuffled = random.Random(seed).sample(pieces, len(pieces))  # noqa: S311 - no secret
+        if tuple(shuffled[: len(right)]) != right or len(set(pieces)) == 1:
+            break
+    return messages.LessonPuzzle(tuple(shuffled), PUZZLE in done.stars), right
+
+
+def judged_puzzle(opened: OpenLesson, step: Step, given: Sequence[str]) -> messages.PuzzleJudged:
+    """Judge the pieces of a step's puzzle in the order in which a pupil has put them."""
+    assert step.puzzle is not None  # noqa: S101 - it is asked for a step with one
+    judged = puzzles.judge(given, puzzles.right_orders(opened, step.puzzle))
+    return messages.PuzzleJudged(judged.right, judged.good)
+
+
+def drawings(step: Step, pieces: Iterable[str] = ()) -> dict[str, Workspace]:
+    """The blocks of a step's texts and of the pieces of its puzzle, by their Block-Text."""
+    texts = (step.text,) if isinstance(step.text, str) else step.text.values()
+    return drawings_in(texts, pieces)
+
+
+def drawings_in(texts: Iterable[str], pieces: Iterable[str] = ()) -> dict[str, Workspace]:
+    """The blocks of Markdown and of the pieces of a puzzle, by their Block-Text."""
+    fences = (found.strip("\n") for text in texts for found in drawn_blocks(text))
+    wanted = islice(dict.fromkeys((*fences, *pieces)), MOST_DRAWINGS)
+    drawn = ((source, _drawing(source)) for source in wanted)
+    return {source: workspace for source, workspace in drawn if workspace is not None}
+
+
+def _drawing(source: str) -> Workspace | None:
+    """The blocks of a program, or of some of its statements; None if they can't be drawn."""
+    if len(source) > _LONGEST_DRAWING:
+        return None
+    body = source.strip("\n")
+    if body.startswith("elif "):
+        # The page writes "else" before the drawing of the "if".
+        body = body.removeprefix("el")
+    inner = "\n".join(f"    {line}" for line in body.split("\n"))
+    is_head = body.endswith(":") and "\n" not in body
+    parts = [f"main:\n{inner}\nend\n"]
+    if is_head:
+        # A line such as "repeat 4:" begins a statement.
+        parts.append(f"main:\n{inner}\n        pass\n    end\nend\n")
+    found = next(filter(None, map(_blocks, parts)), None)
+    if found:
+        return _without_head(found)
+    # "main:" or "def go():" begins a part of the program.
+    return _blocks(f"{body}\n    pass\nend\n" if is_head else source)
+
+
+def _blocks(text: str) -> Workspace | None:
+    try:
+        return to_workspace(parse(text, "lesson.bt"), all_configurations()).workspace
+    except (LearnBlockError, RecursionError):
+        return None
+
+
+def _without_head(workspace: Workspace) -> Workspace | None:
+    """The statements inside of ``main``, as a stack of their own."""
+    for first, *_ in workspace.stacks:
+        for found in first.inputs.values():
+            if found.stack:
+                return Workspace([found.stack], workspace.variables)
+    return None

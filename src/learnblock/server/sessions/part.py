@@ -1,0 +1,302 @@
+"""One of the programs of an open project, with the robots that run it."""
+
+import asyncio
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Literal, Protocol, TypeVar
+
+from anyio import to_thread
+
+from learnblock.blocks import BlockConfiguration
+from learnblock.robots import RobotEntry
+from learnblock.server import messages
+from learnblock.server.messages import View
+from learnblock.server.program.document import Document
+from learnblock.server.program.merging import Content, Edit, Merged, base_of
+from learnblock.server.program.shared import SharedProgram
+from learnblock.server.projects.project import Project, ProjectPart
+from learnblock.server.runs.console import Console
+from learnblock.server.runs.keyboard import Keyboard
+from learnblock.server.runs.player import Player
+from learnblock.server.runs.viewers import Viewer, Viewers
+from learnblock.server.sessions.prepared import PreparedPart
+from learnblock.server.sessions.saves import Saved, Saves
+
+Result = TypeVar("Result")
+
+
+class Home(Protocol):
+    """The open project of a part."""
+
+    keyboard: Keyboard
+
+    @property
+    def project(self) -> Project:
+        """The project in its current state."""
+
+    def part_changed(self) -> None:
+        """Save the project, and show the pages what has changed on a tab."""
+
+    def show_tabs(self) -> None:
+        """Show the pages what has changed on a tab."""
+
+    async def keep_lost(
+        self, part: "Part", lost: Document, pages: Iterable[Viewer], by: Literal["page", "before"]
+    ) -> None:
+        """Save a version with a change that the program of a part lacks, and say so."""
+
+    def part_ended(self, ended: messages.Ended) -> None:
+        """Called after each run with how the program of a part ended."""
+
+
+#: The states of programs, those that need attention most first.
+_STATES: tuple[messages.StateName, ...] = (
+    "held",
+    "paused",
+    "input",
+    "running",
+    "starting",
+    "done",
+    "ended",
+    "idle",
+)
+
+
+class Part:
+    """A program of an open project, with the robots that run it; a page shows one of them.
+
+    Its methods run in the event loop; a caller that changes it must hold the project's `turn`.
+
+    Args:
+        prepared: the program and the kind of robot.
+        home: the project.
+    """
+
+    def __init__(self, prepared: PreparedPart, home: Home) -> None:
+        self.name = prepared.name
+        self.robot = prepared.robot
+        self.breakpoints = prepared.breakpoints
+        self.program = SharedProgram(prepared.document)
+        #: The pages that show this part.
+        self.viewers = Viewers()
+        self.saves: Saves
+        self._home = home
+        self._console = Console()
+        #: The robots that run the program, at least one.
+        self.players = tuple(self._new_player() for _ in range(prepared.count))
+        #: The program changes in one thread at a time.
+        self._thinking = asyncio.Lock()
+
+    @property
+    def document(self) -> Document:
+        """The current program."""
+        return self.program.document
+
+    @property
+    def tab(self) -> messages.Tab:
+        """Its tab in the page."""
+        robots = tuple(
+            messages.TabRobot(player.voice.robot, player.state, player.has_failed)
+            for player in self.players
+        )
+        return messages.Tab(
+            self.name,
+            self.robot.name,
+            min((one.state for one in robots), key=_STATES.index),
+            failed=any(one.failed for one in robots),
+            mistakes=self.document.first_error is not None,
+            robots=robots if len(robots) > 1 else (),
+        )
+
+    def player_of(self, page: Viewer) -> Player:
+        """The robot that a page shows."""
+        return next(player for player in self.players if page in player.viewers)
+
+    def name_of(self, player: Player) -> str:
+        """The name of one of its robots in the world."""
+        return player.voice.robot or self.name
+
+    def player_named(self, name: str) -> Player:
+        """The robot with this name; the first if there is none."""
+        return next((one for one in self.players if one.voice.robot == name), self.players[0])
+
+    def set_count(self, count: int) -> tuple[Player, ...]:
+        """Let another number of robots run the program; return those that are left over.
+
+        Pages must not show them any more, and they must be closed.
+        """
+        more = [self._new_player() for _ in range(count - len(self.players))]
+        left = self.players[count:]
+        self.players = (*self.players[:count], *more)
+        return left
+
+    def forget_run(self) -> None:
+        """Forget the last run, which was one of other robots or in another world."""
+        self._console.clear()
+        for player in self.players:
+            player.forget()
+
+    def name_robots(self, names: Sequence[str]) -> None:
+        """Give the robots their names in the world."""
+        several = len(self.players) > 1
+        for player, name in zip(self.players, names, strict=True):
+            player.voice.robot = name if several else ""
+
+    async def close(self) -> None:
+        """Stop the programs and the robots."""
+        for player in self.players:
+            await player.close()
+
+    def saved_with(self, document: Document) -> ProjectPart:
+        """The part in the form that is saved, with a program."""
+        return ProjectPart(
+            name=self.name,
+            blocktext=document.blocktext,
+            python=document.python_by_hand,
+            workspace=document.workspace,
+            robot=self.robot.name,
+            breakpoints=self.breakpoints,
+            count=len(self.players),
+        )
+
+    # Pages.
+
+    def join(self, page: Viewer, player: Player) -> None:
+        """Send a page the program and the run of a robot, and all changes from now on."""
+        page.send(self.program.update(page.shown))
+        player.join(page)
+        # Only now, because it has just received what has been printed so far.
+        self.viewers.add(page)
+
+    def leave(self, page: Viewer) -> None:
+        """Stop sending messages to a page."""
+        self.player_of(page).leave(page)
+        self.viewers.remove(page)
+
+    # The program.
+
+    async def change(self, edit: Callable[[Document], Document]) -> None:
+        """Change the program, and send every page what it doesn't show yet.
+
+        Raises:
+            LearnBlockError: the edit is impossible; nothing has changed.
+        """
+        await self._think(lambda: self.program.change(edit))
+
+    async def edit(
+        self, page: Viewer, number: int, revision: int, view: View, content: Content
+    ) -> None:
+        """Merge an edit of a page, which wins where others have changed the same line since.
+
+        Args:
+            page: the page.
+            number: the number of its edit.
+            revision: the revision that it shows, apart from its own edits; 0 for the current one.
+            view: the edited view.
+            content: the view after the edit.
+        """
+
+        def merge() -> Merged:
+            revisions = self.program.revisions
+            base = page.shown.base(view, revision or revisions.last.number, revisions)
+            merged = self.program.merge(Edit(view, content, base), page.shown)
+            page.shown.edited(number, view, content)
+            return merged
+
+        merged = await self._think(merge)
+        if merged.lost:
+            await self._home.keep_lost(self, merged.lost, self.viewers, "page")
+
+    async def recover(
+        self, page: Viewer, number: int, view: View, content: Content, base: Content
+    ) -> None:
+        """Merge an edit that a page had made before its connection was lost.
+
+        What others have changed since wins.
+
+        Args:
+            page: the page.
+            number: the number of its edit.
+            view: the edited view.
+            content: the view after the edit.
+            base: the view before the edit.
+        """
+
+        def merge() -> Merged:
+            edit = Edit(view, content, base_of(self.document, base), wins=False)
+            merged = self.program.merge(edit, page.shown)
+            page.shown.repeated(number, view)
+            return merged
+
+        merged = await self._think(merge)
+        if merged.lost:
+            await self._home.keep_lost(self, merged.lost, [page], "before")
+
+    async def undo(self) -> None:
+        """Undo the last edit, if there is one."""
+        await self._think(self.program.undo)
+
+    async def redo(self) -> None:
+        """Redo the last undone edit, if there is one."""
+        await self._think(self.program.redo)
+
+    async def restore(self, earlier: Document) -> None:
+        """Restore an earlier program, for the current robot."""
+        await self.change(lambda _: self._for_robot(earlier))
+
+    async def know(self, configurations: Mapping[str, BlockConfiguration]) -> None:
+        """Read the program with a changed set of skills."""
+        await self._think(
+            lambda: self.program.replace(lambda now: now.with_configurations(configurations))
+        )
+
+    async def use(self, robot: RobotEntry) -> None:
+        """Write the program for another kind of robot."""
+        self.robot = robot
+        await self._think(lambda: self.program.replace(self._for_robot))
+
+    # The file.
+
+    def saved(self, project: Project) -> Saved:
+        """The part as it is now, in a project that is being saved."""
+        return Saved(project, self.program.revisions.last)
+
+    async def take_in(self, outside: ProjectPart, read: Document) -> bool:
+        """Merge the program as another program has saved it; what was changed here wins.
+
+        Args:
+            outside: the part in the file.
+            read: its program.
+
+        Returns:
+            Whether the program lacks a change of the other program.
+        """
+        document = self._for_robot(read)
+        view: View = "blocktext" if outside.python is None else "python"
+        base = self.saves.edited(view, document.text_of(view)).revision
+        edit = Edit(view, document.text_of(view), base.text(view), wins=False)
+
+        def merge() -> bool:
+            if self.program.revisions.last == base:
+                self.program.change(lambda _: document)
+                return False
+            return self.program.merge(edit).lost is not None
+
+        return await self._think(merge)
+
+    # Helpers.
+
+    def _new_player(self) -> Player:
+        home = self._home
+        return Player(self._console, self.viewers, home.keyboard, home.part_ended, home.show_tabs)
+
+    def _for_robot(self, document: Document) -> Document:
+        return document.with_robot(self.robot.module, self.robot.load().known_equipment())
+
+    async def _think(self, change: Callable[[], Result]) -> Result:
+        """Change the program in a thread, because this is slow, and send the changes."""
+        async with self._thinking:
+            result = await to_thread.run_sync(change)
+        for page in self.viewers:
+            page.send(self.program.update(page.shown))
+        self._home.part_changed()
+        return result

@@ -1,0 +1,241 @@
+"""The robots of an open project in their world, and the runs of their programs."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from time import time
+from typing import TYPE_CHECKING, Protocol
+
+from anyio import to_thread
+
+from learnblock.errors import LearnBlockError
+from learnblock.robots import RobotEntry
+from learnblock.running import may_use_network
+from learnblock.server import messages
+from learnblock.server.projects.folder import ProjectFolder
+from learnblock.server.runs.playing import Setting
+from learnblock.server.runs.together import Participant, play_together, staged
+from learnblock.server.runs.trial import Trial
+
+if TYPE_CHECKING:
+    from learnblock.server.runs.player import Player
+    from learnblock.server.sessions.archive import Archive
+    from learnblock.server.sessions.coach import Coach
+    from learnblock.server.sessions.part import Part
+
+
+class Staged(Protocol):
+    """An open project, as its runs see it."""
+
+    name: str
+    world: str
+    variant: int
+    tags: Mapping[str, int]
+    coach: "Coach | None"
+    parts: "list[Part]"
+    archive: "Archive"
+
+
+class Runs:
+    """Starts and stops all programs of a project together.
+
+    Args:
+        project: the project.
+        folder: the folder of its file.
+    """
+
+    def __init__(self, project: Staged, folder: ProjectFolder) -> None:
+        self._project = project
+        self._folder = folder
+        self._last_run = (0.0, "")
+        self._network = False
+        self._speed: float | None = 1.0
+        #: How the programs of this run have ended so far.
+        self._endings: list[messages.Ended] = []
+
+    @property
+    def active(self) -> bool:
+        """Whether a program is running."""
+        return any(player.active for player in self._players)
+
+    @property
+    def uses_network(self) -> bool:
+        """Whether a program is running that may use the network."""
+        return self._network and self.active
+
+    def require_rest(self) -> None:
+        """Refuse what is impossible while a program runs.
+
+        Raises:
+            LearnBlockError: a program runs.
+        """
+        if self.active:
+            raise LearnBlockError("play-program-running")
+
+    async def set_the_stage(
+        self,
+        robots: "Mapping[Part, RobotEntry] | None" = None,
+        world: tuple[str, int] | None = None,
+    ) -> None:
+        """Put the robots into their world.
+
+        Args:
+            robots: other kinds of some robots.
+            world: the name of another world, and the number of its variant.
+
+        Raises:
+            LearnBlockError: there is no room for them, or a program runs.
+        """
+        self.require_rest()
+        chosen = robots or {}
+        kinds = {
+            part.name_of(player): chosen.get(part, part.robot) for part, player in self._robots
+        }
+        name, variant = world or (self._project.world, self._project.variant)
+        monitors = await to_thread.run_sync(staged, kinds, name, variant)
+        for player, monitor in zip(self._players, monitors, strict=True):
+            await player.stage(monitor)
+            # A robot that was added has to be as fast as the others: they share the world's time.
+            player.set_speed(self._speed)
+
+    async def run(self, player: "Player", *, paused: bool) -> None:
+        """Run all programs from the start, and save a version of the project.
+
+        Args:
+            player: the one that is paused.
+            paused: whether to pause before its first line.
+
+        Raises:
+            LearnBlockError: a program has errors.
+        """
+        for one in self._parts:
+            self._require_no_errors(one)
+        await self.stop()
+        self._endings.clear()
+        self._last_run = (time(), await self._project.archive.keep_version("run"))
+        settings = [await self._setting(part, one) for part, one in self._robots]
+        if coach := self._project.coach:
+            trace, seconds = coach.watch()
+            settings[0] = replace(settings[0], trace=trace, seconds=seconds)
+        try:
+            await self._start(player, settings, paused=paused)
+        except LearnBlockError:
+            if coach:
+                coach.ended()
+            raise
+
+    async def _start(self, player: "Player", settings: Sequence[Setting], *, paused: bool) -> None:
+        if len(settings) == 1:
+            await player.run(self._parts[0].document, settings[0], paused=paused)
+            return
+        participants = [
+            Participant(one, part.document, setting, paused and one is player)
+            for (part, one), setting in zip(self._robots, settings, strict=True)
+        ]
+        await play_together(participants)
+
+    async def try_out(self, part: "Part", player: "Player", trial: Trial) -> None:
+        """Run a single function on one of the robots instead of the programs."""
+        await self.stop()
+        await player.run(trial, await self._setting(part, player), paused=False)
+
+    async def stop(self) -> None:
+        """Stop all programs and robots, and return once they have stopped."""
+        for player in self._players:
+            await player.stop()
+
+    def set_speed(self, factor: float | None) -> None:
+        """Set the speed of this and later runs, as a multiple of real time; None is the fastest."""
+        self._speed = factor
+        for player in self._players:
+            player.set_speed(factor)
+
+    def place(self, player: "Player", x: float, y: float, heading: float) -> None:
+        """Place a robot; the next run starts there.
+
+        Raises:
+            LearnBlockError: something moves, or it is a real robot.
+        """
+        player.place(x, y, heading)
+        self._attend()
+
+    def drive(self, player: "Player", advance: float, rotation: float) -> None:
+        """Drive a robot by hand.
+
+        Raises:
+            LearnBlockError: a program runs, or the robot is a real one.
+        """
+        player.drive(advance, rotation)
+        self._attend()
+
+    def ended(self, ended: messages.Ended) -> None:
+        """Record how a program ended; the run is over when all have."""
+        self._endings.append(ended)
+        if ended.tried or len(self._endings) < len(self._players):
+            return
+        if coach := self._project.coach:
+            coach.ended()
+        self._keep_run()
+
+    @property
+    def _parts(self) -> "list[Part]":
+        return self._project.parts
+
+    @property
+    def _robots(self) -> "list[tuple[Part, Player]]":
+        """All robots, each with its program."""
+        return [(part, player) for part in self._parts for player in part.players]
+
+    @property
+    def _players(self) -> "list[Player]":
+        return [player for _, player in self._robots]
+
+    def _attend(self) -> None:
+        for player in self._players:
+            player.attend()
+
+    def _require_no_errors(self, part: "Part") -> None:
+        try:
+            part.document.require_no_errors()
+        except LearnBlockError as error:
+            if len(self._parts) == 1:
+                raise
+            raise LearnBlockError("tabs-error", name=part.name, problem=error.phrase) from None
+
+    async def _setting(self, part: "Part", player: "Player") -> Setting:
+        file = self._folder.file(self._project.name)
+        self._network = await to_thread.run_sync(may_use_network, file)
+        return Setting(
+            self._name(part, player),
+            part.robot,
+            self._project.world,
+            player.start,
+            part.breakpoints,
+            variant=self._project.variant,
+            network=self._network,
+            tags=self._project.tags,
+        )
+
+    def _name(self, part: "Part", player: "Player") -> str:
+        """The name of a robot in a run; one that is alone has that of the project."""
+        if len(self._players) == 1:
+            return self._project.name
+        return part.name_of(player)
+
+    def _keep_run(self) -> None:
+        began, version = self._last_run
+        first = self._endings[0]
+        worst = next((one for one in self._endings if one.ended != "finished"), first)
+        self._project.archive.add_run(
+            messages.PastRun(
+                time=began,
+                robot=", ".join(part.robot.name for part in self._parts),
+                world=self._project.world,
+                ended=worst.ended,
+                seconds=max(one.time for one in self._endings),
+                goals=tuple(goal.name for goal in first.goals if goal.state == "reached"),
+                trace_sha256=first.trace_sha256,
+                version=version,
+            )
+        )
+        found = (player.newest for player in self._players)
+        self._project.archive.keep_logs(began, version, [one.log.blocks for one in found if one])

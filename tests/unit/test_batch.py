@@ -1,0 +1,134 @@
+"""Many runs at once have the results of runs one by one, wherever their programs run."""
+
+import sys
+from dataclasses import replace
+from threading import Timer
+
+import msgspec
+import pytest
+
+from learnblock import robots, running
+from learnblock.running import Options, ProgramRun
+from learnblock.running.batch import Batch, WarmProcess
+from learnblock.running.job import Job
+from learnblock.running.warm import Prints
+from learnblock.runtime.ending import How
+from learnblock.runtime.limits import Limits
+from learnblock.runtime.program import Program
+from runs import EXAMPLES, WORLDS
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.platform != "linux", reason="only Linux forks"),
+]
+EBO = robots.find("sim-ebo")
+HEAD = "from learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n"
+
+
+def in_python(python):
+    return Program("program.py", HEAD + python + "\n", python)
+
+
+def job(program, **options):
+    return Job(program, EBO, Options(**{"world": "empty", "seconds": 3, **options}))
+
+
+def alone(one):
+    """The report of a job's run with a process of its own."""
+    prints = Prints()
+    run = ProgramRun(one.program, one.robot, one.options, watcher=prints)
+    return replace(run.run(), output=prints.text)
+
+
+def test_plain_programs_share_a_process_with_their_host_and_end_as_alone():
+    programs = [
+        running.program(running.read(EXAMPLES / name), EBO)
+        for name in ("polygons.bt", "line-ebo.bt", "tags.bt", "watch-out.bt")
+    ]
+    jobs = [job(one, world=WORLDS.get(one.name, "table")) for one in programs]
+    jobs += [job(in_python("print('hi')\nx = [] + 3")), job(in_python("robot.no_such_skill()"))]
+    results = sorted(Batch(jobs, at_once=2).results(), key=lambda one: one.job)
+
+    assert [one.isolated for one in results] == [False] * 5 + [True]
+    assert [one.report for one in results] == list(map(alone, jobs))
+
+
+def test_a_program_with_imports_never_has_the_simulator_in_its_process():
+    look = in_python("import sys\nprint('learnblock.simulator' in sys.modules)")
+    [result] = Batch([job(look)]).results()
+
+    assert result.isolated
+    assert result.report.output == "False\n"
+    assert result.report == alone(job(look))
+
+
+def test_a_plain_program_that_never_calls_its_robot_ends_as_alone():
+    busy = in_python("while True:\n    x = 1")
+    [result] = Batch([job(busy)], limits=Limits(silence=0.2)).results()
+
+    assert result.isolated
+    assert result.report.ended == How.NO_CALL
+
+
+def test_a_plain_program_with_too_much_memory_ends_as_one_in_a_process():
+    greedy = in_python("x = [0]\nwhile len(x) < 1e10:\n    x.extend(x)")
+    [result] = Batch([job(greedy)]).results()
+
+    assert result.report.ended == How.ERROR
+    assert result.report.error["message"] == alone(job(greedy)).error["message"]
+
+
+def test_a_kept_process_makes_the_runs_of_further_batches():
+    wanted = job(in_python("robot.move_straight(40)\nrobot.sleep(2)"))
+    kept = WarmProcess()
+    try:
+        first, second = ([*Batch([wanted], kept=kept).results()] for _ in range(2))
+        assert first == second
+        assert kept.is_running
+    finally:
+        kept.end()
+
+
+def test_a_kept_process_ends_with_a_batch_that_is_stopped():
+    kept = WarmProcess()
+    endless = in_python("while True:\n    robot.sleep(1)")
+    batch = Batch([job(endless, seconds=None)] * 2, 1, kept=kept)
+    Timer(1.0, batch.stop).start()
+
+    assert [*batch.results()] == []
+    assert not kept.is_running
+
+
+def test_a_plain_program_that_is_to_be_isolated_has_the_same_result():
+    program = running.program(running.read(EXAMPLES / "square.bt"), EBO)
+    jobs = [job(program), replace(job(program), isolated=True)]
+    together, apart = sorted(Batch(jobs).results(), key=lambda one: one.job)
+
+    assert (together.isolated, apart.isolated) == (False, True)
+    assert together.report == apart.report
+
+
+def test_a_trace_is_kept_if_it_is_wanted():
+    program = running.program(running.read(EXAMPLES / "square.bt"), EBO)
+    wanted = replace(job(program), with_trace=True)
+    [result] = Batch([wanted]).results()
+
+    lines = [msgspec.json.decode(line) for line in result.trace.splitlines()]
+    assert lines[0]["run"]["world"] == "empty"
+    assert lines[-1]["end"] == "time limit"
+
+
+def test_stopped_runs_have_no_result():
+    endless = in_python("while True:\n    robot.sleep(1)")
+    batch = Batch([job(endless, seconds=None) for _ in range(4)], at_once=2)
+    timer = Timer(1.5, batch.stop)
+    timer.start()
+
+    assert list(batch.results()) == []
+
+
+def test_a_program_that_is_not_python_is_refused_as_alone():
+    broken = Program("program.py", "x = = 3\n", "x = = 3\n")
+    [result] = Batch([job(broken)]).results()
+
+    assert result.report == alone(job(broken))

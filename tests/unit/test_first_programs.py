@@ -1,0 +1,67 @@
+"""First programs: each does its task on every twin, or the check says why it does not."""
+
+import pytest
+
+from learnblock import running
+from runs import EXAMPLES, TASKS, TWINS, person, run_example, run_file
+
+pytestmark = pytest.mark.spread
+
+FIRST = sorted(name for name in TASKS if name.startswith("first/"))
+#: A lap of a line takes minutes.
+SHORT = [name for name in FIRST if TASKS[name][0] not in {"line", "red-line"}]
+VERDICTS = {name: running.runs_on(running.read(EXAMPLES / name)) for name in FIRST}
+#: A camera sees tags, faces and colours, an accelerometer feels hands: two of four twins have one.
+ON_TWO_TWINS = {"first/caught.bt", "first/face.bt", "first/red-line.bt", "first/tag.bt"}
+DRIVE_ON = """
+main:
+    function.move_straight(60)
+    function.sleep(60)
+end
+"""
+
+
+def runs_wholly(name, robot):
+    verdict = VERDICTS[name][robot]
+    return verdict.runs and not verdict.missed
+
+
+@pytest.mark.parametrize(
+    ("name", "robot"),
+    [(name, robot) for name in SHORT for robot in TWINS if runs_wholly(name, robot)],
+)
+def test_a_program_that_runs_wholly_reaches_every_goal(name, robot):
+    world, seconds = TASKS[name]
+    report = run_example(name, robot, world=world, seconds=seconds).report
+    assert report.error is None
+    assert {goal.state for goal in report.goals} == {"reached"}
+
+
+@pytest.mark.parametrize("name", FIRST)
+def test_a_program_runs_on_three_of_four_twins_unless_it_needs_a_sense_that_only_two_have(name):
+    count = sum(VERDICTS[name][robot].runs for robot in TWINS)
+    assert count == 2 if name in ON_TWO_TWINS else count >= 3
+
+
+@pytest.mark.parametrize(
+    "world", sorted({TASKS[name][0] for name in SHORT} - {"applause", "stage"})
+)
+def test_a_robot_that_only_drives_straight_on_does_not_reach_the_goals(world, tmp_path):
+    program = tmp_path / "program.bt"
+    program.write_text(DRIVE_ON.removeprefix("\n"))
+    report = run_file(program, "sim-ev3", world=world, seconds=65).report
+    assert {goal.state for goal in report.goals} & {"open", "failed"}
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("first/guess.bt", "Yes, it is "),
+        ("first/quiz.bt", "3 of 3: great!\n"),
+        ("first/reaction.bt", " seconds.\n"),
+    ],
+)
+def test_a_program_asks_and_answers(name, said):
+    watcher = person(name)
+    run_example(name, "sim-ebo", seconds=TASKS[name][1], watcher=watcher)
+    assert said in watcher.output

@@ -1,0 +1,112 @@
+"""A run whose process dies is made again, and told from a run that its program ended."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+from contextlib import contextmanager, suppress
+from dataclasses import replace
+from pathlib import Path
+from threading import Event, Thread
+
+import pytest
+
+from learnblock import robots
+from learnblock.running import Options, warm
+from learnblock.running.batch import Batch, WarmProcess
+from learnblock.running.job import Job, Order
+from learnblock.runtime.ending import How
+from learnblock.runtime.limits import Limits
+from learnblock.runtime.program import Program
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.platform != "linux", reason="only Linux forks"),
+]
+HEAD = "from learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n"
+
+
+def job(python):
+    program = Program("program.py", HEAD + python + "\n", python)
+    return Job(program, robots.find("sim-ebo"), Options(world="empty", seconds=3))
+
+
+DRIVING = job("robot.move_straight(40)\nwhile True:\n    robot.sleep(0.01)")
+
+
+@pytest.fixture
+def kept():
+    process = WarmProcess()
+    yield process
+    process.end()
+
+
+@contextmanager
+def killer(process, times):
+    """Kill the first children of a process."""
+
+    def kill():
+        killed = set()
+        while len(killed) < times and not over.is_set():
+            for child in set(children(process)) - killed:
+                killed.add(child)
+                os.kill(child, signal.SIGKILL)
+
+    over = Event()
+    thread = Thread(target=kill)
+    thread.start()
+    try:
+        yield
+    finally:
+        over.set()
+        thread.join()
+
+
+def children(process):
+    number = process._process.pid
+    with suppress(OSError):
+        return [*map(int, Path(f"/proc/{number}/task/{number}/children").read_text().split())]
+    return []
+
+
+@pytest.mark.parametrize("isolated", [False, True])
+def test_a_run_whose_process_is_killed_is_made_again(kept, isolated):
+    driving = replace(DRIVING, isolated=isolated)
+    [whole] = Batch([driving]).results()
+    with killer(kept, 1):
+        [result] = Batch([driving], 1, kept=kept).results()
+    assert result == whole
+    assert result.isolated == isolated
+    assert result.report.ended == How.TIME_LIMIT
+
+
+def test_a_run_whose_process_is_killed_twice_is_lost_and_no_failure_of_its_program(kept):
+    with killer(kept, 2):
+        [result] = Batch([replace(DRIVING, isolated=True)], 1, kept=kept).results()
+    assert result.lost == "Killed"
+    assert "not the fault of the program" in str(result.report.error["message"])
+
+
+def test_runs_go_on_in_another_process_if_the_one_that_forks_them_is_killed(kept):
+    jobs = [job(f"print({number})\nrobot.sleep(1)") for number in range(4)]
+    found = []
+    for result in Batch(jobs, 1, kept=kept).results():
+        found.append(result.report.output)
+        if len(found) == 1:
+            os.kill(kept._process.pid, signal.SIGKILL)
+    assert sorted(found) == [f"{number}\n" for number in range(4)]
+
+
+def test_the_process_ends_quietly_if_nobody_wants_its_results():
+    ours, theirs = socket.socketpair()
+    process = subprocess.Popen(
+        [sys.executable, "-P", "-m", warm.__name__, str(theirs.fileno())],
+        pass_fds=(theirs.fileno(),),
+        stderr=subprocess.PIPE,
+    )
+    order = Order((DRIVING,), 1, Limits()).packed()
+    with ours, theirs:
+        ours.sendall(len(order).to_bytes(8) + order)
+    _, said = process.communicate(timeout=60)
+    assert (process.returncode, said) == (0, b"")
