@@ -1,9 +1,12 @@
-import { readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { appendFileSync, existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
 import { brotliCompressSync } from "node:zlib";
 
 import type { Plugin } from "vite";
 import { defineConfig, loadEnv } from "vite";
+
+/** Shipped with the page: the licences of everything that it bundles. */
+const NOTICES = "third-party-notices.md";
 
 /** Compresses the files once at the build, with the best compression, instead of at each request. */
 const brotli: Plugin = {
@@ -13,6 +16,26 @@ const brotli: Plugin = {
       const path = join(dir!, name);
       writeFileSync(`${path}.br`, brotliCompressSync(readFileSync(path)));
     }
+  },
+};
+
+/** Adds the licences of the fonts, which reach the page through style sheets only. */
+const fontLicences: Plugin = {
+  name: "font-licences",
+  writeBundle({ dir }) {
+    for (const font of ["@fontsource-variable/nunito", "@fontsource/jetbrains-mono"]) {
+      const licence = readFileSync(join("node_modules", font, "LICENSE"), "utf-8");
+      appendFileSync(join(dir!, NOTICES), `\n## ${font} - (OFL-1.1)\n\n${licence}`);
+    }
+  },
+};
+
+/** The pages; what the tests build has only the first. */
+const pages: Plugin = {
+  name: "pages",
+  config({ root = "." }) {
+    const input = ["index.html", "class.html"].map((page) => resolve(root, page)).filter(existsSync);
+    return { build: { rolldownOptions: { input } } };
   },
 };
 
@@ -35,12 +58,11 @@ export default defineConfig(({ mode }) => {
   return {
     // Relative addresses everywhere: a proxy may serve the page at any path.
     base: "./",
-    plugins: [brotli],
+    plugins: [pages, brotli, fontLicences],
     build: {
       outDir: "../src/learnblock/server/static",
       emptyOutDir: true,
-      // Shipped with the page: the licences of everything that is bundled.
-      license: { fileName: "third-party-notices.md" },
+      license: { fileName: NOTICES },
       // Blockly alone exceeds the default limit.
       chunkSizeWarningLimit: 1500,
       rolldownOptions: {
@@ -57,7 +79,7 @@ export default defineConfig(({ mode }) => {
     server: {
       // The words of all messages are beside the Python code that sends them.
       fs: { allow: [".", "../src/learnblock/i18n"] },
-      proxy: { "/ws": { ...own, ws: true }, "/palette": own, "/textures": own, "/worlds": own },
+      proxy: { "/ws": { ...own, ws: true }, "/palette": own, "/textures": own, "/worlds": own, "/projects": own },
     },
   };
 });

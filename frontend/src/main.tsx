@@ -15,6 +15,11 @@ async function sound({ context }: Page): Promise<void> {
   startSound(context);
 }
 
+async function pictures(page: Page): Promise<void> {
+  const { keepPictures } = await import("./features/start/keep-pictures");
+  keepPictures(page);
+}
+
 async function begin(root: HTMLElement): Promise<void> {
   const words = startLanguage(preferredLanguage);
   const composition = compose();
@@ -34,7 +39,19 @@ async function begin(root: HTMLElement): Promise<void> {
     root,
   );
   void sound(page);
+  void install();
+  void pictures(page);
   expose(page);
+}
+
+/** Let the browser install the page as an app; browsers allow it on this computer and with HTTPS. */
+async function install(): Promise<void> {
+  try {
+    await navigator.serviceWorker?.register("./service-worker.js");
+  } catch (error) {
+    // The page works without it, for example in a private window.
+    console.info(error);
+  }
 }
 
 /** For benchmarks; enabled by `?test` in the address. */

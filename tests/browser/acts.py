@@ -206,6 +206,12 @@ class Monkey:
         return self._click_one_of("#run button")
 
     def choose(self):
+        if self._chance.random() < 0.5:
+            speed = self._page.locator(".speed input:visible")
+            if speed.count():
+                position = self._chance.randrange(9)
+                speed.fill(str(position))
+                return f"speed {position}"
         lists = self._page.locator("select:visible:enabled")
         if not lists.count():
             return "no list"
@@ -216,11 +222,12 @@ class Monkey:
         return f"option {value}"
 
     def menu(self):
-        menu = self._click_one_of("header .menu > button")
+        menu = self._click_one_of(".menu > button")
         return f"{menu}: {self._click_one_of('[role^=menuitem]')}"
 
     def edit_world(self):
-        editor = self._click_one_of(".choice-with-button > button")
+        self._click_one_of(".world-menu button")
+        editor = self._click_one_of("[role=menuitem]")
         thing = self._click_one_of("dialog button")
         self._press_all(self._chance.choices(KEYS, k=3))
         return f"{editor}: {thing}"
@@ -248,8 +255,12 @@ class Monkey:
         return f"the other of {len(tabs)}"
 
     def _open_tab(self):
+        at_start = self._page.locator("header.start-bar").count()
         address = self._chance.choice((None, self._page.url))
-        self.pupil.page = self.pupil.open(address)
+        if at_start and address:
+            self.pupil.page = self.pupil.open_start()
+        else:
+            self.pupil.page = self.pupil.open(address)
 
     def load_again(self):
         self._page.reload()
@@ -271,6 +282,9 @@ class Monkey:
         page.on("dialog", lambda dialog: dialog.accept())
 
     def _choose_file(self, chooser):
+        if chooser.element.get_attribute("webkitdirectory") is not None:
+            chooser.set_files(ROOT / "examples")
+            return
         name, text = self._chance.choice(FILES)
         chooser.set_files({"name": name, "mimeType": "text/plain", "buffer": text.encode()})
 

@@ -96,7 +96,18 @@ class Server:
         projects = ProjectFolder(self.home / "projects")
         name = projects.free_name("program")
         projects.write(projecting.new_project(New(name)))
-        return f"{self.address}#{urlencode({'project': name})}"
+        return self.address_of(name)
+
+    def address_of_last_project(self):
+        """Return the address of the project that was changed last; at first, that of a square."""
+        projects = ProjectFolder(self.home / "projects")
+        if not projects.entries():
+            projects.write(projecting.new_project(New("square", "square")))
+        return self.address_of(projects.entries()[0].name)
+
+    def address_of(self, project):
+        """Return the address of a project's page."""
+        return f"{self.address}#{urlencode({'project': project})}"
 
     def kill(self):
         """Kill the process, as a crash of the computer would."""
@@ -141,6 +152,15 @@ def browser():
         )
         yield browser
         browser.close()
+
+
+@pytest.fixture(scope="session")
+def axe():
+    """The code of axe, which only contributors install."""
+    code = ROOT / "frontend" / "node_modules" / "axe-core" / "axe.min.js"
+    if not code.exists():
+        pytest.skip("no axe-core: npm ci in frontend")
+    return code.read_text()
 
 
 @pytest.fixture

@@ -24,7 +24,8 @@ from playwright.sync_api import Error, expect, sync_playwright
 
 if __name__ == "__main__":
     # pytest does this for its tests.
-    sys.path.insert(0, str(Path(__file__).parents[1] / "helpers"))
+    TESTS = Path(__file__).parents[1]
+    sys.path[:0] = [str(TESTS), str(TESTS / "helpers")]
 
 from browser.acts import ROOMS, Monkey
 from browser.conftest import ARTEFACTS, SOFTWARE_RENDERING, Server, chromium
@@ -168,9 +169,23 @@ def _tidy_up(page):
     for _ in range(5):
         page.keyboard.press("Escape")
     expect(page.locator("dialog[open]")).to_have_count(0)
+    _come_back(page)
+
+
+def _come_back(page):
+    """Leave the start page, to which the monkey may have gone."""
+    bar = page.locator("header.bar, header.start-bar")
+    expect(bar).to_have_count(1)
+    if page.locator("header.start-bar").count():
+        page.locator(".start-hero button").first.click()
+    # It has a name once the project is open.
+    expect(page.locator("header .project-name")).not_to_have_text("…")
 
 
 def _show_all(page):
+    split = page.locator(".program-head > button[aria-pressed]")
+    if split.get_attribute("aria-pressed") == "false":
+        split.click()
     for button in page.locator(".areas button").all():
         if button.get_attribute("aria-pressed") == "false":
             button.click()

@@ -25,10 +25,35 @@ HAVE_RUN = """kinds => {
     for (const classes of ran) if (classes.includes(left[0])) left.shift();
     return left.length === 0;
 }"""
+#: The commands of the page's menus, by the name of the menu's button.
+MENUS = {
+    "View and robot": (
+        "Follow the robot",
+        "Look around",
+        "Manual control",
+        "Place robot with keyboard",
+        "Robot camera",
+        "Shake robot",
+        "Show distance sensor beams",
+        "Show the whole world",
+        "Tilt robot to the left",
+        "View from above",
+        "Where is the robot?",
+    ),
+    "World": ("Download world", "Edit world", "Reset world"),
+}
+#: The menu of each of these commands.
+MENU_OF = {command: menu for menu, commands in MENUS.items() for command in commands}
+#: The positions of the speed's slider.
+SPEEDS = ("0.1×", "0.25×", "0.5×", "1×", "2×", "5×", "10×", "20×", "Fastest")
+#: What the tests' pupils see at first: all buttons, and two views of the program.
+LAYOUT = {"split": True, "views": ["blocks", "blocktext"], "panel": True}
+#: The height of what lies over the top of the world's picture; the floor is centred below it.
+OVERLAY = 56
 #: The initial scale of the workspace; the measures below are at scale 1.
-SCALE = 0.8
+SCALE = 0.85
 #: The first statement inside a hat and a loop, right of and below its corner.
-FIRST_IN_HAT = (16, 62)
+FIRST_IN_HAT = (16, 66)
 FIRST_IN_LOOP = (38, 56)
 
 
@@ -42,6 +67,7 @@ class Pupil:
         test: the name of the test, used for its screenshots.
         tour: whether the first-run tour is shown.
         empty: whether the page opens a new, empty project instead of the last one.
+        start: whether the page opens without a project, as newcomers see it.
         options: options of the browser context, such as ``viewport`` or ``has_touch``.
     """
 
@@ -54,6 +80,8 @@ class Pupil:
         *,
         tour=False,
         empty=False,
+        start=False,
+        stage="explorer",
         language="en",
         theme="light",
         **options,
@@ -65,13 +93,24 @@ class Pupil:
         self.context = browser.new_context(**options)
         self.context.set_default_timeout(TIMEOUT)
         if not tour:
+            layout = {"layout": LAYOUT} if stage == "explorer" and not start else {}
             likes = json.dumps(
-                {"tourDone": True, "language": language, "theme": theme, "sound": False}
+                {
+                    "tourDone": True,
+                    "language": language,
+                    "theme": theme,
+                    "sound": False,
+                    "stage": "starter" if start else stage,
+                    **layout,
+                }
             )
             self.context.add_init_script(
                 f"localStorage['learnblock.preferences'] ??= {json.dumps(likes)}"
             )
         self._server = server
+        if start:
+            self.page = self.open_start()
+            return
         self.page = self.open(server.address_of_new_project() if empty else None)
         if empty:
             expect(self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas [data-id]")).to_have_count(
@@ -79,12 +118,23 @@ class Pupil:
             )
 
     def open(self, address=None):
-        """Open the page in a new tab, at the server's address or the given one."""
+        """Open a project in a new tab: the last one, or that of an address."""
+        page = self._new_tab()
+        page.goto(address or self._server.address_of_last_project())
+        expect(page.locator("header .project-name")).not_to_have_text("…")
+        return page
+
+    def open_start(self):
+        """Open the start page in a new tab."""
+        page = self._new_tab()
+        page.goto(self._server.address)
+        expect(page.get_by_role("heading", level=1)).to_be_visible()
+        return page
+
+    def _new_tab(self):
         page = self.context.new_page()
         page.on("pageerror", lambda error: self.errors.append(error.stack or str(error)))
         page.on("request", self._note_foreign)
-        page.goto(address or self._server.address)
-        expect(page.locator("header .project-name")).not_to_have_text("…")
         return page
 
     def picture(self, name):
@@ -95,8 +145,25 @@ class Pupil:
     # Projects.
 
     def choose(self, what, name):
-        """Choose a robot, a world or a speed in the bar."""
-        self.page.get_by_role("combobox", name=what).select_option(label=name)
+        """Choose a robot, a world or a speed."""
+        if what == "Speed":
+            self.page.get_by_role("slider", name=what).fill(str(SPEEDS.index(name)))
+            return
+        self.menu(what).click()
+        self.page.get_by_role("menuitemradio", name=name, exact=True).click()
+
+    def menu(self, name):
+        """Return the button of a menu by its name, which may go on with the current choice."""
+        return self.page.get_by_role("button", name=re.compile(f"^{name}(:|$)")).first
+
+    def command(self, menu, name):
+        """Choose a command of a menu."""
+        self.menu(menu).click()
+        self.page.locator("[role^=menuitem]").and_(self.page.get_by_label(name, exact=True)).click()
+
+    def expect_chosen(self, what, name):
+        """Wait until this robot or world is chosen."""
+        expect(self.menu(what)).to_have_accessible_name(re.compile(rf"^{what}: {name}"))
 
     def begin(self, name="program"):
         """Begin an empty program."""
@@ -106,7 +173,7 @@ class Pupil:
 
     def project(self, command):
         """Choose a command of the project's menu."""
-        self.page.locator("header").get_by_role("button").first.click()
+        self.page.locator("header .project-name").click()
         self.page.get_by_role("menuitem", name=command, exact=True).click()
 
     def open_example(self, title):
@@ -115,6 +182,16 @@ class Pupil:
             self.project("Examples…")
             self.dialog().get_by_role("button", name=title).first.click()
         expect(self.dialog()).to_have_count(0)
+
+    def add_robot(self, kind):
+        """Add a robot, and wait until its empty program is shown."""
+        self.press("Add robots")
+        self.dialog().get_by_role("combobox", name="Robot").select_option(kind)
+        self.dialog().get_by_role("button", name="Add").click()
+        # The program shown before may be empty too.
+        tabs = self.page.get_by_role("tablist", name="Robots").get_by_role("tab")
+        expect(tabs.last).to_have_attribute("aria-selected", "true")
+        self.sees("blocktext", "pass")
 
     def upload(self, file):
         """Upload a file, or several."""
@@ -151,6 +228,14 @@ class Pupil:
         return self.page.get_by_role("dialog")
 
     # Texts.
+
+    def put_in_world(self, thing, right=0, up=0):
+        """Choose a thing in the world editor, and click on its plan, pixels from the middle."""
+        editor = self.page.get_by_role("dialog")
+        editor.get_by_role("button", name=thing, exact=True).click()
+        box = editor.locator("svg.plan").bounding_box()
+        x, y = box["x"] + box["width"] / 2 + right, box["y"] + box["height"] / 2 - up
+        self.page.mouse.click(x, y)
 
     def editor(self, view):
         """Return the element with the text of a text view."""
@@ -260,10 +345,27 @@ class Pupil:
         return self.page.locator(f"{WORKSPACE} > .blocklyBlockCanvas .blocklyBlock")
 
     def open_category(self, category):
-        """Open a category of the palette; a second click would close it."""
+        """Open a group of the palette; a second click would close it."""
         row = self.page.locator(".blocklyToolboxCategory", has_text=re.compile(f"^{category}$"))
         if "blocklyToolboxSelected" not in row.get_attribute("class"):
             row.click()
+
+    def groups(self):
+        """Return the names of the palette's groups."""
+        expect(self.page.locator(".lbGroupIcon").first).to_be_visible()
+        return self.page.locator(".blocklyToolboxCategoryLabel").all_text_contents()
+
+    def search_blocks(self, words):
+        """Search in the palette."""
+        self.page.locator(".lbSearch").click()
+        self.page.locator(".lbSearchHead input").fill(words)
+
+    def show_more_blocks(self):
+        """Show all blocks of the open group, if there are more."""
+        more = self.page.locator(".blocklyFlyout:visible .lbMore")
+        if more.count():
+            self.scroll_to_offered(more)
+            more.click()
 
     def take(self, category, kind, words=""):
         """Drag the first block with these words from the palette to an empty spot.
@@ -273,7 +375,9 @@ class Pupil:
         """
         self.open_category(category)
         offered = self.page.locator(f".blocklyFlyout .{kind}", has_text=words).first
-        self._scroll_to(offered)
+        if not offered.count():
+            self.show_more_blocks()
+        self.scroll_to_offered(offered)
         known = self.block_ids()
         ground = self.page.locator(f"{WORKSPACE} .blocklyMainBackground").bounding_box()
         self._drag(offered, (ground["x"] + 0.62 * ground["width"], ground["y"] + 60))
@@ -308,7 +412,7 @@ class Pupil:
         """Return the first value input of a block, or the shadow block in it."""
         return self.block(block).locator("> .blocklyOutlinePath, > .blocklyShadow").first
 
-    def _scroll_to(self, offered):
+    def scroll_to_offered(self, offered):
         """Scroll the palette until one of its blocks is visible."""
         offered.wait_for()
         palette = self.page.locator(".blocklyFlyout:visible").bounding_box()
@@ -348,10 +452,29 @@ class Pupil:
 
     def fill(self, field, text):
         """Type into a field of a block."""
-        field.click()
+        self.click_on(field)
         self.page.keyboard.press("Control+a")
         self.page.keyboard.type(text)
         self.page.keyboard.press("Enter")
+
+    def click_on(self, part):
+        """Click on a part of a block, after scrolling to it."""
+        self._scroll_program_to(part)
+        part.click()
+
+    def _scroll_program_to(self, element):
+        """Scroll the program sideways until one of its elements is visible."""
+        ground = self.page.locator(f"{WORKSPACE} .blocklyMainBackground").bounding_box()
+        box, end = element.bounding_box(), ground["x"] + ground["width"] - 40
+        beyond = box["x"] + box["width"] - end
+        if beyond > 0:
+            self.page.mouse.move(end, ground["y"] + 20)
+            # A bit more: the wheel is measured in other pixels.
+            self.page.mouse.wheel(beyond + 20, 0)
+            self.page.wait_for_function(
+                "([element, end]) => element.getBoundingClientRect().right <= end",
+                arg=[element.element_handle(), end],
+            )
 
     def answer(self, text):
         """Type an answer into the open dialog."""
@@ -416,12 +539,23 @@ class Pupil:
         picture = self.page.locator(".world-view canvas")
         expect(picture).to_have_attribute("aria-label", re.compile(words))
 
+    def expect_view(self, name):
+        """Wait until the world is seen in this way."""
+        self.menu("View and robot").click()
+        expect(self.page.get_by_role("menuitemradio", name=name)).to_be_checked()
+        self.page.keyboard.press("Escape")
+
+    def expect_switched(self, name, *, on):
+        """Wait until a command of the menu for view and robot is on or off."""
+        self.menu("View and robot").click()
+        expect(self.page.get_by_role("menuitemcheckbox", name=name)).to_be_checked(checked=on)
+        self.page.keyboard.press("Escape")
+
     def carry_robot(self, right, down):
         """Drag the robot from the middle of the floor, seen from above, by pixels."""
         picture = self.page.locator(".world-view canvas").bounding_box()
-        tools = self.page.locator(".world-toolbar").bounding_box()
-        top, bottom = tools["y"] + tools["height"], picture["y"] + picture["height"]
-        x, y = picture["x"] + picture["width"] / 2, (top + bottom) / 2
+        x = picture["x"] + picture["width"] / 2
+        y = picture["y"] + (OVERLAY + picture["height"]) / 2
         self.page.mouse.move(x, y)
         self.page.mouse.down()
         self.page.mouse.move(x + right, y + down, steps=5)
@@ -445,7 +579,7 @@ class Pupil:
 
     def place_of_robot(self):
         """Ask where the robot is; return mm east and mm north."""
-        self.page.locator("[data-tool=where]").click()
+        self.press("Where is the robot?")
         return self.described_place()
 
     def described_place(self):
@@ -463,7 +597,7 @@ class Pupil:
         return self.page.get_by_role("tabpanel", name=name)
 
     def state(self, word):
-        """Wait until the header of the world shows this state, such as ``Running``."""
+        """Wait until the world shows this state, such as ``Running``."""
         expect(self._head()).to_contain_text(re.compile(word))
 
     def seconds(self):
@@ -490,22 +624,29 @@ class Pupil:
             arg=[self._head().element_handle(), seconds],
         )
 
-    def trace_of_a_run(self):
-        """Run the program to its end; return the hash of its trace."""
+    def run_to_the_end(self):
+        """Run the program to its end."""
         begun = self.page.locator(".console-lines .note")
         before = begun.count()
         self.press("Run")
         # The last run has ended too, and this one may be over before anyone looks.
         expect(begun).to_have_count(before + 1)
         self.state("Ended")
-        return self.tab("Result").locator(".hash").inner_text()
+
+    def trace_of_a_run(self):
+        """Run the program to its end; return the hash of its trace."""
+        self.run_to_the_end()
+        return self.tab("Result").locator(".hash").text_content()
 
     def _head(self):
-        return self.page.locator(".world-pane .state").last
+        return self.page.locator(".status .state").first
 
     def press(self, name):
-        """Press a button by its name."""
-        self.page.get_by_role("button", name=name, exact=True).first.click()
+        """Press a button, or choose a command of the world's menus, by its name."""
+        if menu := MENU_OF.get(name):
+            self.command(menu, name)
+        else:
+            self.page.get_by_role("button", name=name, exact=True).first.click()
 
     def _note_foreign(self, request):
         host = urlsplit(request.url).hostname

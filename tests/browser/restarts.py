@@ -7,6 +7,7 @@ those typed at least 0.2 s before the kill. Both must be none.
 """
 
 import argparse
+import json
 import random
 import subprocess
 import sys
@@ -23,8 +24,10 @@ if __name__ == "__main__":
 
 from browser.conftest import SOFTWARE_RENDERING, Server
 from browser.conftest import chromium as executable
-from browser.pupil import TIMEOUT
+from browser.pupil import LAYOUT, TIMEOUT
 
+#: Shows the text in which the drill types.
+LIKES = json.dumps({"tourDone": True, "language": "en", "layout": LAYOUT})
 #: Seconds of typing that a crash may cost.
 GRACE = 0.2
 KINDS = ("browser", "server", "both")
@@ -77,9 +80,10 @@ class Desk:
         self._context = self._chromium.launch_persistent_context(
             self._folder, executable_path=executable(), args=["--no-sandbox", *SOFTWARE_RENDERING]
         )
+        self._context.add_init_script(f"localStorage['learnblock.preferences'] ??= '{LIKES}'")
         self.page = self._context.pages[0]
         self.page.set_default_timeout(TIMEOUT)
-        self.page.goto(self._server.address)
+        self.page.goto(self._server.address_of_last_project())
         expect(self.page.locator("header .saved")).to_have_text("Saved")
         expect(self.page.locator(PROGRAM)).not_to_have_text("")
 

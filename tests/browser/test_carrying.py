@@ -5,7 +5,7 @@ from playwright.sync_api import expect
 
 import homes
 from learnblock.server.projects.packing import encode_whole
-from learnblock.server.projects.project_file import Project
+from learnblock.server.projects.project import Project
 from shared_worlds import ROOM
 
 WAVE = "main:\n    function.expressJoy()\nend\n"
@@ -24,12 +24,8 @@ def pupil(own_server, sit_down):
 
 
 def world_menu(pupil, command):
-    pupil.page.get_by_role("button", name="World menu").click()
+    pupil.menu("World").click()
     pupil.page.get_by_role("menuitem", name=command).click()
-
-
-def worlds_of(pupil):
-    return pupil.page.get_by_role("combobox", name="World")
 
 
 def test_a_world_is_imported_renamed_downloaded_deleted_and_restored(pupil, own_server, tmp_path):
@@ -38,31 +34,31 @@ def test_a_world_is_imported_renamed_downloaded_deleted_and_restored(pupil, own_
     with pupil.page.expect_file_chooser() as chooser:
         world_menu(pupil, "Import world…")
     chooser.value.set_files(file)
-    expect(worlds_of(pupil)).to_have_value("room")
-    pupil.page.get_by_role("button", name="World menu").click()
+    pupil.expect_chosen("World", "Room")
+    pupil.menu("World").click()
     pupil.picture("menu")
     pupil.page.get_by_role("menuitem", name="Rename…").click()
     pupil.dialog().get_by_label("Name").fill("Ana's room")
     pupil.picture("rename")
     pupil.dialog().get_by_role("button", name="Rename").click()
-    expect(worlds_of(pupil).locator("option:checked")).to_have_text("Ana's room")
+    pupil.expect_chosen("World", "Ana's room")
     with pupil.page.expect_download() as started:
         world_menu(pupil, "Download world")
     assert started.value.suggested_filename == "room.toml"
     assert "Ana's room" in started.value.path().read_text()
     world_menu(pupil, "Delete")
     note = pupil.expect_note("Ana's room is in the trash.")
-    expect(worlds_of(pupil)).to_have_value("empty")
+    pupil.expect_chosen("World", "Empty floor")
     pupil.picture("deleted")
     note.get_by_role("button", name="Restore").click()
-    expect(worlds_of(pupil)).to_have_value("room")
+    pupil.expect_chosen("World", "Ana's room")
     assert [path.stem for path in (own_server.home / "worlds").glob("*.toml")] == ["room"]
 
 
 def test_a_dropped_world_is_imported(pupil):
     data = pupil.page.evaluate_handle(DROP, ROOM)
     pupil.page.dispatch_event("body", "drop", {"dataTransfer": data})
-    expect(worlds_of(pupil)).to_have_value("room")
+    pupil.expect_chosen("World", "Room")
 
 
 def test_a_copy_of_a_world_has_the_name_that_the_user_gives_it(pupil):
@@ -76,7 +72,7 @@ def test_a_copy_of_a_world_has_the_name_that_the_user_gives_it(pupil):
     ).to_be_visible()
     pupil.picture("saved")
     pupil.page.keyboard.press("Escape")
-    expect(worlds_of(pupil).locator("option:checked")).to_have_text("Ana's room")
+    pupil.expect_chosen("World", "Ana's room")
     pupil.press("Edit world")
     expect(pupil.dialog().get_by_label("Save as")).to_have_value("Ana's room")
 
@@ -103,7 +99,7 @@ def test_a_project_from_elsewhere_brings_its_world_and_offers_its_code(
     file.write_bytes(encode_whole(project))
     pupil.upload(file)
     pupil.expect_project("dance")
-    expect(worlds_of(pupil)).to_have_value("mat")
+    pupil.expect_chosen("World", "Mat")
     note = pupil.expect_note("This project brings code that is not installed here")
     pupil.picture("offered")
     assert not (own_server.home / "skills").exists()

@@ -6,7 +6,7 @@ import pytest
 from playwright.sync_api import expect
 
 from browser.conftest import Server
-from browser.test_accessibility import axe, faults  # noqa: F401 - a fixture
+from browser.test_accessibility import faults
 
 pytestmark = pytest.mark.certain
 
@@ -30,13 +30,13 @@ def class_server(tmp_path, monkeypatch):
     server.stop()
 
 
-def show(pupil, menu="Help and settings", command="What programs may do…"):
+def show(pupil, menu="Settings and help", command="What programs may do…"):
     pupil.page.get_by_role("button", name=menu).click()
     pupil.page.get_by_role("menuitem", name=command).click()
     expect(pupil.dialog().get_by_role("row")).to_have_count(11)
 
 
-def test_the_dialog_lists_each_attempt_with_its_result_and_reason(sit_down, own_server, axe):  # noqa: F811
+def test_the_dialog_lists_each_attempt_with_its_result_and_reason(sit_down, own_server, axe):
     pupil = sit_down(own_server)
     show(pupil)
     row = pupil.dialog().get_by_role("row", name="See your environment variables")
@@ -87,14 +87,14 @@ def test_a_page_elsewhere_sees_the_setting_and_cannot_change_it(sit_down, own_se
 
 def test_it_speaks_spanish(sit_down, own_server):
     pupil = sit_down(own_server, language="es")
-    show(pupil, "Ayuda y ajustes", "Qué pueden hacer los programas…")
+    show(pupil, "Ajustes y ayuda", "Qué pueden hacer los programas…")
     row = pupil.dialog().get_by_role("row", name="Ver tus variables de entorno")
     expect(row).to_contain_text("Impedido")
     expect(pupil.dialog()).to_contain_text("pueden usar la red")
     pupil.picture("dialog")
 
 
-def test_a_teacher_who_starts_a_class_is_warned_once(sit_down, class_server, axe):  # noqa: F811
+def test_a_teacher_who_starts_a_class_is_warned_once(sit_down, class_server, axe):
     printed = [class_server.process.stdout.readline() for _ in range(3)]
     assert "Use the network" in "".join(printed)
     pupil = sit_down(class_server)

@@ -101,3 +101,15 @@ def test_a_runtime_error_is_shown_at_its_block_and_its_lines(pupil, wrong, said)
     pupil.page.keyboard.type("pass # ")
     expect(pupil.page.locator(".blocks .lbError")).to_have_count(0)
     assert pupil.foreign == []
+
+
+def test_below_the_problems_stands_which_robots_can_run_the_program(pupil):
+    robots = pupil.tab("Problems").locator(".runs-on")
+    expect(robots.locator("li.runs").filter(has_text="EBO").first).to_be_visible()
+    pupil.write("blocktext", "main:\n    x = function.is_left_obstacle()\nend\n")
+    refused = robots.locator("li.refused").filter(has_text="EV3").first
+    expect(refused).to_contain_text("has no distance sensor on the left")
+    served = robots.locator("li.runs").filter(has_text="EBO").first
+    expect(served).to_contain_text("runs, with the distance sensors on the left")
+    expect(pupil.page.locator(".toast")).to_have_count(0)
+    pupil.picture("runs-on")

@@ -8,10 +8,10 @@ from browser.test_square import SQUARE
 from browser.typist import Typist
 
 STEPS = (
-    "Build with blocks",
-    "The same program as text",
+    "Add a block",
+    "Change a number",
     "Run it",
-    "Watch the robot",
+    "See it as text",
     "Try another robot",
 )
 
@@ -32,16 +32,14 @@ def test_listing_4_is_built_with_the_keyboard_alone_and_the_robot_closes_the_squ
         "    angle += 90",
         "",
     ]
-    keys.choose("Speed", "20")
+    keys.speed(steps=4)
     pupil.note_running_blocks()
     keys.press("Control+Enter")
     pupil.have_run("lb_skill_set_orientation")
     pupil.picture("running")
     pupil.wait_for_the_end()
     pupil.picture("closed")
-    keys.go_to("world")
-    keys.walk("Tab", "^Where is the robot")
-    keys.press("Enter")
+    keys.command("View and robot", "Where is the robot")
     x, y = pupil.described_place()
     assert abs(x) < 10
     assert abs(y) < 10
@@ -51,10 +49,10 @@ def test_listing_4_is_built_with_the_keyboard_alone_and_the_robot_closes_the_squ
 def test_f6_reaches_every_region_of_the_page(pupil):
     keys = Typist(pupil)
     seen = []
-    for _ in range(5):
+    for _ in range(6):
         keys.press("F6")
         seen.append(keys.region())
-    assert sorted(seen) == ["bar", "blocks", "blocktext", "panel", "world"]
+    assert sorted(seen) == ["bar", "blocks", "blocktext", "panel", "program", "world"]
     keys.press("Shift+F6")
     assert keys.region() == seen[-2]
 
@@ -76,7 +74,7 @@ def test_a_letter_typed_in_the_dropdown_of_a_block_does_not_leave_it(pupil):
     expect(pupil.blocks("controls_whileUntil")).to_be_visible()
     keys = Typist(pupil)
     keys.go_to("blocks")
-    keys.walk("ArrowDown", "^repeat, while")
+    keys.walk("ArrowDown", "^repeat while")
     keys.walk("ArrowRight", "^dropdown: while")
     keys.press("Enter", "t", "ArrowDown", "Enter")
     assert keys.hears() == "dropdown: until"
@@ -102,13 +100,25 @@ def test_the_search_can_be_opened_from_the_blocks_of_the_palette(pupil):
     keys = Typist(pupil)
     keys.begin()
     keys.go_to("blocks")
-    keys.walk("ArrowDown", "main program")
+    keys.walk("ArrowDown", "when Run is pressed")
     keys.press("t")
-    keys.walk("ArrowDown", "^Driving$")
+    keys.walk("ArrowDown", "^Control$")
     keys.press("ArrowRight")
     keys.find("wait", "^wait")
     assert keys.hears().startswith("wait")
     pupil.sees("blocktext", "function.sleep(1)")
+
+
+def test_t_leads_from_the_blocks_of_the_palette_back_to_its_tabs(pupil):
+    keys = Typist(pupil)
+    keys.begin()
+    keys.go_to("blocks")
+    keys.walk("ArrowDown", "when Run is pressed")
+    for category, block in (("Sense", "^obstacle"), ("Maths", "^not")):
+        keys.go_to_tabs()
+        keys.walk("ArrowDown", f"^{category}$")
+        keys.press("ArrowRight")
+        keys.walk("ArrowDown", block)
 
 
 def test_closing_a_dialog_restores_the_focus(pupil):
@@ -127,7 +137,7 @@ def test_closing_a_dialog_restores_the_focus(pupil):
 def test_arrow_keys_change_tabs_and_move_dividers(pupil):
     keys = Typist(pupil)
     keys.go_to("panel")
-    for name in ("Variables", "Sensors", "Problems", "Result", "Console"):
+    for name in ("Variables", "Calls", "Why?", "Runs", "Sensors", "Problems", "Result", "Console"):
         keys.press("ArrowRight")
         expect(pupil.page.get_by_role("tab", name=name)).to_be_focused()
         expect(pupil.page.get_by_role("tabpanel", name=name)).to_be_visible()
@@ -145,44 +155,63 @@ def test_the_tour_takes_five_steps_with_the_keyboard_and_ends_at_the_run_button(
     expect(offer).to_be_visible()
     keys.walk("Shift+Tab", "^Start tour")
     keys.press("Enter")
+    card = pupil.page.locator(".tour-card")
     for number, title in enumerate(STEPS, 1):
-        expect(pupil.dialog().get_by_role("heading")).to_have_text(title)
-        expect(pupil.dialog()).to_contain_text(f"Step {number} of 5")
+        expect(card.get_by_role("heading")).to_have_text(title)
+        expect(card).to_contain_text(f"Step {number} of 5")
         pupil.picture(f"step-{number}")
         keys.press("Enter")
-    expect(pupil.dialog()).to_have_count(0)
+    expect(card).to_have_count(0)
     expect(pupil.page.get_by_role("button", name="Run", exact=True)).to_be_focused()
     pupil.page.reload()
     pupil.expect_project(re.compile("."))
     expect(offer).to_have_count(0)
 
 
+def test_the_tour_goes_on_when_the_pupil_has_done_what_it_says(sit_down, server):
+    pupil = sit_down(server, empty=True)
+    pupil.command("Settings and help", "Page tour")
+    title = pupil.page.locator(".tour-card").get_by_role("heading")
+    expect(title).to_have_text(STEPS[0])
+    pupil.write("blocktext", "main:\n    function.sleep(20)\nend\n")
+    expect(title).to_have_text(STEPS[1])
+    pupil.write("blocktext", "main:\n    function.sleep(30)\nend\n")
+    expect(title).to_have_text(STEPS[2])
+    pupil.press("Run")
+    expect(title).to_have_text(STEPS[3])
+    pupil.press("Stop")
+    pupil.press("Python")
+    expect(title).to_have_text(STEPS[4])
+    pupil.choose("Robot", "Thymio II")
+    expect(title).to_have_count(0)
+
+
 def build_listing_4(keys):
     keys.go_to("blocks")
-    keys.walk("ArrowDown", "main program")
+    keys.walk("ArrowDown", "when Run is pressed")
     for name in ("times", "angle"):
         keys.make_variable(name)
     set_variable(keys, "times", "0")
     set_variable(keys, "angle", "90")
     keys.find("gyroscope", "^set heading")
-    keys.find("while", "^repeat, while")
+    keys.find("while", "^repeat while")
     fewer_than_four(keys)
-    keys.walk("ArrowLeft", "^repeat, while")
+    keys.walk("ArrowLeft", "^repeat while")
     turn_a_corner(keys)
 
 
 def set_variable(keys, name, value):
-    keys.take("Variables", "^set, ")
+    keys.take("Variables", "^set Variable")
     keys.choose_in("dropdown: Variable", name)
     keys.walk("ArrowRight", "^value to set")
     keys.take("Maths", "^number: 123")
     keys.fill(value)
-    keys.walk("ArrowLeft", "^set, ")
+    keys.walk("ArrowLeft", "^set Variable")
 
 
 def fewer_than_four(keys):
     keys.walk("ArrowRight", "^condition")
-    keys.take("Logic", "Empty, equals, Empty")
+    keys.take("Maths", "Empty equals Empty")
     keys.choose_in("dropdown: equals", "^less than$")
     keys.walk("ArrowRight", "^second value")
     keys.take("Maths", "^number: 123")
@@ -202,8 +231,8 @@ def turn_a_corner(keys):
     keys.take("Variables", "^dropdown: Variable 'angle'")
     keys.walk("ArrowLeft", "^turn to face")
     for name, change in (("times", "1"), ("angle", "90")):
-        keys.take("Variables", "^change, ")
+        keys.take("Variables", "^change Variable")
         keys.choose_in("dropdown: Variable", name)
-        keys.walk("ArrowLeft", "^change, ")
+        keys.walk("ArrowLeft", "^change Variable")
         keys.fill(change)
-        keys.walk("ArrowLeft", "^change, ")
+        keys.walk("ArrowLeft", "^change Variable")

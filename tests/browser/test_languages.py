@@ -47,7 +47,8 @@ FAILING = "main:\n    x = 1 / 0\nend\n"
 #: Texts that are the same in every language: robots, notations, units, keys, symbols.
 NAMES = re.compile(
     r"EBO|Cozmo|Thymio II|LEGO EV3|LearnBlock|Python|Block-Text|English|Español"
-    r"|[\d\W]*|.*[×°²]|(°|mm|ms|s)(/s)?[?,]?|(Ctrl|Shift|Alt)\+.*|F\d+|Enter|Esc.*|Delete|[a-zA-Z]\d?|Y:|sin|π"
+    r"|[\d\W]*|.*[×°²]|(°|mm|ms|s)(\s?/\s?s)?[?,]?|(Ctrl|Shift|Alt)\+.*|F\d+|Enter|Esc.*|Delete|[a-zA-Z]\d?|Y:|sin|π"
+    r"|learnblock .*|mm, y"
 )
 #: Names shown on the blocks that call these functions.
 FUNCTIONS = {*BUILTINS, *(name for name, _ in TEMPLATES), "world ="}
@@ -60,16 +61,18 @@ DIALOGS = {
     "history": ("project", 5),
     "block sets": ("project", 6),
     "tag names": ("project", 9),
-    "delete": ("project", 15),
-    "tour": ("help", 0),
-    "settings": ("help", 1),
-    "shortcuts": ("help", 3),
-    "robot settings": ("help", 4),
-    "camera recognition": ("help", 5),
+    "make a lesson": ("project", 10),
+    "delete": ("project", 16),
+    "shortcuts": ("more", 1),
+    "other device": ("more", 2),
+    "settings": ("more", 3),
+    "camera recognition": ("more", 4),
+    "robot settings": ("robot", 1),
 }
 MENUS = {
-    "project": ".project-group .menu button",
-    "help": ".page-group .menu:nth-of-type(3) button",
+    "project": "header .title",
+    "more": "header > .menu:last-child > button",
+    "robot": "header .pill",
 }
 
 
@@ -102,7 +105,7 @@ def test_every_category_of_the_palette_is_translated(pupil):
     choose_language(pupil, "Español")
     spanish = palette(pupil)
     pupil.picture("palette")
-    assert len(english) == len(spanish) > 20
+    assert len(english) == len(spanish) == 9
     assert untranslated_parts(english, spanish) == {}
 
 
@@ -173,13 +176,12 @@ def test_a_refusal_by_the_server_is_explained_in_spanish(pupil, tmp_path):
 
 def test_the_search_for_blocks_works_in_spanish(pupil):
     choose_language(pupil, "Español")
-    search = pupil.page.get_by_role("searchbox", name="Buscar bloques")
-    search.fill("girar sin parar a la der")
+    pupil.search_blocks("girar sin parar a la der")
     expect(pupil.page.locator(".blocklyFlyout .lb_skill_turn_right")).to_be_visible()
     status = pupil.page.get_by_role("status").filter(has_text="1 bloque encontrado")
     expect(status).to_have_count(1)
     pupil.picture("search")
-    search.fill("xyzxyz")
+    pupil.page.get_by_role("searchbox", name="Buscar bloques").fill("xyzxyz")
     expect(pupil.page.locator(".blocklyFlyout:visible")).to_contain_text(
         "No hay bloques que coincidan"
     )
@@ -187,9 +189,9 @@ def test_the_search_for_blocks_works_in_spanish(pupil):
 
 def choose_language(pupil, language):
     """Choose a language; wait until the blocks, which change last, are in it."""
-    pupil.page.locator(".page-group .menu button").first.click()
+    pupil.page.locator(MENUS["more"]).click()
     pupil.page.get_by_role("menuitemradio", name=language).click()
-    word = {"English": "main program", "Español": "programa principal"}[language]
+    word = {"English": "when Run is pressed", "Español": "al pulsar Ejecutar"}[language]
     expect(pupil.blocks("lb_main").first).to_contain_text(word)
 
 
@@ -206,8 +208,10 @@ def dialog(pupil, menu, number):
 
 def world_editor(pupil):
     """Open the world editor with a box, return its texts, and close it."""
-    pupil.page.locator(".choice-with-button button").click()
+    pupil.page.locator(".world-menu button").click()
+    pupil.page.get_by_role("menuitem").nth(1).click()
     pupil.dialog().locator("[data-sort=box]").click()
+    pupil.page.keyboard.press("Enter")
     expect(pupil.dialog().locator("[data-key=height]")).to_be_visible()
     found = visible_texts(pupil, "dialog")
     pupil.picture(f"editor-{len(found)}")
@@ -219,10 +223,11 @@ def world_editor(pupil):
 
 def palette(pupil):
     """Return the texts of the blocks in each category, by its number."""
-    rows = pupil.page.locator(".blocklyToolboxCategory:not(:has(input))")
+    rows = pupil.page.locator(".blocklyToolboxCategory:has(.lbGroupIcon)")
     found = {}
     for number, row in enumerate(rows.all()):
         row.click()
+        pupil.show_more_blocks()
         found[number] = {row.text_content(), *visible_texts(pupil, ".blocklyFlyout")}
     pupil.page.keyboard.press("Escape")
     return found
@@ -233,7 +238,7 @@ def visible_texts(pupil, part="body"):
     found = pupil.page.evaluate(
         """(part) => {
             const own = "canvas, .cm-content, .blocklyInputField, .project-name, .world-said, "
-                + ".found, .rows strong, option, script, style";
+                + ".found, .rows strong, .chip b, option, script, style";
             const found = new Set();
             const add = (text) => text?.trim() && found.add(text.replace(/\\s+/g, " ").trim());
             for (const root of document.querySelectorAll(part)) {

@@ -1,4 +1,7 @@
-"""A long program: its text can be read and edited before all of its blocks are there."""
+"""A long program: what is in sight is drawn first, and nothing is lost of what is not drawn."""
+
+import json
+import re
 
 import pytest
 from playwright.sync_api import expect
@@ -23,8 +26,15 @@ def step_{number}(x):
     function.turn(90)
 end
 """
-PROGRAM = "main:\n    function.sleep(1)\nend\n" + "".join(
-    FUNCTION.format(number=number) for number in range(FUNCTIONS)
+SHORT = "def first():\n    function.sleep(1)\nend\n"
+#: The server writes it last.
+MAIN = "\nmain:\n    step_0(1)\nend\n"
+PROGRAM = SHORT + "".join(FUNCTION.format(number=number) for number in range(FUNCTIONS)) + MAIN
+#: Statements in one list; the last one is at the end of the scrollbar.
+LIST = "main:\n" + "".join(f"    x = {number}\n" for number in range(1200)) + "end\n"
+#: More functions than are drawn at once.
+MANY = "main:\n    function.sleep(1)\nend\n" + "".join(
+    FUNCTION.format(number=number) for number in range(4 * FUNCTIONS)
 )
 #: When blocks begin to load: note what can be seen, and paste a line at the start of the text.
 WATCH = """
@@ -33,10 +43,9 @@ const loads = () => document.querySelector(".blocks-loading") !== null;
 const watcher = new MutationObserver(() => {
   if (!loads()) return;
   watcher.disconnect();
-  const disabled = document.querySelector(".blocks .injectionDiv").inert;
   setTimeout(() => {
     const text = document.querySelector("[data-region=blocktext] .cm-content");
-    loadings.push({ disabled, loads: loads(), text: text.textContent });
+    loadings.push({ loads: loads(), text: text.textContent });
     const clipboardData = new DataTransfer();
     clipboardData.setData("text/plain", "added = 7\\n");
     text.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true }));
@@ -48,46 +57,151 @@ watcher.observe(document, { subtree: true, childList: true });
 
 @pytest.fixture
 def pupil(sit_down, server):
-    """A pupil whose project has a long program."""
+    """A pupil who has begun a project."""
     pupil = sit_down(server, viewport={"width": 1800, "height": 900})
     pupil.begin("long")
     pupil.show("Blocks", "Block-Text")
-    pupil.write("blocktext", PROGRAM)
-    expect_all_blocks(pupil)
-    pupil.wait_until_saved()
     return pupil
 
 
-def expect_all_blocks(pupil):
-    """Wait until every block is there and can be edited."""
-    functions = pupil.blocks("procedures_defnoreturn")
-    expect(functions).to_have_count(FUNCTIONS, timeout=LONGEST_RUN)
-    expect(pupil.blocks("lb_skill_turn")).to_have_count(FUNCTIONS)
+def open_program(pupil, text):
+    """Save a program, and open it anew."""
+    pupil.write("blocktext", text)
+    pupil.wait_until_saved()
+    pupil.page.reload()
+    pupil.sees("blocktext", text.splitlines()[1])
+
+
+def function(pupil, number):
+    """Return the definition of a function."""
+    return pupil.blocks("procedures_defnoreturn").filter(has_text=f"step_{number}with")
+
+
+def expect_functions(pupil, count=FUNCTIONS + 1):
+    """Wait until all definitions of functions are there."""
+    found = pupil.blocks("procedures_defnoreturn")
+    expect(found).to_have_count(count, timeout=LONGEST_RUN)
     expect(pupil.page.locator(".blocks-loading")).to_have_count(0)
-    assert not pupil.page.locator(".blocks .injectionDiv").evaluate("blocks => blocks.inert")
+
+
+def unfold(pupil, number):
+    """Open the folded function with this number among those that are drawn."""
+    rest = function(pupil, number).locator(".lb_rest")
+    pupil.click_on(rest.locator("image").last)
+    expect(rest).to_have_count(0)
+
+
+def saved(pupil, server):
+    """Return the program as it is saved."""
+    pupil.wait_until_saved()
+    (file,) = server.home.rglob(f"{pupil.name_of_project()}.learnblock")
+    return "\n".join(json.loads(file.read_text())["blocktext"])
 
 
 def test_the_text_of_a_long_program_is_shown_before_its_blocks_and_an_edit_meanwhile_is_kept(pupil):
+    pupil.write("blocktext", MANY)
+    expect_functions(pupil, 4 * FUNCTIONS)
+    pupil.wait_until_saved()
     pupil.page.add_init_script(WATCH)
     pupil.page.reload()
     pupil.sees("blocktext", "added = 7")
     seen = pupil.page.evaluate("() => loadings")
-    assert [(one["disabled"], one["loads"]) for one in seen] == [(True, True)]
+    assert [one["loads"] for one in seen] == [True]
     assert "function.sleep(1)" in seen[0]["text"]
-    expect_all_blocks(pupil)
+    expect_functions(pupil, 4 * FUNCTIONS)
     expect(pupil.blocks("variables_set").filter(has_text="added")).to_have_count(1)
-    pupil.picture("complete")
     pupil.wait_until_saved()
     pupil.page.reload()
-    expect_all_blocks(pupil)
+    expect_functions(pupil, 4 * FUNCTIONS)
     pupil.sees("blocktext", "added = 7", "function.sleep(1)")
 
 
-def test_blocks_of_a_long_program_can_be_edited_and_undone_once_they_are_there(pupil):
-    pupil.page.reload()
-    expect_all_blocks(pupil)
+def test_functions_of_a_long_program_are_folded_and_one_opens_with_a_click(pupil):
+    open_program(pupil, PROGRAM)
+    expect_functions(pupil)
+    expect(pupil.blocks("lb_rest")).to_have_count(FUNCTIONS)
+    pupil.picture("folded")
+    unfold(pupil, 0)
+    expect(pupil.blocks("lb_skill_turn")).to_have_count(1)
+    expect(pupil.blocks("lb_rest")).to_have_count(FUNCTIONS - 1)
+    pupil.picture("open")
+
+
+def test_an_edit_beside_folded_functions_changes_nothing_in_them(pupil, server):
+    open_program(pupil, PROGRAM)
+    expect_functions(pupil)
+    before = saved(pupil, server)
+    pupil.fill(pupil.blocks("lb_skill_sleep").locator("> .blocklyShadow").first, "4")
+    pupil.sees("blocktext", "function.sleep(4)")
+    assert saved(pupil, server) == before.replace("sleep(1)", "sleep(4)")
+    pupil.page.keyboard.press("Control+z")
+    pupil.sees("blocktext", "function.sleep(1)")
+    expect(pupil.blocks("lb_rest")).to_have_count(FUNCTIONS)
+
+
+def test_a_block_in_an_opened_function_is_edited_and_undone(pupil):
+    open_program(pupil, PROGRAM)
+    expect_functions(pupil)
+    unfold(pupil, 1)
     pupil.fill(pupil.blocks("math_change").locator("> .blocklyShadow").first, "4")
     pupil.sees("blocktext", "y += 4")
     pupil.page.keyboard.press("Control+z")
     pupil.lacks("blocktext", "y += 4")
-    expect_all_blocks(pupil)
+    expect(pupil.blocks("lb_rest")).to_have_count(FUNCTIONS - 1)
+
+
+def test_a_new_name_of_a_function_reaches_calls_that_are_not_drawn(pupil, server):
+    calls = "def last():\n" + 4 * "    step_0(2)\n" + "end\n"
+    open_program(pupil, PROGRAM + calls)
+    expect_functions(pupil, FUNCTIONS + 2)
+    pupil.fill(function(pupil, 0).get_by_text("step_0", exact=True).first, "jump")
+    pupil.sees("blocktext", "def jump(x):")
+    text = saved(pupil, server)
+    assert text.count("jump(2)") == 4
+    assert "step_0(" not in text
+
+
+def test_a_program_that_pauses_in_a_folded_function_shows_where(pupil):
+    open_program(pupil, PROGRAM)
+    expect_functions(pupil)
+    pupil.click_beside("blocktext", pupil.line_of("blocktext", "y = x + 2"))
+    pupil.choose("Speed", "Fastest")
+    pupil.press("Run")
+    pupil.state("Paused at breakpoint")
+    expect(function(pupil, 0).locator(".lbRunning")).to_have_count(1)
+    expect(function(pupil, 0).locator(".lb_rest")).to_have_count(0)
+    pupil.press("Stop")
+
+
+def test_the_search_finds_a_block_that_is_not_drawn(pupil):
+    last = PROGRAM + "def last():\n    x = 1\n    x = 2\n    x = 3\n    x = 98765\nend\n"
+    open_program(pupil, last)
+    expect_functions(pupil, FUNCTIONS + 2)
+    expect(number(pupil, 98765)).to_have_count(0)
+    pupil.select_block(pupil.blocks("lb_skill_sleep").first)
+    pupil.page.keyboard.press("Control+f")
+    pupil.page.keyboard.type("98765")
+    expect(pupil.page.locator(".blockly-ws-search-current")).to_be_visible()
+    expect(number(pupil, 98765)).to_be_visible()
+
+
+def test_a_long_list_of_statements_is_drawn_where_it_is_in_sight(pupil, server):
+    open_program(pupil, LIST)
+    expect(number(pupil, 0)).to_have_count(1)
+    expect(pupil.blocks("lb_rest")).to_have_count(1)
+    assert pupil.blocks("variables_set").count() < 200
+    before = saved(pupil, server)
+    pupil.blocks("variables_set").first.hover(position={"x": 20, "y": 20})
+    pupil.page.mouse.wheel(0, 200_000)
+    expect(number(pupil, 1199)).to_be_visible()
+    assert pupil.blocks("variables_set").count() < 400
+    pupil.editor("blocktext").focus()
+    pupil.page.keyboard.press("Control+End")
+    pupil.fill(number(pupil, 1199), "7000")
+    pupil.sees("blocktext", "x = 7000")
+    assert saved(pupil, server) == before.replace("1199", "7000")
+
+
+def number(pupil, value):
+    """Return the drawn block of a number."""
+    return pupil.blocks("math_number").filter(has_text=re.compile(rf"^{value}$"))

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import expect
 
 from browser.conftest import Server
-from browser.test_accessibility import AXE, THEMES, choose_theme, faults
+from browser.test_accessibility import THEMES, choose_theme, faults
 from old_projects import LIBRARY, Old, main, project
 
 DANCE = """# Dance a waltz.
@@ -89,7 +89,7 @@ def test_exported_functions_work_the_same_in_a_profile_with_a_name_clash(first, 
 
 def test_a_library_block_from_the_palette_adds_its_import(second, tmp_path):
     install_other(second, tmp_path)
-    waltz = second.take("Ball", "lb_skill_waltz")
+    waltz = second.take("My blocks", "lb_skill_waltz")
     second.put_into(waltz, second.blocks("lb_main").get_attribute("data-id"))
     second.sees("blocktext", 'import "ball"', "function.waltz()")
     expect(second.blocks("lb_import")).to_be_visible()
@@ -196,10 +196,7 @@ def test_in_spanish_and_in_the_dark(sit_down, own_server, tmp_path):
 
 
 @pytest.mark.parametrize("theme", THEMES)
-def test_the_dialog_has_no_serious_violation(first, tmp_path, theme):
-    if not AXE.exists():
-        pytest.skip("no axe-core: npm ci in frontend")
-    axe = AXE.read_text()
+def test_the_dialog_has_no_serious_violation(first, tmp_path, theme, axe):
     choose_theme(first, theme)
     file = create_library(first, tmp_path, "waltz")
     choose(first, file)

@@ -25,7 +25,7 @@ def test_sensors_follow_a_change_of_robot_while_they_are_hidden(sit_down, server
         box.check()
     plot = sensors.get_by_role("img")
     expect(plot).to_have_attribute(
-        "aria-label", re.compile("Distance front 1, .*, Distance right 2")
+        "aria-label", re.compile("Distance in front 1, .*, Distance on the right 2")
     )
     pupil.tab("Console")
     pupil.press("Run")
@@ -33,7 +33,7 @@ def test_sensors_follow_a_change_of_robot_while_they_are_hidden(sit_down, server
     pupil.choose("Robot", "Cozmo")
     pupil.expect_robot("Cozmo at")
     pupil.tab("Sensors")
-    expect(plot).to_have_attribute("aria-label", "Plot of the last minute: Ground central")
+    expect(plot).to_have_attribute("aria-label", "Plot of the last minute: Ground in the middle")
     pupil.picture("sensors")
 
 
@@ -46,7 +46,7 @@ def test_the_move_key_does_nothing_to_a_block_dragged_by_the_mouse(sit_down, ser
         pupil.page.keyboard.press("m")
     expect(pupil.blocks("blocklyDragging")).to_have_count(0)
     pupil.lacks("blocktext", "sleep")
-    pupil.take("Driving", "lb_skill_turn_left")
+    pupil.take("Move", "lb_skill_turn_left")
 
 
 def test_the_views_can_be_chosen_at_the_smallest_width(pupil):

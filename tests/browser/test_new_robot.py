@@ -18,7 +18,7 @@ def pupil(sit_down, own_server):
 
 @pytest.fixture
 def dialog(pupil):
-    pupil.press("Help and settings")
+    pupil.press("Settings and help")
     pupil.page.get_by_role("menuitem", name="New robot…").click()
     return pupil.page.get_by_role("dialog", name="New robot")
 
@@ -31,7 +31,7 @@ def test_a_robot_is_created_from_its_description_and_its_twin_is_chosen(dialog, 
     expect(dialog).to_contain_text("sim_pathfinder.py")
     pupil.picture("made")
     dialog.get_by_role("button", name="Use the twin").click()
-    expect(pupil.page.get_by_role("combobox", name="Robot")).to_have_value("sim-pathfinder")
+    pupil.expect_chosen("Robot", "Pathfinder")
     pupil.choose("Speed", "Fastest")
     pupil.press("Run")
     pupil.state("Ended")
@@ -47,7 +47,7 @@ def test_a_mistake_in_a_description_is_reported_at_its_line(dialog, pupil):
     assert selected(description(dialog)) == "radius = -1"
     pupil.page.keyboard.press("Escape")
     # The dialog keeps the text after Escape.
-    pupil.press("Help and settings")
+    pupil.press("Settings and help")
     pupil.page.get_by_role("menuitem", name="New robot…").click()
     expect(description(dialog)).to_have_value(WRONG)
 
@@ -64,7 +64,7 @@ def test_a_name_that_is_taken_or_is_a_path_is_refused(dialog):
 
 
 def test_in_spanish_by_keyboard(pupil):
-    pupil.press("Language")
+    pupil.press("Settings and help")
     pupil.page.get_by_role("menuitemradio", name="Español").click()
     pupil.page.get_by_role("button", name="Ayuda").focus()
     pupil.page.keyboard.press("Enter")

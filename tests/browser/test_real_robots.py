@@ -9,23 +9,54 @@ from playwright.sync_api import expect
 
 from emulated import settle
 from learnblock.emulators import emulate
+from learnblock.emulators.ev3.vehicle import Vehicle
 from learnblock.simulator import load_world
 
 DRIVING = "main:\n    function.move_straight(30)\n    function.sleep({})\nend\n"
+CURVES = """\
+main:
+    function.move_straight(120)
+    function.sleep(2)
+    function.set_move(80, 45)
+    function.sleep(3)
+    function.stop_bot()
+end
+"""
+CALLING = """\
+main:
+    function.move_straight(50)
+    while not function.received("here"):
+        function.sleep(0.05)
+    end
+    function.send("go", 7)
+end
+"""
+CALLED = """\
+main:
+    function.move_straight(50)
+    while not function.received("go"):
+        function.send("here")
+        function.sleep(0.05)
+    end
+    function.stop_bot()
+    print("got", function.message_value("go"))
+end
+"""
 #: The text in the header of the world while a robot is connected.
 CONNECTED = {"cozmo": "Connected, battery 4.0 V", "ev3": "Connected, battery 7.8 V"}
 SENSORS = {
-    "cozmo": ["Ground central", "Gyroscope", "Accelerometer forward"],
-    "ev3": ["Distance front 1", "Ground central", "Gyroscope", "Bumper"],
-    "ebo": ["Distance front 1", "Distance left 1", "Distance right 2"],
+    "cozmo": ["Ground in the middle", "Gyroscope", "Accelerometer forward"],
+    "ev3": ["Distance in front 1", "Ground in the middle", "Gyroscope", "Bumper"],
+    "ebo": ["Distance in front 1", "Distance on the left 1", "Distance on the right 2"],
 }
-
+#: The names of robots and of their twins in the menu.
+TITLES = {"cozmo": "Cozmo", "ev3": "LEGO EV3", "ebo": "EBO", "thymio": "Thymio II"}
 #: The description of the world for screen readers.
 IN_WORDS = {
     "cozmo": "Cozmo at .* east",
     "ev3": "EV3 at .* east",
-    "ebo": "EBO on a plain floor. Its position is unknown",
-    "thymio": "Thymio on a plain floor. Its position is unknown",
+    "ebo": "EBO at .* east",
+    "thymio": "Thymio at .* east",
 }
 
 
@@ -78,9 +109,17 @@ def before_a_tag(distance):
     return x, y, (tag.heading + 360) % 360 - 180
 
 
+def choose(pupil, robot):
+    """Choose a robot by its name in the code."""
+    pupil.menu("Robot").click()
+    group = "Simulated" if robot.startswith("sim-") else "Real"
+    robots = pupil.page.get_by_role("group", name=group)
+    robots.get_by_role("menuitemradio", name=TITLES[robot.removeprefix("sim-")]).click()
+
+
 def run(pupil, robot, seconds=2):
     """Choose a robot, and start a program that drives."""
-    pupil.page.get_by_role("combobox", name="Robot").select_option(robot)
+    choose(pupil, robot)
     pupil.write("blocktext", DRIVING.format(seconds))
     pupil.sees("blocktext", f"sleep({seconds})")
     pupil.heard.clear()
@@ -129,12 +168,38 @@ def test_a_running_real_robot_is_shown_like_its_twin(pupil, reach, name):
 @pytest.mark.parametrize("name", IN_WORDS)
 def test_a_real_robot_takes_the_place_of_the_previous_twin(pupil, name):
     pupil.expect_robot("at 0 mm east")
-    pupil.page.get_by_role("combobox", name="Robot").select_option(name)
+    choose(pupil, name)
     pupil.expect_robot("A plain floor with the robot")
     pupil.picture("chosen")
     scene = messages(pupil, "Scene")[-1]
     assert (scene["real"], scene["world"]["box"], scene["world"]["tag"]) == (True, [], [])
     assert scene["robots"][0][1]["name"] == name
+
+
+def test_a_run_of_a_real_and_a_simulated_robot_says_that_it_cannot_be_repeated(pupil, reach):
+    reach("ev3", "empty")
+    pupil.write("blocktext", CALLING)
+    pupil.add_robot("Thymio II")
+    choose(pupil, "ev3")
+    pupil.write("blocktext", CALLED)
+    pupil.page.get_by_role("tab", name="Console").click()
+    pupil.press("Run")
+    expect(pupil.page.locator(".console-lines")).to_contain_text("got 7")
+    for tab in ("sim-thymio", "program"):
+        tabs = pupil.page.get_by_role("tablist", name="Robots")
+        tabs.get_by_role("tab", name=re.compile(f"^{tab}")).click()
+        pupil.state("Ended")
+        result = pupil.tab("Result")
+        expect(result).to_contain_text("this run can't be repeated exactly")
+        expect(result.locator(".hash")).to_have_count(0)
+        expect(result).not_to_contain_text("did exactly the same")
+    pupil.picture("result")
+    pupil.project("History…")
+    newest = pupil.dialog().locator("li", has_text="LEGO EV3").first
+    expect(newest).to_contain_text("EBO")
+    expect(newest).not_to_contain_text("Trace")
+    pupil.picture("history")
+    assert pupil.errors == []
 
 
 def test_the_camera_of_a_real_robot_is_shown_with_the_tags_in_it(pupil, reach):
@@ -159,3 +224,38 @@ def test_the_page_reports_a_lost_connection(pupil, reach, name):
     pupil.state("Ended")
     expect(head).to_have_text("Connection lost")
     pupil.picture("lost")
+
+
+def test_looking_back_shows_a_real_robot_and_where_its_twin_would_have_been(
+    pupil, reach, monkeypatch
+):
+    turn = Vehicle.turn
+
+    def slowly(vehicle, speeds):
+        turn(vehicle, {port: 0.6 * speed for port, speed in speeds.items()})
+
+    monkeypatch.setattr(Vehicle, "turn", slowly)
+    reach("ev3", "empty")
+    choose(pupil, "ev3")
+    pupil.write("blocktext", CURVES)
+    pupil.press("Run")
+    pupil.state("Ended")
+    moment = pupil.page.get_by_role("slider", name="Moment of the run")
+    expect(moment).to_be_visible()
+    findings = pupil.page.locator(".ghost-findings")
+    # Only the past has a prediction.
+    expect(findings).not_to_be_visible()
+    moment.focus()
+    moment.press("ArrowLeft")
+    expect(findings).to_contain_text("Its wheels turned")
+    expect(findings).to_contain_text("what was not recorded")
+    expect(pupil.page.get_by_role("list", name="Ways of the robot and its twin")).to_be_visible()
+    pupil.picture("ghost")
+    findings.get_by_text("What it means").click()
+    expect(findings.get_by_text("Its wheels turned")).to_be_visible()
+    pupil.picture("meaning")
+    findings.get_by_role("button", name="At ").click()
+    expect(pupil.page.locator(".ghost-findings")).to_be_visible()
+    pupil.picture("parted")
+    pupil.page.get_by_role("button", name="Back to now").click()
+    expect(findings).not_to_be_visible()

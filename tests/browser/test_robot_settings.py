@@ -45,7 +45,7 @@ def test_robot_settings_are_saved_and_an_invalid_value_is_reported_at_its_field(
 
 
 def test_emotions_on_cameras_are_switched_on_only_after_agreement(pupil, own_server):
-    choose(pupil, "Camera recognition…")
+    choose(pupil, "Camera recognition…", menu="Settings and help")
     expect(pupil.dialog()).to_contain_text("Article 5(1)(f)")
     field(pupil, "Recognise emotions on real cameras").check()
     button = pupil.dialog().get_by_role("button", name="Save")
@@ -61,7 +61,7 @@ def test_a_video_must_be_in_its_folder(pupil, own_server):
     videos = own_server.home / "videos"
     videos.mkdir()
     (videos / "walk.avi").write_bytes(b"RIFF")
-    choose(pupil, "Camera recognition…")
+    choose(pupil, "Camera recognition…", menu="Settings and help")
     field(pupil, "Video").fill("../settings.toml")
     save(pupil)
     expect(pupil.dialog().get_by_role("alert")).to_contain_text("There is no video")
@@ -81,7 +81,7 @@ def test_what_is_typed_as_soon_as_a_field_appears_is_kept(pupil, own_server):
     videos.mkdir()
     (videos / "walk.avi").write_bytes(b"RIFF")
     pupil.page.evaluate(TYPE_AT_ONCE)
-    choose(pupil, "Camera recognition…")
+    choose(pupil, "Camera recognition…", menu="Settings and help")
     field(pupil, "Webcam").fill("1")
     save(pupil)
     expect(pupil.dialog().get_by_text("Saved", exact=True)).to_be_visible()
@@ -90,7 +90,7 @@ def test_what_is_typed_as_soon_as_a_field_appears_is_kept(pupil, own_server):
 
 def test_in_spanish_by_keyboard(sit_down, own_server):
     pupil = sit_down(own_server, language="es", theme="dark")
-    choose(pupil, "Ajustes de los robots…", menu="Ayuda y ajustes")
+    choose(pupil, "Ajustes de los robots…", menu="Robot")
     pupil.dialog().get_by_role("combobox", name="Robot").select_option("cozmo")
     field(pupil, "Volumen").focus()
     pupil.page.keyboard.press("Control+a")
@@ -102,8 +102,8 @@ def test_in_spanish_by_keyboard(sit_down, own_server):
     expect(pupil.dialog()).to_have_count(0)
 
 
-def choose(pupil, item, menu="Help and settings"):
-    pupil.page.get_by_role("button", name=menu, exact=True).click()
+def choose(pupil, item, menu="Robot"):
+    pupil.menu(menu).click()
     pupil.page.get_by_role("menuitem", name=item, exact=True).click()
 
 

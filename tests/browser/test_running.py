@@ -32,6 +32,14 @@ main:
     print("Good day,", name)
 end
 """
+#: What reaches beyond the right edge of these parts of the page, with more than its shadow.
+CUT = """parts => parts.flatMap((part) => {
+    const outer = document.querySelector(part);
+    const right = outer.getBoundingClientRect().right;
+    return [...outer.querySelectorAll("button, output")]
+        .filter((one) => one.getBoundingClientRect().right > right)
+        .map((one) => one.textContent || one.title);
+})"""
 DRIVING = """\
 main:
     function.move_straight(20)
@@ -194,3 +202,26 @@ def trace_of_the_command_line():
         check=True,
     )
     return json.loads(done.stdout)["trace_sha256"]
+
+
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_on_a_laptop_the_run_bar_and_the_tabs_are_whole_and_the_world_is_large(
+    sit_down, server, language
+):
+    pupil = sit_down(server, language=language, empty=True)
+    pupil.write("blocktext", "main:\n    function.sleep(0.1)\nend\n")
+    expect(pupil.blocks("lb_skill_sleep")).to_be_visible()
+    pupil.page.locator("#run button").first.click()
+    expect(pupil.page.locator(".timeline")).to_be_visible()
+    pupil.picture("laptop")
+    for part in (".run-group .halt span", ".speed-number"):
+        expect(pupil.page.locator(part)).to_be_visible()
+    assert pupil.page.evaluate(CUT, [".run-bar", ".tabs"]) == []
+    assert pupil.page.locator(".world-place").bounding_box()["height"] >= 320
+
+
+def test_the_robot_in_the_bar_is_shown_by_its_picture(sit_down, server):
+    pupil = sit_down(server, empty=True)
+    picture = pupil.menu("Robot").locator("img")
+    expect(picture).to_be_visible()
+    expect(picture).to_have_js_property("naturalWidth", 320)

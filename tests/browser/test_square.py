@@ -1,5 +1,6 @@
 """Listing 4 of the paper: built by dragging blocks, shown in both texts, and run."""
 
+import pytest
 from playwright.sync_api import expect
 
 SQUARE = """\
@@ -19,23 +20,29 @@ end
 """
 
 
+@pytest.fixture
+def pupil(sit_down, server):
+    """A pupil with room beside the program."""
+    return sit_down(server, stage="starter", viewport={"width": 1920, "height": 1080})
+
+
 def test_listing_4_is_built_by_dragging_blocks_and_the_robot_closes_the_square(pupil):
     pupil.begin()
     pupil.choose("Robot", "Cozmo")
-    pupil.press("Block-Text")
     build_listing_4(pupil)
-    pupil.press("Block-Text")
-    pupil.press("Python")
-    expect(pupil.lines("blocktext")).to_have_text(SQUARE.split("\n"))
-    pupil.sees("python", "times += 1", "angle += 90")
     pupil.picture("built")
+    pupil.press("Block-Text")
+    expect(pupil.lines("blocktext")).to_have_text(SQUARE.split("\n"))
     assert pupil.reads("blocktext") == SQUARE.split("\n")
+    pupil.press("Python")
+    pupil.sees("python", "times += 1", "angle += 90")
     assert pupil.reads("python")[-4:] == [
         "    robot.set_orientation(angle)",
         "    times += 1",
         "    angle += 90",
         "",
     ]
+    pupil.press("Blocks")
     pupil.choose("Speed", "20×")
     pupil.note_running_blocks()
     pupil.press("Run")
@@ -55,7 +62,7 @@ def build_listing_4(pupil):
     pupil.put_into(times, pupil.blocks("lb_main").get_attribute("data-id"))
     angle = pupil.set_variable("angle", "90")
     pupil.put_below(angle, times)
-    reset = pupil.take("Driving", "lb_skill_reset_orientation")
+    reset = pupil.take("Move", "lb_skill_reset_orientation")
     pupil.put_below(reset, angle)
     loop = pupil.take("Control", "controls_whileUntil")
     pupil.put_below(loop, reset)
@@ -64,7 +71,7 @@ def build_listing_4(pupil):
 
 
 def fewer_than_four(pupil, loop):
-    comparison = pupil.take("Logic", "logic_compare")
+    comparison = pupil.take("Maths", "logic_compare")
     pupil.put_on(comparison, pupil.hole(loop))
     pupil.choose_in(comparison, "<")
     times = pupil.take("Variables", "variables_get", "times")
@@ -73,14 +80,14 @@ def fewer_than_four(pupil, loop):
 
 
 def turn_a_corner(pupil, loop):
-    ahead = pupil.take("Driving", "lb_skill_move_straight")
+    ahead = pupil.take("Move", "lb_skill_move_straight")
     pupil.put_into_loop(ahead, loop)
-    wait = pupil.take("Waiting", "lb_skill_sleep")
+    wait = pupil.take("Control", "lb_skill_sleep")
     pupil.put_below(wait, ahead)
     pupil.fill(pupil.hole(wait), "5")
-    stop = pupil.take("Driving", "lb_skill_stop_bot")
+    stop = pupil.take("Move", "lb_skill_stop_bot")
     pupil.put_below(stop, wait)
-    turn = pupil.take("Driving", "lb_skill_set_orientation")
+    turn = pupil.take("Move", "lb_skill_set_orientation")
     pupil.put_below(turn, stop)
     pupil.put_on(pupil.take("Variables", "variables_get", "angle"), pupil.hole(turn))
     for name, change in (("angle", "90"), ("times", "1")):

@@ -116,13 +116,13 @@ def test_a_statement_typed_in_python_appears_as_a_block_in_its_position(pupil):
     assert pupil.foreign == []
 
 
-def test_python_without_matching_blocks_is_kept_as_a_grey_block(pupil):
+def test_python_without_matching_blocks_is_kept_as_a_block_with_its_text(pupil):
     pupil.write("blocktext", "main:\n    function.move_straight()\nend\n")
     pupil.sees("python", "robot.move_straight()")
     pupil.put_cursor("python", "robot.move")
     by_hand = "# forward, and not back\nspeeds = {s: s * 2 for s in (10, 20)}\n"
     pupil.page.keyboard.insert_text(by_hand)
-    expect(pupil.blocks("lb_python")).to_have_count(1)
+    expect(pupil.blocks("lb_python_value")).to_have_count(1)
     pupil.picture("grey")
     pupil.put_cursor("blocktext", "move_straight()")
     pupil.page.keyboard.insert_text("reset_orientation()\n    function.")
@@ -170,6 +170,26 @@ def test_the_word_at_the_cursor_is_explained_and_f12_goes_to_its_definition(pupi
     pupil.editor("python").get_by_text("sleep", exact=True).hover()
     expect(pupil.page.locator(".cm-tooltip-hover .text-help-title")).to_contain_text("sleep")
     assert pupil.foreign == []
+
+
+@pytest.mark.parametrize(
+    ("language", "robot", "served"),
+    [
+        ("en", "Thymio II", "On this robot: the sensors under it"),
+        ("en", "EBO", "On this robot: the camera"),
+        ("es", "Thymio II", "En este robot: los sensores de debajo"),
+    ],
+)
+def test_help_says_what_serves_a_sense_on_the_chosen_robot(
+    own_server, sit_down, language, robot, served
+):
+    pupil = sit_down(own_server, empty=True, language=language)
+    pupil.write("blocktext", "main:\n    x = function.is_center_black_line()\nend\n")
+    pupil.choose("Robot", robot)
+    pupil.put_cursor("blocktext", "black_line")
+    pupil.page.keyboard.press("Control+i")
+    expect(pupil.page.locator(".text-help-serves")).to_have_text(served)
+    pupil.picture(f"{language}-{robot}")
 
 
 @pytest.mark.parametrize(

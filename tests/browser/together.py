@@ -211,7 +211,13 @@ class Behind:
     """A server as seen through a connection."""
 
     def __init__(self, server, line):
-        self.address = server.address.replace(str(server.port), str(line.port))
+        self._server = server
+        self._line = line
+
+    def address_of_last_project(self):
+        """Return the address of the project that was changed last, over the connection."""
+        address = self._server.address_of_last_project()
+        return address.replace(str(self._server.port), str(self._line.port))
 
 
 def _port(address):

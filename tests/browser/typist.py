@@ -78,6 +78,7 @@ class Typist:
         """Begin an empty program."""
         before = self._pupil.name_of_project()
         self.go_to("bar")
+        self.walk("Tab", "^Project: ")
         self.press("Enter")
         expect(self._page.get_by_role("menuitem", name="New…", exact=True)).to_be_focused()
         self.press("Enter")
@@ -87,14 +88,32 @@ class Typist:
         expect(self._page.locator(BLOCKS)).to_have_count(1)
 
     def choose(self, what, letters):
-        """Choose from a list of the bar by typing the first letters of a name."""
+        """Choose from a menu of the bar by the first letters of a name."""
         self.go_to("bar")
-        self.walk("Tab", f"^{what}$")
-        self._page.keyboard.type(letters)
+        self.walk("Tab", f"^{what}: ")
+        self.press("Enter")
+        self.walk("ArrowDown", f"^{letters}")
+        self.press("Enter")
+
+    def command(self, menu, name):
+        """Choose a command of a menu of the world."""
+        self.go_to("bar")
+        self.go_to("world")
+        self.walk("Tab", f"^{menu}$")
+        self.press("Enter")
+        self.walk("ArrowDown", f"^{name}")
+        self.press("Enter")
+
+    def speed(self, steps):
+        """Move the slider of the speed by steps."""
+        self.go_to("world")
+        self.walk("Tab", "^Speed$")
+        for _ in range(steps):
+            self.press("ArrowRight")
 
     def switch(self, view):
         """Switch a view of the program on or off."""
-        self.go_to("bar")
+        self.go_to("program")
         self.walk("Tab", f"^{view}$")
         self.press("Enter")
 
@@ -102,7 +121,7 @@ class Typist:
 
     def take(self, category, block):
         """Insert a block from the palette at the position that Blockly offers."""
-        self._go_to_tabs()
+        self.go_to_tabs()
         self.walk("ArrowDown", f"^{category}$")
         self.press("ArrowRight")
         self._insert(block)
@@ -114,16 +133,10 @@ class Typist:
         self.press("ArrowRight")
         self._insert(block)
 
-    def _go_to_tabs(self):
-        """Press T until a tab of the palette has the focus.
-
-        After a new variable, Blockly may still be returning it to a block of the palette.
-        """
-        for _ in range(FAR):
-            self.press("t")
-            if self._page.evaluate(IN_TABS):
-                return
-        raise AssertionError(f"T does not lead to the palette's tabs, but to {self.hears()}")
+    def go_to_tabs(self):
+        """Move the focus to the tabs of the palette."""
+        self.press("t")
+        self._page.wait_for_function(IN_TABS)
 
     def _insert(self, block):
         self.walk("ArrowDown", block)
@@ -131,7 +144,7 @@ class Typist:
 
     def make_variable(self, name):
         """Create a variable with the palette's button."""
-        self._go_to_tabs()
+        self.go_to_tabs()
         self.walk("ArrowDown", "^Variables$")
         self.press("ArrowRight")
         self.walk("ArrowDown", "^Create variable")
@@ -139,7 +152,8 @@ class Typist:
         expect(self._page.locator("dialog[open] input")).to_be_focused()
         self.write(name)
         expect(self._page.locator(PALETTE).get_by_text(name).first).to_be_visible()
-        expect(self._page.locator(f"{PALETTE} :focus")).to_have_count(1)
+        # Blockly moves the focus to the variable's first block as soon as the palette shows it.
+        expect(self._page.locator(f"{PALETTE} .blocklyPath:focus")).to_have_count(1)
         self.press("Escape")
         expect(self._page.locator(PALETTE)).to_have_count(0)
 
@@ -150,8 +164,8 @@ class Typist:
         self.walk("ArrowDown", choice)
         self.press("Enter")
 
-    def fill(self, number):
+    def fill(self, number, field="^Edit .*number"):
         """Fill in the first number of the focused block."""
-        self.walk("ArrowRight", "^Edit .*number")
+        self.walk("ArrowRight", field)
         self.press("Enter")
         self.write(number)

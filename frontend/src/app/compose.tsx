@@ -1,25 +1,37 @@
 /** Creates the objects of the page and connects them. */
 
+import { computed } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 
 import { BlockSets, BlockSetsProvider } from "../features/block-sets/block-sets";
+import { Connect, ConnectProvider } from "../features/connect/connect";
 import { Containment, ContainmentProvider } from "../features/containment/containment";
 import { CustomBlocks, CustomBlocksProvider } from "../features/custom-blocks/custom-blocks";
+import { ClassNews, ClassNewsProvider } from "../features/in-class/in-class";
+import { Lessons, LessonsProvider } from "../features/lessons/lessons";
+import { LessonMaking, LessonMakingProvider } from "../features/lessons/making";
 import { Libraries, LibrariesProvider } from "../features/libraries/libraries";
 import { RobotMaker, RobotMakerProvider } from "../features/new-robot/robot-maker";
 import { RobotSettings, RobotSettingsProvider } from "../features/robot-settings/robot-settings";
+import { Share, ShareProvider } from "../features/share/share";
 import { TagDictionary, TagDictionaryProvider } from "../features/tags/tag-dictionary";
 import { Worlds, WorldsProvider } from "../features/worlds/worlds";
 import { Announcer } from "../model/announcer";
+import { AskingWhy } from "../model/asking-why";
 import type { Context } from "../model/context";
 import { Controls } from "../model/controls";
 import { Dialogs } from "../model/dialogs";
 import { BrowserDrafts } from "../model/drafts";
+import { Ghost } from "../model/ghost";
+import { KeptRuns } from "../model/kept-runs";
+import { LookingBack } from "../model/looking-back";
 import { type Page, PageProvider } from "../model/page";
 import { Program } from "../model/program";
 import { Project } from "../model/project";
+import { RobotTabs } from "../model/robot-tabs";
 import { runError } from "../model/run-error";
 import { Running } from "../model/running";
+import { RunsOn } from "../model/runs-on";
 import { Views } from "../model/views";
 import { socketAddress, takeToken } from "../protocol/address";
 import { Connection } from "../protocol/connection";
@@ -28,6 +40,8 @@ import { Toasts } from "../ui/toasts";
 /** The state of each feature; it listens to the server from the start. */
 interface Stores {
   readonly blockSets: BlockSets;
+  readonly classNews: ClassNews;
+  readonly connect: Connect;
   readonly containment: Containment;
   readonly customBlocks: CustomBlocks;
   readonly libraries: Libraries;
@@ -40,6 +54,9 @@ interface Stores {
 export interface Composition {
   readonly page: Page;
   readonly stores: Stores;
+  readonly lessons: Lessons;
+  readonly lessonMaking: LessonMaking;
+  readonly share: Share;
 }
 
 export function compose(): Composition {
@@ -47,12 +64,18 @@ export function compose(): Composition {
   const toasts = new Toasts();
   const dialogs = new Dialogs();
   const stores = makeStores(connection, toasts, dialogs);
-  return { page: makePage(connection, toasts, dialogs, stores), stores };
+  const page = makePage(connection, toasts, dialogs, stores);
+  const { announcer, context } = page;
+  const lessons = new Lessons(connection, { program: context.program, announcer, toasts });
+  const lessonMaking = new LessonMaking(connection, { program: context.program, dialogs, toasts, lessons });
+  return { page, stores, lessons, lessonMaking, share: new Share(page) };
 }
 
 function makeStores(connection: Connection, toasts: Toasts, dialogs: Dialogs): Stores {
   return {
     blockSets: new BlockSets(connection),
+    classNews: new ClassNews(connection),
+    connect: new Connect(connection),
     containment: new Containment(connection, toasts, () => dialogs.show("containment")),
     customBlocks: new CustomBlocks(connection),
     libraries: new Libraries(connection),
@@ -66,51 +89,88 @@ function makeStores(connection: Connection, toasts: Toasts, dialogs: Dialogs): S
 function makePage(connection: Connection, toasts: Toasts, dialogs: Dialogs, stores: Stores): Page {
   const { blockSets, customBlocks, tags } = stores;
   const program = new Program(connection, new BrowserDrafts());
+  const tabs = new RobotTabs(connection, program);
   const running = new Running(connection);
   const views = new Views();
+  const lookingBack = new LookingBack(running, connection);
+  const askingWhy = new AskingWhy(connection, running, () => views.showPanel("why"));
+  const ghost = new Ghost(connection, running);
   const context: Context = {
     connection,
+    robots: computed(() => project.welcome.value?.robots ?? []),
     program,
     running,
     runError: runError(program, running),
     customBlocks: customBlocks.blocks,
     tagNames: tags.names,
+    ways: computed(() => (keptRuns.ways.value.length > 0 ? keptRuns.ways.value : ghost.ways.value)),
+    ghost: ghost.robot,
     shownBlocks: blockSets.shown,
     reveal: (block) => views.reveal(block),
+    select: (block) => (views.selected.value = block),
+    robotColor: (name) => (tabs.tabs.value.length > 0 ? tabs.colorOf(name) : null),
+    lookingBack,
+    askingWhy,
     listCustomBlocks: () => dialogs.show("customBlocks"),
     editCustomBlock: (name, line = 0) => dialogs.show({ customBlock: name, line }),
   };
-  const project = new Project(connection, program, toasts);
+  const project = new Project(connection, program, toasts, tabs);
+  const forgetQuestions = () => {
+    askingWhy.questions.value = askingWhy.answer.value = null;
+  };
+  const keptRuns = new KeptRuns(connection, project.name, { program, running, lookingBack, toasts, forgetQuestions });
   return {
     context,
     views,
     toasts,
     project,
+    tabs,
     controls: new Controls(context),
+    lookingBack,
+    ghost,
+    keptRuns,
+    askingWhy,
+    runsOn: new RunsOn(connection, program, project.name),
     dialogs,
     announcer: new Announcer(context),
   };
 }
 
 /** Provides the page and the features' state to the components below. */
-export function Providers({ of: { page, stores }, children }: { of: Composition; children: ComponentChildren }) {
+export function Providers({
+  of: { page, stores, lessons, lessonMaking, share },
+  children,
+}: {
+  of: Composition;
+  children: ComponentChildren;
+}) {
   return (
     <PageProvider value={page}>
-      <BlockSetsProvider value={stores.blockSets}>
-        <ContainmentProvider value={stores.containment}>
-          <CustomBlocksProvider value={stores.customBlocks}>
-            <LibrariesProvider value={stores.libraries}>
-              <RobotMakerProvider value={stores.robotMaker}>
-                <RobotSettingsProvider value={stores.robotSettings}>
-                  <TagDictionaryProvider value={stores.tags}>
-                    <WorldsProvider value={stores.worlds}>{children}</WorldsProvider>
-                  </TagDictionaryProvider>
-                </RobotSettingsProvider>
-              </RobotMakerProvider>
-            </LibrariesProvider>
-          </CustomBlocksProvider>
-        </ContainmentProvider>
-      </BlockSetsProvider>
+      <ClassNewsProvider value={stores.classNews}>
+        <BlockSetsProvider value={stores.blockSets}>
+          <ConnectProvider value={stores.connect}>
+            <ContainmentProvider value={stores.containment}>
+              <CustomBlocksProvider value={stores.customBlocks}>
+                <LibrariesProvider value={stores.libraries}>
+                  <RobotMakerProvider value={stores.robotMaker}>
+                    <RobotSettingsProvider value={stores.robotSettings}>
+                      <TagDictionaryProvider value={stores.tags}>
+                        <WorldsProvider value={stores.worlds}>
+                          <LessonsProvider value={lessons}>
+                            <LessonMakingProvider value={lessonMaking}>
+                              <ShareProvider value={share}>{children}</ShareProvider>
+                            </LessonMakingProvider>
+                          </LessonsProvider>
+                        </WorldsProvider>
+                      </TagDictionaryProvider>
+                    </RobotSettingsProvider>
+                  </RobotMakerProvider>
+                </LibrariesProvider>
+              </CustomBlocksProvider>
+            </ContainmentProvider>
+          </ConnectProvider>
+        </BlockSetsProvider>
+      </ClassNewsProvider>
     </PageProvider>
   );
 }

@@ -1,20 +1,32 @@
 /** The dialog that is open, if any. */
 
 import { BlockSetsDialog } from "../features/block-sets/dialog";
+import { CallsBesideDialog } from "../features/calls/beside";
+import { ConnectDialog } from "../features/connect/dialog";
 import { ContainmentDialog } from "../features/containment/dialog";
 import { CustomBlockDialog, CustomBlocksDialog } from "../features/custom-blocks/dialogs";
 import { ExamplesDialog } from "../features/examples/dialog";
+import { LessonEditorDialog } from "../features/lesson-editor/dialog";
+import { DeleteLessonDialog } from "../features/lessons/delete";
+import { LessonNotesDialog } from "../features/lessons/notes";
 import { LibrariesDialog } from "../features/libraries/dialog";
 import { NewRobotDialog } from "../features/new-robot/dialog";
+import { OtherDeviceDialog } from "../features/other-device/dialog";
 import { HistoryDialog } from "../features/projects/history";
 import { ImportedDialog } from "../features/projects/imported";
 import { OfferedDialog } from "../features/projects/offered";
 import { OpenDialog } from "../features/projects/open";
-import { DeleteDialog, NewDialog, RenameDialog, SaveAsDialog } from "../features/projects/save-and-delete";
+import { NewDialog, ProjectDialog, RenameDialog, SaveAsDialog } from "../features/projects/save-and-delete";
 import { PerceptionDialog, RobotSettingsDialog } from "../features/robot-settings/dialogs";
+import { AddRobotsDialog } from "../features/robot-tabs/add";
+import { RobotCountDialog } from "../features/robot-tabs/count";
+import { RenameRobotDialog } from "../features/robot-tabs/rename";
+import { RunDialog } from "../features/runs/dialogs";
 import { SettingsDialog, ShortcutsDialog } from "../features/settings/dialogs";
+import { GradingDialog, TeachersDialog } from "../features/start/teachers";
 import { TagsDialog } from "../features/tags/dialog";
 import { RenameWorldDialog } from "../features/worlds/rename";
+import { WorldVariantDialog } from "../features/worlds/variant";
 import { t } from "../i18n";
 import { usePage } from "../model/page";
 import { Dialog } from "../ui/dialog";
@@ -30,15 +42,25 @@ const DIALOGS = {
   shortcuts: ShortcutsDialog,
   settings: SettingsDialog,
   worldEditor: WorldEditorDialog,
+  addRobots: AddRobotsDialog,
+  robotCount: RobotCountDialog,
+  renameRobot: RenameRobotDialog,
   renameWorld: RenameWorldDialog,
+  worldVariant: WorldVariantDialog,
   blockSets: BlockSetsDialog,
   tags: TagsDialog,
   robotSettings: RobotSettingsDialog,
   perception: PerceptionDialog,
+  connect: ConnectDialog,
   newRobot: NewRobotDialog,
   customBlocks: CustomBlocksDialog,
   libraries: LibrariesDialog,
   containment: ContainmentDialog,
+  otherDevice: OtherDeviceDialog,
+  teachers: TeachersDialog,
+  grading: GradingDialog,
+  lessonEditor: LessonEditorDialog,
+  callsBeside: CallsBesideDialog,
 } as const;
 
 export function OpenedDialog() {
@@ -50,7 +72,10 @@ export function OpenedDialog() {
   if (name === null) return offered && project.reviewing.value && <OfferedDialog offered={offered} />;
   if (typeof name === "object" && "customBlock" in name)
     return <CustomBlockDialog key={name.customBlock} name={name} />;
-  if (typeof name === "object") return <DeleteDialog name={name.delete} />;
+  if (typeof name === "object" && ("nameRun" in name || "deleteRun" in name)) return <RunDialog of={name} />;
+  if (typeof name === "object" && "deleteLesson" in name) return <DeleteLessonDialog of={name} />;
+  if (typeof name === "object" && "lessonNotes" in name) return <LessonNotesDialog of={name} />;
+  if (typeof name === "object") return <ProjectDialog of={name} />;
   const Shown = DIALOGS[name];
   return <Shown />;
 }
@@ -59,11 +84,7 @@ function WorldEditorDialog() {
   const { context, dialogs, project } = usePage();
   const load = async () => {
     const { createWorldEditor } = await import("../features/world-editor");
-    return createWorldEditor(
-      context,
-      () => dialogs.close(),
-      (name) => project.freeWorldTitle(name),
-    );
+    return createWorldEditor(context, (name) => project.freeWorldTitle(name));
   };
   return (
     <Dialog title={t("page-bar-edit-world")} close={() => dialogs.close()} size="whole">

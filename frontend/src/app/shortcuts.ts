@@ -18,11 +18,20 @@ const ACTIONS: Readonly<Record<ShortcutWord, (page: Page) => void>> = {
   "page-settings-shortcuts": ({ dialogs }) => dialogs.show("shortcuts"),
 };
 
+/** Those that need no open project. */
+const ANYWHERE: ReadonlySet<ShortcutWord> = new Set([
+  "page-settings-next-region",
+  "page-settings-previous-region",
+  "page-project-open",
+  "page-settings-shortcuts",
+]);
+
 /** Listen to the page's keys; call the result to stop. */
 export function listen(page: Page): () => void {
   const pressed = (event: KeyboardEvent) => {
     const shortcut = SHORTCUTS.find((one) => matches(one, event));
-    if (!shortcut || page.dialogs.open.value !== null || page.dialogs.tour.value) return;
+    if (!shortcut || page.dialogs.open.value !== null) return;
+    if (page.project.atStart.value && !ANYWHERE.has(shortcut.word)) return;
     event.preventDefault();
     event.stopPropagation();
     ACTIONS[shortcut.word](page);
@@ -38,8 +47,9 @@ export function listen(page: Page): () => void {
 }
 
 /** Undo and redo also work outside the views. */
-function undoOrRedo({ context: { program } }: Page, event: KeyboardEvent): void {
-  if (event.defaultPrevented || !(event.ctrlKey || event.metaKey) || isField(event.target)) return;
+function undoOrRedo({ context: { program }, project }: Page, event: KeyboardEvent): void {
+  if (project.atStart.value || event.defaultPrevented || !(event.ctrlKey || event.metaKey) || isField(event.target))
+    return;
   const key = event.key.toLowerCase();
   if (key === "z" && !event.shiftKey) program.undo();
   else if (key === "y" || key === "z") program.redo();

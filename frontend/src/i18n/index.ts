@@ -4,7 +4,12 @@ import { format, language, languages, type Shown, startLanguage } from "./words"
 
 export { language, languages, startLanguage };
 
-type Value = string | number | Phrase | readonly (string | Phrase)[];
+/** A text in several languages, such as the label of a block. */
+interface Multilingual {
+  readonly texts: Readonly<Record<string, string>>;
+}
+
+type Value = string | number | Phrase | Multilingual | readonly (string | Phrase)[];
 
 /** A message of the server: a code and named values. */
 export interface Phrase {
@@ -43,5 +48,6 @@ export function worldName(english: string): string {
 
 function show(value: Value): string | number {
   if (typeof value === "string" || typeof value === "number") return value;
+  if ("texts" in value) return value.texts[language.value] ?? value.texts.en ?? "";
   return "code" in value ? say(value) : value.map((one) => (typeof one === "string" ? one : say(one))).join(", ");
 }

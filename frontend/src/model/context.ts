@@ -3,7 +3,10 @@
 import type { ReadonlySignal } from "@preact/signals";
 
 import type { Connection } from "../protocol/connection";
-import type { BlockSet, CustomBlock, Problem } from "../protocol/messages";
+import type { BlockSet, CustomBlock, Problem, Robot, RobotChoice } from "../protocol/messages";
+import type { AskingWhy } from "./asking-why";
+import type { Way } from "./kept-runs";
+import type { LookingBack } from "./looking-back";
 import type { Program } from "./program";
 import type { Running } from "./running";
 
@@ -13,14 +16,28 @@ export interface Context {
   readonly running: Running;
   /** The error of the last run, as a problem in each view. */
   readonly runError: ReadonlySignal<readonly Problem[]>;
+  /** The robots to choose. */
+  readonly robots: ReadonlySignal<readonly RobotChoice[]>;
   /** The custom blocks; null until the server has sent them. */
   readonly customBlocks: ReadonlySignal<readonly CustomBlock[] | null>;
   /** The set of blocks that the palette shows. */
   readonly shownBlocks: ReadonlySignal<BlockSet>;
+  /** The ways of the runs that are compared, or of a real robot and its twin; none if none are. */
+  readonly ways: ReadonlySignal<readonly Way[]>;
+  /** Where the twin of a real robot would have been at the moment that is shown; null without one. */
+  readonly ghost: ReadonlySignal<Robot | null>;
   /** The tag dictionary: the number of each name. */
   readonly tagNames: ReadonlySignal<Readonly<Record<string, number>>>;
   /** Shows a statement, given by its block's id, in every view. */
   reveal(block: string): void;
+  /** Reports the statement, given by its block's id, that the user has selected in a view; null without one. */
+  select(block: string | null): void;
+  /** The colour of a robot's tab; null if the project has only one robot. */
+  robotColor(name: string): string | null;
+  /** Goes to other moments of the last run. */
+  readonly lookingBack: LookingBack;
+  /** Questions about the last run. */
+  readonly askingWhy: AskingWhy;
   /** Opens the list of custom blocks. */
   listCustomBlocks(): void;
   /** Opens a custom block at a line of its source, from 1; a new one if the name is empty. */

@@ -41,8 +41,9 @@ export class Controls {
     this.context.connection.send({ kind: "ChooseRobot", name });
   }
 
-  chooseWorld(name: string): void {
-    this.context.connection.send({ kind: "ChooseWorld", name });
+  /** Choose a world, as it is drawn or a variant of it. */
+  chooseWorld(name: string, variant = 0): void {
+    this.context.connection.send({ kind: "ChooseWorld", name, variant });
   }
 
   resetWorld(): void {

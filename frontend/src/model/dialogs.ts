@@ -12,17 +12,40 @@ export type DialogName =
   | "shortcuts"
   | "settings"
   | "worldEditor"
+  | "addRobots"
+  | "robotCount"
+  | "renameRobot"
   | "renameWorld"
+  | "worldVariant"
   | "blockSets"
   | "tags"
   | "robotSettings"
+  | "connect"
   | "perception"
   | "newRobot"
   | "customBlocks"
   | "libraries"
   | "containment"
-  | { readonly delete: string }
+  | "otherDevice"
+  | "callsBeside"
+  | "teachers"
+  | "grading"
+  | "lessonEditor"
+  | ProjectDialogName
+  | LessonDialogName
+  | RunDialogName
   | CustomBlockDialogName;
+
+/** A question about a project, which need not be open, by its name. */
+export type ProjectDialogName = { readonly delete: string } | { readonly rename: string } | { readonly copy: string };
+
+/** A lesson by its name: the question whether to delete it, or what it has for the teacher. */
+export type LessonDialogName =
+  | { readonly deleteLesson: string; readonly title: string }
+  | { readonly lessonNotes: string; readonly title: string };
+
+/** A question about a kept run, by its id. */
+export type RunDialogName = { readonly nameRun: string } | { readonly deleteRun: string };
 
 /** A custom block by its name, which is empty for a new one, and a line of its source from 1. */
 export interface CustomBlockDialogName {

@@ -8,6 +8,11 @@ import type { Draft } from "./unsaved";
 /** ms between two writes of the drafts. */
 const PERIOD = 100;
 
+/** Browsers share their database between all pages of a server: in a class, those of other pupils, too. */
+function own(project: string): string {
+  return `${new URL(".", location.href).pathname}${project}`;
+}
+
 /** The drafts that another page, or this one before it was reloaded, has left. */
 export interface Left {
   readonly drafts: readonly Draft[];
@@ -38,20 +43,20 @@ export class BrowserDrafts implements Drafts {
   }
 
   keep(project: string, drafts: readonly Draft[]): void {
-    const key = [project, this.page];
+    const key = [own(project), this.page];
     this.writing.do(() => {
       void attempt(drafts.length > 0 ? set(key, drafts) : del(key));
     });
   }
 
   forget(project: string): void {
-    void attempt(del([project, this.page]));
+    void attempt(del([own(project), this.page]));
   }
 
   async left(project: string): Promise<readonly Left[]> {
     const all = (await attempt(keys<[string, string]>())) ?? [];
     const open = await this.openPages();
-    const others = all.filter(([name, page]) => name === project && !open.has(page));
+    const others = all.filter(([name, page]) => name === own(project) && !open.has(page));
     const found = (await attempt(getMany<readonly Draft[]>(others))) ?? [];
     return others.map((key, index) => ({ drafts: found[index] ?? [], forget: () => void attempt(del(key)) }));
   }

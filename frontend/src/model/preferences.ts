@@ -10,12 +10,23 @@ export type ThemeName = "light" | "dark" | "contrast";
 /** The themes to choose from. */
 export const THEMES: readonly (ThemeName | "system")[] = ["system", "light", "dark", "contrast"];
 
+/** How much of the page is shown at first; everything stays reachable. */
+export type Stage = "starter" | "explorer" | "coder";
+
+export const STAGES: readonly Stage[] = ["starter", "explorer", "coder"];
+
 /** Which regions of the page are shown, and their sizes. */
 export interface Layout {
-  /** The program's views on a wide screen. */
+  /** Whether several views of the program are shown side by side. */
+  readonly split: boolean;
+  /** The views that are shown side by side. */
   readonly views: readonly View[];
-  /** The view on other screens. */
+  /** The only view otherwise. */
   readonly view: View;
+  /** Whether the palette stays open beside the program. */
+  readonly pinned: boolean;
+  /** Whether the output is shown below the world. */
+  readonly panel: boolean;
   /** Sizes relative to one another. */
   readonly weights: Readonly<Record<View, number>>;
   /** Sizes of the views' column and of the world's. */
@@ -32,17 +43,25 @@ export interface Preferences {
   readonly sound: boolean;
   /** Whether sounds report distances ahead and collisions. */
   readonly audible: boolean;
+  /** Whether the world celebrates goals that the robot reaches. */
+  readonly celebrate: boolean;
   readonly tourDone: boolean;
+  readonly stage: Stage;
+  /** The user's robot, for new projects and examples; empty for the usual one. */
+  readonly robot: string;
   readonly layout: Layout;
 }
 
 const KEY = "learnblock.preferences";
 const LAYOUT: Layout = {
+  split: false,
   views: ["blocks", "blocktext"],
   view: "blocks",
+  pinned: true,
+  panel: false,
   weights: { blocks: 60, blocktext: 40, python: 40 },
-  columns: [62, 38],
-  rows: [58, 42],
+  columns: [60, 40],
+  rows: [66, 34],
   camera: false,
   drive: false,
 };
@@ -51,7 +70,10 @@ const DEFAULTS: Preferences = {
   theme: "system",
   sound: true,
   audible: false,
+  celebrate: true,
   tourDone: false,
+  stage: "starter",
+  robot: "",
   layout: LAYOUT,
 };
 
@@ -74,6 +96,21 @@ export function prefer(change: Partial<Preferences>): void {
 export function arrange(change: Partial<Layout>): void {
   prefer({ layout: { ...preferences.value.layout, ...change } });
 }
+
+/** What each stage shows at first. */
+const FIRST_SHOWN: Readonly<Record<Stage, Partial<Layout>>> = {
+  starter: { split: false, view: "blocks", panel: false },
+  explorer: { split: false, view: "blocks", panel: true },
+  coder: { split: true, views: ["blocks", "python"], view: "python", panel: true },
+};
+
+export function chooseStage(stage: Stage): void {
+  prefer({ stage });
+  arrange(FIRST_SHOWN[stage]);
+}
+
+/** Whether the buttons of the debugger are shown. */
+export const showsDebugger = computed(() => preferences.value.stage !== "starter");
 
 export const preferredLanguage = computed(() => preferences.value.language);
 

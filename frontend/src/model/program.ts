@@ -65,6 +65,10 @@ export class Program {
   /** Why the program can't be changed here; null if it can. */
   readonly readOnly = signal<Phrase | null>(null);
   private project = "";
+  /** The robot whose program it is; empty if it is the project's only one. */
+  private tab = "";
+  /** The number of the program among those that this page has shown of the project. */
+  private number = 0;
   /** Whether the page has just opened the project, and not only reconnected. */
   private isNew = false;
   private latest = EMPTY;
@@ -92,8 +96,10 @@ export class Program {
     connection.state.subscribe((state) => {
       if (state !== "open") this.disconnected();
     });
-    connection.on("Opened", (opened) => this.opened(opened.name));
-    connection.on("ProjectRenamed", ({ name }) => this.renamed(name));
+    connection.on("Opened", ({ name, tab = "" }) => this.opened(name, tab, 0));
+    connection.on("TabOpened", ({ tab, shown }) => this.opened(this.project, tab, shown));
+    connection.on("ProjectRenamed", ({ name }) => this.renamed(name, this.tab));
+    connection.on("Tabs", ({ open = "" }) => this.renamed(this.project, open));
     connection.on("Document", (document) => this.receive(document));
     connection.on("Saved", ({ edit }) => this.savedUpTo(edit));
     connection.onRefused(["EditBlocks", "EditText", "RecoverBlocks", "RecoverText"], () => this.refused());
@@ -121,6 +127,12 @@ export class Program {
     const sending = [...this.pending.values()];
     this.pending.clear();
     for (const send of sending) send();
+  }
+
+  /** Send no edits until the server has sent the program of another robot, or this one again. */
+  leave(): void {
+    this.flush();
+    this.disconnected();
   }
 
   undo(): void {
@@ -158,18 +170,18 @@ export class Program {
   }
 
   private send(view: View, content: Content, revision: number): void {
-    const made = { edit: this.edits, revision };
+    const made = { edit: this.edits, revision, shown: this.number };
     if (typeof content !== "string") this.connection.send({ kind: "EditBlocks", ...made, workspace: content });
     else if (view !== "blocks") this.connection.send({ kind: "EditText", ...made, notation: view, text: content });
   }
 
   /** Send an edit of a view that does not show any revision of the server, with what was edited. */
   private sendWithBase({ view, content, base }: Repeated): void {
-    const edit = this.edits;
+    const made = { edit: this.edits, shown: this.number };
     if (typeof content !== "string" && typeof base !== "string") {
-      this.connection.send({ kind: "RecoverBlocks", edit, workspace: content, base });
+      this.connection.send({ kind: "RecoverBlocks", ...made, workspace: content, base });
     } else if (view !== "blocks" && typeof content === "string" && typeof base === "string") {
-      this.connection.send({ kind: "RecoverText", edit, notation: view, text: content, base });
+      this.connection.send({ kind: "RecoverText", ...made, notation: view, text: content, base });
     }
   }
 
@@ -241,15 +253,23 @@ export class Program {
 
   private keepDrafts(): void {
     const { drafts } = this.unsaved;
-    if (drafts.length > 0 || !this.saved.value) this.drafts.keep(this.project, drafts);
+    if (drafts.length > 0 || !this.saved.value) this.drafts.keep(this.key, drafts);
     this.saved.value = drafts.length === 0 && this.recovering.size === 0;
   }
 
-  /** The drafts move with the project. */
-  private renamed(name: string): void {
-    this.drafts.forget(this.project);
-    this.project = name;
-    this.drafts.keep(name, this.unsaved.drafts);
+  /** The drafts of each robot's program have a name of their own; projects have no slash in theirs. */
+  private get key(): string {
+    return this.tab ? `${this.project}/${this.tab}` : this.project;
+  }
+
+  /** The drafts move with the project and the robot. */
+  private renamed(project: string, tab: string): void {
+    const before = this.key;
+    this.project = project;
+    this.tab = tab;
+    if (this.key === before) return;
+    this.drafts.forget(before);
+    this.drafts.keep(this.key, this.unsaved.drafts);
   }
 
   /** Send no edits until the server has sent the program again. */
@@ -258,10 +278,12 @@ export class Program {
     this.greeted = false;
   }
 
-  /** Handle an opened project: a different one, or the same one after reconnecting. */
-  private opened(name: string): void {
-    this.isNew = name !== this.project;
-    this.project = name;
+  /** Handle an opened program: a different one, or the same one after reconnecting. */
+  private opened(project: string, tab: string, number: number): void {
+    this.isNew = project !== this.project || tab !== this.tab;
+    this.project = project;
+    this.tab = tab;
+    this.number = number;
     this.edits = this.answered = 0;
     this.disconnected();
     this.edited.clear();
@@ -277,9 +299,9 @@ export class Program {
   private async recover(): Promise<void> {
     // They stay in the browser until the project can be changed again.
     if (this.readOnly.peek()) return;
-    const { project } = this;
-    const left = await this.drafts.left(project);
-    if (project !== this.project || left.length === 0) return;
+    const { key } = this;
+    const left = await this.drafts.left(key);
+    if (key !== this.key || left.length === 0) return;
     for (const { drafts, forget } of left) {
       for (const draft of drafts) {
         this.edits += 1;

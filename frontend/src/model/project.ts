@@ -1,8 +1,8 @@
 /** The open project, and the list of all projects. */
 
 import { effect, signal } from "@preact/signals";
-import { type Phrase, say, t, translated } from "../i18n";
-import { addressedProject, nameProject, renameProject } from "../protocol/address";
+import { type Phrase, say, t, translated, worldName } from "../i18n";
+import { addressedProject, forgetProject, nameNoProject, nameProject, renameProject } from "../protocol/address";
 import type { Connection } from "../protocol/connection";
 import type {
   CodeOffered,
@@ -16,16 +16,19 @@ import type {
 } from "../protocol/messages";
 import { inBase64, saveFile } from "../ui/files";
 import type { Toasts } from "../ui/toasts";
+import { preferences } from "./preferences";
 import type { Program } from "./program";
+import type { RobotTabs } from "./robot-tabs";
 import { robotTitle } from "./robots";
 import { ORIGINAL, sizeProblem, stemOf, withEnding } from "./upload";
 
-/** The example that new users see. */
-const FIRST_EXAMPLE = "square";
 const LONGEST_NAME = 100;
 
 export class Project {
+  /** Empty until a project is open, and on the start page. */
   readonly name = signal("");
+  /** Whether the start page is shown: no project is open, nor named by the address. */
+  readonly atStart = signal(addressedProject() === null);
   readonly welcome = signal<Welcome | null>(null);
   readonly worlds = signal<readonly WorldChoice[]>([]);
   /** Null until the server has sent it. */
@@ -37,18 +40,15 @@ export class Project {
   readonly offered = signal<CodeOffered | null>(null);
   /** Whether the user is reading that code. */
   readonly reviewing = signal(false);
-  /** Whether to choose a project when the list arrives. */
-  private choosing = false;
-  /** The project to delete once another one is open. */
-  private doomed: string | null = null;
 
   constructor(
     private readonly connection: Connection,
     private readonly program: Program,
     private readonly toasts: Toasts,
+    private readonly tabs: RobotTabs,
   ) {
     connection.on("Welcome", (welcome) => this.begin(welcome));
-    connection.on("Projects", ({ projects }) => this.listed(projects));
+    connection.on("Projects", ({ projects }) => (this.entries.value = projects));
     connection.on("Opened", ({ name }) => this.opened(name));
     connection.on("ProjectRenamed", ({ name }) => this.renamed(name));
     connection.on("Robots", ({ robots }) => (this.welcome.value &&= { ...this.welcome.value, robots }));
@@ -76,14 +76,26 @@ export class Project {
     addEventListener("beforeunload", (event) => this.leaving(event));
   }
 
-  open(name: string): void {
+  open(name: string, tab = ""): void {
     this.program.flush();
-    this.connection.send({ kind: "Open", name });
+    this.connection.send({ kind: "Open", name, tab });
   }
 
   create(name: string, example: string | null = null): void {
     this.program.flush();
-    this.connection.send({ kind: "New", name, example });
+    this.connection.send({ kind: "New", name, example, robot: preferences.value.robot });
+  }
+
+  /** Open a project of an example as it is; a new one has this name. */
+  openExample(name: string, example: string): void {
+    this.program.flush();
+    this.connection.send({ kind: "OpenExample", name, example, robot: preferences.value.robot });
+  }
+
+  /** Go to the start page. */
+  leave(): void {
+    nameNoProject();
+    this.showStart();
   }
 
   saveAs(name: string): void {
@@ -97,9 +109,20 @@ export class Project {
     this.connection.send({ kind: "RenameProject", name });
   }
 
-  export(format: Export["format"]): void {
+  /** Rename a project that is not open. */
+  renameOther(project: string, name: string): void {
+    if (name !== project) this.connection.send({ kind: "RenameProject", project, name });
+  }
+
+  /** Copy a project that need not be open. */
+  copy(project: string, name: string): void {
+    this.connection.send({ kind: "CopyProject", project, name });
+  }
+
+  /** Download the open project, or another one. */
+  export(format: Export["format"], project = ""): void {
     this.program.flush();
-    this.connection.send({ kind: "Export", format });
+    this.connection.send({ kind: "Export", format, project });
   }
 
   restore(version: string): void {
@@ -116,15 +139,13 @@ export class Project {
     this.connection.send({ kind: "ListHistory" });
   }
 
-  /** Delete a project; if it is open, open another one first. */
+  /** Delete a project; if it is open, go to the start page first. */
   delete(name: string): void {
-    if (name === this.name.value) {
-      this.doomed = name;
-      this.choosing = true;
-    } else {
-      this.connection.send({ kind: "Delete", name });
+    if (name === this.name.value && !this.program.readOnly.value) {
+      forgetProject();
+      this.showStart();
     }
-    this.list();
+    this.connection.send({ kind: "Delete", name });
   }
 
   /** Import a program, and the libraries of the original LearnBlock that it may use. */
@@ -153,10 +174,10 @@ export class Project {
     return robot ? robotTitle(robot) : name;
   }
 
-  /** A world's display name; the user's own worlds keep their names. */
+  /** A world's display name; the user's own worlds keep their names, those of our lessons are translated. */
   worldTitle(name: string): string {
     const world = this.worlds.value.find((one) => one.name === name);
-    return world?.own ? world.title : translated(`page-catalog-world-${name}`, world?.title ?? name);
+    return world?.own ? worldName(world.title) : translated(`page-catalog-world-${name}`, world?.title ?? name);
   }
 
   /** A title for a copy of a world that no world has yet. */
@@ -174,9 +195,8 @@ export class Project {
     this.worlds.value = welcome.worlds;
     const name = this.name.value || addressedProject();
     if (this.name.value) this.toasts.note(t("page-project-recovered"));
-    if (name) return this.open(name);
-    this.choosing = true;
-    this.list();
+    if (name) this.open(name, this.tabs.open.value);
+    else this.list();
   }
 
   private offer(offered: CodeOffered): void {
@@ -194,22 +214,22 @@ export class Project {
     });
   }
 
-  private listed(projects: readonly ProjectEntry[]): void {
-    this.entries.value = projects;
-    if (!this.choosing) return;
-    this.choosing = false;
-    const last = projects.find((one) => one.name !== this.doomed);
-    if (last) this.open(last.name);
-    else this.create(FIRST_EXAMPLE, FIRST_EXAMPLE);
-  }
-
   private opened(name: string): void {
     this.offered.value = null;
     this.reviewing.value = false;
     this.name.value = name;
+    this.atStart.value = false;
     nameProject(name);
-    if (this.doomed && this.doomed !== name) this.connection.send({ kind: "Delete", name: this.doomed });
-    this.doomed = null;
+    this.list();
+  }
+
+  private showStart(): void {
+    this.atStart.value = true;
+    if (this.name.value) {
+      this.program.leave();
+      this.connection.send({ kind: "CloseProject" });
+    }
+    this.name.value = "";
     this.list();
   }
 
@@ -236,12 +256,11 @@ export class Project {
     if (/(CustomBlock|Library|Libraries)$/.test(request)) return;
     if (request === "Run") this.refused(message);
     else this.toasts.error(say(message));
-    this.doomed = null;
-    // The page's address names a project that does not exist.
+    // The page's address may name a project that does not exist.
     if (request !== "Open") return;
     if (this.name.value) return renameProject(this.name.value);
-    this.choosing = true;
-    this.list();
+    forgetProject();
+    this.showStart();
   }
 
   /** Tell why the program cannot run, until its error is fixed. */
@@ -254,6 +273,7 @@ export class Project {
 
   private followAddress(): void {
     const name = addressedProject();
-    if (name && name !== this.name.value) this.open(name);
+    if (name === null) this.showStart();
+    else if (name !== this.name.value) this.open(name);
   }
 }

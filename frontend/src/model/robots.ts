@@ -1,10 +1,10 @@
 /** The robots as the user chooses them. */
 
-import { t, translated } from "../i18n";
+import { say, t, translated } from "../i18n";
 import type { RobotChoice } from "../protocol/messages";
 
 /** Robots in other simulators; LearnBlock connects to them as to real robots. */
-const OTHER_SIMULATORS: ReadonlySet<string> = new Set(["coppeliasim", "rcis"]);
+export const OTHER_SIMULATORS: ReadonlySet<string> = new Set(["coppeliasim", "rcis"]);
 
 export interface RobotGroup {
   readonly name: "simulated" | "real";
@@ -20,9 +20,10 @@ export function robotGroups(robots: readonly RobotChoice[]): readonly RobotGroup
   return groups.filter((group) => group.robots.length > 0);
 }
 
-/** A robot's display name, which tells a real robot from its twin. */
+/** A robot's display name, which tells a real robot from its twin; the user may have given it another. */
 export function robotTitle(robot: RobotChoice): string {
   const title = plainTitle(robot);
+  if (robot.given) return t("page-bar-named-robot", { name: robot.given, robot: title });
   return isReal(robot) ? t("page-bar-real-robot", { robot: title }) : title;
 }
 
@@ -31,6 +32,27 @@ export function plainTitle({ name, title }: RobotChoice): string {
   return translated(`page-catalog-robot-${name}`, title);
 }
 
+/** What a block needs, a sense or a device, as a noun phrase. */
+export function deviceWord(need: string): string {
+  const [kind = "", key = ""] = need.split(":");
+  return say({ code: "check-device", values: { kind, key } });
+}
+
+/** What serves the senses among some needs on a robot, as a sentence; empty if they have no sense that it has. */
+export function servingWords({ serves = {} }: RobotChoice, needs: readonly string[]): string {
+  const ways = new Set(needs.flatMap((need) => serves[need] ?? []));
+  const devices = [...ways].map((way) => {
+    const [kind = "", key = ""] = way.split(":");
+    return { code: "check-serving-device", values: { kind, key } };
+  });
+  return devices.length ? say({ code: "check-serving", values: { devices } }) : "";
+}
+
 function isReal({ name, simulated }: RobotChoice): boolean {
   return !simulated && !OTHER_SIMULATORS.has(name);
+}
+
+/** Whether real robots can be used; pupils of a class have simulated ones only. */
+export function hasReal(robots: readonly RobotChoice[]): boolean {
+  return robots.some(({ simulated }) => !simulated);
 }

@@ -1,29 +1,48 @@
 /** Which regions of the page are shown, including the three views of the program. */
 
-import { signal } from "@preact/signals";
+import { type ReadonlySignal, signal } from "@preact/signals";
 import type { Problem, View } from "../protocol/messages";
 import type { Island } from "../ui/island";
 import { room } from "../ui/screen";
+import type { Tool } from "../ui/tool";
 import { arrange, preferences } from "./preferences";
 
 export const VIEWS: readonly View[] = ["blocks", "blocktext", "python"];
 export type Area = View | "world" | "panel";
-export type PanelName = "console" | "variables" | "sensors" | "problems" | "result";
+export type PanelName = "console" | "variables" | "calls" | "why" | "runs" | "sensors" | "problems" | "result";
+
+/** The world in 3D. */
+export interface WorldIsland extends Island {
+  /** Adapt to the current size of the element. */
+  resize(): void;
+  /** The number of frames drawn, for benchmarks. */
+  readonly framesDrawn: number;
+  /** What the user can do in the world, for menus and keys; empty if the browser cannot draw in 3D. */
+  readonly tools: readonly Tool[];
+  /** What keys do in the world now, in words; empty if there is nothing to say. */
+  readonly hint: ReadonlySignal<string>;
+}
 
 /** A view of the program. */
 export interface ViewIsland extends Island {
   focus(): void;
   reveal(block: string): void;
+  /** A statement as this view shows it, in one line; empty if it does not know the statement. */
+  inWords(block: string): string;
   /** Both from 1; column 0 is the line's first word. */
   goTo?(line: number, column: number): void;
 }
 
 export class Views {
-  /** The region shown on a narrow screen. */
-  readonly area = signal<Area>(preferences.value.layout.view);
+  /** What a phone shows below the world. */
+  readonly area = signal<View | "panel">(preferences.value.layout.view);
   readonly panel = signal<PanelName>("console");
-  /** The world once it has loaded; benchmarks count its frames. */
-  world: Island | null = null;
+  /** The world once it has loaded. */
+  readonly world = signal<WorldIsland | null>(null);
+  /** The statement that the user has selected in a view, by its block. */
+  readonly selected = signal<string | null>(null);
+  /** Whether the user has closed the output. */
+  private dismissed = false;
   private readonly islands = new Map<View, ViewIsland>();
 
   /** Register a view, or remove it with null. */
@@ -32,31 +51,65 @@ export class Views {
     else this.islands.delete(view);
   }
 
+  /** Whether several views of the program are side by side. */
+  get isSplit(): boolean {
+    return room.value !== "narrow" && preferences.value.layout.split;
+  }
+
   shows(area: Area): boolean {
+    if (area === "world") return true;
     if (room.value === "narrow") return area === this.area.value;
-    if (area === "world" || area === "panel") return true;
-    const { views, view } = preferences.value.layout;
-    return room.value === "medium" ? area === view : views.includes(area);
+    const { views, view, panel } = preferences.value.layout;
+    if (area === "panel") return panel;
+    return this.isSplit ? views.includes(area) : area === view;
   }
 
   show(area: Area): void {
+    if (area === "world") return;
     this.area.value = area;
-    if (area === "world" || area === "panel") return;
+    if (area === "panel") return arrange({ panel: true });
     const { views } = preferences.value.layout;
     const shown = VIEWS.filter((one) => one === area || views.includes(one));
     arrange({ view: area, views: shown });
   }
 
-  /** Show or hide a view on a wide screen; the last one stays. */
-  toggle(area: Area): void {
+  /** Show a view alone; of views side by side, show or hide it, but keep the last one. */
+  toggle(view: View): void {
     const { views } = preferences.value.layout;
-    if (room.value !== "wide" || !views.some((one) => one === area)) return this.show(area);
-    if (views.length > 1) arrange({ views: views.filter((one) => one !== area) });
+    if (!this.isSplit || !views.includes(view)) return this.show(view);
+    const others = views.filter((one) => one !== view);
+    if (others[0]) arrange({ views: others, view: others[0] });
+  }
+
+  /** Show several views side by side, or only one. */
+  toggleSplit(): void {
+    const { split, view, views } = preferences.value.layout;
+    if (split) return arrange({ split: false, view: views.includes(view) ? view : (views[0] ?? view) });
+    const shown = VIEWS.filter((one) => one === view || views.includes(one));
+    const beside = view === "blocks" ? "blocktext" : "blocks";
+    arrange({ split: true, views: shown.length > 1 ? shown : VIEWS.filter((one) => one === view || one === beside) });
+  }
+
+  togglePanel(): void {
+    this.dismissed = this.shows("panel");
+    if (!this.dismissed) return this.show("panel");
+    this.area.value = preferences.value.layout.view;
+    arrange({ panel: false });
+  }
+
+  /** Show what the program prints, unless the user has closed the output. */
+  offerConsole(): void {
+    if (!this.dismissed && room.value !== "narrow" && !this.shows("panel")) this.showPanel("console");
   }
 
   showPanel(panel: PanelName): void {
     this.panel.value = panel;
     this.show("panel");
+  }
+
+  /** A statement as a view shows it, in one line. */
+  inWords(view: View, block: string): string {
+    return this.islands.get(view)?.inWords(block) ?? "";
   }
 
   focus(view: View): void {

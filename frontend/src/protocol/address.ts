@@ -22,6 +22,28 @@ export function takeToken(): string {
   return given;
 }
 
+/**
+ * The address that opens this page, with its project, on another device; null if no other device can
+ * reach the server.
+ *
+ * @param network the numeric address of the server's computer in its network, if it listens there.
+ */
+export function addressElsewhere(network: string | null): string | null {
+  const address = new URL(location.href);
+  if (isLoopback(address.hostname)) {
+    if (network === null) return null;
+    address.hostname = network;
+  }
+  const token = localStorage.getItem(KEY);
+  // In a class and behind a proxy that logs users in there is none.
+  if (token) address.searchParams.set("token", token);
+  return address.href;
+}
+
+function isLoopback(name: string): boolean {
+  return name === "localhost" || name === "[::1]" || name.startsWith("127.");
+}
+
 /** The address of the server's websocket, relative to the page, because a proxy may add a path. */
 export function socketAddress(): URL {
   const address = new URL("ws", base);
@@ -36,14 +58,26 @@ export function addressedProject(): string | null {
 
 /** Put the open project into the address, for reloads, bookmarks and the back button. */
 export function nameProject(name: string): void {
-  const before = addressedProject();
-  if (before === null) renameProject(name);
-  else if (before !== name) history.pushState(null, "", hashOf(name));
+  if (addressedProject() !== name) history.pushState(null, "", hashOf(name));
+}
+
+/** Take the project out of the address; the back button returns to it. */
+export function nameNoProject(): void {
+  if (addressedProject() !== null) history.pushState(null, "", plainAddress());
+}
+
+/** Take a project that can't be opened out of the address and the history. */
+export function forgetProject(): void {
+  history.replaceState(null, "", plainAddress());
 }
 
 /** Replace the project in the address without adding to the history. */
 export function renameProject(name: string): void {
   history.replaceState(null, "", hashOf(name));
+}
+
+function plainAddress(): string {
+  return location.pathname + location.search;
 }
 
 function hashOf(name: string): string {

@@ -6,6 +6,12 @@ export type Notation = "blocktext" | "python";
 
 export type View = "blocks" | "blocktext" | "python";
 
+export interface AddTab {
+  kind: "AddTab";
+  robot: string;
+  count?: number;
+}
+
 export interface AllowNetwork {
   kind: "AllowNetwork";
   allowed: boolean;
@@ -15,6 +21,27 @@ export interface AllowNetwork {
 export interface Answer {
   kind: "Answer";
   text: string;
+}
+
+export interface AnswerPuzzle {
+  kind: "AnswerPuzzle";
+  order: number[];
+}
+
+export interface AnswerQuiz {
+  kind: "AnswerQuiz";
+  choices: number[];
+}
+
+export interface AskWhy {
+  kind: "AskWhy";
+  question: WhyQuestion;
+}
+
+export interface Asked {
+  question: WhyQuestion;
+  phrase: Phrase;
+  block: string | null;
 }
 
 export interface BeginRobot {
@@ -74,12 +101,49 @@ export interface BlocksShown {
   carried?: BlockSet[];
 }
 
+export interface CallEdge {
+  caller: number;
+  callee: number;
+  count: number;
+  seconds: number;
+  first: number;
+}
+
+export interface CallGraph {
+  kind: "CallGraph";
+  robot: string;
+  first: number;
+  last: number;
+  functions?: CalledFunction[];
+  edges?: CallEdge[];
+}
+
+export interface CalledFunction {
+  layer: number;
+  name: string;
+  count: number;
+  seconds: number;
+  share: number;
+}
+
+export interface CallsBeside {
+  kind: "CallsBeside";
+  first: CallGraph;
+  second: CallGraph;
+}
+
 export interface CameraFrame {
   kind: "CameraFrame";
   width: number;
   height: number;
   time: number;
   seen?: Seen[];
+  past?: boolean;
+}
+
+export interface ChangeLesson {
+  kind: "ChangeLesson";
+  lesson: string;
 }
 
 export interface ChangeSettings {
@@ -97,6 +161,10 @@ export interface CheckCustomBlock {
   configuration?: string;
   replaces?: string;
   language?: string;
+}
+
+export interface CheckStep {
+  kind: "CheckStep";
 }
 
 export interface CheckWorld {
@@ -117,12 +185,38 @@ export interface ChooseRobot {
 export interface ChooseWorld {
   kind: "ChooseWorld";
   name: string;
+  variant?: number;
+}
+
+export interface CloseProject {
+  kind: "CloseProject";
+}
+
+export interface CloseRun {
+  kind: "CloseRun";
+}
+
+export interface CloseTab {
+  kind: "CloseTab";
+  name: string;
 }
 
 export interface CodeOffered {
   kind: "CodeOffered";
   blocks?: OfferedCode[];
   libraries?: OfferedCode[];
+}
+
+export interface CompareRuns {
+  kind: "CompareRuns";
+  first: string;
+  second: string;
+}
+
+export interface ComparedRun {
+  id: string;
+  way: [number, number, number][];
+  step: RunStep | null;
 }
 
 export interface Complete {
@@ -156,6 +250,11 @@ export interface Conflict {
   by: "before" | "file" | "page";
 }
 
+export interface ConnectRobot {
+  kind: "ConnectRobot";
+  id: string;
+}
+
 export interface Containment {
   kind: "Containment";
   findings: Finding[];
@@ -167,6 +266,30 @@ export interface ConvertLibrary {
   content: string;
   python?: string | null;
   configuration?: string | null;
+}
+
+export interface CopyLesson {
+  kind: "CopyLesson";
+  lesson: string;
+}
+
+export interface CopyProject {
+  kind: "CopyProject";
+  project: string;
+  name: string;
+}
+
+export interface CorrectRobot {
+  kind: "CorrectRobot";
+  distance?: number;
+  angle?: number;
+  save?: boolean;
+}
+
+export interface Correction {
+  setting: string;
+  before: number;
+  after: number;
 }
 
 export interface CustomBlock {
@@ -228,6 +351,16 @@ export interface DeleteCustomBlock {
   name: string;
 }
 
+export interface DeleteLesson {
+  kind: "DeleteLesson";
+  lesson: string;
+}
+
+export interface DeleteRun {
+  kind: "DeleteRun";
+  run: string;
+}
+
 export interface DeleteWorld {
   kind: "DeleteWorld";
   name: string;
@@ -248,12 +381,17 @@ export interface Description {
   title?: string;
   text?: string;
   needs?: string[];
+  serves?: Phrase | null;
   line?: number;
   column?: number;
   from_column?: number;
   to_column?: number;
   sort?: "" | "function" | "variable" | "when";
   name?: string;
+}
+
+export interface DisconnectRobot {
+  kind: "DisconnectRobot";
 }
 
 export interface Document {
@@ -276,6 +414,12 @@ export interface DownloadLibrary {
   name: string;
 }
 
+export interface Drawing {
+  kind: "Drawing";
+  fresh: boolean;
+  parts?: StrokePart[];
+}
+
 export interface Drive {
   kind: "Drive";
   advance: number;
@@ -293,6 +437,7 @@ export interface EditBlocks {
   edit: number;
   workspace: Workspace;
   revision?: number;
+  shown?: number;
 }
 
 export interface EditText {
@@ -301,6 +446,21 @@ export interface EditText {
   notation: "blocktext" | "python";
   text: string;
   revision?: number;
+  shown?: number;
+}
+
+export interface EditedLesson {
+  content: Record<string, unknown>;
+  steps?: EditedStep[];
+  lesson?: string;
+  programs?: Record<string, string>;
+  notes?: Record<string, string>;
+}
+
+export interface EditedStep {
+  before?: number;
+  program?: WrittenProgram | null;
+  solution?: WrittenProgram | null;
 }
 
 export interface Ended {
@@ -314,9 +474,22 @@ export interface Ended {
   emotions?: string[];
   no_effect?: [string, string][];
   trace_sha256?: string;
+  repeatable?: boolean;
   custom_block?: string;
   custom_line?: number;
   tried?: boolean;
+  others?: boolean;
+}
+
+export interface ExamineLesson {
+  kind: "ExamineLesson";
+  edited: EditedLesson;
+}
+
+export interface ExaminedStep {
+  checks?: (Phrase | null)[];
+  goals?: string[];
+  lines?: string[];
 }
 
 export interface ExampleChoice {
@@ -325,11 +498,15 @@ export interface ExampleChoice {
   description: string;
   robot: string;
   world: string;
+  robots?: number;
+  stage?: "coder" | "explorer" | "starter";
+  is_first?: boolean;
 }
 
 export interface Export {
   kind: "Export";
   format: "bt" | "learnblock" | "py";
+  project?: string;
 }
 
 export interface ExportBlockSet {
@@ -340,6 +517,12 @@ export interface ExportBlockSet {
 export interface ExportCustomBlock {
   kind: "ExportCustomBlock";
   name: string;
+}
+
+export interface ExportLesson {
+  kind: "ExportLesson";
+  lesson: string;
+  for_pupils?: boolean;
 }
 
 export interface ExportTags {
@@ -382,6 +565,11 @@ export interface File {
   text: string;
 }
 
+export interface FindRobots {
+  kind: "FindRobots";
+  on: boolean;
+}
+
 export interface Finding {
   name: Phrase;
   contained: boolean;
@@ -399,10 +587,20 @@ export interface GoalNow {
   time: number | null;
 }
 
+export interface HandleRobot {
+  kind: "HandleRobot";
+  how: "back" | "front" | "left" | "level" | "right" | "shake";
+}
+
 export interface History {
   kind: "History";
   versions: Version[];
   runs: PastRun[];
+}
+
+export interface HoldKeys {
+  kind: "HoldKeys";
+  keys: ("0" | "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "9" | "a" | "b" | "c" | "d" | "down" | "e" | "enter" | "f" | "g" | "h" | "i" | "j" | "k" | "l" | "left" | "m" | "n" | "o" | "p" | "q" | "r" | "right" | "s" | "space" | "t" | "u" | "up" | "v" | "w" | "x" | "y" | "z")[];
 }
 
 export interface Import {
@@ -415,6 +613,18 @@ export interface ImportCustomBlock {
   kind: "ImportCustomBlock";
   content: string;
   replace?: boolean;
+}
+
+export interface ImportLesson {
+  kind: "ImportLesson";
+  filename: string;
+  content: string;
+}
+
+export interface ImportLessonFolder {
+  kind: "ImportLessonFolder";
+  name: string;
+  files: Record<string, string>;
 }
 
 export interface ImportLibraries {
@@ -458,6 +668,217 @@ export interface InstalledLibrary {
   description?: string;
   skills?: string[];
   problem?: Phrase | null;
+}
+
+export interface Introduce {
+  kind: "Introduce";
+  browser: string;
+}
+
+export interface KeepPicture {
+  kind: "KeepPicture";
+  project: string;
+  content: string;
+}
+
+export interface KeptRun {
+  id: string;
+  time: number;
+  size?: number;
+  name?: string;
+  program?: string;
+  identity?: string;
+  robot?: string;
+  world?: string;
+  variant?: number;
+  seconds?: number;
+  ended?: string;
+  reached?: string[];
+  missed?: number;
+  foreign?: boolean;
+  damaged?: boolean;
+  version?: string;
+}
+
+export interface KeptRuns {
+  kind: "KeptRuns";
+  runs: KeptRun[];
+}
+
+export interface KeysWanted {
+  kind: "KeysWanted";
+  keys: ("0" | "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "9" | "a" | "b" | "c" | "d" | "down" | "e" | "enter" | "f" | "g" | "h" | "i" | "j" | "k" | "l" | "left" | "m" | "n" | "o" | "p" | "q" | "r" | "right" | "s" | "space" | "t" | "u" | "up" | "v" | "w" | "x" | "y" | "z")[];
+  programs?: number;
+}
+
+export interface KnownRobot {
+  robot: string;
+  name?: string;
+  used?: boolean;
+  is_busy?: boolean;
+}
+
+export interface LessonAttempt {
+  robot: string;
+  variant?: number;
+  passed?: boolean | null;
+  reasons?: Phrase[];
+}
+
+export interface LessonChecked {
+  kind: "LessonChecked";
+  attempts?: LessonAttempt[];
+  running?: boolean;
+  everywhere?: boolean;
+  problem?: Phrase | null;
+}
+
+export interface LessonChoice {
+  name: string;
+  title: string | Record<string, string>;
+  level: number;
+  minutes: number;
+  aims: (string | Record<string, string>)[];
+  robots: string[];
+  steps: number;
+  stars: number;
+  picture?: string;
+  own?: boolean;
+  earned?: number;
+  step?: number;
+  project?: string;
+}
+
+export interface LessonExamined {
+  kind: "LessonExamined";
+  problems?: LessonProblem[];
+  steps?: ExaminedStep[];
+  drawings?: Record<string, Workspace>;
+  refused?: boolean;
+}
+
+export interface LessonExported {
+  kind: "LessonExported";
+  filename: string;
+  content: string;
+}
+
+export interface LessonGoal {
+  say: LessonWords;
+  state?: "failed" | "met" | "open";
+  optional?: boolean;
+  reason?: Phrase | null;
+  earned?: boolean;
+  ask?: "" | "bump" | "goal" | "now";
+  subject?: string;
+}
+
+export interface LessonGoals {
+  kind: "LessonGoals";
+  goals: LessonGoal[];
+  live?: boolean;
+  done?: boolean;
+  earned?: number;
+  steps?: LessonStep[];
+}
+
+export interface LessonHint {
+  levels: LessonWords[];
+}
+
+export interface LessonHints {
+  kind: "LessonHints";
+  hints?: LessonHint[];
+  more?: boolean;
+  count?: number;
+}
+
+export interface LessonImported {
+  kind: "LessonImported";
+  lesson: string;
+  title: string | Record<string, string>;
+}
+
+export interface LessonNotes {
+  kind: "LessonNotes";
+  lesson: string;
+  title: string | Record<string, string>;
+  notes?: Record<string, string>;
+  drawings?: Record<string, Workspace>;
+  steps?: SolvedStep[];
+}
+
+export interface LessonProblem {
+  path: (string | number)[];
+  message: Phrase;
+}
+
+export interface LessonPuzzle {
+  pieces: string[];
+  solved?: boolean;
+}
+
+export interface LessonQuiz {
+  question: string | Record<string, string>;
+  choices: (string | Record<string, string>)[];
+  several?: boolean;
+  solved?: boolean;
+}
+
+export interface LessonSaved {
+  kind: "LessonSaved";
+  lesson: string;
+}
+
+export interface LessonShown {
+  kind: "LessonShown";
+  name?: string;
+  title?: string | Record<string, string>;
+  level?: number;
+  steps?: LessonStep[];
+  step?: number;
+  text?: string | Record<string, string>;
+  drawings?: Record<string, Workspace>;
+  goals?: LessonGoal[];
+  attempts?: number;
+  everywhere?: boolean;
+  hints?: number;
+  quiz?: LessonQuiz | null;
+  puzzle?: LessonPuzzle | null;
+  restarts?: boolean;
+}
+
+export interface LessonStep {
+  title: string | Record<string, string>;
+  phase: "investigate" | "make" | "modify" | "predict" | "run";
+  stars?: number;
+  earned?: number;
+}
+
+export interface LessonToEdit {
+  kind: "LessonToEdit";
+  edited: EditedLesson;
+  skills?: string[];
+}
+
+export interface LessonTried {
+  kind: "LessonTried";
+  programs?: TriedProgram[];
+  done?: number;
+  count?: number;
+  running?: boolean;
+  problem?: Phrase | null;
+}
+
+export interface LessonWords {
+  text?: string | Record<string, string>;
+  phrase?: Phrase | null;
+}
+
+export interface Lessons {
+  kind: "Lessons";
+  lessons: LessonChoice[];
+  problems?: Phrase[];
 }
 
 export interface Libraries {
@@ -515,12 +936,33 @@ export interface ListHistory {
   kind: "ListHistory";
 }
 
+export interface ListLessons {
+  kind: "ListLessons";
+}
+
 export interface ListLibraries {
   kind: "ListLibraries";
 }
 
 export interface ListProjects {
   kind: "ListProjects";
+}
+
+export interface ListRuns {
+  kind: "ListRuns";
+}
+
+export interface LookBack {
+  kind: "LookBack";
+  time: number;
+  event?: number | null;
+  step?: number;
+  to?: "change" | "event" | "line" | "mark" | "run" | "turn";
+  subject?: string;
+}
+
+export interface MakeLesson {
+  kind: "MakeLesson";
 }
 
 export interface MakeLibrary {
@@ -538,6 +980,32 @@ export interface MakeRobot {
   description: string;
 }
 
+export interface MakeWorld {
+  kind: "MakeWorld";
+  template: "field" | "maze" | "track";
+  size: number;
+  seed: number;
+}
+
+export interface NameRobot {
+  kind: "NameRobot";
+  robot: string;
+  name: string;
+}
+
+export interface NameRun {
+  kind: "NameRun";
+  run: string;
+  name: string;
+}
+
+export interface NearbyRobot {
+  id: string;
+  robot: string;
+  way: "bluetooth" | "computer" | "usb" | "wifi";
+  place?: string;
+}
+
 export interface Network {
   kind: "Network";
   allowed: boolean;
@@ -549,6 +1017,7 @@ export interface New {
   kind: "New";
   name?: string;
   example?: string | null;
+  robot?: string;
 }
 
 export interface Noted {
@@ -565,6 +1034,25 @@ export interface OfferedCode {
 export interface Open {
   kind: "Open";
   name: string;
+  tab?: string;
+}
+
+export interface OpenExample {
+  kind: "OpenExample";
+  name: string;
+  example: string;
+  robot?: string;
+}
+
+export interface OpenRun {
+  kind: "OpenRun";
+  run: string;
+}
+
+export interface OpenTab {
+  kind: "OpenTab";
+  name: string;
+  robot?: string;
 }
 
 export interface Opened {
@@ -573,6 +1061,7 @@ export interface Opened {
   robot: string;
   world: string;
   breakpoints?: string[];
+  tab?: string;
 }
 
 export interface OriginalImported {
@@ -584,6 +1073,20 @@ export interface OriginalImported {
 
 export interface PaletteChanged {
   kind: "PaletteChanged";
+}
+
+export interface Past {
+  kind: "Past";
+  time: number;
+  event: number;
+  line: RunningLine;
+  variables: Variables;
+  found?: boolean;
+  values?: ValueThere[];
+  stack?: string[];
+  printed?: number;
+  telemetry?: Telemetry | null;
+  drawing?: Drawing | null;
 }
 
 export interface PastRun {
@@ -610,9 +1113,29 @@ export interface PlaceRobot {
   heading: number;
 }
 
+export interface Predicted {
+  kind: "Predicted";
+  way?: [number, number, number, number][];
+  parted?: number | null;
+  findings?: TwinFinding[];
+  unrecorded?: Phrase[];
+}
+
 export interface Printed {
   kind: "Printed";
   text: string;
+  until?: number;
+}
+
+export interface PrintedByRobots {
+  kind: "PrintedByRobots";
+  parts: PrintedPart[];
+}
+
+export interface PrintedPart {
+  robot: string;
+  text: string;
+  until: number;
 }
 
 export interface Problem {
@@ -630,6 +1153,7 @@ export interface Problem {
 export interface ProjectEntry {
   name: string;
   changed: number;
+  picture: number;
 }
 
 export interface ProjectRenamed {
@@ -642,14 +1166,49 @@ export interface Projects {
   projects: ProjectEntry[];
 }
 
+export interface PuzzleJudged {
+  kind: "PuzzleJudged";
+  right: boolean;
+  good?: number;
+}
+
+export interface Questions {
+  kind: "Questions";
+  questions: Asked[];
+  block?: string;
+}
+
+export interface QuizJudged {
+  kind: "QuizJudged";
+  right: boolean;
+  because?: Record<string, string | Record<string, string>>;
+}
+
 export interface ReadBlockSet {
   kind: "ReadBlockSet";
   filename: string;
   text: string;
 }
 
+export interface ReadCalls {
+  kind: "ReadCalls";
+  first?: number;
+  last?: number | null;
+}
+
+export interface ReadCallsBeside {
+  kind: "ReadCallsBeside";
+  first: string;
+  second: string;
+}
+
 export interface ReadContainment {
   kind: "ReadContainment";
+}
+
+export interface ReadLessonNotes {
+  kind: "ReadLessonNotes";
+  lesson: string;
 }
 
 export interface ReadLibraries {
@@ -659,6 +1218,25 @@ export interface ReadLibraries {
 
 export interface ReadNetwork {
   kind: "ReadNetwork";
+}
+
+export interface ReadPastPicture {
+  kind: "ReadPastPicture";
+  time: number;
+}
+
+export interface ReadPrediction {
+  kind: "ReadPrediction";
+}
+
+export interface ReadQuestions {
+  kind: "ReadQuestions";
+  block?: string;
+  time?: number | null;
+}
+
+export interface ReadRunsOn {
+  kind: "ReadRunsOn";
 }
 
 export interface ReadSettings {
@@ -672,6 +1250,14 @@ export interface ReadTags {
   text: string;
 }
 
+export interface ReadTimeline {
+  kind: "ReadTimeline";
+}
+
+export interface ReadValues {
+  kind: "ReadValues";
+}
+
 export interface ReadWorld {
   kind: "ReadWorld";
   name: string;
@@ -682,6 +1268,7 @@ export interface RecoverBlocks {
   edit: number;
   workspace: Workspace;
   base: Workspace;
+  shown?: number;
 }
 
 export interface RecoverText {
@@ -690,6 +1277,7 @@ export interface RecoverText {
   notation: "blocktext" | "python";
   text: string;
   base: string;
+  shown?: number;
 }
 
 export interface Redo {
@@ -711,6 +1299,13 @@ export interface Rename {
 export interface RenameProject {
   kind: "RenameProject";
   name: string;
+  project?: string;
+}
+
+export interface RenameTab {
+  kind: "RenameTab";
+  name: string;
+  new: string;
 }
 
 export interface RenameWorld {
@@ -719,8 +1314,16 @@ export interface RenameWorld {
   title: string;
 }
 
+export interface ReopenTab {
+  kind: "ReopenTab";
+}
+
 export interface ResetWorld {
   kind: "ResetWorld";
+}
+
+export interface RestartStep {
+  kind: "RestartStep";
 }
 
 export interface Restore {
@@ -752,6 +1355,7 @@ export interface Robot {
   leds?: Record<string, [number, number, number]>;
   emotion?: string;
   speed?: [number, number] | null;
+  text?: string;
 }
 
 export interface RobotBegun {
@@ -763,6 +1367,27 @@ export interface RobotChoice {
   name: string;
   title: string;
   simulated: boolean;
+  lacks?: string[];
+  serves?: Record<string, string>;
+  given?: string;
+}
+
+export interface RobotConnected {
+  kind: "RobotConnected";
+  state: "connected" | "connecting" | "failed" | "lost" | "none";
+  id?: string;
+  robot?: string;
+  problem?: Phrase | null;
+  doing?: string;
+  actions?: string[];
+  corrects?: boolean;
+}
+
+export interface RobotCorrected {
+  kind: "RobotCorrected";
+  corrections?: Correction[];
+  saved?: boolean;
+  problem?: Phrase | null;
 }
 
 export interface RobotLink {
@@ -784,9 +1409,29 @@ export interface RobotProblem {
   line?: number;
 }
 
+export interface RobotValues {
+  kind: "RobotValues";
+  sensors?: Sensor[];
+  joints?: Record<string, number>;
+  speed?: [number, number] | null;
+  heading?: number | null;
+  weak?: boolean;
+  quality?: number | null;
+  silence?: number | null;
+  round_trip?: number | null;
+  battery?: number | null;
+  charge?: number | null;
+}
+
 export interface Robots {
   kind: "Robots";
   robots: RobotChoice[];
+}
+
+export interface RobotsNearby {
+  kind: "RobotsNearby";
+  found?: NearbyRobot[];
+  known?: KnownRobot[];
 }
 
 export interface Run {
@@ -794,17 +1439,44 @@ export interface Run {
   paused?: boolean;
 }
 
+export interface RunShown {
+  kind: "RunShown";
+  run?: KeptRun | null;
+  changed?: boolean;
+  remarks?: Phrase[];
+  printed?: string;
+}
+
 export interface RunState {
   kind: "RunState";
-  state: "ended" | "held" | "idle" | "input" | "paused" | "running" | "starting";
+  state: "done" | "ended" | "held" | "idle" | "input" | "paused" | "running" | "starting";
   block?: string | null;
   speed?: number | null;
+}
+
+export interface RunStep {
+  phrase: Phrase;
+  time: number;
 }
 
 export interface RunningLine {
   kind: "RunningLine";
   line: number;
   block?: string | null;
+}
+
+export interface RunsCompared {
+  kind: "RunsCompared";
+  first: ComparedRun;
+  second: ComparedRun;
+  together?: number | null;
+  because?: Phrase | null;
+  causes?: Phrase[];
+}
+
+export interface RunsOn {
+  kind: "RunsOn";
+  robots: Verdict[];
 }
 
 export interface SaveAs {
@@ -824,6 +1496,11 @@ export interface SaveCustomBlock {
   source: string;
   configuration?: string;
   replaces?: string;
+}
+
+export interface SaveLesson {
+  kind: "SaveLesson";
+  edited: EditedLesson;
 }
 
 export interface SaveTags {
@@ -851,6 +1528,7 @@ export interface Scene {
   robots: [string, Record<string, unknown>][];
   cameras?: string[];
   start?: [number, number, number] | null;
+  variant?: number;
   real?: boolean;
 }
 
@@ -874,6 +1552,12 @@ export interface Sensor {
 export interface SetBreakpoints {
   kind: "SetBreakpoints";
   blocks: string[];
+}
+
+export interface SetRobotCount {
+  kind: "SetRobotCount";
+  name: string;
+  count: number;
 }
 
 export interface SetSpeed {
@@ -909,9 +1593,26 @@ export interface SettingsTable {
   problem?: Phrase | null;
 }
 
+export interface ShowStep {
+  kind: "ShowStep";
+  step: number;
+}
+
+export interface ShowVariant {
+  kind: "ShowVariant";
+  robot: string;
+  variant: number;
+}
+
 export interface SkillClash {
   skill: string;
   place: Phrase;
+}
+
+export interface SolvedStep {
+  title: string | Record<string, string>;
+  solution?: string;
+  wrong?: WrongProgram[];
 }
 
 export interface Sound {
@@ -919,6 +1620,14 @@ export interface Sound {
   device: string;
   action: string;
   values: unknown[];
+}
+
+export interface StartLesson {
+  kind: "StartLesson";
+  lesson: string;
+  name: string;
+  robot?: string;
+  again?: boolean;
 }
 
 export interface Step {
@@ -930,6 +1639,53 @@ export interface Stop {
   kind: "Stop";
 }
 
+export interface StopChecking {
+  kind: "StopChecking";
+}
+
+export interface StopTrying {
+  kind: "StopTrying";
+}
+
+export interface StrokePart {
+  stroke: number;
+  color: [number, number, number];
+  width: number;
+  points: [number, number][];
+}
+
+export interface Tab {
+  name: string;
+  robot: string;
+  state: "done" | "ended" | "held" | "idle" | "input" | "paused" | "running" | "starting";
+  failed?: boolean;
+  mistakes?: boolean;
+  robots?: TabRobot[];
+}
+
+export interface TabOpened {
+  kind: "TabOpened";
+  tab: string;
+  robot: string;
+  world: string;
+  shown: number;
+  breakpoints?: string[];
+  shows?: string;
+}
+
+export interface TabRobot {
+  name: string;
+  state: "done" | "ended" | "held" | "idle" | "input" | "paused" | "running" | "starting";
+  failed?: boolean;
+}
+
+export interface Tabs {
+  kind: "Tabs";
+  tabs?: Tab[];
+  open?: string;
+  shows?: string;
+}
+
 export interface Tags {
   kind: "Tags";
   names: Record<string, number>;
@@ -939,6 +1695,10 @@ export interface Tags {
 export interface TagsRead {
   kind: "TagsRead";
   names: Record<string, number>;
+}
+
+export interface TakeHint {
+  kind: "TakeHint";
 }
 
 export interface TakenIn {
@@ -954,6 +1714,29 @@ export interface Telemetry {
   goals?: GoalNow[];
 }
 
+export interface TimeMark {
+  time: number;
+  sort: "bump" | "emotion" | "error" | "goal" | "message" | "placed" | "print" | "when";
+  text: string;
+}
+
+export interface Timeline {
+  kind: "Timeline";
+  end: number;
+  exact?: boolean;
+  since?: number;
+  marks?: TimeMark[];
+  way?: [number, number, number][];
+}
+
+export interface TriedProgram {
+  sort: "none" | "solution" | "wrong";
+  step: number;
+  right?: number;
+  attempts?: number;
+  problems?: Phrase[];
+}
+
 export interface TryCustomBlock {
   kind: "TryCustomBlock";
   name: string;
@@ -962,13 +1745,49 @@ export interface TryCustomBlock {
   arguments?: unknown[];
 }
 
+export interface TryLesson {
+  kind: "TryLesson";
+  edited: EditedLesson;
+}
+
+export interface TryRobot {
+  kind: "TryRobot";
+  action: "angle" | "beep" | "distance" | "face" | "lamps" | "stop" | "wheels";
+}
+
+export interface TwinFinding {
+  phrase: Phrase;
+  time: number | null;
+}
+
 export interface Undo {
   kind: "Undo";
+}
+
+export interface UnreachableGoal {
+  sort: string;
+  index: number;
+  reason: Phrase;
 }
 
 export interface UseLibrary {
   kind: "UseLibrary";
   name: string;
+}
+
+export interface UseRobot {
+  kind: "UseRobot";
+}
+
+export interface ValueThere {
+  block: string;
+  name: string;
+  value: string;
+}
+
+export interface ValuesThere {
+  kind: "ValuesThere";
+  values?: ValueThere[];
 }
 
 export interface Variable {
@@ -981,6 +1800,12 @@ export interface Variables {
   local: Record<string, string>;
   shared: Record<string, string>;
   whens?: WhenNow[];
+}
+
+export interface Verdict {
+  robot: string;
+  state: "refused" | "runs" | "unknown" | "without";
+  message: Phrase;
 }
 
 export interface Version {
@@ -1004,12 +1829,34 @@ export interface Welcome {
   folder: string;
   read_only?: Phrase | null;
   warns?: boolean;
+  teaches?: boolean;
+  address?: string | null;
 }
 
 export interface WhenNow {
   name: string;
   active: boolean;
   time: number;
+}
+
+export interface WhyAnswer {
+  kind: "WhyAnswer";
+  asked: Asked;
+  sentences?: WhySentence[];
+  more?: WhySentence[];
+}
+
+export interface WhyQuestion {
+  ask: "bump" | "emotion" | "end" | "goal" | "line" | "movement" | "not-line" | "not-movement" | "not-print" | "not-skill" | "not-when" | "now" | "print" | "printed" | "reached" | "skill" | "value" | "when";
+  subject: string;
+  time: number | null;
+}
+
+export interface WhySentence {
+  phrase: Phrase;
+  time: number | null;
+  block: string | null;
+  inner: string | null;
 }
 
 export interface Workspace {
@@ -1021,12 +1868,14 @@ export interface WorldChecked {
   kind: "WorldChecked";
   problems: Phrase[];
   lines?: [number, number][][];
+  unreachable?: UnreachableGoal[];
 }
 
 export interface WorldChoice {
   name: string;
   title: string;
   own: boolean;
+  robots?: number;
 }
 
 export interface WorldDeleted {
@@ -1039,6 +1888,11 @@ export interface WorldExported {
   kind: "WorldExported";
   filename: string;
   content: string;
+}
+
+export interface WorldMade {
+  kind: "WorldMade";
+  world: Record<string, unknown>;
 }
 
 export interface WorldToEdit {
@@ -1054,9 +1908,22 @@ export interface Worlds {
   worlds: WorldChoice[];
 }
 
+export interface WrittenProgram {
+  text: string;
+  notation?: "blocktext" | "python";
+}
+
+export interface WrongProgram {
+  program: string;
+  check: LessonWords;
+  hint?: LessonWords[];
+}
+
 export type FromPage =
   | Open
   | New
+  | OpenExample
+  | CloseProject
   | Import
   | ImportOriginal
   | InstallOffered
@@ -1067,6 +1934,8 @@ export type FromPage =
   | RestoreWorld
   | SaveAs
   | RenameProject
+  | CopyProject
+  | KeepPicture
   | Delete
   | Export
   | ListProjects
@@ -1092,12 +1961,30 @@ export type FromPage =
   | Step
   | SetSpeed
   | Answer
+  | HoldKeys
+  | HandleRobot
   | ResetWorld
   | PlaceRobot
   | Drive
   | WatchCamera
+  | ReadTimeline
+  | ReadPrediction
+  | LookBack
+  | ReadPastPicture
+  | ReadValues
+  | ReadCalls
+  | ReadQuestions
+  | AskWhy
+  | ListRuns
+  | OpenRun
+  | CloseRun
+  | NameRun
+  | DeleteRun
+  | CompareRuns
+  | ReadCallsBeside
   | ReadWorld
   | CheckWorld
+  | MakeWorld
   | SaveWorld
   | ListCustomBlocks
   | CheckCustomBlock
@@ -1117,8 +2004,15 @@ export type FromPage =
   | ReadContainment
   | ReadNetwork
   | AllowNetwork
+  | ReadRunsOn
   | ReadSettings
   | ChangeSettings
+  | AddTab
+  | SetRobotCount
+  | OpenTab
+  | CloseTab
+  | ReopenTab
+  | RenameTab
   | SaveTags
   | ReadTags
   | ExportTags
@@ -1132,7 +2026,37 @@ export type FromPage =
   | ConvertLibrary
   | UseLibrary
   | BeginRobot
-  | MakeRobot;
+  | MakeRobot
+  | FindRobots
+  | ConnectRobot
+  | DisconnectRobot
+  | TryRobot
+  | CorrectRobot
+  | NameRobot
+  | UseRobot
+  | Introduce
+  | ListLessons
+  | StartLesson
+  | ShowStep
+  | RestartStep
+  | CheckStep
+  | StopChecking
+  | ShowVariant
+  | TakeHint
+  | AnswerQuiz
+  | AnswerPuzzle
+  | ImportLesson
+  | ImportLessonFolder
+  | DeleteLesson
+  | MakeLesson
+  | ChangeLesson
+  | ExamineLesson
+  | SaveLesson
+  | TryLesson
+  | StopTrying
+  | ExportLesson
+  | ReadLessonNotes
+  | CopyLesson;
 
 export type ToPage =
   | Welcome
@@ -1151,19 +2075,35 @@ export type ToPage =
   | Conflict
   | Completions
   | Description
+  | RunsOn
   | RunState
   | InputWanted
+  | KeysWanted
   | Printed
+  | PrintedByRobots
   | Ended
   | Variables
   | RunningLine
+  | Timeline
+  | Predicted
+  | Past
+  | ValuesThere
+  | CallGraph
+  | Questions
+  | WhyAnswer
+  | KeptRuns
+  | RunShown
+  | RunsCompared
+  | CallsBeside
   | Telemetry
+  | Drawing
   | RobotLink
   | Sound
   | CameraFrame
   | Scene
   | WorldToEdit
   | WorldChecked
+  | WorldMade
   | WorldExported
   | WorldDeleted
   | CodeOffered
@@ -1178,6 +2118,8 @@ export type ToPage =
   | Containment
   | Network
   | SettingsTable
+  | Tabs
+  | TabOpened
   | Tags
   | TagsRead
   | Libraries
@@ -1187,4 +2129,22 @@ export type ToPage =
   | LibraryConverted
   | RobotBegun
   | RobotMade
-  | Robots;
+  | Robots
+  | RobotsNearby
+  | RobotConnected
+  | RobotValues
+  | RobotCorrected
+  | Lessons
+  | LessonShown
+  | LessonGoals
+  | LessonChecked
+  | LessonHints
+  | QuizJudged
+  | PuzzleJudged
+  | LessonImported
+  | LessonToEdit
+  | LessonExamined
+  | LessonSaved
+  | LessonTried
+  | LessonExported
+  | LessonNotes;

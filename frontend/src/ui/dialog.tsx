@@ -10,13 +10,17 @@ import "./dialog.css";
 interface Props {
   readonly title: string;
   readonly close: () => void;
+  /** What Escape does instead. */
+  readonly cancel?: () => void;
   readonly size?: "small" | "large" | "whole";
+  /** Beside the title. */
+  readonly head?: ComponentChildren;
   readonly children: ComponentChildren;
 }
 
-export function Dialog({ title, close, size = "small", children }: Props) {
+export function Dialog({ title, close, cancel = close, size = "small", head, children }: Props) {
   const dialog = useRef<HTMLDialogElement>(null);
-  useLayoutEffect(() => (dialog.current ? hold(dialog.current, close) : undefined), []);
+  useLayoutEffect(() => (dialog.current ? hold(dialog.current, close, cancel) : undefined), []);
   return (
     // biome-ignore lint/a11y/useKeyWithClickEvents: a click beside the dialog closes it, like Escape
     <dialog
@@ -28,6 +32,7 @@ export function Dialog({ title, close, size = "small", children }: Props) {
       <div class="dialog-inside">
         <div class="dialog-head">
           <h2 id="dialog-title">{title}</h2>
+          {head}
           <IconButton icon="close" word="page-shell-close" onClick={close} />
         </div>
         {children}
@@ -37,14 +42,14 @@ export function Dialog({ title, close, size = "small", children }: Props) {
 }
 
 /** Show it; call the result to close it and return the focus. */
-export function hold(dialog: HTMLDialogElement, close: () => void): () => void {
-  const cancel = (event: Event) => {
+export function hold(dialog: HTMLDialogElement, close: () => void, cancel: () => void = close): () => void {
+  const cancelled = (event: Event) => {
     // The browser reports that it has closed the dialog only in the next frame.
     event.preventDefault();
-    close();
+    cancel();
   };
   dialog.showModal();
-  dialog.addEventListener("cancel", cancel);
+  dialog.addEventListener("cancel", cancelled);
   // Some browsers do not let a page prevent the second Escape.
   dialog.addEventListener("close", close);
   return () => {

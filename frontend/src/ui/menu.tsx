@@ -2,43 +2,74 @@
 
 import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 
 import { Icon, type IconName } from "./icons";
 import "./menu.css";
 
 export interface MenuItem {
   readonly text: string;
+  readonly icon?: IconName;
   /** For one of several choices: whether it is selected. */
   readonly checked?: boolean;
-  /** Starts a new group. */
-  readonly separated?: boolean;
+  /** For a switch: whether it is on. */
+  readonly on?: boolean;
+  /** It is shown, but can't be chosen now. */
+  readonly off?: boolean;
+  /** A key that does the same. */
+  readonly key?: string;
   readonly run: () => void;
 }
+
+/** Items that belong together. */
+export interface MenuGroup {
+  readonly title?: string;
+  readonly items: readonly MenuItem[];
+}
+
+/** px between a menu and the edge of the window. */
+const MARGIN = 8;
+/** px between a menu and its button. */
+const GAP = 6;
+
+type Side = "left" | "right";
 
 interface Props {
   readonly label: string;
   readonly icon?: IconName;
   /** What the button shows beside the icon. */
   readonly children?: ComponentChildren;
-  readonly items: readonly MenuItem[];
+  readonly groups: readonly MenuGroup[];
+  /** A class of the button. */
+  readonly look?: string;
   /** The side of the button to which the menu is aligned. */
-  readonly side?: "left" | "right";
+  readonly side?: Side;
+  /** Called when it has been opened or closed. */
+  readonly toggled?: (isOpen: boolean) => void;
 }
 
-export function Menu({ label, icon, children, items, side = "left" }: Props) {
+export function Menu({ label, icon, children, groups, look, side = "left", toggled }: Props) {
   const open = useSignal(false);
   const root = useRef<HTMLDivElement>(null);
   const list = useRef<HTMLDivElement>(null);
+  useLayoutEffect(() => {
+    return open.value && list.current && root.current ? show(list.current, root.current, side) : undefined;
+  }, [open.value]);
   useEffect(() => {
     if (open.value) focusable(list.current)[0]?.focus();
+  }, [open.value]);
+  useEffect(() => {
+    if (!open.value) return;
+    toggled?.(true);
+    return () => toggled?.(false);
   }, [open.value]);
   const left = (event: FocusEvent) => {
     if (leaves(root.current, event)) open.value = false;
   };
   const pressed = (event: KeyboardEvent) => {
-    if (event.key !== "ArrowDown") return;
-    open.value = true;
+    // Escape may come before the focus has moved into the menu.
+    if (event.key !== "ArrowDown" && !(event.key === "Escape" && open.value)) return;
+    open.value = event.key === "ArrowDown";
     event.preventDefault();
   };
   const close = () => {
@@ -49,7 +80,7 @@ export function Menu({ label, icon, children, items, side = "left" }: Props) {
     <div class="menu" ref={root} onFocusOut={left}>
       <button
         type="button"
-        class="button"
+        class={look ? `button ${look}` : "button"}
         title={label}
         aria-label={children ? undefined : label}
         aria-haspopup="menu"
@@ -62,40 +93,72 @@ export function Menu({ label, icon, children, items, side = "left" }: Props) {
       </button>
       {open.value && (
         <div
-          class={`menu-list ${side}`}
+          class="menu-list"
           role="menu"
+          popover="manual"
           aria-label={label}
           ref={list}
           onKeyDown={(event) => navigate(event, close)}
         >
-          {items.map((item) => (
-            <Item key={item.text} item={item} close={close} />
-          ))}
+          {/* It scrolls in a box without a background of its own: Chromium would leave out what an opaque one
+              could cover if it were not cut, such as the world above the menu. */}
+          <div class="menu-items">
+            {groups.map((group, index) => (
+              <Group key={index} group={group} close={close} />
+            ))}
+          </div>
         </div>
       )}
     </div>
   );
 }
 
-function Item({ item, close }: { item: MenuItem; close: () => void }) {
-  const choice = item.checked !== undefined;
+function Group({ group: { title, items }, close }: { group: MenuGroup; close: () => void }) {
+  if (items.length === 0) return null;
   return (
-    // biome-ignore lint/a11y/useAriaPropsSupportedByRole: it is only set for the role that has it
+    <div role="group" class="menu-group" aria-label={title}>
+      {title && (
+        <p class="menu-title" aria-hidden="true">
+          {title}
+        </p>
+      )}
+      {items.map((item) => (
+        <Item key={item.text} item={item} close={close} />
+      ))}
+    </div>
+  );
+}
+
+function Item({ item, close }: { item: MenuItem; close: () => void }) {
+  const { text, icon, checked, on, off, key, run } = item;
+  return (
+    // biome-ignore lint/a11y/useAriaPropsSupportedByRole: it is only set for the roles that have it
     <button
       type="button"
-      role={choice ? "menuitemradio" : "menuitem"}
-      aria-checked={choice ? item.checked : undefined}
-      class={item.separated ? "separated" : undefined}
+      role={roleOf(item)}
+      aria-checked={checked ?? on}
+      aria-label={text}
+      aria-keyshortcuts={key}
+      aria-disabled={off ? "true" : undefined}
       tabIndex={-1}
       onClick={() => {
+        if (off) return;
         close();
-        item.run();
+        run();
       }}
     >
-      {item.text}
-      {item.checked && <Icon name="check" />}
+      {icon && <Icon name={icon} />}
+      <span class="menu-text">{text}</span>
+      {/* The style sheet shows it: as text, it would have to be part of the name. */}
+      {key && <kbd data-key={key} />}
+      {(checked || on) && <Icon name="check" />}
     </button>
   );
+}
+
+function roleOf({ checked, on }: MenuItem) {
+  if (checked !== undefined) return "menuitemradio";
+  return on === undefined ? "menuitem" : "menuitemcheckbox";
 }
 
 function focusable(list: HTMLElement | null): HTMLElement[] {
@@ -134,4 +197,35 @@ function letter(items: HTMLElement[], at: number, key: string): number {
   const begins = (index: number) => items[index]?.textContent?.toLowerCase().startsWith(key.toLowerCase());
   const order = items.map((_, step) => (at + 1 + step) % items.length);
   return order.find(begins) ?? -1;
+}
+
+/** Show a menu above everything else, so that no pane cuts it; return what stops following its button. */
+function show(list: HTMLElement, button: HTMLElement, side: Side): () => void {
+  const follow = () => place(list, button.getBoundingClientRect(), side);
+  const stop = new AbortController();
+  const { signal } = stop;
+  // It may grow while it is open, such as that of the robots nearby.
+  const sizes = new ResizeObserver(follow);
+  list.showPopover();
+  follow();
+  sizes.observe(list);
+  window.addEventListener("resize", follow, { signal });
+  window.addEventListener("scroll", follow, { signal, capture: true });
+  return () => {
+    sizes.disconnect();
+    stop.abort();
+  };
+}
+
+/** Place a menu below its button, or above it where there is more room, inside the window. */
+function place(list: HTMLElement, button: DOMRect, side: Side): void {
+  const space = GAP + MARGIN;
+  const [above, below] = [button.top - space, window.innerHeight - button.bottom - space];
+  const isUp = list.offsetHeight > below && above > below;
+  const wanted = side === "left" ? button.left : button.right - list.offsetWidth;
+  const rightmost = window.innerWidth - MARGIN - list.offsetWidth;
+  list.style.left = `${Math.max(MARGIN, Math.min(wanted, rightmost))}px`;
+  list.style.top = isUp ? "auto" : `${button.bottom + GAP}px`;
+  list.style.bottom = isUp ? `${window.innerHeight - button.top + GAP}px` : "auto";
+  list.style.setProperty("--room", `${isUp ? above : below}px`);
 }

@@ -12,13 +12,15 @@ interface NameFormProps {
   readonly help: string;
   /** The word on the button that takes the name. */
   readonly action: string;
+  /** The limit of its characters. */
+  readonly longest?: number;
   /** Closes the dialog around the form. */
   readonly close: () => void;
   readonly run: (name: string) => void;
 }
 
 /** Asks for a name in a dialog, closes it, and passes the name on. */
-export function NameForm({ name: first, help, action, close, run }: NameFormProps) {
+export function NameForm({ name: first, help, action, longest = LONGEST_NAME, close, run }: NameFormProps) {
   const name = useSignal(first);
   const submit = (event: SubmitEvent) => {
     event.preventDefault();
@@ -33,7 +35,7 @@ export function NameForm({ name: first, help, action, close, run }: NameFormProp
           required
           autofocus
           pattern=".*\S.*"
-          maxLength={LONGEST_NAME}
+          maxLength={longest}
           value={name.value}
           onFocus={({ currentTarget }) => currentTarget.select()}
           onInput={({ currentTarget }) => (name.value = currentTarget.value)}

@@ -4,13 +4,16 @@ import { computed } from "@preact/signals";
 
 import { media } from "./media";
 
-/** `wide` shows several views of the program, `medium` one beside the world, `narrow` one region. */
+/**
+ * `wide` has the program beside the world, `medium` below it; `narrow` is a phone, which also has less
+ * room for buttons.
+ */
 export type Room = "wide" | "medium" | "narrow";
 
-const wide = media("(min-width: 1200px)");
-const medium = media("(min-width: 800px)");
+const narrow = media("(max-width: 699px)");
+const upright = media("(max-width: 1199px) and (orientation: portrait)");
 
 export const room = computed<Room>(() => {
-  if (wide.value) return "wide";
-  return medium.value ? "medium" : "narrow";
+  if (narrow.value) return "narrow";
+  return upright.value ? "medium" : "wide";
 });

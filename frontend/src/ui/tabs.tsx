@@ -25,7 +25,7 @@ interface Props<Name extends string> {
 export function Tabs<Name extends string>({ label, tabs, selected, select }: Props<Name>) {
   return (
     <>
-      <div class="tabs" role="tablist" aria-label={label} onKeyDown={navigate}>
+      <div class="tabs" role="tablist" aria-label={label} onKeyDown={navigateTabs}>
         {tabs.map((tab) => (
           <button
             type="button"
@@ -49,6 +49,8 @@ export function Tabs<Name extends string>({ label, tabs, selected, select }: Pro
           id={`panel-${tab.name}`}
           aria-labelledby={`tab-${tab.name}`}
           hidden={tab.name !== selected}
+          // biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard scrolls it
+          tabIndex={0}
         >
           {tab.panel}
         </div>
@@ -57,7 +59,8 @@ export function Tabs<Name extends string>({ label, tabs, selected, select }: Pro
   );
 }
 
-function navigate(event: KeyboardEvent): void {
+/** Move among the tabs of a list by the usual keys. */
+export function navigateTabs(event: KeyboardEvent): void {
   const tabs = [...(event.currentTarget as HTMLElement).querySelectorAll<HTMLElement>("[role=tab]")];
   const at = tabs.indexOf(event.target as HTMLElement);
   const targets: Record<string, number> = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: tabs.length - 1 };

@@ -20,7 +20,12 @@ import type { WorldValues } from "../../src/views/world/scenery/description";
 function world(): WorldValues {
   const lists = Object.fromEntries(SORTS.map((sort) => [sort, []]));
   const floor = { size: [2000, 1000], colour: "white" };
-  return { title: "", floor, ...lists, goal: { reach: [], follow: [], visit: [] } } as unknown as WorldValues;
+  return {
+    title: "",
+    floor,
+    ...lists,
+    goal: { reach: [], follow: [], visit: [], tour: [], stop: [], show: [], avoid: [] },
+  } as unknown as WorldValues;
 }
 
 /** A world with a line and a tag, so that every sort can be made. */
@@ -66,6 +71,27 @@ test("four quarter turns leave a thing as it was", () => {
     const after = [90, 90, 90, 90].reduce((one: Thing, degrees) => turned(one, degrees), thing);
     expect(JSON.parse(JSON.stringify(after).replaceAll("-0,", "0,"))).toEqual(thing);
   }
+});
+
+/** A world whose variants move a box called "crate". */
+function withCrate(): WorldValues {
+  const [there, ref] = added(world(), "box", { ...created(world(), "box", [0, 0]), name: "crate" });
+  expect(ref.index).toBe(0);
+  return {
+    ...there,
+    vary: { start: 0, heading: 0, light: 0, noise: 0, slip: 0, thing: [{ name: "crate", distance: 50 }] },
+  };
+}
+
+test("a renamed thing still moves in the variants of its world", () => {
+  const there = withCrate();
+  const ref = { sort: "box", index: 0 } as const;
+  const after = replaced(there, ref, { ...thingAt(there, ref), name: "chest" });
+  expect(after.vary?.thing).toEqual([{ name: "chest", distance: 50 }]);
+});
+
+test("a removed thing leaves no bound behind", () => {
+  expect(removed(withCrate(), { sort: "box", index: 0 }).vary?.thing).toEqual([]);
 });
 
 test("a copy of a named thing has a name of its own", () => {

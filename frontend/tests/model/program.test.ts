@@ -62,7 +62,9 @@ test("edits of one frame are sent as one, the last", () => {
   const [program, connection] = opened();
   for (const text of ["a", "ab", "abc"]) program.editedText("blocktext", () => text);
   drawFrame();
-  expect(connection.sent).toEqual([{ kind: "EditText", edit: 1, revision: 1, notation: "blocktext", text: "abc" }]);
+  expect(connection.sent).toEqual([
+    { kind: "EditText", edit: 1, revision: 1, shown: 0, notation: "blocktext", text: "abc" },
+  ]);
 });
 
 test("the drafts of a renamed project move with it, and are sent again under its new name", () => {
@@ -154,8 +156,8 @@ test("an unsaved edit of each view is sent again when the same project opens aft
   drawFrame();
   reopen(connection, "square", { python: "x = 0" });
   expect(connection.sent.slice(2)).toEqual([
-    { kind: "RecoverText", edit: 1, notation: "python", text: "x = 1", base: "x = 0" },
-    { kind: "RecoverText", edit: 2, notation: "blocktext", text: "y = 1", base: "" },
+    { kind: "RecoverText", edit: 1, shown: 0, notation: "python", text: "x = 1", base: "x = 0" },
+    { kind: "RecoverText", edit: 2, shown: 0, notation: "blocktext", text: "y = 1", base: "" },
   ]);
 });
 
@@ -180,8 +182,8 @@ test("what is typed while the project comes back is sent once and in order", () 
   program.editedText("python", () => "x = 123");
   drawFrame();
   expect(connection.sent.slice(1)).toEqual([
-    { kind: "RecoverText", edit: 1, notation: "python", text: "x = 12", base: "" },
-    { kind: "RecoverText", edit: 2, notation: "python", text: "x = 123", base: "x = 12" },
+    { kind: "RecoverText", edit: 1, shown: 0, notation: "python", text: "x = 12", base: "" },
+    { kind: "RecoverText", edit: 2, shown: 0, notation: "python", text: "x = 123", base: "x = 12" },
   ]);
 });
 
@@ -193,7 +195,9 @@ test("what is typed between a reconnection and the answer to Open is not sent tw
   drawFrame();
   expect(connection.sent).toEqual([]);
   reopen(connection, "square");
-  expect(connection.sent).toEqual([{ kind: "RecoverText", edit: 1, notation: "python", text: "x = 1", base: "" }]);
+  expect(connection.sent).toEqual([
+    { kind: "RecoverText", edit: 1, shown: 0, notation: "python", text: "x = 1", base: "" },
+  ]);
 });
 
 test("an unsaved edit is not carried into another project", () => {
@@ -218,7 +222,9 @@ test("what an earlier page has left unsaved is repeated, and forgotten once it i
   const draft: Draft = { view: "python", steps: ["x = 0", "x = 1"] };
   const [program, connection, drafts] = opened("square", [draft]);
   await vi.waitFor(() => expect(program.recovered.value).toBe(1));
-  expect(connection.sent).toEqual([{ kind: "RecoverText", edit: 1, notation: "python", text: "x = 1", base: "x = 0" }]);
+  expect(connection.sent).toEqual([
+    { kind: "RecoverText", edit: 1, shown: 0, notation: "python", text: "x = 1", base: "x = 0" },
+  ]);
   connection.tell({ kind: "Document", edit: 1, revision: 2, origin: "python", python: "x = 1" });
   expect(program.state.value.python).toBe("x = 1");
   expect(drafts.forgotten).toBe(0);

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { robotGroups, robotTitle } from "../../src/model/robots";
+import { robotGroups, robotTitle, servingWords } from "../../src/model/robots";
 
 const ROBOTS = [
   { name: "sim-cozmo", title: "Cozmo", simulated: true },
@@ -17,6 +17,10 @@ test("robots are grouped into simulated and real ones", () => {
   ]);
 });
 
+test("a robot is shown by the name that the user has given it", () => {
+  expect(robotTitle({ ...ROBOTS[2]!, given: "Ada" })).toBe("page-bar-named-robot");
+});
+
 test("a group without robots is left out", () => {
   expect(robotGroups(ROBOTS.slice(0, 1)).map(({ name }) => name)).toEqual(["simulated"]);
 });
@@ -25,4 +29,10 @@ test("a real robot's title says that it is real", () => {
   // Without words, a phrase is its code.
   const real = "page-bar-real-robot";
   expect(ROBOTS.map(robotTitle)).toEqual(["Cozmo", "coppeliasim", real, real]);
+});
+
+test("only senses that the robot has are served", () => {
+  const robot = { ...ROBOTS[0]!, serves: { "black-line": "GroundSensors:line" } };
+  expect(servingWords(robot, ["black-line"])).toBe("check-serving");
+  expect(servingWords(robot, ["red-line", "Camera"])).toBe("");
 });

@@ -2,6 +2,8 @@
 
 import { type CustomBlocks, useCustomBlocks } from "../../features/custom-blocks/custom-blocks";
 import { EXPORTED } from "../../features/custom-blocks/dialogs";
+import { lessonFolderOf } from "../../features/lessons/folder";
+import { LESSON_FILE, type Lessons, useLessons } from "../../features/lessons/lessons";
 import { type Libraries, useLibraries } from "../../features/libraries/libraries";
 import { useWorlds, WORLD_FILES, type Worlds } from "../../features/worlds/worlds";
 import { t } from "../../i18n";
@@ -9,20 +11,29 @@ import { type Page, usePage } from "../../model/page";
 import { uploadOf, withEnding } from "../../model/upload";
 
 interface Takers extends Page {
+  readonly lessons: Lessons;
   readonly libraries: Libraries;
   readonly customBlocks: CustomBlocks;
   readonly worlds: Worlds;
 }
 
-/** Opens a project, a world, a custom block, or libraries. */
+/** Opens a project, a lesson, a world, a custom block, or libraries. */
 export function useOpening(): (files: readonly File[]) => void {
   const page = usePage();
-  const takers = { ...page, libraries: useLibraries(), customBlocks: useCustomBlocks(), worlds: useWorlds() };
+  const takers = {
+    ...page,
+    lessons: useLessons(),
+    libraries: useLibraries(),
+    customBlocks: useCustomBlocks(),
+    worlds: useWorlds(),
+  };
   return (files) => void open(takers, files);
 }
 
 async function open(takers: Takers, files: readonly File[]): Promise<void> {
-  const { dialogs, libraries, project, toasts } = takers;
+  const { dialogs, lessons, libraries, project, toasts } = takers;
+  const folder = lessonFolderOf(files);
+  if (folder) return lessons.importFolder(folder);
   const found = uploadOf(files);
   switch (found.kind) {
     case "program":
@@ -37,7 +48,8 @@ async function open(takers: Takers, files: readonly File[]): Promise<void> {
   }
 }
 
-async function openOther({ customBlocks, dialogs, toasts, worlds }: Takers, file: File): Promise<void> {
+async function openOther({ customBlocks, dialogs, lessons, toasts, worlds }: Takers, file: File): Promise<void> {
+  if (withEnding([file], [LESSON_FILE]).length) return lessons.import(file);
   if (withEnding([file], WORLD_FILES).length) return worlds.import(file);
   if (!file.name.endsWith(EXPORTED)) return toasts.error(t("page-project-wrong-file", { name: file.name }));
   dialogs.show("customBlocks");

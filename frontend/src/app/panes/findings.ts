@@ -1,6 +1,7 @@
 /** The program's problems as a list, with one entry for each mistake. */
 
 import { say } from "../../i18n";
+import type { Context } from "../../model/context";
 import type { Problem, View } from "../../protocol/messages";
 
 /** One mistake, with its positions in all views. */
@@ -20,6 +21,17 @@ export function findings(problems: readonly Problem[], origin: View): readonly F
   }
   const entries = [...found].map(([key, places]) => finding(key, places, origin));
   return [...of(entries, "error"), ...of(entries, "warning")];
+}
+
+/** The number of problems, the error of the last run among them, and whether any of them is an error. */
+export function countProblems({ program, running }: Context): { count: number; serious: boolean } {
+  const { problems, origin } = program.state.value;
+  const found = findings(problems, origin);
+  const failed = running.ended.value?.ended === "error";
+  return {
+    count: found.length + (failed ? 1 : 0),
+    serious: failed || found.some((one) => one.severity === "error"),
+  };
 }
 
 /** If one view shows a mistake twice and it belongs to no block, it counts as two mistakes. */

@@ -1,24 +1,28 @@
-/** The panel below the world: console, variables, sensors, problems, result. */
+/** The panel below the world: console, variables, calls, why, runs, sensors, problems, result. */
 
 import { useEffect } from "preact/hooks";
 
+import { Calls } from "../../features/calls/calls";
+import { Runs } from "../../features/runs/runs";
+import { Why } from "../../features/why/why";
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
 import { IslandPlace } from "../../ui/island-place";
 import { Tabs } from "../../ui/tabs";
-import { findings } from "./findings";
+import { countProblems } from "./findings";
 import { Problems } from "./problems";
 import { Result } from "./result-panel";
 
-export function Panel({ weight }: { weight: number }) {
+export function Panel() {
   const page = usePage();
   const { views, context } = page;
   useEffect(() => context.connection.on("InputWanted", () => views.showPanel("console")), [context, views]);
+  useEffect(() => context.connection.on("Printed", () => views.offerConsole()), [context, views]);
+  useEffect(() => context.connection.on("PrintedByRobots", () => views.offerConsole()), [context, views]);
   return (
     <section
       id="panel"
-      class="pane panel-pane"
-      style={{ flexGrow: weight }}
+      class="region panel-pane"
       hidden={!views.shows("panel")}
       aria-labelledby="title-panel"
       data-region="panel"
@@ -39,15 +43,13 @@ export function Panel({ weight }: { weight: number }) {
 }
 
 function tabs(page: Page) {
-  const { context } = page;
-  const failed = context.running.ended.value?.ended === "error" ? 1 : 0;
-  const { problems, origin } = context.program.state.value;
-  const found = findings(problems, origin);
-  const count = found.length + failed;
-  const serious = failed > 0 || found.some((one) => one.severity === "error");
+  const { count, serious } = countProblems(page.context);
   return [
     { name: "console", text: t("page-shell-console"), panel: <IslandPlace load={() => loadConsole(page)} /> },
     { name: "variables", text: t("page-shell-variables"), panel: <IslandPlace load={() => loadVariables(page)} /> },
+    { name: "calls", text: t("page-shell-calls"), panel: <Calls /> },
+    { name: "why", text: t("page-shell-why"), panel: <Why /> },
+    { name: "runs", text: t("page-shell-runs"), panel: <Runs /> },
     { name: "sensors", text: t("page-shell-sensors"), panel: <IslandPlace load={() => loadSensors(page)} /> },
     { name: "problems", text: t("page-shell-problems"), count, serious, panel: <Problems /> },
     { name: "result", text: t("page-shell-result"), panel: <Result /> },

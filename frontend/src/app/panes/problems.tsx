@@ -7,6 +7,7 @@ import { sentence } from "../../model/run-result";
 import type { Problem } from "../../protocol/messages";
 import { Icon } from "../../ui/icons";
 import { type Finding, findings } from "./findings";
+import { RunsOn } from "./runs-on";
 import "./problems.css";
 
 export function Problems() {
@@ -21,6 +22,7 @@ export function Problems() {
       {failed && <RunError />}
       <Group title={t("page-problems-errors")} found={found.filter((one) => one.severity === "error")} />
       <Group title={t("page-problems-warnings")} found={found.filter((one) => one.severity === "warning")} />
+      <RunsOn />
     </div>
   );
 }

@@ -3,23 +3,30 @@
 import { Fragment } from "preact";
 
 import { titleOf, useBlockSets } from "../../features/block-sets/block-sets";
+import { AddRobots, PROGRAM_PANEL, RobotTabRow } from "../../features/robot-tabs/row";
 import { t } from "../../i18n";
 import { type Page, usePage } from "../../model/page";
-import { arrange, preferences } from "../../model/preferences";
-import { type Area, VIEWS, type ViewIsland } from "../../model/views";
+import { arrange, preferences, showsDebugger } from "../../model/preferences";
+import { VIEWS, type ViewIsland } from "../../model/views";
 import type { View } from "../../protocol/messages";
+import { IconButton } from "../../ui/button";
+import { Icon } from "../../ui/icons";
 import { IslandPlace } from "../../ui/island-place";
 import { room } from "../../ui/screen";
 import { Splitter } from "../../ui/splitter";
+import { SameStep } from "./same-step";
 import { StaleNote } from "./stale-note";
 
-export function ProgramViews({ weight }: { weight: number }) {
-  const { views } = usePage();
+export function ProgramViews() {
+  const { tabs, views } = usePage();
+  const isPanel = tabs.tabs.value.length > 0;
+  const panel = isPanel ? ({ id: PROGRAM_PANEL, role: "tabpanel", "aria-labelledby": "robot-tab" } as const) : {};
   const shown = VIEWS.filter((view) => views.shows(view));
   return (
-    <div class="program-column" style={{ flexGrow: weight }}>
-      <AreaButtons />
-      <div class="views" hidden={shown.length === 0} data-tour="views">
+    <div class={views.isSplit ? "region program-column split" : "region program-column"}>
+      <RobotTabRow />
+      <ProgramHead />
+      <div class="views" hidden={shown.length === 0} data-tour="views" {...panel}>
         {VIEWS.map((view) => (
           <Fragment key={view}>
             {shown.indexOf(view) > 0 && <ViewSplitter before={shown[shown.indexOf(view) - 1] ?? view} after={view} />}
@@ -27,25 +34,57 @@ export function ProgramViews({ weight }: { weight: number }) {
           </Fragment>
         ))}
       </div>
+      <SameStep />
     </div>
   );
 }
 
-/** On a wide screen each view has its own switch; on others, one view is chosen. */
-function AreaButtons() {
-  const { views } = usePage();
-  const areas: readonly Area[] = room.value === "narrow" ? [...VIEWS, "world", "panel"] : VIEWS;
+/** The switches of the views, and what concerns the whole program. */
+function ProgramHead() {
+  const { tabs, views } = usePage();
+  const isNarrow = room.value === "narrow";
   return (
-    <div class="area-buttons">
-      <div role="group" aria-label={t("page-shell-shown")} class="areas">
-        {areas.map((area) => (
-          <button type="button" key={area} aria-pressed={views.shows(area)} onClick={() => views.toggle(area)}>
-            {t(`page-shell-${area}`)}
-          </button>
-        ))}
-      </div>
+    <div class="program-head" data-region="program">
+      <ViewSwitch />
+      {!isNarrow && (
+        <IconButton icon="split" word="page-shell-split" pressed={views.isSplit} onClick={() => views.toggleSplit()} />
+      )}
       <StaleNote />
       <ShownBlocks />
+      <UndoButtons />
+      {tabs.tabs.value.length === 0 && showsDebugger.value && <AddRobots named={false} />}
+    </div>
+  );
+}
+
+const VIEW_ICONS = { blocks: "blocks", blocktext: "blocktext", python: "python" } as const;
+
+/** One program, so the views are joined by links. */
+function ViewSwitch() {
+  const { views } = usePage();
+  return (
+    <div role="group" aria-label={t("page-shell-shown")} class="areas" data-tour="areas">
+      {VIEWS.map((view, index) => (
+        <Fragment key={view}>
+          {index > 0 && <Icon name="link" />}
+          <button type="button" aria-pressed={views.shows(view)} onClick={() => views.toggle(view)}>
+            <Icon name={VIEW_ICONS[view]} />
+            {t(`page-shell-${view}`)}
+          </button>
+        </Fragment>
+      ))}
+    </div>
+  );
+}
+
+function UndoButtons() {
+  const { program } = usePage().context;
+  const { canUndo, canRedo } = program.state.value;
+  const readOnly = program.readOnly.value !== null;
+  return (
+    <div class="undo-buttons">
+      <IconButton icon="undo" word="page-bar-undo" off={readOnly || !canUndo} onClick={() => program.undo()} />
+      <IconButton icon="redo" word="page-bar-redo" off={readOnly || !canRedo} onClick={() => program.redo()} />
     </div>
   );
 }

@@ -2,7 +2,7 @@
 
 import type { ComponentChildren } from "preact";
 import { CustomBlockLink } from "../../features/custom-blocks/link";
-import { t, worldName } from "../../i18n";
+import { say, t, worldName } from "../../i18n";
 import { usePage } from "../../model/page";
 import { explained } from "../../model/run-error";
 import { ending } from "../../model/run-result";
@@ -24,12 +24,25 @@ export function Result() {
       {ended.message && <p>{explained(ended.message)}</p>}
       <CustomBlockLink ended={ended} />
       <Facts ended={ended} />
+      <Hash ended={ended} />
     </div>
   );
 }
 
+function Hash({ ended }: { ended: Ended }) {
+  if (ended.repeatable === false) return <p class="dim">{t("page-problems-not-repeatable")}</p>;
+  if (!ended.trace_sha256) return null;
+  return (
+    <details>
+      <summary>{t("page-problems-hash")}</summary>
+      <p>{t("page-problems-hash-text")}</p>
+      <p class="hash">{ended.trace_sha256}</p>
+    </details>
+  );
+}
+
 function Facts({ ended }: { ended: Ended }) {
-  const { time = 0, distance, goals = [], emotions = [], no_effect = [], trace_sha256 } = ended;
+  const { time = 0, distance, goals = [], emotions = [], no_effect = [] } = ended;
   return (
     <dl>
       <Fact name={t("page-problems-time")}>{time.toFixed(2)} s</Fact>
@@ -43,11 +56,6 @@ function Facts({ ended }: { ended: Ended }) {
       {no_effect.length > 0 && (
         <Fact name={t("page-problems-no-effect")}>
           <NoEffect skills={no_effect} />
-        </Fact>
-      )}
-      {trace_sha256 && (
-        <Fact name={t("page-problems-trace")}>
-          <span class="hash">{trace_sha256}</span>
         </Fact>
       )}
     </dl>
@@ -64,12 +72,18 @@ function Fact({ name, children }: { name: string; children: ComponentChildren })
 }
 
 function Goals({ goals }: { goals: readonly GoalNow[] }) {
+  const { askingWhy } = usePage();
   return (
     <ul>
       {goals.map((goal) => (
         <li key={goal.name} class={goal.state}>
           {worldName(goal.name)}: {t(`page-problems-goal-${goal.state}`)}
-          {goal.time !== null && ` (${goal.time.toFixed(1)} s)`}
+          {goal.time !== null && ` (${goal.time.toFixed(1)} s)`}{" "}
+          {goal.state !== "reached" && (
+            <button type="button" class="button" onClick={() => askingWhy.aboutGoal(goal)}>
+              {t("page-why-goal")}
+            </button>
+          )}
         </li>
       ))}
     </ul>
@@ -88,7 +102,8 @@ function NoEffect({ skills }: { skills: readonly (readonly [string, string])[] }
 
 function reason(skill: string, device: string): string {
   if (device === "Detector:emotions") return t("page-problems-emotions-off", { skill });
-  return t("page-problems-missing", { skill, device: device.replace(":", " ") });
+  const [kind = "", key = ""] = device.split(":");
+  return t("page-problems-missing", { skill, device: say({ code: "check-device", values: { kind, key } }) });
 }
 
 const EMOTIONS = new Set(["joy", "sadness", "anger", "fear", "disgust", "surprise", "neutral"]);

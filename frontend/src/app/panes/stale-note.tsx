@@ -11,10 +11,11 @@ export function StaleNote() {
   if (stale.length === 0) return null;
   const errors = problems.filter((one) => one.severity === "error");
   const first = errors.find((one) => one.view === origin) ?? errors[0];
+  const note = text(first, t(`page-shell-${origin}`));
   return (
-    <div class="stale-note">
+    <div class="stale-note" title={note}>
       <Icon name="warning" />
-      <span>{text(first, t(`page-shell-${origin}`))}</span>
+      <span>{note}</span>
       {first && (
         <button type="button" class="button bordered" onClick={() => views.goTo(first)}>
           {t("page-problems-go-to")}

@@ -25,6 +25,7 @@ export class Trying {
     const { connection } = context;
     this.ends = [
       connection.on("Printed", ({ text }) => this.print(text)),
+      connection.on("PrintedByRobots", ({ parts }) => this.print(parts.map(({ text }) => text).join(""))),
       connection.on("InputWanted", ({ prompt }) => this.ask(prompt)),
       connection.on("Ended", (ended) => this.end(ended)),
       connection.onRefused(["TryCustomBlock"], (reason) => (this.refused.value = reason)),

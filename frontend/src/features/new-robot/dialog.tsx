@@ -74,22 +74,24 @@ function Description() {
 function Problems({ text }: { text: RefObject<HTMLTextAreaElement | null> }) {
   const robotMaker = useRobotMaker();
   return (
-    <ul role="alert" class="new-robot-problems refused">
-      {robotMaker.problems.value.map(({ message, line = 0 }) => (
-        <li key={`${line} ${say(message)}`}>
-          {line > 0 && (
-            <button
-              type="button"
-              class="button bordered"
-              onClick={() => text.current && selectLine(text.current, line)}
-            >
-              {t("page-newrobot-line", { line })}
-            </button>
-          )}
-          {say(message)}
-        </li>
-      ))}
-    </ul>
+    <div role="alert" class="refused">
+      <ul class="new-robot-problems">
+        {robotMaker.problems.value.map(({ message, line = 0 }) => (
+          <li key={`${line} ${say(message)}`}>
+            {line > 0 && (
+              <button
+                type="button"
+                class="button bordered"
+                onClick={() => text.current && selectLine(text.current, line)}
+              >
+                {t("page-newrobot-line", { line })}
+              </button>
+            )}
+            {say(message)}
+          </li>
+        ))}
+      </ul>
+    </div>
   );
 }
 

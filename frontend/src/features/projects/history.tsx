@@ -72,6 +72,12 @@ function VersionRow({ version: { id, time, reason, lines } }: { version: Version
 
 function RunRow({ run }: { run: PastRun }) {
   const { project } = usePage();
+  // Several robots are separated by commas.
+  const titles = (robots: string) =>
+    robots
+      .split(", ")
+      .map((one) => project.robotTitle(one))
+      .join(", ");
   const parts = [ending(run.ended), `${run.seconds.toFixed(1)} s`, ...run.goals];
   return (
     <li>
@@ -79,11 +85,13 @@ function RunRow({ run }: { run: PastRun }) {
         <strong>{date(run.time)}</strong>
         <span>{parts.join(" · ")}</span>
         <span class="dim">
-          {t("page-project-on-in", { robot: project.robotTitle(run.robot), world: project.worldTitle(run.world) })}
+          {t("page-project-on-in", { robot: titles(run.robot), world: project.worldTitle(run.world) })}
         </span>
-        <span class="dim hash" title={run.trace_sha256}>
-          {t("page-problems-trace")} {run.trace_sha256.slice(0, 12)}
-        </span>
+        {run.trace_sha256 && (
+          <span class="dim hash" title={run.trace_sha256}>
+            {t("page-problems-trace")} {run.trace_sha256.slice(0, 12)}
+          </span>
+        )}
       </div>
       {run.version && <RestoreButton version={run.version} time={run.time} />}
     </li>

@@ -1,6 +1,7 @@
 /** Dialogs with one question about the project. */
 
 import { t } from "../../i18n";
+import type { ProjectDialogName } from "../../model/dialogs";
 import { usePage } from "../../model/page";
 import { Actions, Dialog } from "../../ui/dialog";
 import { NameForm } from "../../ui/name-form";
@@ -50,7 +51,43 @@ export function RenameDialog() {
   );
 }
 
-export function DeleteDialog({ name }: { name: string }) {
+/** A question about a project that need not be open. */
+export function ProjectDialog({ of }: { of: ProjectDialogName }) {
+  if ("delete" in of) return <DeleteDialog name={of.delete} />;
+  return "rename" in of ? <RenameOtherDialog name={of.rename} /> : <CopyDialog name={of.copy} />;
+}
+
+function RenameOtherDialog({ name }: { name: string }) {
+  const { dialogs, project } = usePage();
+  return (
+    <Dialog title={t("page-project-rename-title")} close={() => dialogs.close()}>
+      <NameForm
+        name={name}
+        help={t("page-project-rename-help")}
+        action={t("page-project-rename-now")}
+        close={() => dialogs.close()}
+        run={(wish) => project.renameOther(name, wish)}
+      />
+    </Dialog>
+  );
+}
+
+function CopyDialog({ name }: { name: string }) {
+  const { dialogs, project } = usePage();
+  return (
+    <Dialog title={t("page-project-copy-title", { name })} close={() => dialogs.close()}>
+      <NameForm
+        name={t("page-project-copy-of", { name })}
+        help={t("page-project-new-help")}
+        action={t("page-project-copy-now")}
+        close={() => dialogs.close()}
+        run={(wish) => project.copy(name, wish)}
+      />
+    </Dialog>
+  );
+}
+
+function DeleteDialog({ name }: { name: string }) {
   const { dialogs, project } = usePage();
   const remove = () => {
     dialogs.close();

@@ -33,7 +33,7 @@ export function RobotSettingsDialog() {
           ))}
         </select>
       </label>
-      {robot.value && <SettingsForm key={robot.value} robot={robot.value} />}
+      {robot.value && <SettingsForm key={robot.value} robot={robot.value} cancel={() => dialogs.close()} />}
     </Dialog>
   );
 }
@@ -43,12 +43,17 @@ export function PerceptionDialog() {
   return (
     <Dialog title={t("page-robots-perception")} close={() => dialogs.close()}>
       <p class="dim">{t("page-robots-perception-help")}</p>
-      <SettingsForm robot={PERCEPTION} />
+      <SettingsForm robot={PERCEPTION} cancel={() => dialogs.close()} />
     </Dialog>
   );
 }
 
-function SettingsForm({ robot }: { robot: string }) {
+interface SettingsFormProps {
+  readonly robot: string;
+  readonly cancel: () => void;
+}
+
+export function SettingsForm({ robot, cancel }: SettingsFormProps) {
   const machine = useRobotSettings();
   // Before the form of an older answer is shown.
   useLayoutEffect(() => machine.read(robot), []);
@@ -59,13 +64,12 @@ function SettingsForm({ robot }: { robot: string }) {
       <p role="alert" class="refused">
         {problem && say(problem)}
       </p>
-      {table.value?.settings && <Form table={table.value} robot={robot} />}
+      {table.value?.settings && <Form table={table.value} robot={robot} cancel={cancel} />}
     </>
   );
 }
 
-function Form({ table, robot }: { table: SettingsTable; robot: string }) {
-  const { dialogs } = usePage();
+function Form({ table, robot, cancel }: SettingsFormProps & { readonly table: SettingsTable }) {
   const machine = useRobotSettings();
   const { settings = [], wrong = {} } = table;
   const values = useSignal<Values>(valuesOf(settings));
@@ -98,7 +102,7 @@ function Form({ table, robot }: { table: SettingsTable; robot: string }) {
       <p role="status" class="dim">
         {t(isChanged ? "page-robots-unsaved" : "page-robots-saved")}
       </p>
-      <Actions cancel={() => dialogs.close()}>
+      <Actions cancel={cancel}>
         <button type="submit" class="button filled" disabled={!isChanged || (asks && !agreed.value)}>
           {t("page-robots-save")}
         </button>

@@ -9,7 +9,7 @@ import { keysOf, OTHER_KEYS, SHORTCUTS } from "../../ui/shortcuts";
 
 export function SettingsDialog() {
   const { dialogs, project } = usePage();
-  const { theme, sound, audible } = preferences.value;
+  const { theme, sound, audible, celebrate } = preferences.value;
   const welcome = project.welcome.value;
   return (
     <Dialog title={t("page-settings-title")} close={() => dialogs.close()}>
@@ -25,6 +25,7 @@ export function SettingsDialog() {
       </Choice>
       <Check label={t("page-settings-sound")} on={sound} set={(on) => prefer({ sound: on })} />
       <Check label={t("page-settings-audible")} on={audible} set={(on) => prefer({ audible: on })} />
+      <Check label={t("page-settings-celebrate")} on={celebrate} set={(on) => prefer({ celebrate: on })} />
       {welcome && <p class="dim">{t("page-settings-about", { version: welcome.version, folder: welcome.folder })}</p>}
     </Dialog>
   );

@@ -1,32 +1,16 @@
-/** A tour of the page in five steps, each of which highlights a region and explains it. */
+/** A tour in which the user builds and runs something: a card says what to do, a ring shows where. */
 
-import { useSignal } from "@preact/signals";
-import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { computed, effect, untracked, useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
 
 import { t } from "../../i18n";
 import { usePage } from "../../model/page";
 import { prefer } from "../../model/preferences";
-import type { Area } from "../../model/views";
-import { hold } from "../../ui/dialog";
 import { focusRun } from "../../views/regions";
+import { momentOf, STEPS, type Step } from "./steps";
 import "./tour.css";
 
-interface Step {
-  readonly name: "blocks" | "texts" | "run" | "world" | "robot";
-  /** The value of `data-tour`; of several elements, the first visible one. */
-  readonly target: string;
-  /** The region to show for it. */
-  readonly area?: Area;
-}
-
-const STEPS: readonly Step[] = [
-  { name: "blocks", target: "blocks", area: "blocks" },
-  { name: "texts", target: "blocktext", area: "blocktext" },
-  { name: "run", target: "run" },
-  { name: "world", target: "world", area: "world" },
-  { name: "robot", target: "robot" },
-];
-/** The margin of the highlight, px. */
+/** The distance between the ring and what it surrounds, px. */
 const MARGIN = 4;
 
 export function Tour() {
@@ -34,10 +18,11 @@ export function Tour() {
 }
 
 function Steps() {
-  const { dialogs, views } = usePage();
+  const page = usePage();
+  const { announcer, dialogs, views } = page;
   const at = useSignal(0);
-  const dialog = useRef<HTMLDialogElement>(null);
-  const light = useRef<HTMLDivElement>(null);
+  const card = useRef<HTMLElement>(null);
+  const ring = useRef<HTMLDivElement>(null);
   const step = STEPS[at.value];
   const end = () => {
     dialogs.tour.value = false;
@@ -45,20 +30,37 @@ function Steps() {
     // The element that had the focus, in the offer or a menu, is gone.
     requestAnimationFrame(focusRun);
   };
-  useLayoutEffect(() => (dialog.current ? hold(dialog.current, end) : undefined), []);
-  useEffect(() => {
-    if (step?.area) views.show(step.area);
-    return follow(step?.target ?? "", light.current, dialog.current);
-  }, [step]);
-  if (!step) return null;
   const go = (to: number) => {
     if (to < STEPS.length) at.value = to;
     else end();
   };
+  const goOn = () => {
+    announcer.say(t("page-tour-well-done"));
+    go(at.peek() + 1);
+  };
+  useEffect(() => {
+    views.show("blocks");
+    card.current?.querySelector<HTMLElement>(".filled")?.focus();
+  }, []);
+  useEffect(() => (step ? follow(step.target, ring.current, card.current) : undefined), [step]);
+  useEffect(() => {
+    if (!step) return;
+    const before = untracked(() => momentOf(page));
+    const isDone = computed(() => step.isDone(momentOf(page), before));
+    // Not in the effect: what is announced and shown next is not its concern.
+    return effect(() => void (isDone.value && queueMicrotask(goOn)));
+  }, [step]);
+  if (!step) return null;
   return (
-    <dialog ref={dialog} class="tour" aria-labelledby="tour-title">
-      <div class="tour-light" ref={light} />
-      <div class="tour-card">
+    <>
+      <div class="tour-ring" ref={ring} />
+      <section
+        ref={card}
+        class="tour-card"
+        aria-labelledby="tour-title"
+        data-region="tour"
+        onKeyDown={({ key }) => key === "Escape" && end()}
+      >
         <Card step={step} number={at.value + 1} />
         <div class="actions">
           <button type="button" class="button" onClick={end}>
@@ -69,12 +71,12 @@ function Steps() {
               {t("page-tour-back")}
             </button>
           )}
-          <button type="button" class="button filled" autofocus onClick={() => go(at.value + 1)}>
+          <button type="button" class="button filled" onClick={() => go(at.value + 1)}>
             {at.value + 1 < STEPS.length ? t("page-tour-next") : t("page-tour-done")}
           </button>
         </div>
-      </div>
-    </dialog>
+      </section>
+    </>
   );
 }
 
@@ -88,17 +90,17 @@ function Card({ step, number }: { step: Step; number: number }) {
   );
 }
 
-/** Keep the highlight around a region and the card outside it. */
-function follow(target: string, light: HTMLElement | null, dialog: HTMLElement | null): () => void {
+/** Keep the ring around a part of the page, and the card beside it. */
+function follow(target: string, ring: HTMLElement | null, card: HTMLElement | null): () => void {
   const place = () => {
     const parts = [...document.querySelectorAll(`[data-tour="${target}"]`)];
     const part = parts.map((one) => one.getBoundingClientRect()).find((one) => one.width > 0);
-    if (!light || !dialog || !part) return;
-    light.style.left = `${part.left - MARGIN}px`;
-    light.style.top = `${part.top - MARGIN}px`;
-    light.style.width = `${part.width + 2 * MARGIN}px`;
-    light.style.height = `${part.height + 2 * MARGIN}px`;
-    dialog.dataset.side = part.left + part.width / 2 > innerWidth / 2 ? "left" : "right";
+    if (!ring || !card || !part) return;
+    ring.style.left = `${part.left - MARGIN}px`;
+    ring.style.top = `${part.top - MARGIN}px`;
+    ring.style.width = `${part.width + 2 * MARGIN}px`;
+    ring.style.height = `${part.height + 2 * MARGIN}px`;
+    card.dataset.side = part.left + part.width / 2 > innerWidth / 2 ? "left" : "right";
   };
   const frame = requestAnimationFrame(place);
   addEventListener("resize", place);

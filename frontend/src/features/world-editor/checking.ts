@@ -1,9 +1,9 @@
 /** The server's problems with a world, each with its object. */
 
-import { effect, signal } from "@preact/signals";
+import { batch, computed, effect, signal } from "@preact/signals";
 import { type Phrase, say, t } from "../../i18n";
 import type { Connection } from "../../protocol/connection";
-import type { FromPage } from "../../protocol/messages";
+import type { FromPage, UnreachableGoal } from "../../protocol/messages";
 import type { Island } from "../../ui/island";
 import { Throttle } from "../../ui/throttle";
 import type { WorldValues } from "../../views/world/scenery/description";
@@ -20,6 +20,11 @@ const NAMED = /'(?:goal\.)?(\w+)\[(\d+)\]/;
 export class Checking implements Island {
   readonly dom = document.createElement("ul");
   readonly problems = signal<readonly Phrase[]>([]);
+  /** Why goals can't be reached, by their key. */
+  readonly unreachable = computed(
+    () => new Map(this.goals.value.map(({ sort, index, reason }) => [`${sort}:${index}`, say(reason)])),
+  );
+  private readonly goals = signal<readonly UnreachableGoal[]>([]);
   private readonly asking = new Throttle(PERIOD);
   private readonly endings: (() => void)[];
 
@@ -30,12 +35,12 @@ export class Checking implements Island {
     this.dom.className = "editor-problems";
     this.dom.role = "status";
     this.endings = [
-      connection.on("WorldChecked", ({ problems }) => (this.problems.value = problems)),
+      connection.on("WorldChecked", ({ problems, unreachable = [] }) => this.told(problems, unreachable)),
       effect(() => {
         const world = draft.world.value;
         if (world) this.asking.do(() => connection.send(question(world)));
       }),
-      effect(() => this.show(this.problems.value)),
+      effect(() => this.show(this.problems.value, this.goals.value)),
     ];
   }
 
@@ -45,16 +50,25 @@ export class Checking implements Island {
     this.dom.remove();
   }
 
-  private show(problems: readonly Phrase[]): void {
-    this.dom.ariaLabel = t("page-editor-problems");
-    this.dom.hidden = problems.length === 0;
-    this.dom.replaceChildren(...problems.map((problem) => this.item(problem)));
+  private told(problems: readonly Phrase[], unreachable: readonly UnreachableGoal[]): void {
+    batch(() => {
+      this.problems.value = problems;
+      // The plan is redrawn only if the goals have changed.
+      if (JSON.stringify(unreachable) !== JSON.stringify(this.goals.peek())) this.goals.value = unreachable;
+    });
   }
 
-  private item(problem: Phrase): HTMLElement {
+  private show(problems: readonly Phrase[], goals: readonly UnreachableGoal[]): void {
+    this.dom.ariaLabel = t("page-editor-problems");
+    this.dom.hidden = problems.length + goals.length === 0;
+    const wrong = problems.map((problem) => this.item(say(problem), this.named(say(problem))));
+    const far = goals.map(({ sort, index, reason }) => this.item(say(reason), { sort: sort as Sort, index }));
+    for (const item of far) item.className = "far";
+    this.dom.replaceChildren(...wrong, ...far);
+  }
+
+  private item(sentence: string, ref: Ref | null): HTMLElement {
     const item = document.createElement("li");
-    const sentence = say(problem);
-    const ref = this.named(sentence);
     const world = this.draft.world.peek();
     if (ref && world) {
       const button = document.createElement("button");

@@ -1,22 +1,19 @@
 /** Commands on a draft, for buttons and keys. */
 
-import type { WorldValues, XY } from "../../views/world/scenery/description";
+import type { XY } from "../../views/world/scenery/description";
 import type { Draft } from "./drafts";
 import type { Sort } from "./sorts";
 import {
   added,
   allowedPlace,
-  allThings,
   created,
   duplicated,
   GRID,
   key,
   moved,
-  placeOf,
   type Ref,
   removed,
   replaced,
-  snapped,
   thingAt,
   turned,
 } from "./things";
@@ -24,18 +21,15 @@ import {
 /** Degrees by which a button or key turns. */
 export const TURN = 15;
 
-/** mm between objects that are added one after another. */
-const APART = 120;
-const MOST_TRIES = 20;
-
 /** Commands return the object to select next, or null if there was nothing to do. */
 export class Commands {
   constructor(private readonly draft: Draft) {}
 
-  add(sort: Sort, [x, y]: XY): Ref | null {
+  /** Add an object at a place, or as near to it as the floor allows. */
+  add(sort: Sort, place: XY): Ref | null {
     const world = this.draft.world.peek();
     if (!world) return null;
-    const [changed, ref] = added(world, sort, created(world, sort, freePlace(world, sort, [snapped(x), snapped(y)])));
+    const [changed, ref] = added(world, sort, created(world, sort, allowedPlace(world, sort, place)));
     this.draft.change(changed, "", ref);
     return ref;
   }
@@ -69,20 +63,4 @@ export class Commands {
   private selection() {
     return { world: this.draft.world.peek(), ref: this.draft.selected.peek() };
   }
-}
-
-/** A position on the floor without the centre of another object. */
-function freePlace(world: WorldValues, sort: Sort, wanted: XY): XY {
-  const taken = new Set(allThings(world).map((ref) => String(placeOf(world, ref))));
-  let place = onFloor(world, sort, wanted);
-  for (let tries = 0; taken.has(String(place)) && tries < MOST_TRIES; tries++) {
-    place = onFloor(world, sort, [place[0] + APART, place[1] - APART / 2]);
-  }
-  return place;
-}
-
-/** The position, or the middle of the floor if it is outside. */
-function onFloor(world: WorldValues, sort: Sort, place: XY): XY {
-  const [x, y] = allowedPlace(world, sort, place);
-  return Math.abs(x) > world.floor.size[0] / 2 || Math.abs(y) > world.floor.size[1] / 2 ? [0, 0] : [x, y];
 }

@@ -1,12 +1,13 @@
 /** The island of the world editor: it connects the draft, its views and the server. */
 
-import { computed, effect } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { t } from "../../i18n";
 import type { Context } from "../../model/context";
 import type { WorldToEdit } from "../../protocol/messages";
 import type { Island } from "../../ui/island";
 import type { WorldValues } from "../../views/world/scenery/description";
 import { type Action, Actions } from "./actions";
+import type { Carried } from "./carrying";
 import { Checking } from "./checking";
 import { Commands, TURN } from "./commands";
 import { Draft } from "./drafts";
@@ -14,9 +15,11 @@ import { editorKeys } from "./keys";
 import { Palette } from "./palette";
 import { Plan } from "./plan";
 import { Properties } from "./properties";
+import { hasPlace, Putting } from "./putting";
 import { Saving } from "./saving";
 import type { Sort } from "./sorts";
-import type { Ref } from "./things";
+import { Templates } from "./templates";
+import { type Ref, snapped } from "./things";
 import { drop, keep, unsaved } from "./unsaved";
 
 /** The content of a new world. */
@@ -25,30 +28,48 @@ const NEW = "empty";
 export class Editor implements Island {
   readonly dom = document.createElement("div");
   private readonly draft = new Draft();
+  /** The world as it was read or saved last. */
+  private readonly opened = signal<{ readonly name: string; readonly world: WorldValues } | null>(null);
   private readonly commands = new Commands(this.draft);
   private readonly actions = new Actions(this.offered());
-  private readonly plan = new Plan(this.draft, () => this.actions.snaps.peek());
-  private readonly palette = new Palette(this.draft, (sort) => this.add(sort));
+  private readonly putting = new Putting();
+  private readonly palette = new Palette(
+    this.draft,
+    this.putting.sort,
+    (sort) => this.choose(sort),
+    (sort) => this.carry(sort),
+  );
   private readonly properties = new Properties(this.draft);
   private readonly checking: Checking;
+  private readonly plan: Plan;
   private readonly saving: Saving;
-  private readonly closing = document.createElement("button");
+  private readonly templates: Templates;
   private readonly help = document.createElement("p");
-  private opened: { readonly name: string; readonly world: WorldValues } | null = null;
+  private readonly told = document.createElement("p");
   private readonly endings: (() => void)[];
 
   constructor(
     private readonly context: Context,
-    onClose: () => void,
     private readonly freeTitle: (name: string) => string,
   ) {
     const { connection } = context;
     this.checking = new Checking(this.draft, connection);
+    this.plan = new Plan(
+      this.draft,
+      () => this.actions.snaps.peek(),
+      this.putting,
+      () => this.put(),
+      this.checking.unreachable,
+    );
+    this.templates = new Templates({
+      empty: () => this.read(NEW),
+      make: (template, size, seed) => connection.send({ kind: "MakeWorld", template, size, seed }),
+    });
     this.saving = new Saving(this.draft, connection, this.checking.problems, (name) => this.saved(name));
-    this.closing.addEventListener("click", onClose);
     this.build();
     this.endings = [
       connection.on("WorldToEdit", (message) => this.open(message)),
+      connection.on("WorldMade", ({ world }) => this.made(world as unknown as WorldValues)),
       effect(() => this.keepUnsaved(this.draft.world.value)),
       effect(() => this.words()),
     ];
@@ -57,34 +78,42 @@ export class Editor implements Island {
 
   destroy(): void {
     for (const end of this.endings) end();
-    for (const part of [this.actions, this.plan, this.palette, this.properties, this.checking, this.saving])
-      part.destroy();
+    for (const part of this.parts) part.destroy();
     this.dom.remove();
+  }
+
+  private get parts(): readonly { destroy(): void }[] {
+    return [this.actions, this.plan, this.palette, this.properties, this.checking, this.saving, this.templates];
   }
 
   private build(): void {
     this.dom.className = "world-editor";
-    this.closing.type = "button";
     this.help.className = "editor-help";
-    const head = part("div", this.actions.dom, this.saving.dom, this.closing);
-    head.className = "head";
-    const middle = part("div", this.plan.dom, this.help);
-    middle.className = "editor-middle";
-    const side = part("aside", this.properties.dom, this.checking.dom);
-    this.dom.append(head, this.palette.dom, middle, side);
+    this.told.className = "hidden";
+    this.told.role = "status";
+    const head = part("head", this.actions.dom, this.saving.dom);
+    const middle = part("editor-middle", this.plan.dom, this.checking.dom, this.help, this.told);
+    const side = part("editor-side", this.properties.dom);
+    this.dom.append(head, this.templates.dom, this.palette.dom, middle, side);
+    this.dom.addEventListener("keydown", (event) => this.cancel(event));
+    this.plan.dom.addEventListener("pointerdown", () => this.templates.close());
     this.dom.addEventListener("keydown", editorKeys(this.draft, this.commands, this.plan));
   }
 
   private words(): void {
-    this.closing.textContent = t("page-editor-close");
-    this.help.textContent = t("page-editor-help");
+    const sort = this.putting.sort.value;
+    const named = sort && t(`page-editor-sort-${sort}`);
+    this.help.classList.toggle("puts", sort !== null);
+    this.help.textContent = named ? t("page-editor-put", { sort: named }) : t("page-editor-help");
+    const [x, y] = this.putting.place.value;
+    this.told.textContent = named ? t("page-editor-at", { name: named, x: Math.round(x), y: Math.round(y) }) : "";
   }
 
   private offered(): Action[] {
     const { draft } = this;
     const selected = computed(() => draft.selected.value !== null);
     return [
-      { name: "new", act: () => this.read(NEW) },
+      { name: "new", act: () => this.templates.toggle() },
       { name: "undo", enabled: draft.canUndo, act: () => draft.undo() },
       { name: "redo", enabled: draft.canRedo, act: () => draft.redo() },
       { name: "duplicate", enabled: selected, act: () => this.show(this.commands.duplicate()) },
@@ -94,6 +123,7 @@ export class Editor implements Island {
       { name: "nearer", act: () => this.plan.viewport.zoom(0.75) },
       { name: "farther", act: () => this.plan.viewport.zoom(1 / 0.75) },
       { name: "fit", act: () => this.plan.fit() },
+      { name: "share", enabled: computed(() => this.isSaved()), act: () => this.share() },
     ];
   }
 
@@ -104,7 +134,7 @@ export class Editor implements Island {
   private open({ name, world, save_as }: WorldToEdit): void {
     const values = world as unknown as WorldValues;
     const left = unsaved(name);
-    this.opened = { name, world: values };
+    this.opened.value = { name, world: values };
     this.draft.open(values);
     if (save_as === name) this.saving.propose(values.title || name, name);
     else this.saving.propose(this.freeTitle(name));
@@ -115,7 +145,7 @@ export class Editor implements Island {
   /** Continue with the saved world. */
   private saved(name: string): void {
     const world = this.draft.world.peek();
-    if (world) this.opened = { name, world };
+    if (world) this.opened.value = { name, world };
     drop();
   }
 
@@ -126,11 +156,68 @@ export class Editor implements Island {
   }
 
   private keepUnsaved(world: WorldValues | null): void {
-    if (world && this.opened && world !== this.opened.world) keep(this.opened.name, world);
+    const opened = this.opened.peek();
+    if (world && opened && world !== opened.world) keep(opened.name, world);
   }
 
-  private add(sort: Sort): void {
-    this.show(this.commands.add(sort, this.plan.viewport.centre));
+  /** A world from a template, in place of what was edited; undo brings that back. */
+  private made(world: WorldValues): void {
+    this.opened.value = { name: NEW, world };
+    this.draft.change(world, "template", null);
+    this.saving.propose(this.templates.title);
+    this.plan.fit();
+  }
+
+  private isSaved(): boolean {
+    const opened = this.opened.value;
+    return opened !== null && opened.name !== NEW && opened.world === this.draft.world.value;
+  }
+
+  private share(): void {
+    const name = this.opened.peek()?.name;
+    if (name) this.context.connection.send({ kind: "ExportWorld", name });
+  }
+
+  /** The next press on the plan puts such an object there. */
+  private choose(sort: Sort): void {
+    if (!hasPlace(sort)) {
+      this.show(this.commands.add(sort, [0, 0]));
+      return;
+    }
+    if (this.putting.sort.peek() === sort) {
+      this.putting.end();
+      return;
+    }
+    const [x, y] = this.plan.viewport.centre;
+    this.putting.begin(sort, [snapped(x), snapped(y)]);
+    this.plan.focusCross();
+  }
+
+  private carry(sort: Sort): Carried {
+    return {
+      move: (event) => this.putting.begin(sort, this.plan.placeAt(event)),
+      drop: (event) => {
+        if (!this.plan.isOver(event)) this.putting.end();
+        else if (!hasPlace(sort)) this.choose(sort);
+        else this.show(this.put());
+      },
+      cancel: () => this.putting.end(),
+    };
+  }
+
+  private put(): Ref | null {
+    const given = this.putting.end();
+    return given && this.commands.add(given.sort, given.place);
+  }
+
+  /** Escape ends what has begun before it closes the editor. */
+  private cancel(event: KeyboardEvent): void {
+    if (event.key !== "Escape") return;
+    const sort = this.putting.end()?.sort;
+    if (sort) this.palette.focus(sort);
+    else if (!this.templates.close()) return;
+    event.preventDefault();
+    event.stopPropagation();
   }
 
   private show(ref: Ref | null): void {
@@ -138,8 +225,9 @@ export class Editor implements Island {
   }
 }
 
-function part(name: "div" | "aside", ...children: Element[]): HTMLElement {
-  const element = document.createElement(name);
+function part(name: string, ...children: Element[]): HTMLElement {
+  const element = document.createElement("div");
+  element.className = name;
   element.append(...children);
   return element;
 }

@@ -31,7 +31,7 @@ interface Table {
   readonly properties: Readonly<Record<string, Schema>>;
 }
 
-const TABLES: Readonly<Record<Sort | "world" | "floor" | "part", keyof typeof schema>> = {
+const TABLES: Readonly<Record<Sort | "world" | "floor" | "part" | "vary", keyof typeof schema>> = {
   line: "Line",
   wall: "Wall",
   box: "Box",
@@ -39,13 +39,19 @@ const TABLES: Readonly<Record<Sort | "world" | "floor" | "part", keyof typeof sc
   tag: "Tag",
   face: "Face",
   light: "Lamp",
+  prop: "Prop",
   start: "Start",
   reach: "Reach",
   follow: "Follow",
   visit: "Visit",
+  tour: "Tour",
+  stop: "Stop",
+  show: "Show",
+  avoid: "Avoid",
   world: "WorldFile",
   floor: "Floor",
   part: "Part",
+  vary: "Vary",
 };
 
 export type TableName = keyof typeof TABLES;

@@ -42,7 +42,7 @@ function entry(given: Entry): HTMLElement {
     case "choice":
       return labelled(
         given,
-        choice(given, field.options, (option) => t(`page-world-emotion-${option}`)),
+        choice(given, field.options, (option) => t(`page-world-${field.key}-${option}`)),
       );
     case "yes":
       return labelled(given, checkbox(given));

@@ -9,6 +9,8 @@ import { hasPath } from "./things";
 /** Turning with a handle rounds to these degrees. */
 const TURN_STEP = 5;
 const GAP = 60;
+/** mm from the middle of a prop of usual size to its handle. */
+const PROP_REACH = 110;
 
 export interface Handle {
   readonly kind: "turn" | "size" | "corner" | "insert";
@@ -20,11 +22,11 @@ export interface Handle {
 }
 
 export function handlesOf(sort: Sort, thing: Thing): Handle[] {
-  if (sort === "wall" || (sort === "line" && !hasPath(thing)))
+  if (sort === "wall" || sort === "tour" || (sort === "line" && !hasPath(thing)))
     return corners(thing, sort === "line" && thing.closed === true);
   if (sort === "line") return pathHandles(thing as unknown as LineValues);
   const pose = poseOf(thing);
-  const turn = "heading" in thing ? [turning(thing, pose, GAP + halfLength(thing))] : [];
+  const turn = typeof thing.heading === "number" ? [turning(thing, pose, GAP + halfLength(thing))] : [];
   return [...turn, ...sizes(sort, thing, pose)];
 }
 
@@ -62,15 +64,28 @@ function sizes(sort: Sort, thing: Thing, pose: Pose): Handle[] {
     case "box":
       return [size("length", pose.heading + 180, 2), size("width", pose.heading + 90, 2)];
     case "cylinder":
-      return [size("radius", 0, 1)];
     case "reach":
+    case "stop":
       return [size("radius", 0, 1)];
+    case "show":
+      return thing.radius === null ? [] : [size("radius", 0, 1)];
+    case "prop":
+      return [scaling(thing, pose)];
     case "tag":
     case "face":
       return [size("size", pose.heading + 90, 2)];
     default:
       return [];
   }
+}
+
+/** A handle at the side, which changes how large a prop is. */
+function scaling(thing: Thing, pose: Pose): Handle {
+  const pull = ([x, y]: XY): Thing => {
+    const scale = Math.hypot(x - pose.x, y - pose.y) / PROP_REACH;
+    return { ...thing, scale: between(Math.round(scale * 20) / 20, ...boundsOf("prop", "scale")) };
+  };
+  return { kind: "size", at: from({ ...pose, heading: pose.heading + 90 }, PROP_REACH * Number(thing.scale)), pull };
 }
 
 function corners(thing: Thing, closed: boolean): Handle[] {

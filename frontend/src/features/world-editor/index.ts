@@ -6,10 +6,7 @@ import type { Context } from "../../model/context";
 import type { Island } from "../../ui/island";
 import { Editor } from "./editor";
 
-/**
- * @param onClose is called when the user closes the editor.
- * @param freeTitle returns a title for a copy of a built-in world that no world has yet.
- */
-export function createWorldEditor(context: Context, onClose: () => void, freeTitle: (name: string) => string): Island {
-  return new Editor(context, onClose, freeTitle);
+/** @param freeTitle returns a title for a copy of a built-in world that no world has yet. */
+export function createWorldEditor(context: Context, freeTitle: (name: string) => string): Island {
+  return new Editor(context, freeTitle);
 }

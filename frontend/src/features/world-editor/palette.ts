@@ -1,8 +1,9 @@
 /** The palette of objects for a world. */
 
-import { effect } from "@preact/signals";
+import { effect, type ReadonlySignal } from "@preact/signals";
 import { t } from "../../i18n";
 import type { Island } from "../../ui/island";
+import { type Carried, carries } from "./carrying";
 import type { Draft } from "./drafts";
 import type { Sort } from "./sorts";
 import { svg } from "./svg";
@@ -13,6 +14,7 @@ const OFFERED: readonly Sort[] = [
   "wall",
   "box",
   "cylinder",
+  "prop",
   "line",
   "tag",
   "face",
@@ -21,12 +23,17 @@ const OFFERED: readonly Sort[] = [
   "reach",
   "follow",
   "visit",
+  "tour",
+  "stop",
+  "show",
+  "avoid",
 ];
 
 const PICTURES: Readonly<Record<Sort, string>> = {
   wall: "M3 17V8h18v9zM3 12.5h18M9 8v4.500M15 12.500V17",
   box: "M4 8l8-4 8 4v8l-8 4-8-4zM4 8l8 4 8-4M12 12v8",
   cylinder: "M5 6.500C5 4.500 19 4.500 19 6.500S5 8.500 5 6.500V17.500C5 19.500 19 19.500 19 17.500V6.500",
+  prop: "M12 3 6.500 11H9l-4 6h14l-4-6h2.500zM12 17v4",
   line: "M3 18c7 0 4-12 9-12s3 8 9 8",
   tag: "M4 4h16v16H4zM8 8h3v3H8zM13 8h3M13 11v2h3M8 13v3h3M14 16h2",
   face: "M12 4a8 8 0 1 0 0 16 8 8 0 0 0 0-16M9 10v.5M15 10v.5M8.500 14c2 2.500 5 2.500 7 0",
@@ -35,16 +42,26 @@ const PICTURES: Readonly<Record<Sort, string>> = {
   reach: "M7 21V4M7 5h10l-3 3.500L17 12H7",
   follow: "M3 20c6 0 3-7 8-7h2M13 15V4h7l-2 2.500L20 9h-7",
   visit: "M3 8h8v8H3zM6 11h2v2H6M15 20V6h6l-2 2.500 2 2.500h-6",
+  tour: "M5 19a2 2 0 1 0 .1 0M7 17l4-6M12 10a2 2 0 1 0-.1 0M14 9l4 6M19 19a2 2 0 1 0-.1 0",
+  stop: "M8 3h8l5 5v8l-5 5H8l-5-5V8zM9 9h6v6H9z",
+  show: "M12 4a8 8 0 1 0 0 16 8 8 0 0 0 0-16M9 10v.5M15 10v.5M8.500 14h7",
+  avoid: "M14 9h7v7h-7zM3 20c9 0 1-14 9-15M10 3l3 2-2 3",
 };
 
 export class Palette implements Island {
   readonly dom = document.createElement("div");
   private readonly endings: (() => void)[] = [];
 
-  /** @param add called with the sort of object to add. */
+  /**
+   * @param chosen is the sort that is about to be put on the plan.
+   * @param choose is called with the sort of object to add.
+   * @param carried is called when a button is dragged.
+   */
   constructor(
     private readonly draft: Draft,
-    private readonly add: (sort: Sort) => void,
+    private readonly chosen: ReadonlySignal<Sort | null>,
+    private readonly choose: (sort: Sort) => void,
+    private readonly carried: (sort: Sort) => Carried,
   ) {
     this.dom.className = "editor-palette";
     this.dom.role = "group";
@@ -54,6 +71,10 @@ export class Palette implements Island {
       }),
     );
     this.dom.append(...OFFERED.map((sort) => this.button(sort)));
+  }
+
+  focus(sort: Sort): void {
+    this.dom.querySelector<HTMLElement>(`[data-sort="${sort}"]`)?.focus();
   }
 
   destroy(): void {
@@ -70,7 +91,8 @@ export class Palette implements Island {
       svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, svg("path", { d: PICTURES[sort] })),
       words,
     );
-    button.addEventListener("click", () => this.add(sort));
+    carries(button, this.carried(sort));
+    button.addEventListener("click", () => this.choose(sort));
     this.endings.push(effect(() => this.label(button, words, sort)));
     return button;
   }
@@ -79,6 +101,7 @@ export class Palette implements Island {
     const world = this.draft.world.value;
     const lacks = world && missing(world, sort);
     words.textContent = t(`page-editor-sort-${sort}`);
+    button.ariaPressed = String(this.chosen.value === sort);
     button.disabled = !world || lacks !== null;
     button.title = lacks ? t(`page-editor-needs-${lacks}`) : t("page-editor-add", { sort: words.textContent });
   }

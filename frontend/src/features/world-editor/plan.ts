@@ -1,20 +1,32 @@
 /** The plan: the world from above, where objects are dragged, turned and bent. */
 
-import { effect, untracked } from "@preact/signals";
+import { effect, type ReadonlySignal, untracked } from "@preact/signals";
 import { t } from "../../i18n";
 import { css } from "../../views/world/scenery/colours";
 import type { WorldValues, XY } from "../../views/world/scenery/description";
 import type { Draft } from "./drafts";
 import { type Handle, handlesOf } from "./handles";
+import type { Putting } from "./putting";
 import { shapesOf } from "./shapes";
 import { set, svg } from "./svg";
-import { allowedPlace, allThings, key, moved, type Ref, replaced, same, snapped, thingAt } from "./things";
+import { allowedPlace, allThings, GRID, key, moved, type Ref, replaced, same, snapped, thingAt } from "./things";
 import { Viewport } from "./viewport";
 import { thingInWords } from "./words";
 
-/** Radii of a handle in pixels: the visible one and the touch target. */
+/** Radii of a handle in pixels: the visible one, and what a mouse or a finger hits. */
 const KNOB = 7;
-const TOUCH = 20;
+const HIT = { mouse: 14, finger: 22 } as const;
+/** Half the length in pixels of the cross that shows where an object will be. */
+const CROSS = 18;
+/** mm by which the cross moves with Shift and Alt. */
+const COARSE = 100;
+const FINE = 1;
+const ARROWS: Readonly<Record<string, XY>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
 /** Goals that are drawn at the object they refer to. */
 const BOUND = new Set(["follow", "visit"]);
 
@@ -36,32 +48,45 @@ type Drag =
     };
 
 export class Plan {
-  readonly dom = svg("svg", { class: "plan", role: "group" });
-  readonly viewport = new Viewport(this.dom, () => this.drawHandles());
+  readonly dom = svg("svg", { class: "plan world-plan", role: "group", tabindex: -1 });
+  readonly viewport = new Viewport(this.dom, () => this.drawMarks());
   private readonly floor = svg("g", {});
   private readonly things = svg("g", {});
   private readonly knobs = svg("g", { "aria-hidden": "true" });
+  private readonly cross = svg("g", { "aria-hidden": "true", class: "cross" });
+  private readonly coarse = matchMedia("(pointer: coarse)");
   private readonly groups = new Map<string, SVGGElement>();
   private drag: Drag | null = null;
   private drags = 0;
   private readonly endings: (() => void)[];
-  private readonly sizes = new ResizeObserver(() => this.viewport.apply());
+  private readonly sizes = new ResizeObserver(() => this.viewport.resized());
 
-  /** @param snaps whether positions are rounded to the grid. */
+  /**
+   * @param snaps whether positions are rounded to the grid.
+   * @param putting what is about to be put on the plan.
+   * @param put is called to put it at the place of `putting`; returns the new object.
+   * @param unreachable why goals can't be reached, by their key.
+   */
   constructor(
     private readonly draft: Draft,
     private readonly snaps: () => boolean,
+    private readonly putting: Putting,
+    private readonly put: () => Ref | null,
+    private readonly unreachable: ReadonlySignal<ReadonlyMap<string, string>>,
   ) {
-    this.dom.append(this.floor, this.things, this.knobs);
+    this.dom.append(this.floor, this.things, this.knobs, this.cross);
     this.endings = [
       effect(() => set(this.dom, { "aria-label": t("page-editor-plan") })),
       effect(() => this.draw(this.draft.world.value, this.draft.selected.value)),
+      effect(() => this.drawCross()),
     ];
     this.sizes.observe(this.dom);
     this.dom.addEventListener("pointerdown", (event) => this.down(event));
     this.dom.addEventListener("pointermove", (event) => this.move(event));
     this.dom.addEventListener("pointerup", () => (this.drag = null));
     this.dom.addEventListener("pointercancel", () => (this.drag = null));
+    this.dom.addEventListener("dblclick", (event) => this.removeCorner(event));
+    this.dom.addEventListener("keydown", (event) => this.key(event));
     this.dom.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.dom.addEventListener("focusin", (event) => this.focused(event.target));
   }
@@ -75,6 +100,22 @@ export class Plan {
   /** Focus an object. */
   focus(ref: Ref): void {
     this.groups.get(key(ref))?.focus();
+  }
+
+  /** Let the arrow keys move the cross. */
+  focusCross(): void {
+    this.dom.focus();
+  }
+
+  /** The place of a pointer, on the grid. */
+  placeAt(event: PointerEvent): XY {
+    return this.onGrid(this.viewport.at(event), event);
+  }
+
+  /** Whether a pointer is over the plan. */
+  isOver({ clientX, clientY }: PointerEvent): boolean {
+    const { left, right, top, bottom } = this.dom.getBoundingClientRect();
+    return clientX >= left && clientX <= right && clientY >= top && clientY <= bottom;
   }
 
   /** Whether an object has the focus. */
@@ -118,7 +159,10 @@ export class Plan {
     const group =
       this.groups.get(key(ref)) ?? svg("g", { tabindex: 0, role: "button", class: "thing", "data-thing": key(ref) });
     this.groups.set(key(ref), group);
-    set(group, { "aria-label": thingInWords(world, ref), "aria-pressed": String(selected) });
+    const reason = this.unreachable.value.get(key(ref));
+    const words = thingInWords(world, ref);
+    set(group, { "aria-label": reason ? `${words}. ${reason}` : words, "aria-pressed": String(selected) });
+    group.classList.toggle("unreachable", reason !== undefined);
     group.classList.toggle("selected", selected);
     group.replaceChildren(...shapesOf(world, ref));
     this.inOrder(group, ref);
@@ -133,6 +177,23 @@ export class Plan {
     this.things.insertBefore(group, next ? (this.groups.get(next) ?? null) : null);
   }
 
+  private drawMarks(): void {
+    this.drawHandles();
+    untracked(() => this.drawCross());
+  }
+
+  /** Where an object will be put: a cross as large as the pointer sees it. */
+  private drawCross(): void {
+    const [x, y] = this.putting.place.value;
+    const puts = this.putting.sort.value !== null;
+    this.dom.classList.toggle("puts", puts);
+    set(this.dom, { role: puts ? "application" : "group" });
+    const arm = CROSS * this.viewport.scale;
+    const lines = `M${x - arm} ${-y} H${x + arm} M${x} ${-y - arm} V${-y + arm}`;
+    const circle = svg("circle", { cx: x, cy: -y, r: arm * 0.55 });
+    this.cross.replaceChildren(...(puts ? [circle, svg("path", { d: lines })] : []));
+  }
+
   private drawHandles(): void {
     const [world, ref] = [this.draft.world.peek(), this.draft.selected.peek()];
     const thing = world && ref && thingAt(world, ref);
@@ -144,7 +205,7 @@ export class Plan {
     const seen = kind === "insert" ? KNOB * 0.6 : KNOB;
     const circle = (r: number, name: string): SVGElement =>
       svg("circle", { cx: x, cy: -y, r: r * this.viewport.scale, class: name });
-    const hit = circle(kind === "insert" ? TOUCH * 0.6 : TOUCH, "hit");
+    const hit = circle(this.coarse.matches ? HIT.finger : HIT.mouse, "hit");
     set(hit, { "data-handle": index });
     return [hit, circle(seen, `knob ${kind}`)];
   }
@@ -173,14 +234,49 @@ export class Plan {
     // Without this the browser would move the focus and scroll.
     event.preventDefault();
     this.dom.setPointerCapture(event.pointerId);
+    if (this.putting.sort.peek()) return this.putAt(event);
     const [handle, selected] = [this.handleOf(event.target), this.draft.selected.peek()];
-    if (handle && selected) this.grab(handle, selected, world, event.detail);
+    if (handle && selected) this.grab(handle, selected, world);
     else this.pick(this.refOf(event.target), world, event);
   }
 
-  private grab(handle: Handle, ref: Ref, world: WorldValues, clicks: number): void {
-    if (clicks > 1 && handle.remove) this.draft.change(replaced(world, ref, handle.remove()));
-    else this.drag = { what: "handle", handle, ref, world, merge: `drag ${++this.drags}` };
+  /** Put the object where the pointer is; it can be dragged on. */
+  private putAt(event: PointerEvent): void {
+    this.putting.move(this.placeAt(event));
+    const ref = this.put();
+    const world = this.draft.world.peek();
+    if (ref && world) this.pick(ref, world, event);
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.target !== this.dom || !this.putting.sort.peek()) return;
+    const arrow = ARROWS[event.key];
+    if (arrow) this.moveCross(arrow, event.shiftKey ? COARSE : event.altKey ? FINE : GRID);
+    else if (event.key === "Enter" || event.key === " ") this.focusPut();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  private moveCross([east, north]: XY, step: number): void {
+    const [x, y] = this.putting.place.peek();
+    this.putting.move([x + east * step, y + north * step]);
+  }
+
+  private focusPut(): void {
+    const ref = this.put();
+    if (ref) this.focus(ref);
+  }
+
+  private grab(handle: Handle, ref: Ref, world: WorldValues): void {
+    this.drag = { what: "handle", handle, ref, world, merge: `drag ${++this.drags}` };
+  }
+
+  /** The pointer is captured by the plan, so its target is found by its place. */
+  private removeCorner({ clientX, clientY }: MouseEvent): void {
+    const handle = this.handleOf(document.elementFromPoint(clientX, clientY));
+    const [world, ref] = [this.draft.world.peek(), this.draft.selected.peek()];
+    if (handle?.remove && world && ref) this.draft.change(replaced(world, ref, handle.remove()));
   }
 
   private pick(ref: Ref | null, world: WorldValues, event: PointerEvent): void {
@@ -194,6 +290,7 @@ export class Plan {
 
   private move(event: PointerEvent): void {
     const { drag } = this;
+    if (!drag && this.putting.sort.peek()) this.putting.move(this.placeAt(event));
     if (!drag) return;
     if (drag.what === "pan") this.viewport.pan(event.movementX, event.movementY);
     else if (drag.what === "thing") this.carry(drag, event);
@@ -215,7 +312,7 @@ export class Plan {
   }
 
   /** Alt ignores the grid. */
-  private onGrid([x, y]: XY, { altKey }: PointerEvent): XY {
+  private onGrid([x, y]: XY, { altKey }: { readonly altKey: boolean }): XY {
     const free = altKey || !this.snaps();
     return free ? [Math.round(x), Math.round(y)] : [snapped(x), snapped(y)];
   }

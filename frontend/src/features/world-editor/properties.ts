@@ -3,8 +3,9 @@
 import { effect, untracked } from "@preact/signals";
 import { t } from "../../i18n";
 import type { Island } from "../../ui/island";
-import type { WorldValues } from "../../views/world/scenery/description";
+import type { VaryValues, WorldValues } from "../../views/world/scenery/description";
 import type { Draft } from "./drafts";
+import { defaultsOf } from "./fields";
 import { form } from "./form";
 import { allThings, key, type Ref, replaced, same, thingAt } from "./things";
 import type { Update } from "./updates";
@@ -77,9 +78,15 @@ export class Properties implements Island {
   }
 
   private ofWorld(world: WorldValues): HTMLElement[] {
-    const { ambient_light, floor } = world;
-    const own = form("world", { ambient_light }, (name, update) => {
+    const { theme, ambient_light, sensor_noise, floor } = world;
+    const own = form("world", { theme, ambient_light, sensor_noise }, (name, update) => {
       this.changeWorld(name, (now) => ({ ...now, [name]: update(now[name as "ambient_light"]) }));
+    });
+    const vary = form("vary", { ...varyOf(world) }, (name, update) => {
+      this.changeWorld(`vary ${name}`, (now) => {
+        const before = varyOf(now);
+        return { ...now, vary: { ...before, [name]: update(before[name as "start"]) } };
+      });
     });
     const ground = form("floor", { ...floor }, (name, update) => {
       this.changeWorld(name, (now) => ({
@@ -87,13 +94,18 @@ export class Properties implements Island {
         floor: { ...now.floor, [name]: update(now.floor[name as "border"]) },
       }));
     });
-    return [...own, ...ground];
+    return [...own, ...ground, ...vary];
   }
 
   private changeWorld(name: string, update: Update<WorldValues>): void {
     const world = this.draft.world.peek();
     if (world) this.draft.change(update(world), `field world ${name}`);
   }
+}
+
+/** How variants of a world differ; by default they do not. */
+function varyOf({ vary }: WorldValues): VaryValues {
+  return vary ?? (defaultsOf("vary") as unknown as VaryValues);
 }
 
 function nameOfShown(ref: Ref | null): string {

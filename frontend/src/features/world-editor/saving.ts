@@ -76,7 +76,7 @@ export class Saving implements Island {
 
   private show(wrong: boolean): void {
     const outcome = this.outcome.value;
-    (this.label.firstChild as HTMLElement).textContent = t("page-editor-name");
+    (this.label.firstChild as HTMLElement).textContent = this.name.ariaLabel = t("page-editor-name");
     this.name.title = t("page-editor-name-rule");
     this.button.textContent = t("page-editor-save");
     this.button.disabled = wrong;

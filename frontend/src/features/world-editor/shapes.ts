@@ -1,5 +1,6 @@
 /** The shapes of each sort of object in the plan. */
 
+import { iconSource } from "../../ui/icons";
 import { css, MARKS } from "../../views/world/scenery/colours";
 import type {
   BoardValues,
@@ -8,15 +9,22 @@ import type {
   FollowValues,
   LampValues,
   LineValues,
+  PropKind,
+  PropValues,
   ReachValues,
+  ShowValues,
+  StopValues,
   TagValues,
+  TourValues,
   VisitValues,
   WallValues,
   WorldValues,
+  XY,
 } from "../../views/world/scenery/description";
 import { cornersOf, type Pose } from "../../views/world/scenery/geometry";
 import { chain, svg } from "./svg";
 import { listOf, type Ref } from "./things";
+import "./shapes.css";
 
 type Shapes = SVGElement[];
 
@@ -39,6 +47,8 @@ export function shapesOf(world: WorldValues, { sort, index }: Ref): Shapes {
       return [posed(thing, ...board(thing, "#c58a5e", "☺"))];
     case "light":
       return lamp(thing);
+    case "prop":
+      return [posed(thing, ...prop(thing))];
     case "start":
       return [posed(thing, ...start())];
     case "reach":
@@ -47,6 +57,14 @@ export function shapesOf(world: WorldValues, { sort, index }: Ref): Shapes {
       return follow(world, thing);
     case "visit":
       return visit(world, thing);
+    case "tour":
+      return tour(thing);
+    case "stop":
+      return stop(thing);
+    case "show":
+      return show(thing);
+    case "avoid":
+      return [flag([0, world.floor.size[1] / 2 - 60])];
   }
 }
 
@@ -113,6 +131,37 @@ function lamp({ x, y }: LampValues): Shapes {
   return [svg("circle", { cx: x, cy: -y, r: 26, class: "lamp" }), ...rays];
 }
 
+/** Length and width, or the radius, of a prop of usual size, and its colour: as in learnblock/simulator/props.py. */
+const PROPS: Readonly<Record<PropKind, readonly [XY | number, string]>> = {
+  ball: [70, "#f0529c"],
+  barrel: [65, "#2f7bff"],
+  block: [[130, 130], "#8257e6"],
+  cone: [[96, 96], "#e06a10"],
+  crate: [[158, 158], "#b9803f"],
+  flowers: [80, "#4fae5a"],
+  house: [[216, 216], "#d77f54"],
+  lamp: [30, "#5b6680"],
+  pile: [[290, 140], "#dd4b4b"],
+  planet: [110, "#e58a45"],
+  post: [[84, 84], "#8d80c4"],
+  rocket: [87, "#6b7a94"],
+  tree: [60, "#2f9a53"],
+};
+
+/** A decoration is drawn with a dashed edge: robots drive through it. */
+function prop({ kind, scale, solid }: PropValues): Shapes {
+  const [size, fill] = PROPS[kind];
+  const kindOfEdge = solid ? "solid" : "solid decoration";
+  const isRound = typeof size === "number";
+  const [length, width] = isRound ? [2 * size, 2 * size] : size;
+  const place = { x: (-length * scale) / 2, y: (-width * scale) / 2, width: length * scale, height: width * scale };
+  const side = 0.7 * Math.min(place.width, place.height);
+  const picture = svg("image", { x: -side / 2, y: -side / 2, width: side, height: side, class: "sign" });
+  picture.setAttribute("href", iconSource(`prop_${kind}`, "#fff"));
+  const edge = svg("rect", { ...place, rx: isRound ? size * scale : 8, class: kindOfEdge, fill });
+  return [edge, picture];
+}
+
 function start(): Shapes {
   return [
     svg("circle", { r: 66, class: "start" }),
@@ -120,8 +169,32 @@ function start(): Shapes {
   ];
 }
 
+function region([x, y]: XY, radius: number): SVGElement {
+  return svg("circle", { cx: x, cy: -y, r: radius, class: "goal" });
+}
+
+function flag([x, y]: XY): SVGElement {
+  return svg("text", { x, y: -y, class: "flag" }, "⚑");
+}
+
 function reach({ x, y, radius }: ReachValues): Shapes {
-  return [svg("circle", { cx: x, cy: -y, r: radius, class: "goal" }), svg("text", { x, y: -y, class: "flag" }, "⚑")];
+  return [region([x, y], radius), flag([x, y])];
+}
+
+function tour({ points, radius }: TourValues): Shapes {
+  const way = svg("polyline", { points: chain(points), class: "halo", "stroke-width": 12 });
+  return [way, ...points.map((place) => region(place, radius)), flag(points.at(-1) ?? [0, 0])];
+}
+
+/** A region, with an arrow if the robot has to face somewhere. */
+function stop({ x, y, radius, heading }: StopValues): Shapes {
+  const arrow = svg("path", { d: `M${radius} -22 L${radius + 30} 0 L${radius} 22 Z`, fill: MARKS.open });
+  const facing = heading === null ? [] : [posed({ x, y, heading }, arrow)];
+  return [region([x, y], radius), ...facing, flag([x, y])];
+}
+
+function show({ x, y, radius }: ShowValues): Shapes {
+  return radius === null ? [flag([x, y])] : [region([x, y], radius), flag([x, y])];
 }
 
 function follow(world: WorldValues, { line: name, distance }: FollowValues): Shapes {

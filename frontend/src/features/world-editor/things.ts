@@ -11,8 +11,10 @@ export interface Ref {
   readonly index: number;
 }
 
-type GoalSort = "reach" | "follow" | "visit";
-const GOALS: readonly string[] = ["reach", "follow", "visit"];
+type GoalSort = keyof WorldValues["goal"];
+const GOALS: readonly Sort[] = ["reach", "follow", "visit", "tour", "stop", "show", "avoid"] satisfies GoalSort[];
+/** Objects that may be outside the floor. */
+const FREE: readonly Sort[] = ["wall", "line", "prop", "reach", "tour", "stop", "show"];
 /** A grid of 5 mm or less would be too fine to notice. */
 export const GRID = 10;
 const FARTHEST = 5000;
@@ -43,13 +45,38 @@ export function allThings(world: WorldValues): Ref[] {
 
 function withList(world: WorldValues, sort: Sort, list: readonly Thing[]): WorldValues {
   if (isGoal(sort)) return { ...world, goal: { ...world.goal, [sort]: list } };
-  return { ...world, [sort]: list };
+  return varied({ ...world, [sort]: list });
+}
+
+const VARIED: readonly Sort[] = ["box", "cylinder", "tag", "face"];
+
+/** The name by which a world's variants move an object. */
+function movedAs(sort: Sort, thing: Thing): string {
+  if (sort === "tag") return `tag ${thing.id}`;
+  return sort === "face" ? `face ${thing.emotion}` : String(thing.name);
+}
+
+/** The world without bounds for objects that it no longer has. */
+function varied(world: WorldValues): WorldValues {
+  const { vary } = world;
+  if (!vary) return world;
+  const names = new Set(VARIED.flatMap((sort) => listOf(world, sort).map((thing) => movedAs(sort, thing))));
+  return { ...world, vary: { ...vary, thing: vary.thing.filter(({ name }) => names.has(name)) } };
 }
 
 /** The world with one object replaced by another. */
 export function replaced(world: WorldValues, ref: Ref, thing: Thing): WorldValues {
+  const before = thingAt(world, ref);
   const list = listOf(world, ref.sort).map((old, i) => (i === ref.index ? thing : old));
-  return withList(world, ref.sort, list);
+  const after = before ? renamed(world, movedAs(ref.sort, before), movedAs(ref.sort, thing)) : world;
+  return withList(after, ref.sort, list);
+}
+
+/** The world in which a renamed object still moves as far in variants. */
+function renamed(world: WorldValues, before: string, after: string): WorldValues {
+  const bound = world.vary?.thing.find(({ name }) => name === before);
+  if (!world.vary || !bound || before === after) return world;
+  return { ...world, vary: { ...world.vary, thing: [...world.vary.thing, { ...bound, name: after }] } };
 }
 
 export function removed(world: WorldValues, ref: Ref): WorldValues {
@@ -86,6 +113,20 @@ export function created(world: WorldValues, sort: Sort, [x, y]: XY): Thing {
           [x + 300, y],
         ],
       };
+    case "tour":
+      return {
+        ...defaultsOf(sort),
+        points: [
+          [x - 200, y],
+          [x + 200, y],
+        ],
+      };
+    case "prop":
+      return { ...placed, kind: "tree" };
+    case "show":
+      return { ...placed, emotion: "joy" };
+    case "avoid":
+      return defaultsOf(sort);
     case "follow":
       return { ...defaultsOf(sort), line: world.line[0]?.name };
     case "visit":
@@ -115,7 +156,7 @@ function freeTag(world: WorldValues): number {
 
 /** Lines, starts and goals are referred to by name, so names are unique. */
 function withName(world: WorldValues, sort: Sort, thing: Thing): Thing {
-  const goals = [...world.goal.reach, ...world.goal.follow, ...world.goal.visit];
+  const goals: readonly { name: string }[] = Object.values(world.goal).flat();
   const others = isGoal(sort) ? goals : sort === "line" || sort === "start" ? world[sort] : null;
   if (!others) return thing;
   const taken = new Set(others.map(({ name }) => name));
@@ -138,8 +179,7 @@ export function snapped(value: number, grid = GRID): number {
 
 /** The nearest valid position, on the floor if the sort requires it. */
 export function allowedPlace(world: WorldValues, sort: Sort, [x, y]: XY): XY {
-  const free = sort === "wall" || sort === "line" || sort === "reach";
-  const [east, north] = free ? [FARTHEST, FARTHEST] : [world.floor.size[0] / 2, world.floor.size[1] / 2];
+  const [east, north] = FREE.includes(sort) ? [FARTHEST, FARTHEST] : [world.floor.size[0] / 2, world.floor.size[1] / 2];
   return [between(x, -east, east), between(y, -north, north)];
 }
 
@@ -160,7 +200,7 @@ export function moved(world: WorldValues, ref: Ref, dx: number, dy: number): Thi
 
 /** An object turned clockwise by degrees; unchanged if its sort has no heading. */
 export function turned(thing: Thing, degrees: number): Thing {
-  if ("heading" in thing) return { ...thing, heading: wrapped(Number(thing.heading) + degrees) };
+  if (typeof thing.heading === "number") return { ...thing, heading: wrapped(thing.heading + degrees) };
   if (hasPath(thing)) {
     const [x, y, heading] = (thing as unknown as LineValues).start;
     return { ...thing, start: [x, y, wrapped(heading + degrees)] };
@@ -201,7 +241,8 @@ export function placeOf(world: WorldValues, { sort, index }: Ref): XY {
     const tag = world.tag.find(({ id }) => id === thing.id);
     return tag ? [tag.x, tag.y] : [0, 0];
   }
-  if (sort === "wall") return middleOf(thing.points as XY[]);
+  if (sort === "avoid") return [0, world.floor.size[1] / 2];
+  if (sort === "wall" || sort === "tour") return middleOf(thing.points as XY[]);
   return [Number(thing.x), Number(thing.y)];
 }
 

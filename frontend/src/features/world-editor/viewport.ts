@@ -11,6 +11,8 @@ const FARTHEST = 40000;
 
 export class Viewport {
   private middle: XY = [0, 0];
+  /** The size of the floor that is shown as a whole; null once the user has moved the view. */
+  private whole: XY | null = null;
   /** mm per pixel. */
   scale = 4;
 
@@ -23,6 +25,7 @@ export class Viewport {
   fit([east, north]: XY): void {
     const { clientWidth, clientHeight } = this.plan;
     const room = 1 + 2 * MARGIN;
+    this.whole = [east, north];
     this.middle = [0, 0];
     this.scale = Math.max((east * room) / Math.max(1, clientWidth), (north * room) / Math.max(1, clientHeight));
     this.apply();
@@ -30,6 +33,7 @@ export class Viewport {
 
   /** Zoom in with a factor below 1, keeping a point of the world at its position on the screen. */
   zoom(factor: number, [x, y]: XY = this.middle): void {
+    this.whole = null;
     const width = this.plan.clientWidth;
     const scale = between(this.scale * factor, NEAREST / width, FARTHEST / width);
     const part = scale / this.scale;
@@ -40,6 +44,7 @@ export class Viewport {
 
   /** Shift by pixels. */
   pan(right: number, down: number): void {
+    this.whole = null;
     this.middle = [this.middle[0] - right * this.scale, this.middle[1] + down * this.scale];
     this.apply();
   }
@@ -55,6 +60,12 @@ export class Viewport {
     const right = (clientX - box.left - box.width / 2) * this.scale;
     const down = (clientY - box.top - box.height / 2) * this.scale;
     return [this.middle[0] + right, this.middle[1] - down];
+  }
+
+  /** The plan has another size now: a whole floor stays whole. */
+  resized(): void {
+    if (this.whole) this.fit(this.whole);
+    else this.apply();
   }
 
   apply(): void {

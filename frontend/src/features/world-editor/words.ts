@@ -17,6 +17,7 @@ export function nameOf(world: WorldValues, { sort, index }: Ref): string {
 /** The detail that distinguishes it from others of its sort. */
 function ownNameOf(sort: Sort, thing: Thing): string {
   if (sort === "face") return t(`page-world-emotion-${String(thing.emotion)}`);
+  if (sort === "prop") return t(`page-world-kind-${String(thing.kind)}`);
   if (sort === "tag" || sort === "visit") return t("page-editor-number", { number: Number(thing.id) });
   return thing.name === undefined || thing.name === defaultsOf(sort).name ? "" : String(thing.name);
 }
@@ -27,5 +28,7 @@ export function thingInWords(world: WorldValues, ref: Ref): string {
   const thing = listOf(world, ref.sort)[ref.index] ?? {};
   const place = t("page-editor-at", { name: nameOf(world, ref), x: Math.round(x), y: Math.round(y) });
   const heading = hasPath(thing) ? (thing.start as number[])[2] : thing.heading;
-  return heading === undefined ? place : t("page-editor-looking", { place, degrees: Math.round(Number(heading)) });
+  return heading === undefined || heading === null
+    ? place
+    : t("page-editor-looking", { place, degrees: Math.round(Number(heading)) });
 }

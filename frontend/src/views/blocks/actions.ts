@@ -4,6 +4,15 @@ import type * as Blockly from "blockly/core";
 
 import type { BlockSet } from "../../protocol/messages";
 
+/** The chosen robot, as far as the palette depends on it. */
+export interface OfferedRobot {
+  readonly title: string;
+  /** The needs of blocks that it can't serve. */
+  readonly lacks: ReadonlySet<string>;
+  /** What serves the senses among the needs of a block, as a sentence; empty if it has none. */
+  readonly serving: (needs: readonly string[]) => string;
+}
+
 export interface Actions {
   undo(): void;
   redo(): void;
@@ -11,14 +20,26 @@ export interface Actions {
   canRedo(): boolean;
   toggleBreakpoint(block: string): void;
   hasBreakpoint(block: string): boolean;
+  /** Whether there is a run to ask about. */
+  hasRun(): boolean;
+  askWhy(block: string): void;
+  /** Look back at where a block ran, before or after the moment that is shown. */
+  goToRun(by: -1 | 1, block: string): void;
+  /** Report the statement that is selected. */
+  select(block: string | null): void;
+  /** Draw the first statements that a placeholder hides. */
+  draw(block: string): void;
   /** Show a block in the text views. */
   show(block: string): void;
   /** The set of blocks in the palette. */
   shownBlocks(): BlockSet;
+  robot(): OfferedRobot;
   /** The names of the skills of custom blocks. */
   customBlocks(): ReadonlySet<string>;
   /** The names in the tag dictionary. */
   tagNames(): readonly string[];
+  /** A block as the palette has it, by its type. */
+  offered(type: string): object | undefined;
   listCustomBlocks(): void;
   newCustomBlock(): void;
   /** Open the source of a custom block by its skill. */

@@ -5,6 +5,7 @@ import * as Blockly from "blockly/core";
 import { t } from "../../i18n";
 import { actionsOf } from "./actions";
 import { SKILL } from "./menus";
+import type { PaletteTab } from "./palette";
 import { freeWhenName, whenNames } from "./when-block";
 
 type Items = Blockly.utils.toolbox.FlyoutItemInfo[];
@@ -25,15 +26,8 @@ export function registerCategories(workspace: Blockly.WorkspaceSvg): void {
 }
 
 /** The tab of custom blocks. */
-export function ownTab(): Blockly.utils.toolbox.ToolboxItemInfo {
-  const tab = {
-    kind: "category",
-    name: t("page-blocks-own"),
-    category: "lb_own",
-    categorystyle: "lb_others_category",
-    custom: OWN,
-  };
-  return tab as Blockly.utils.toolbox.ToolboxItemInfo;
+export function ownTab(): PaletteTab {
+  return { kind: "category", name: t("page-blocks-own"), category: "lb_own", group: "my_blocks", custom: OWN };
 }
 
 /** Buttons for creating and listing custom blocks, and the blocks themselves, which are also in their own tabs. */

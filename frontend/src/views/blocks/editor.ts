@@ -1,22 +1,33 @@
 /** Blockly's workspace on the page, in one language. */
 
-import { ScrollBlockDragger, ScrollMetricsManager, ScrollOptions } from "@blockly/plugin-scroll-options";
+import { ScrollMetricsManager, ScrollOptions } from "@blockly/plugin-scroll-options";
 import * as Blockly from "blockly/core";
 import type { ThemeName } from "../../model/preferences";
 import type { BlockSet, Workspace } from "../../protocol/messages";
-import { type Actions, setActions } from "./actions";
+import { type Actions, actionsOf, setActions } from "./actions";
 import { registerCategories } from "./categories";
 import { Checker } from "./checker";
+import { Dragger, EDGE } from "./dragger";
+import { pieceWith, type Rest } from "./folds";
+import { Invitation } from "./invitation";
 import { Loading } from "./loading";
 import { Loose } from "./loose";
 import { Marks, visible } from "./marks";
 import { MEDIA } from "./media";
 import type { Palette } from "./palette";
-import { ProgramSearch } from "./search";
+import { PaletteFlyout } from "./palette-flyout";
+import { PaletteSheet } from "./palette-sheet";
+import { PaletteStrip } from "./palette-strip";
+import { PaletteToolbox } from "./palette-toolbox";
+import { Reach } from "./reach";
+import { restIn } from "./rest-block";
+import { type Hidden, ProgramSearch } from "./search";
 import { limitTabs, toolboxOf } from "./shown";
 import { Sight } from "./sight";
 import { Sync } from "./sync";
 import { themeOf } from "./themes";
+import { drawTools } from "./tools";
+import { Words, wordsOf } from "./words";
 
 /** The state that an editor passes to the editor that replaces it in a different language. */
 interface View {
@@ -29,7 +40,11 @@ interface View {
   readonly y: number;
 }
 
-/** A workspace and its content; an edit by the user calls `edited`. */
+/**
+ * A workspace and its content; an edit by the user calls `edited`.
+ *
+ * A compact one is for a phone.
+ */
 export class Editor {
   readonly marks: Marks;
   private readonly workspace: Blockly.WorkspaceSvg;
@@ -38,34 +53,54 @@ export class Editor {
   private readonly loose: Loose;
   private readonly search: ProgramSearch;
   private readonly loading: Loading;
+  private readonly reach: Reach;
+  private readonly words = new Words();
+  private readonly invitation: Invitation;
 
   constructor(
     host: HTMLElement,
     private readonly palette: Palette,
     theme: ThemeName,
     actions: Actions,
+    compact: boolean,
     private readonly edited: () => void,
+    /** Called when blocks have been drawn that were not. */
+    drawn: () => void,
   ) {
-    this.workspace = Blockly.inject(host, options(palette, theme, actions.shownBlocks()));
+    const usual = options(palette, theme, actions.shownBlocks());
+    this.workspace = Blockly.inject(host, compact ? compacted(usual) : usual);
+    drawTools(this.workspace);
     // The server handles undo for all views.
     this.workspace.MAX_UNDO = 0;
     this.sync = new Sync(this.workspace, this.workspace.connectionChecker as Checker);
     this.sight = new Sight(this.workspace);
     this.loose = new Loose(this.workspace);
-    this.marks = new Marks(this.workspace, (block) => actions.toggleBreakpoint(block));
-    this.search = new ProgramSearch(this.workspace);
+    this.marks = new Marks(this.workspace, {
+      toggleBreakpoint: (block) => actions.toggleBreakpoint(block),
+      placeholderOf: (block) => this.sync.placeholderOf(block),
+    });
+    this.reach = new Reach(this.workspace, this.sync, () => {
+      this.changed();
+      drawn();
+    });
+    this.search = new ProgramSearch(this.workspace, this.hidden());
     this.search.init();
+    this.invitation = new Invitation(this.workspace);
     this.loading = new Loading(host, this.workspace, () => this.addNext());
-    new ScrollOptions(this.workspace).init();
+    new ScrollOptions(this.workspace).init({ edgeScrollOptions: EDGE });
     registerCategories(this.workspace);
     limitTabs(this.workspace, palette, () => actions.shownBlocks());
     setActions(this.workspace, actions);
     this.workspace.addChangeListener((event) => this.hear(event));
+    this.toolbox?.begin();
   }
 
   destroy(): void {
     this.loading.destroy();
+    this.invitation.destroy();
     this.sight.destroy();
+    this.reach.destroy();
+    this.words.destroy();
     this.search.dispose();
     this.workspace.dispose();
   }
@@ -90,11 +125,18 @@ export class Editor {
   /** Show only the blocks of a set in the palette. */
   showBlocks(set: BlockSet): void {
     this.workspace.updateToolbox(toolboxOf(this.palette, set));
+    this.toolbox?.begin();
   }
 
   /** Refresh the palette's open tab. */
   refreshPalette(): void {
     this.workspace.refreshToolboxSelection();
+  }
+
+  /** Call a function as soon as nothing is being dragged and `edited` has been called for every edit. */
+  whenReported(act: () => void): void {
+    // Blockly reports edits after the next frame.
+    this.whenStill(() => requestAnimationFrame(() => setTimeout(act)));
   }
 
   /** Call a function as soon as nothing is being dragged. */
@@ -106,6 +148,10 @@ export class Editor {
       act();
     };
     this.workspace.addChangeListener(dropped);
+  }
+
+  get isCompact(): boolean {
+    return this.workspace.horizontalLayout;
   }
 
   read(): Workspace {
@@ -121,11 +167,38 @@ export class Editor {
   }
 
   resize(): void {
+    this.toolbox?.fit();
     Blockly.svgResize(this.workspace);
   }
 
   focus(): void {
     Blockly.getFocusManager().focusTree(this.workspace);
+  }
+
+  /** A statement as a sentence, without what is inside it. */
+  inWords(id: string): string {
+    const block = this.workspace.getBlockById(id);
+    if (block) return wordsOf(block);
+    const hidden = this.sync.placeholderOf(id) && this.sync.hiddenBlocks().find((one) => one.id === id);
+    return hidden ? this.words.of(hidden, this.sync.variables) : "";
+  }
+
+  /** Draw a block that is not drawn, and what is around it. */
+  drawBlock(id: string): void {
+    for (let rest = this.restFor(id); rest; rest = this.restFor(id)) {
+      const first = pieceWith(id, rest)?.[0];
+      if (first) this.reach.draw([first.id]);
+    }
+  }
+
+  /** Draw the first statements that a placeholder hides. */
+  draw(rest: string): void {
+    const first = restIn(this.workspace.getBlockById(rest))?.pieces[0]?.[0];
+    if (first) this.reach.draw([first.id]);
+  }
+
+  private restFor(id: string): Rest | null {
+    return restIn(this.workspace.getBlockById(this.sync.placeholderOf(id) ?? ""));
   }
 
   /** Scroll to a block and highlight it, without moving the focus. */
@@ -134,6 +207,7 @@ export class Editor {
   }
 
   private revealNow(id: string): void {
+    this.drawBlock(id);
     const block = visible(this.workspace.getBlockById(id));
     if (!block) return;
     this.scrollTo(block);
@@ -184,23 +258,57 @@ export class Editor {
     return found;
   }
 
-  private get toolbox(): Blockly.Toolbox | null {
-    return this.workspace.getToolbox() as Blockly.Toolbox | null;
+  private get toolbox(): PaletteToolbox | null {
+    return this.workspace.getToolbox() as PaletteToolbox | null;
   }
 
   private hear(event: Blockly.Events.Abstract): void {
-    if (!event.isUiEvent || event.type === Blockly.Events.VIEWPORT_CHANGE) this.sight.look();
+    if (event.type === Blockly.Events.SELECTED) this.select((event as Blockly.Events.Selected).newElementId);
+    if (!event.isUiEvent || event.type === Blockly.Events.VIEWPORT_CHANGE) this.look();
+    if (event.type === Blockly.Events.BUBBLE_OPEN) this.drawCalls(event as Blockly.Events.BubbleOpen);
     const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart;
     if (!dropped && (event.isUiEvent || this.workspace.isDragging())) return;
     this.loose.mark();
-    // An edit just before the loading is read when all blocks are there.
-    this.whenLoaded(() => this.edited());
+    this.edited();
+  }
+
+  private look(): void {
+    this.sight.look();
+    this.reach.look();
+    this.invitation.update(this.loading.isOn);
+  }
+
+  /** A change of a function's parameters changes its calls: Blockly knows only those that are drawn. */
+  private drawCalls({ blockId, bubbleType, isOpen }: Blockly.Events.BubbleOpen): void {
+    const block = blockId && isOpen && bubbleType === "mutator" ? this.workspace.getBlockById(blockId) : null;
+    const name = block?.type.startsWith("procedures_def") ? block.getFieldValue("NAME") : null;
+    if (name === null) return;
+    const calls = this.sync.hiddenBlocks().filter(({ type, extraState }) => {
+      return type.startsWith("procedures_call") && (extraState as { name?: string } | null)?.name === name;
+    });
+    for (const { id } of calls) this.drawBlock(id);
+  }
+
+  /** What is not drawn, for the search. */
+  private hidden(): Hidden {
+    return {
+      prepare: (done) => this.words.prepare(this.sync.hiddenBlocks(), this.sync.variables, done),
+      find: (words) => this.sync.hiddenBlocks().filter((block) => this.words.has(block, words)),
+      draw: ({ id }) => this.drawBlock(id),
+    };
+  }
+
+  /** Report the selected statement; a value belongs to the statement around it. */
+  private select(id: string | null | undefined): void {
+    let block = id ? this.workspace.getBlockById(id) : null;
+    while (block?.outputConnection) block = block.getParent();
+    actionsOf(this.workspace)?.select(restIn(block)?.pieces[0]?.[0]?.id ?? block?.id ?? null);
   }
 
   private changed(): void {
     this.loose.mark();
     this.workspace.refreshToolboxSelection();
-    this.sight.look();
+    this.look();
   }
 
   /** Add the next blocks; return whether there are more. */
@@ -219,13 +327,27 @@ function options(palette: Palette, theme: ThemeName, set: BlockSet): Blockly.Blo
     oneBasedIndex: false,
     trashcan: true,
     sounds: false,
-    grid: { spacing: 24, length: 2, colour: "var(--border)", snap: false },
-    zoom: { controls: true, wheel: false, pinch: true, startScale: 0.8, maxScale: 2.5, minScale: 0.25 },
+    grid: { spacing: 24, length: 2, colour: "var(--dots)", snap: false },
+    zoom: { controls: true, wheel: false, pinch: true, startScale: 0.85, maxScale: 2.5, minScale: 0.25 },
     move: { scrollbars: true, drag: true, wheel: true },
     plugins: {
-      blockDragger: ScrollBlockDragger,
+      blockDragger: Dragger,
       metricsManager: ScrollMetricsManager,
       connectionChecker: Checker,
+      toolbox: PaletteToolbox,
+      flyoutsVerticalToolbox: PaletteFlyout,
     },
+  };
+}
+
+/** On a phone the groups are a strip at the bottom, which is the bin, too; two fingers zoom. */
+function compacted(usual: Blockly.BlocklyOptions): Blockly.BlocklyOptions {
+  return {
+    ...usual,
+    horizontalLayout: true,
+    toolboxPosition: "end",
+    trashcan: false,
+    zoom: { ...usual.zoom, controls: false },
+    plugins: { ...usual.plugins, toolbox: PaletteStrip, flyoutsHorizontalToolbox: PaletteSheet },
   };
 }

@@ -5,16 +5,25 @@ import * as Blockly from "blockly/core";
 /**
  * Returns the focus when Blockly has removed it by accident.
  *
- * In the frame after it highlights a connection, Blockly moves the highlight behind the blocks next to it. A
- * block that was inserted meanwhile is moved in the DOM and loses the focus, and the keyboard
- * stops working: this happened when Enter was pressed twice within a frame.
+ * Blockly brings a focused block, or a highlighted connection, to the front only in the next frame, by moving
+ * everything beside it behind it. What has received the focus meanwhile is then moved in the DOM and loses it, and the
+ * keyboard stops working: this happened when two keys were pressed within a frame.
  */
 export function keepFocus(): void {
-  const { highlight } = Blockly.RenderedConnection.prototype;
-  Blockly.RenderedConnection.prototype.highlight = function (this: Blockly.RenderedConnection) {
+  keepFocusAfter(Blockly.RenderedConnection.prototype, "highlight");
+  // TypeScript does not know this method, which is internal to Blockly.
+  keepFocusAfter(Blockly.BlockSvg.prototype as unknown as { moveSvgRootToFront: Act }, "moveSvgRootToFront");
+}
+
+type Act = (...args: unknown[]) => void;
+
+/** Return the focus after the next frame's part of a method. */
+function keepFocusAfter<Name extends string>(prototype: Record<Name, Act>, name: Name): void {
+  const method = prototype[name];
+  prototype[name] = function (this: unknown, ...args) {
     let focused: Element | null = null;
     requestAnimationFrame(() => (focused = document.activeElement));
-    highlight.call(this);
+    method.apply(this, args);
     requestAnimationFrame(() => focusAgain(focused));
   };
 }

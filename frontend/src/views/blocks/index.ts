@@ -5,20 +5,25 @@ import { language, t } from "../../i18n";
 import type { Context } from "../../model/context";
 import type { ThemeName } from "../../model/preferences";
 import { theme } from "../../model/preferences";
+import { plainTitle, servingWords } from "../../model/robots";
+import { valuesInWords } from "../../model/values-there";
 import type { BlockSet, Workspace } from "../../protocol/messages";
 import type { Island } from "../../ui/island";
+import { room } from "../../ui/screen";
 import "./blocks.css";
-import type { Actions } from "./actions";
+import type { Actions, OfferedRobot } from "./actions";
 import { Editor } from "./editor";
 import { registerMenus } from "./menus";
 import type { Palette } from "./palette";
 import { fetchPalette, installPalette, prepareBlockly } from "./palette";
 import { registerSearchTab } from "./search";
+import { blocksOf } from "./shown";
 
 export interface BlocksIsland extends Island {
   focus(): void;
   /** Scroll to a block and highlight it. */
   reveal(block: string): void;
+  inWords(block: string): string;
   resize(): void;
 }
 
@@ -64,19 +69,22 @@ class Blocks implements BlocksIsland {
       effect(() => void this.load(language.value)),
       context.connection.on("PaletteChanged", () => void this.load(language.peek())),
       effect(() => this.showCustomBlocks()),
+      effect(() => this.showRobot()),
       effect(() => this.showBlocks(context.shownBlocks.value)),
       effect(() => this.showTheme(theme.value)),
+      effect(() => this.arrange(room.value === "narrow")),
       effect(() => this.showAccess(context.program.readOnly.value !== null)),
       effect(() => this.showProgram()),
       effect(() => this.showProblems()),
       effect(() => this.showBreakpoints()),
       effect(() => this.showRunning()),
+      effect(() => this.showValues()),
     ];
   }
 
   destroy(): void {
     for (const end of this.ends) end();
-    this.editor?.destroy();
+    this.close();
     this.editor = null;
     this.asked += 1;
   }
@@ -87,6 +95,10 @@ class Blocks implements BlocksIsland {
 
   reveal(block: string): void {
     if (this.isShown) this.editor?.reveal(block);
+  }
+
+  inWords(block: string): string {
+    return this.editor?.inWords(block) ?? "";
   }
 
   resize(): void {
@@ -105,7 +117,7 @@ class Blocks implements BlocksIsland {
     const { asked } = this;
     try {
       const palette = await fetchPalette(code);
-      this.whenStill(() => {
+      this.whenReported(() => {
         // The user may have chosen a different language or left the page meanwhile.
         if (this.asked === asked) this.install(palette);
       });
@@ -114,8 +126,8 @@ class Blocks implements BlocksIsland {
     }
   }
 
-  private whenStill(act: () => void): void {
-    if (this.editor) this.editor.whenStill(act);
+  private whenReported(act: () => void): void {
+    if (this.editor) this.editor.whenReported(act);
     else act();
   }
 
@@ -134,12 +146,36 @@ class Blocks implements BlocksIsland {
     if (!this.palette) return;
     const view = this.editor?.view;
     if (!view) this.shown = null;
-    this.editor?.destroy();
+    this.close();
     this.dom.textContent = "";
-    this.editor = new Editor(this.dom, this.palette, theme.peek(), this.actions(), () => this.edited());
+    const compact = room.peek() === "narrow";
+    this.editor = new Editor(
+      this.dom,
+      this.palette,
+      theme.peek(),
+      this.actions(),
+      compact,
+      () => this.edited(),
+      () => this.showMarks(),
+    );
     if (view) this.editor.takeOver(view);
     this.showAccess(this.context.program.readOnly.peek() !== null);
     this.showAll();
+  }
+
+  /** Close the editor; its edits are sent first, since they can't be read from it any more. */
+  private close(): void {
+    this.context.program.flush();
+    this.editor?.destroy();
+  }
+
+  /** A palette cannot be moved: another arrangement needs another editor. */
+  private arrange(compact: boolean): void {
+    untracked(() => {
+      this.whenReported(() => {
+        if (this.editor && this.editor.isCompact !== compact) this.open();
+      });
+    });
   }
 
   private actions(): Actions {
@@ -151,10 +187,17 @@ class Blocks implements BlocksIsland {
       canRedo: () => program.state.peek().canRedo,
       toggleBreakpoint: (block) => running.toggleBreakpoint(block),
       hasBreakpoint: (block) => running.breakpoints.peek().has(block),
+      hasRun: () => !!running.timeline.peek()?.end,
+      goToRun: (by, block) => this.context.lookingBack.toRun(by, block),
+      askWhy: (block) => this.context.askingWhy.aboutBlock(block),
+      draw: (block) => this.editor?.draw(block),
       show: (block) => this.context.reveal(block),
+      select: (block) => this.context.select(block),
       shownBlocks: () => this.context.shownBlocks.peek(),
+      robot: () => this.robot,
       customBlocks: () => new Set(this.context.customBlocks.peek()?.flatMap(({ blocks }) => blocks)),
       tagNames: () => Object.keys(this.context.tagNames.peek()),
+      offered: (type) => this.palette?.toolbox.contents.flatMap(blocksOf).find((one) => one.type === type),
       listCustomBlocks: () => this.context.listCustomBlocks(),
       newCustomBlock: () => this.context.editCustomBlock(""),
       editCustomBlock: (skill) => this.editCustomBlock(skill),
@@ -190,6 +233,7 @@ class Blocks implements BlocksIsland {
       this.showProblems();
       this.showBreakpoints();
       this.showRunning();
+      this.showValues();
     });
   }
 
@@ -208,11 +252,24 @@ class Blocks implements BlocksIsland {
   }
 
   private showBlocks(set: BlockSet): void {
-    this.whenStill(() => this.editor?.showBlocks(set));
+    this.editor?.whenStill(() => this.editor?.showBlocks(set));
   }
 
   private showCustomBlocks(): void {
     if (this.context.customBlocks.value) this.editor?.refreshPalette();
+  }
+
+  private get robot(): OfferedRobot {
+    const chosen = this.context.robots.value.find(({ name }) => name === this.context.running.robot.value);
+    return {
+      title: chosen ? plainTitle(chosen) : "",
+      lacks: new Set(chosen?.lacks ?? []),
+      serving: (needs) => (chosen ? servingWords(chosen, needs) : ""),
+    };
+  }
+
+  private showRobot(): void {
+    if (this.robot.title) this.editor?.refreshPalette();
   }
 
   private showBreakpoints(): void {
@@ -222,8 +279,15 @@ class Blocks implements BlocksIsland {
 
   private showRunning(): void {
     const [block, { state }] = [this.context.running.block.value, this.context.running.state.value];
+    const isHeld = state === "held";
+    if (block && isHeld) this.editor?.drawBlock(block);
     const shown = this.editor?.marks.showRunning(block);
-    if (shown) this.follow(shown, state === "held");
+    if (shown) this.follow(shown, isHeld);
+  }
+
+  private showValues(): void {
+    const texts = valuesInWords(this.context.running.values.value);
+    this.editor?.marks.showValues(texts);
   }
 
   private follow(block: Parameters<Editor["scrollTo"]>[0], atOnce: boolean): void {

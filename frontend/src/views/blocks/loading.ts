@@ -1,12 +1,11 @@
-/** Adds the blocks of a large program piece by piece; until they are complete, they can't be edited. */
+/** Adds the blocks of a large program piece by piece, while those that are there can be used. */
 
-import * as Blockly from "blockly/core";
+import type * as Blockly from "blockly/core";
 import { t } from "../../i18n";
 
 export class Loading {
   private readonly note = document.createElement("p");
   private timer = 0;
-  private hadFocus = false;
   private waiting: (() => void)[] = [];
 
   /** `addNext` adds some blocks and returns whether there are more. */
@@ -30,9 +29,6 @@ export class Loading {
 
   begin(): void {
     if (this.isOn) return;
-    const { blocks } = this;
-    this.hadFocus = blocks.contains(document.activeElement);
-    blocks.inert = true;
     this.note.textContent = t("page-blocks-loading");
     this.host.append(this.note);
     this.goOn();
@@ -46,7 +42,7 @@ export class Loading {
   // A timer, not a frame: a page in the background gets none.
   private goOn(): void {
     this.timer = setTimeout(() => {
-      if (this.addNext()) this.goOn();
+      if (this.workspace.isDragging() || this.addNext()) this.goOn();
       else this.end();
     });
   }
@@ -54,14 +50,8 @@ export class Loading {
   private end(): void {
     this.timer = 0;
     this.note.remove();
-    this.blocks.inert = false;
-    if (this.hadFocus && document.activeElement === document.body) Blockly.getFocusManager().focusTree(this.workspace);
     const { waiting } = this;
     this.waiting = [];
     for (const act of waiting) act();
-  }
-
-  private get blocks(): HTMLElement {
-    return this.workspace.getInjectionDiv() as HTMLElement;
   }
 }

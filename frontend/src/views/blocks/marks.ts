@@ -6,6 +6,7 @@ import { say } from "../../i18n";
 import type { Problem } from "../../protocol/messages";
 import { BreakpointIcon } from "./breakpoint-icon";
 import { takeFromIcon } from "./focus";
+import { ValueLabels } from "./value-labels";
 
 type Svg = Blockly.BlockSvg;
 type Severity = Problem["severity"];
@@ -17,6 +18,12 @@ const LINE = 45;
 const LOOSE = "loose-block";
 const CLASSES: Record<Severity, string> = { error: "lbError", warning: "lbWarning" };
 
+interface Program {
+  toggleBreakpoint(block: string): void;
+  /** The id of the placeholder that hides a block; null for a block that is drawn. */
+  placeholderOf(block: string): string | null;
+}
+
 interface Finding {
   readonly severity: Severity;
   readonly text: string;
@@ -27,14 +34,26 @@ export class Marks {
   private problems = new Map<Svg, Finding>();
   private stops = new Set<Svg>();
   private running: Svg | null = null;
+  private readonly labels: ValueLabels;
 
   constructor(
     private readonly workspace: Blockly.WorkspaceSvg,
-    private readonly toggleBreakpoint: (block: string) => void,
-  ) {}
+    private readonly program: Program,
+  ) {
+    this.labels = new ValueLabels((id) => this.workspace.getBlockById(id));
+  }
+
+  /** Show values beside blocks, by the ids of the blocks. */
+  showValues(texts: ReadonlyMap<string, string>): void {
+    this.labels.show(texts);
+  }
 
   showProblems(problems: readonly Problem[]): void {
-    const findings = this.onBlocks(collect(problems));
+    const findings = new Map<Svg, Finding>();
+    for (const [id, finding] of collect(problems)) {
+      const block = this.find(id);
+      if (block && (block.id === id || !findings.has(block))) findings.set(block, finding);
+    }
     for (const [block, finding] of this.problems) {
       if (findings.get(block)?.text !== finding.text && !block.isDisposed()) unmark(block);
     }
@@ -50,19 +69,25 @@ export class Marks {
       if (!blocks.has(block) && !block.isDisposed()) removeStop(block);
     }
     for (const block of blocks) {
-      if (!this.stops.has(block)) block.addIcon(new BreakpointIcon(block, () => this.toggleBreakpoint(block.id)));
+      if (!this.stops.has(block))
+        block.addIcon(new BreakpointIcon(block, () => this.program.toggleBreakpoint(block.id)));
     }
     this.stops = blocks;
   }
 
   /** Mark the running block, or none; return the block that shows the mark. */
   showRunning(id: string | null): Svg | null {
-    const block = id === null ? null : visible(this.workspace.getBlockById(id));
+    const block = id === null ? null : visible(this.find(id));
     if (block === this.running) return block;
     if (this.running && !this.running.isDisposed()) this.running.removeClass("lbRunning");
     block?.addClass("lbRunning");
     this.running = block;
     return block;
+  }
+
+  /** A block, or its placeholder if it is not drawn. */
+  private find(id: string): Svg | null {
+    return this.workspace.getBlockById(id) ?? this.workspace.getBlockById(this.program.placeholderOf(id) ?? "");
   }
 
   private onBlocks<T>(byId: ReadonlyMap<string, T>): Map<Svg, T> {

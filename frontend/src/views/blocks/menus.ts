@@ -3,7 +3,9 @@
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
+import "./menus.css";
 import { type Actions, actionsOf } from "./actions";
+import { showHelp } from "./help";
 import { hasCondition, toggleCondition, toggleWord } from "./when-block";
 
 /** The prefix of a skill block's type; the skill's name follows. */
@@ -12,7 +14,7 @@ export const SKILL = "lb_skill_";
 type Item = Blockly.ContextMenuRegistry.RegistryItem;
 type Scope = Blockly.ContextMenuRegistry.Scope;
 
-const { CTRL_CMD, SHIFT, Z, Y, F9 } = Blockly.utils.KeyCodes as unknown as Record<string, number>;
+const { CTRL_CMD, SHIFT, I, Z, Y, F9 } = Blockly.utils.KeyCodes as unknown as Record<string, number>;
 const { FOCUS_TOOLBOX, FOCUS_WORKSPACE, START_MOVE, START_MOVE_STACK } = Blockly.ShortcutItems.names;
 
 /** Replace and add keys and menu entries, for all workspaces at once. */
@@ -27,12 +29,29 @@ export function registerMenus(): void {
     (own) => own.redo(),
   );
   registerBreakpointKey();
+  registerHelpKey();
   // A letter typed in a list would leave the list open.
   for (const name of [FOCUS_TOOLBOX, FOCUS_WORKSPACE])
     narrow(name, () => !Blockly.getFocusManager().ephemeralFocusTaken());
+  // The palette's blocks have a workspace of their own, which has no tabs.
+  widen(FOCUS_TOOLBOX);
   // Blockly cannot move a block by keys during a drag: the drag would never end.
   for (const name of [START_MOVE, START_MOVE_STACK]) narrow(name, () => !Blockly.Gesture.inProgress());
-  for (const item of [undoItem, redoItem, breakpointItem, showItem, editOwnItem, conditionItem]) replaceItem(item);
+  for (const item of [undoItem, redoItem, helpItem, whyItem, breakpointItem, showItem, editOwnItem, conditionItem])
+    replaceItem(item);
+  for (const by of [-1, 1] as const) replaceItem(runItem(by));
+  leaveOutSelection();
+}
+
+/** Blockly says of every entry of a menu whether it is selected, which only choices in a list can be. */
+function leaveOutSelection(): void {
+  const item = Blockly.MenuItem.prototype;
+  const { createDom } = item;
+  item.createDom = function () {
+    const dom = createDom.call(this);
+    if (dom.role === "menuitem") dom.removeAttribute("aria-selected");
+    return dom;
+  };
 }
 
 function replaceKey(name: string, keys: (number | undefined)[][], act: (own: Actions) => void): void {
@@ -62,6 +81,17 @@ function narrow(name: string, allowed: () => boolean): void {
   });
 }
 
+/** Let one of Blockly's keys act on the program also while a block of the palette has the focus. */
+function widen(name: string): void {
+  const registry = Blockly.ShortcutRegistry.registry;
+  const shortcut = registry.getRegistry()[name]!;
+  registry.unregister(name);
+  registry.register({
+    ...shortcut,
+    callback: (workspace, ...how) => shortcut.callback?.(workspace.targetWorkspace ?? workspace, ...how) ?? false,
+  });
+}
+
 function registerBreakpointKey(): void {
   Blockly.ShortcutRegistry.registry.register({
     name: "lb_breakpoint",
@@ -75,9 +105,28 @@ function registerBreakpointKey(): void {
   });
 }
 
-function focusedStatement(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg | null {
+function registerHelpKey(): void {
+  const registry = Blockly.ShortcutRegistry.registry;
+  registry.register({
+    name: "lb_help",
+    keyCodes: [registry.createSerializedKey(I!, [CTRL_CMD!])],
+    preconditionFn: (workspace) => focusedBlock(workspace) !== null,
+    callback: (workspace, event) => {
+      const block = focusedBlock(workspace);
+      event.preventDefault();
+      if (block) showHelp(block);
+      return block !== null;
+    },
+  });
+}
+
+function focusedBlock(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg | null {
   const node = Blockly.getFocusManager().getFocusedNode();
-  const block = node && workspace.getNavigator().getSourceBlockFromNode(node);
+  return node ? workspace.getNavigator().getSourceBlockFromNode(node) : null;
+}
+
+function focusedStatement(workspace: Blockly.WorkspaceSvg): Blockly.BlockSvg | null {
+  const block = focusedBlock(workspace);
   return block ? statementOf(block) : null;
 }
 
@@ -111,6 +160,43 @@ const redoItem: Item = {
   preconditionFn: ({ workspace }: Scope) => (actionsOf(workspace)?.canRedo() ? "enabled" : "disabled"),
   callback: ({ workspace }: Scope) => actionsOf(workspace)?.redo(),
 };
+
+/** In place of Blockly's, which opens a page of the internet. */
+const helpItem: Item = {
+  id: "blockHelp",
+  weight: 7,
+  scopeType: Blockly.ContextMenuRegistry.ScopeType.BLOCK,
+  displayText: () => t("page-blocks-help"),
+  preconditionFn: ({ block }: Scope) => (block ? "enabled" : "hidden"),
+  callback: ({ block }: Scope) => showHelp(block!),
+};
+
+/** For a statement, once there is a run to look back at. */
+function inRun({ block }: Scope): string {
+  return block && !block.isInFlyout && statementOf(block) && actionsOf(block.workspace)?.hasRun()
+    ? "enabled"
+    : "hidden";
+}
+
+const whyItem: Item = {
+  id: "lb_why",
+  weight: 7.5,
+  scopeType: Blockly.ContextMenuRegistry.ScopeType.BLOCK,
+  displayText: () => t("page-why-ask-block"),
+  preconditionFn: inRun,
+  callback: ({ block }: Scope) => actionsOf(block?.workspace)?.askWhy(statementOf(block!)!.id),
+};
+
+function runItem(by: -1 | 1): Item {
+  return {
+    id: by < 0 ? "lb_run_before" : "lb_run_after",
+    weight: by < 0 ? 7.6 : 7.7,
+    scopeType: Blockly.ContextMenuRegistry.ScopeType.BLOCK,
+    displayText: () => t(by < 0 ? "page-timeline-run-before" : "page-timeline-run-after"),
+    preconditionFn: inRun,
+    callback: ({ block }: Scope) => actionsOf(block?.workspace)?.goToRun(by, statementOf(block!)!.id),
+  };
+}
 
 const breakpointItem: Item = {
   id: "lb_breakpoint",

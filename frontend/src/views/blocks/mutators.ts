@@ -1,6 +1,8 @@
 /** Blocks with several shapes: `extraState` defines their inputs. */
 
 import * as Blockly from "blockly/core";
+
+import { stepButton } from "./step-button";
 import { styleCall } from "./styles";
 
 interface ArgumentsState {
@@ -47,6 +49,40 @@ const CHAIN = {
   },
 };
 
+interface DictionaryState {
+  items: number;
+}
+type Dictionary = Blockly.Block & { items_: number };
+
+/** Dictionaries: the inputs `KEY0`, `VALUE0`, `KEY1`..., a row for each entry. */
+const DICTIONARY = {
+  saveExtraState(this: Dictionary): DictionaryState {
+    return { items: this.items_ };
+  },
+  loadExtraState(this: Dictionary, { items }: DictionaryState): void {
+    this.items_ = items;
+    for (let place = 0; place < items; place++) addEntry(this, place);
+    for (let place = items; this.getInput(`KEY${place}`); place++) {
+      for (const part of ["KEY", "VALUE", "ROW"]) this.removeInput(`${part}${place}`);
+    }
+  },
+};
+
+function addEntry(block: Blockly.Block, place: number): void {
+  if (block.getInput(`KEY${place}`)) return;
+  block.appendEndRowInput(`ROW${place}`);
+  block.appendValueInput(`KEY${place}`);
+  block.appendValueInput(`VALUE${place}`).appendField(":");
+}
+
+function addStepButtons(block: Dictionary): void {
+  const step = (by: number) => () => DICTIONARY.loadExtraState.call(block, { items: Math.max(0, block.items_ + by) });
+  block
+    .getInput("PLACE")
+    ?.appendField(stepButton("+", Blockly.Msg.LB_DICTIONARY_ADD ?? "", step(1)), "ADD")
+    .appendField(stepButton("−", Blockly.Msg.LB_DICTIONARY_REMOVE_LAST ?? "", step(-1)), "REMOVE");
+}
+
 function sign(operator: string): string {
   return { "==": "=", "!=": "≠", "<=": "≤", ">=": "≥" }[operator] ?? operator;
 }
@@ -67,11 +103,22 @@ function label(block: Blockly.Block, input: string, text: string): void {
   else block.getInput(input)?.appendField(text, name);
 }
 
+/** Blockly's own extension unplugs values whose type it does not expect, such as text added to text. */
+function keepValuesOfConditionals(): void {
+  Blockly.Extensions.unregister("logic_ternary");
+  Blockly.Extensions.register("logic_ternary", () => {});
+}
+
 export function registerMutators(): void {
+  keepValuesOfConditionals();
   Blockly.Extensions.registerMutator("lb_arguments_mutator", ARGUMENTS, function (this: WithArguments) {
     this.arguments_ = {};
   });
   Blockly.Extensions.registerMutator("lb_compare_mutator", CHAIN, function (this: Chain) {
     CHAIN.loadExtraState.call(this, { operators: ["<", "<"] });
+  });
+  Blockly.Extensions.registerMutator("lb_dictionary_mutator", DICTIONARY, function (this: Dictionary) {
+    addStepButtons(this);
+    DICTIONARY.loadExtraState.call(this, { items: 0 });
   });
 }

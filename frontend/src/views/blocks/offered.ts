@@ -27,7 +27,10 @@ export function offerPlainly(): void {
 class PlainInflater extends BlockFlyoutInflater {
   override load(state: object, flyout: Blockly.IFlyout): Blockly.FlyoutItem {
     const item = super.load(state, flyout);
-    disown(item.getElement() as Blockly.BlockSvg);
+    const block = item.getElement() as Blockly.BlockSvg;
+    disown(block);
+    // The reason is in the heading above it.
+    if ((state as { lacking?: boolean }).lacking) block.addClass("lbLacking");
     return item;
   }
 }

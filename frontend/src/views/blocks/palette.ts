@@ -4,13 +4,22 @@ import * as Blockly from "blockly/core";
 import "blockly/blocks";
 import * as english from "blockly/msg/en";
 
+import type { Tab } from "../../model/shown-blocks";
+import { showIcons } from "./block-icon";
 import { registerCodeField } from "./code-field";
+import { mixColours } from "./colour-mixer";
 import { type Definition, defineFields, learnAllowed } from "./fields";
 import { keepFocus } from "./focus";
 import { preferIcons } from "./icon-clicks";
+import { insertOnClick } from "./insert";
 import { registerMutators } from "./mutators";
 import { offerPlainly } from "./offered";
+import type { Item, Section } from "./offers";
+import { registerGroups } from "./palette-group";
+import { labelPlaces } from "./renderer";
 import { tuneRendering } from "./rendering";
+import { registerRest } from "./rest-block";
+import { readSentences } from "./sentences";
 import { correctStyles, learnCalls } from "./styles";
 import { defineTagField } from "./tag-field";
 import { forgetUnknown } from "./unknown";
@@ -18,7 +27,21 @@ import { compareNamesExactly } from "./variables";
 import { registerWhen } from "./when-block";
 
 type Messages = Record<string, string>;
-type Toolbox = Blockly.utils.toolbox.ToolboxInfo;
+
+/** A tab of the server's palette; the page groups the tabs. */
+export interface PaletteTab extends Tab {
+  readonly kind: string;
+  readonly name: string;
+  readonly category: string;
+  readonly group: string;
+  readonly contents?: readonly Item[];
+}
+
+export interface Toolbox {
+  readonly kind: string;
+  readonly groups: readonly { readonly group: string; readonly name: string; readonly first: readonly Section[] }[];
+  readonly contents: readonly PaletteTab[];
+}
 
 /** The server's palette, made from the block configurations. */
 export interface Palette {
@@ -34,7 +57,7 @@ export interface Palette {
 const locales: Record<string, () => Promise<object>> = {
   es: () => import("blockly/msg/es"),
 };
-// Texts that Blockly has only in English, mainly for screen readers.
+// Texts that Blockly has only in English, mainly for screen readers, and words that differ from its own.
 const missing = import.meta.glob<Messages>("./words/*.json", { import: "default" });
 
 /** Fetch the palette in a language, with English texts where Blockly has no others. */
@@ -69,8 +92,14 @@ export function defineBlocks(definitions: readonly Definition[]): void {
     // Blockly warns about each type that it already knows.
     delete Blockly.Blocks[type];
   }
-  Blockly.common.defineBlocksWithJsonArray([...definitions]);
+  Blockly.common.defineBlocksWithJsonArray(definitions.map(withReadableUnits));
   learnAllowed(definitions);
+}
+
+/** In the page's font "°/s" looks like "%s": thin spaces keep it apart. */
+function withReadableUnits(definition: Definition): Definition {
+  const { message0 } = definition;
+  return message0 ? { ...definition, message0: message0.replaceAll("°/s", "°\u2009/\u2009s") } : definition;
 }
 
 /** Set up everything that is the same in every language, once. */
@@ -80,12 +109,19 @@ export function prepareBlockly(): void {
   registerMutators();
   registerWhen();
   registerCodeField();
+  registerRest();
   defineFields();
   defineTagField();
   leaveChecksToServer();
   offerPlainly();
+  registerGroups();
+  showIcons();
+  mixColours();
   preferIcons();
+  insertOnClick();
   tuneRendering();
+  labelPlaces();
+  readSentences();
   keepFocus();
   // Never stopped: a program repeats few words, and measuring one causes a layout of the page.
   Blockly.utils.dom.startTextWidthCache();

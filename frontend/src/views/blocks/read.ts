@@ -8,21 +8,16 @@ type State = Blockly.serialization.blocks.State;
 
 const OWN_ONLY = { addInputBlocks: false, addNextBlocks: false, doFullSerialization: false };
 
-/** The whole workspace, with stacks in the order of `order` (ids of first blocks) and new ones last. */
-export function readWorkspace(workspace: Blockly.WorkspaceSvg, order: readonly string[]): Workspace {
+/** The whole workspace. */
+export function readWorkspace(workspace: Blockly.WorkspaceSvg): Workspace {
+  const tops = workspace.getTopBlocks(false).filter((block) => !block.isInsertionMarker());
   return {
-    stacks: inOrder(workspace.getTopBlocks(false), order).map(readStack),
+    stacks: tops.map(readStack),
     variables: workspace
       .getVariableMap()
       .getAllVariables()
       .map((variable) => ({ name: variable.getName(), id: variable.getId() })),
   };
-}
-
-function inOrder(tops: Blockly.BlockSvg[], order: readonly string[]): Blockly.BlockSvg[] {
-  const places = new Map(order.map((id, place) => [id, place]));
-  const place = (block: Blockly.BlockSvg) => places.get(block.id) ?? order.length;
-  return tops.filter((block) => !block.isInsertionMarker()).sort((a, b) => place(a) - place(b));
 }
 
 function readStack(top: Blockly.BlockSvg): Block[] {

@@ -7,6 +7,7 @@ const block = Blockly.BlockSvg.prototype;
 /** Call it once, before the first workspace is created. */
 export function tuneRendering(): void {
   hideRuler();
+  enlargeButtons();
   forgetDisposed();
   bumpOnlyWhatIsDropped();
 }
@@ -16,6 +17,13 @@ function hideRuler(): void {
   const text = Blockly.utils.dom.createSvgElement(Blockly.utils.Svg.TEXT, {}) as SVGTextElement;
   Blockly.utils.dom.getFastTextWidthWithSizeString(text, "11pt", "600", "sans-serif");
   document.querySelector(".blocklyComputeCanvas")?.setAttribute("aria-hidden", "true");
+}
+
+// A button of the palette, such as "New event…", is as large a target as the page's own buttons.
+function enlargeButtons(): void {
+  const isFinger = matchMedia("(pointer: coarse)").matches;
+  Blockly.FlyoutButton.TEXT_MARGIN_X = 16;
+  Blockly.FlyoutButton.TEXT_MARGIN_Y = isFinger ? 20 : 17;
 }
 
 // Blockly removes only drawn blocks from its queue, and disposed blocks are never drawn: without this

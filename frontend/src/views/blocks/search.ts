@@ -5,6 +5,11 @@ import "@blockly/toolbox-search";
 import * as Blockly from "blockly/core";
 
 import { t } from "../../i18n";
+import type { Block } from "../../protocol/messages";
+import { icon } from "../../ui/icons";
+import { actionsOf } from "./actions";
+import { found } from "./offers";
+import { paletteWords } from "./palette-words";
 
 type FlyoutItem = Blockly.utils.toolbox.FlyoutItemInfo;
 const KIND = "search";
@@ -29,14 +34,18 @@ export function registerSearchTab(): void {
   const Plugin = Blockly.registry.getClass(TOOLBOX_ITEM, KIND) as unknown as typeof Blockly.ToolboxCategory;
   class SearchTab extends Plugin {
     private words: string | null = null;
+    /** The search field, in the flyout's head. */
+    readonly head = document.createElement("div");
 
     protected override createDom_(): HTMLDivElement {
       const dom = super.createDom_();
-      const input = dom.querySelector("input");
-      input?.setAttribute("placeholder", t("page-blocks-search"));
-      input?.setAttribute("aria-label", t("page-blocks-search-blocks"));
+      fillHead(this.head, dom.querySelector("input")!);
       // The plugin searches on keydown, before the input has the new letter.
-      input?.addEventListener("input", () => this.matchBlocks());
+      this.head.addEventListener("input", () => this.matchBlocks());
+      nameTab(dom);
+      // The head is only shown with a flyout, which needs an item.
+      this.flyoutItems_ = [nothing("")];
+      this.rowContents_?.replaceChildren(icon("find"), nameInStrip());
       return dom;
     }
 
@@ -46,9 +55,9 @@ export function registerSearchTab(): void {
       const words = searchField?.value.trim() ?? "";
       if (words === this.words) return;
       this.words = words;
-      const found = words ? blockSearcher.blockTypesMatching(words) : [];
-      this.flyoutItems_ = found.length ? found : [nothing(words)];
-      if (words) Blockly.utils.aria.announceDynamicAriaState(t("page-blocks-search-found", { count: found.length }));
+      const matching = words ? blockSearcher.blockTypesMatching(words) : [];
+      this.flyoutItems_ = matching.length ? sorted(matching, this.workspace_) : [nothing(words)];
+      if (words) announce(matching.length);
       this.parentToolbox_.refreshSelection();
     }
 
@@ -74,13 +83,90 @@ export function registerSearchTab(): void {
   Blockly.registry.register(TOOLBOX_ITEM, KIND, SearchTab, true);
 }
 
+function fillHead(head: HTMLElement, input: HTMLInputElement): void {
+  input.placeholder = t("page-blocks-search");
+  input.ariaLabel = t("page-blocks-search-blocks");
+  head.className = "lbSearchHead";
+  head.append(icon("find"), input);
+}
+
+/** Only the strip of a phone has room for it. */
+function nameInStrip(): HTMLElement {
+  const name = document.createElement("span");
+  name.className = "lbSearchName";
+  name.textContent = t("page-blocks-search");
+  return name;
+}
+
+function nameTab(dom: HTMLElement): void {
+  dom.classList.add("lbSearch");
+  dom.ariaLabel = dom.title = t("page-blocks-search-blocks");
+  dom.removeAttribute("aria-labelledby");
+}
+
+/** The found blocks; those that the robot can't do come last. */
+function sorted(matching: readonly FlyoutItem[], workspace: Blockly.WorkspaceSvg): FlyoutItem[] {
+  const { lacks, title } = actionsOf(workspace)?.robot() ?? { lacks: new Set<string>(), title: "" };
+  return found(matching, lacks, paletteWords(title)) as FlyoutItem[];
+}
+
+function announce(count: number): void {
+  Blockly.utils.aria.announceDynamicAriaState(t("page-blocks-search-found", { count }));
+}
+
 function nothing(words: string): FlyoutItem {
   const text = words.length < SHORTEST ? t("page-blocks-search-hint") : t("page-blocks-search-nothing");
   return { kind: "label", text } as FlyoutItem;
 }
 
-/** Ctrl+F in the program. */
+/** The part of a program that is not drawn. */
+export interface Hidden {
+  /** Read all of it, and call a function. */
+  prepare(done: () => void): void;
+  /** The blocks with these words, in small letters, among what has been read. */
+  find(words: string): Block[];
+  /** Draw a block and those around it. */
+  draw(block: Block): void;
+}
+
+/** Found blocks that are drawn at once; the next ones are drawn when the user has gone through these. */
+const DRAWN = 5;
+
+/** Ctrl+F in the program; it draws what it finds. */
 export class ProgramSearch extends WorkspaceSearch {
+  constructor(
+    workspace: Blockly.WorkspaceSvg,
+    private readonly hidden: Hidden,
+  ) {
+    super(workspace);
+  }
+
+  override open(): void {
+    super.open();
+    this.hidden.prepare(() => {
+      if (this.searchText) this.searchAndHighlight(this.searchText, true);
+    });
+  }
+
+  override next(): void {
+    if (this.currentBlockIndex === this.blocks.length - 1 && this.drawFound()) {
+      this.searchAndHighlight(this.searchText, true);
+    }
+    super.next();
+  }
+
+  override searchAndHighlight(words: string, preserveCurrent?: boolean): void {
+    super.searchAndHighlight(words, preserveCurrent);
+    if (this.searchText && !this.blocks.length && this.drawFound()) super.searchAndHighlight(words, preserveCurrent);
+  }
+
+  /** Draw the next found blocks; return whether there are any. */
+  private drawFound(): boolean {
+    const found = this.hidden.find(this.searchText.toLowerCase()).slice(0, DRAWN);
+    for (const block of found) this.hidden.draw(block);
+    return found.length > 0;
+  }
+
   protected override createTextInput(): HTMLInputElement {
     const input = super.createTextInput();
     input.placeholder = input.ariaLabel = t("page-blocks-search-program");

@@ -1,25 +1,37 @@
-/** The palette reduced to the blocks of a set. */
+/** The palette reduced to the blocks of a set, in its groups. */
 
 import type * as Blockly from "blockly/core";
 
 import { CHANGING, shownEntries, shownTabs, shows, type Tab } from "../../model/shown-blocks";
 import type { BlockSet } from "../../protocol/messages";
 import { ownTab } from "./categories";
-import type { Palette } from "./palette";
+import type { Item } from "./offers";
+import type { Palette, PaletteTab } from "./palette";
+import { GROUP, type GroupInfo } from "./palette-group";
 import { searchTab } from "./search";
 
 type Toolbox = Blockly.utils.toolbox.ToolboxInfo;
 type Items = Blockly.utils.toolbox.FlyoutItemInfo[];
 
+/** A search, and the groups with at least one shown block. */
 export function toolboxOf({ toolbox }: Palette, set: BlockSet): Toolbox {
-  const tabs = [...toolbox.contents, ownTab()] as (Tab & { custom?: string })[];
-  const shown = shownTabs(tabs, set) as Toolbox["contents"];
-  return { ...toolbox, contents: [searchTab(), ...shown] };
+  const tabs = shownTabs([...toolbox.contents, ownTab()], set);
+  const groups = toolbox.groups
+    .map((one): GroupInfo => {
+      const own = tabs.filter(({ group }) => group === one.group);
+      return { kind: GROUP, ...one, tabs: own, contents: own.flatMap(blocksOf) };
+    })
+    .filter((one) => one.tabs.length > 0);
+  return { kind: toolbox.kind, contents: [searchTab(), ...groups] as unknown as Toolbox["contents"] };
+}
+
+export function blocksOf({ contents }: PaletteTab): readonly Item[] {
+  return (contents ?? []).filter(({ kind }) => kind === "block");
 }
 
 /** Apply the set to the tabs whose blocks depend on the program. */
 export function limitTabs(workspace: Blockly.WorkspaceSvg, palette: Palette, set: () => BlockSet): void {
-  for (const { custom = "", category = "" } of palette.toolbox.contents as Tab[]) {
+  for (const { custom = "", category = "" } of palette.toolbox.contents as readonly Tab[]) {
     const all = custom in CHANGING && workspace.getToolboxCategoryCallback(custom);
     if (!all) continue;
     workspace.registerToolboxCategoryCallback(custom, (source) =>

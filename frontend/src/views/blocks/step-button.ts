@@ -10,8 +10,8 @@ const SIZE = 20;
 function picture(sign: Sign): string {
   const svg =
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 16 16">` +
-    `<circle cx="8" cy="8" r="7.5" fill="white" fill-opacity=".25"/>` +
-    `<path d="${BARS[sign]}" stroke="white" stroke-width="2" stroke-linecap="round"/></svg>`;
+    `<circle cx="8" cy="8" r="7.5" fill="white" fill-opacity=".9"/>` +
+    `<path d="${BARS[sign]}" stroke="#1a2138" stroke-width="2" stroke-linecap="round"/></svg>`;
   return `data:image/svg+xml,${encodeURIComponent(svg)}`;
 }
 

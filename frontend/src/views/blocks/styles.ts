@@ -1,8 +1,8 @@
-/** Gives each block the colour of its tab in the palette, also Blockly's own blocks and calls. */
+/** Gives each block the colour of its group in the palette, also Blockly's own blocks and calls. */
 
 import * as Blockly from "blockly/core";
 
-/** Blockly's blocks that are in a different tab than usual. */
+/** Blockly's blocks that are in a different group than usual. */
 const STYLES: Readonly<Record<string, string>> = {
   controls_if: "loop_blocks",
   controls_if_if: "loop_blocks",

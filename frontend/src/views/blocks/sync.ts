@@ -6,26 +6,33 @@ import type { Block, Workspace } from "../../protocol/messages";
 import { addShadows, build, differsInShape, update } from "./build";
 import type { Link, Node } from "./flat";
 import { index, shadowLinks } from "./flat";
+import { blocksIn, blocksOf, fold, hiddenIn, REST, type Rest, restOf, unfold } from "./folds";
 import type { Covered } from "./places";
 import { bottomOf, covered, makeRoom, moveTo, placeBelow } from "./places";
 import { readOwn, readWorkspace } from "./read";
+import { copied } from "./rest-block";
 import { isPlaced, type Stack, slices } from "./slices";
 import { removeVariables, setVariables } from "./variables";
 
 type Svg = Blockly.BlockSvg;
 const NOTHING: Workspace = { stacks: [], variables: [] };
 /** The ms after which the page may react to the user again while stacks are added. */
-const SLICE = 50;
+const SLICE = 30;
+type IsFar = (block: Svg) => boolean;
 
 /** Keeps Blockly's workspace and the flat one equal, in both directions. */
 export class Sync {
-  /** The workspace shown last; Blockly's version of it may differ in spelling. */
+  /** What is drawn of the workspace shown last; Blockly's version of it may differ in spelling. */
   private shown = NOTHING;
-  /** The same workspace with the stacks that are still to be added. */
+  /** The whole workspace, with the stacks that are still to be added. */
   private wanted = NOTHING;
   private later: readonly Stack[] = [];
   /** The area of each stack when it was last shown or read. */
   private covered = new Map<string, Blockly.utils.Rect>();
+  /** The placeholder of each hidden block, by their ids; null until it is needed. */
+  private hidden: Map<string, string> | null = null;
+  /** The blocks that copied placeholders hide, by the ids of the copies. */
+  private readonly copies = new Map<string, Block[]>();
 
   constructor(
     private readonly workspace: Blockly.WorkspaceSvg,
@@ -39,23 +46,59 @@ export class Sync {
 
   /** The workspace after the user's edits; during a drag, the state before it. */
   read(): Workspace {
-    if (this.isLoading) return this.wanted;
-    if (this.workspace.isDragging()) return this.shown;
+    if (this.workspace.isDragging()) return this.wanted;
     Blockly.renderManagement.triggerQueuedRenders(this.workspace);
     this.silently(() => makeRoom(this.workspace, this.covered));
+    const before = this.covered;
     this.covered = covered(this.workspace);
-    this.shown = this.wanted = readWorkspace(this.workspace, this.order());
-    return this.shown;
+    const read = readWorkspace(this.workspace);
+    this.shown = this.isPartial ? { ...read, stacks: this.inPlace(read.stacks, before) } : read;
+    this.wanted = this.whole();
+    this.hidden = null;
+    return this.wanted;
+  }
+
+  /** The id of the placeholder that hides a block; null for a block that is drawn. */
+  placeholderOf(id: string): string | null {
+    this.hidden ??= hiddenIn(this.shown);
+    return this.hidden.get(id) ?? null;
+  }
+
+  /** All blocks that are not drawn, except those of stacks that are still to be added. */
+  hiddenBlocks(): Block[] {
+    const rests = [...blocksIn(this.shown.stacks.flat())].map(restOf).filter((rest) => rest !== null);
+    return rests.flatMap((rest) => [...blocksIn(blocksOf(rest))]);
+  }
+
+  get variables(): Workspace["variables"] {
+    return this.wanted.variables;
+  }
+
+  /** Draw the pieces with these blocks, and no longer those that are all far away. */
+  draw(blocks: readonly string[], isFar: IsFar): void {
+    if (this.workspace.isDragging()) return;
+    // The user may have edited something that is not sent yet.
+    this.showNow(this.read(), new Set(blocks), isFar);
   }
 
   /** Show a workspace, of a large one only a part: `addNext` adds the rest. Return whether a block changes. */
   show(wanted: Workspace): boolean {
-    if (wanted === this.wanted) return false;
+    return wanted !== this.wanted && this.showNow(wanted, new Set(), () => false);
+  }
+
+  /** What is drawn stays drawn. */
+  private showNow(wanted: Workspace, asked: ReadonlySet<string>, isFar: IsFar): boolean {
     const before = index(this.shown);
-    const { now, later } = slices(before, wanted);
+    const isDrawn = (blocks: readonly Block[], folded: boolean) => {
+      const known = blocks.filter(({ id }) => before.has(id)).map(({ id }) => this.workspace.getBlockById(id));
+      return known.length > 0 && (folded || !known.every((block) => block && isFar(block)));
+    };
+    const part = fold(wanted, (blocks, folded) => blocks.some(({ id }) => asked.has(id)) || isDrawn(blocks, folded));
+    const { now, later } = slices(before, part);
     this.wanted = wanted;
     this.later = later;
-    this.shown = later.length ? now : wanted;
+    this.shown = now;
+    this.hidden = null;
     const change = new Change(this.workspace, before, now, covered(this.workspace));
     const touched = this.silently(() => change.apply());
     this.covered = covered(this.workspace);
@@ -78,15 +121,53 @@ export class Sync {
     const [stack, ...later] = this.later;
     const change = new Change(this.workspace, new Map(), { ...NOTHING, stacks: [stack!] }, this.covered);
     this.later = later;
-    this.shown = this.isLoading ? { ...this.shown, stacks: [...this.shown.stacks, stack!] } : this.wanted;
+    this.shown = { ...this.shown, stacks: [...this.shown.stacks, stack!] };
+    this.hidden = null;
     change.add();
     const first = this.workspace.getBlockById(stack![0]!.id)!;
     this.covered.set(first.id, first.getBoundingRectangle());
     return first;
   }
 
-  private order(): string[] {
-    return this.shown.stacks.map((stack) => stack[0]!.id);
+  private get isPartial(): boolean {
+    return this.isLoading || this.shown.stacks.some((stack) => hasRest(stack));
+  }
+
+  /** What is drawn with all the rest; stacks keep their order, and new ones are last. */
+  private whole(): Workspace {
+    const order = new Map(this.wanted.stacks.map(([first], place) => [first!.id, place]));
+    const place = ([first]: Stack) => order.get(first!.id) ?? order.size;
+    const drawn = { ...this.shown, stacks: [...this.shown.stacks, ...this.later].sort((a, b) => place(a) - place(b)) };
+    if (!this.isPartial) return drawn;
+    const whole = unfold(drawn, (rest, id) => this.copy(rest, id));
+    return { ...whole, variables: [...whole.variables, ...this.lostVariables(whole.variables)] };
+  }
+
+  /** Variables that are only used where nothing is drawn stay, even if the user has deleted their other uses. */
+  private lostVariables(kept: Workspace["variables"]): Workspace["variables"] {
+    const ids = new Set(kept.map(({ id }) => id));
+    const lost = this.wanted.variables.filter(({ id }) => !ids.has(id));
+    if (!lost.length) return [];
+    const used = JSON.stringify([this.hiddenBlocks(), this.later]);
+    return lost.filter(({ id }) => used.includes(JSON.stringify(id)));
+  }
+
+  private copy(rest: Rest, id: string): Block[] {
+    const known = this.copies.get(id) ?? copied(blocksOf(rest));
+    this.copies.set(id, known);
+    return known;
+  }
+
+  /** Stacks that the user has not moved keep their positions, or none: where they are depends on what is drawn. */
+  private inPlace(stacks: readonly Stack[], before: Covered): Stack[] {
+    const known = new Map(this.wanted.stacks.map(([first]) => [first!.id, first!]));
+    return stacks.map((stack) => {
+      const [first, ...others] = stack;
+      const [was, old, now] = [known.get(first!.id), before.get(first!.id), this.covered.get(first!.id)];
+      if (!was || !old || !now || old.top !== now.top || old.left !== now.left) return stack;
+      const { x: _x, y: _y, ...own } = first!;
+      return [{ ...own, ...(was.x == null ? {} : { x: was.x, y: was.y }) } as Block, ...others];
+    });
   }
 
   // These changes are not edits of the user, and the program is valid even where Blockly would not
@@ -172,7 +253,7 @@ class Change {
 
   private stays(block: Svg): boolean {
     const node = this.nodes.get(block.id);
-    return !!node && !differsInShape(this.shownOwn(block), node.block);
+    return !!node && (isRest(node.block, block) || !differsInShape(this.shownOwn(block), node.block));
   }
 
   private shownOwn(block: Svg): Block {
@@ -196,7 +277,13 @@ class Change {
     }
     const own = this.shownOwn(block);
     if (own === node.block) return;
+    if (isRest(node.block, block)) return this.updateRest(block, own, node.block);
     this.touched = update(block, own, node.block) || this.touched;
+  }
+
+  private updateRest(block: Svg, shown: Block, wanted: Block): void {
+    this.touched ||= restOf(shown)?.count !== restOf(wanted)?.count;
+    block.loadExtraState?.(wanted.extraState);
   }
 
   // Parents first: Blockly visits all children of a block whenever it is connected.
@@ -248,6 +335,16 @@ class Change {
     const again = this.made.find((block) => block.id === id);
     if (again) Blockly.getFocusManager().focusNode(again);
   }
+}
+
+/** Whether both are placeholders. */
+function isRest(wanted: Block, block: Svg): boolean {
+  return wanted.type === REST && block.type === REST;
+}
+
+function hasRest(stack: Stack): boolean {
+  for (const block of blocksIn(stack)) if (block.type === REST) return true;
+  return false;
 }
 
 /** The id of the shadow in an input, even if a block covers it. */

@@ -3,6 +3,7 @@
 import * as Blockly from "blockly/core";
 
 import { FreeChoice } from "./fields/free-choice";
+import { renameHidden } from "./rest-block";
 import { changeShape, stepButton } from "./step-button";
 
 interface WhenState {
@@ -80,6 +81,7 @@ function renameUses(this: Blockly.Field, wish: string): string | null {
   const name = wish.trim();
   if (!name || (name !== old && whenNames(block.workspace).includes(name))) return null;
   for (const use of usesOf(block.workspace, old)) use.setFieldValue(name, "WHEN");
+  renameHidden(block.workspace, USES, old, name);
   return name;
 }
 

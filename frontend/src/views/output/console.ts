@@ -8,7 +8,8 @@ import { t } from "../../i18n";
 import type { Context } from "../../model/context";
 import { explained } from "../../model/run-error";
 import { endingAfter } from "../../model/run-result";
-import type { Ended } from "../../protocol/messages";
+import { runTitle } from "../../model/run-title";
+import type { Ended, RunShown } from "../../protocol/messages";
 import type { Island } from "../../ui/island";
 import { button, element } from "./elements";
 import { Lines } from "./lines";
@@ -31,8 +32,10 @@ function ending({ ended, message, time = 0 }: Ended): string {
 
 class Console implements ConsoleIsland {
   readonly dom = element("section", { class: "robot-panel console" });
-  private readonly lines = new Lines();
+  private readonly lines = new Lines((text, after) => this.context.askingWhy.aboutPrinted(text, after));
   private readonly question: Question;
+  /** Whether the end of the program has been shown, while those of other robots go on. */
+  private isDone = false;
   private readonly disposers: (() => void)[];
 
   constructor(private readonly context: Context) {
@@ -42,6 +45,7 @@ class Console implements ConsoleIsland {
     this.dom.append(this.lines.dom, this.question.dom, element("div", { class: "tools" }, copy, clear));
     this.disposers = [
       ...this.listen(),
+      effect(() => this.lines.showUntil(context.running.printed.value)),
       effect(() => {
         copy.textContent = t("page-console-copy");
         clear.textContent = t("page-console-clear");
@@ -70,20 +74,45 @@ class Console implements ConsoleIsland {
     const { connection } = this.context;
     return [
       connection.on("Opened", () => this.begin()),
-      connection.on("Printed", ({ text }) => this.lines.print(text)),
+      connection.on("TabOpened", () => this.begin()),
+      // These messages follow, and tell it whenever it changes.
+      connection.on("TabOpened", ({ shows = "" }) => this.lines.show(shows)),
+      connection.on("Tabs", ({ shows = "" }) => this.lines.show(shows)),
+      connection.on("Printed", ({ text, until = 0 }) => this.lines.print({ robot: "", text, until })),
+      connection.on("PrintedByRobots", ({ parts }) => parts.forEach((part) => this.lines.print(part))),
       connection.on("InputWanted", ({ prompt }) => this.question.ask(prompt || t("page-console-asks"))),
+      connection.on("RunShown", (shown) => this.showRun(shown)),
       connection.on("RunState", ({ state }) => {
-        if (state === "starting") this.lines.add(() => t("page-console-started"), "note");
+        if (state === "starting") this.started();
       }),
-      connection.on("Ended", (ended) => {
-        this.question.close();
-        this.lines.add(() => ending(ended), WELL.has(ended.ended) ? "good" : "bad");
-      }),
+      connection.on("Ended", (ended) => this.ended(ended)),
     ];
   }
 
-  /** Start with an empty console whenever a project is opened. */
+  private started(): void {
+    this.isDone = false;
+    this.lines.beginRun();
+    this.lines.add(() => t("page-console-started"), "note");
+  }
+
+  /** A program that ends before those of other robots is reported again with the whole run. */
+  private ended(ended: Ended): void {
+    this.question.close();
+    if (!this.isDone) this.lines.add(() => ending(ended), WELL.has(ended.ended) ? "good" : "bad", true);
+    this.isDone = ended.others ?? false;
+  }
+
+  /** Show what a kept run has printed, or the newest one again. */
+  private showRun({ run, printed = "" }: RunShown): void {
+    this.begin();
+    if (run) this.lines.add(() => t("page-runs-console", { name: runTitle(run) }), "note");
+    this.lines.beginRun();
+    if (printed) this.lines.print({ robot: "", text: printed, until: printed.length });
+  }
+
+  /** Start with an empty console whenever another program is shown. */
   private begin(): void {
+    this.isDone = false;
     this.question.close();
     this.lines.clear();
   }

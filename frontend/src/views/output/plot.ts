@@ -68,6 +68,8 @@ function axes(sensors: readonly Sensor[], { text, grid }: Colours): uPlot.Axis[]
 /** A plot of some sensors. */
 export class Plot {
   private plot: uPlot | null = null;
+  /** The moment that the user looks back at, in s. */
+  private moment: number | null = null;
 
   constructor(readonly dom: HTMLElement) {}
 
@@ -88,11 +90,14 @@ export class Plot {
       scales: { x: { time: false } },
       legend: { live: false },
       cursor: { drag: { x: false, y: false } },
+      hooks: { draw: [(plot) => this.markMoment(plot, colours.text)] },
     };
     this.plot = new uPlot(options, [[], ...sensors.map(() => [])], this.dom);
   }
 
-  draw(times: number[], readings: Reading[][]): void {
+  /** Draw the readings, and a line at a moment in s that is looked back at. */
+  draw(times: number[], readings: Reading[][], moment: number | null): void {
+    this.moment = moment;
     this.plot?.setData([times, ...readings]);
   }
 
@@ -102,6 +107,20 @@ export class Plot {
 
   destroy(): void {
     this.plot?.destroy();
+  }
+
+  private markMoment(plot: uPlot, color: string): void {
+    if (this.moment === null) return;
+    const x = plot.valToPos(this.moment, "x", true);
+    const { ctx, bbox } = plot;
+    ctx.save();
+    ctx.strokeStyle = color;
+    ctx.lineWidth = 2 * devicePixelRatio;
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.restore();
   }
 
   private size(): { width: number; height: number } {

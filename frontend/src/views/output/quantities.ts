@@ -17,7 +17,7 @@ export function sensorId({ device, key, place = "", number = 0 }: Sensor): strin
   return [device, key, place, number].join(":");
 }
 
-/** A sensor's name in the user's language: `Distance front 1`. */
+/** A sensor's name in the user's language: `Distance in front 1`. */
 export function sensorName({ device, place = "", number = 0 }: Sensor): string {
   return t("page-sensors-name", { device, place: place || "none", number });
 }
@@ -26,7 +26,13 @@ export function sensorName({ device, place = "", number = 0 }: Sensor): string {
 export function readingText({ device, unit = "" }: Sensor, value: Sensor["value"]): string {
   if (value === null) return "–";
   if (typeof value === "boolean") return t(value ? "page-sensors-yes" : "page-sensors-no");
-  return `${value.toFixed(DIGITS[device] ?? 1)} ${unit}`.trim();
+  return `${fixed(value, DIGITS[device] ?? 1)} ${unit}`.trim();
+}
+
+/** A number with these decimals; not "-0.0". */
+function fixed(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? text.replace("-", "") : text;
 }
 
 /** The fraction of its bar that a reading fills, 0 to 1. */

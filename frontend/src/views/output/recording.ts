@@ -18,6 +18,10 @@ function title({ device, key, place, number, unit }: Sensor): string {
   return [device, key, place, number, unit && `(${unit})`].filter(Boolean).join(" ");
 }
 
+function asReading(value: number | boolean | null): Reading {
+  return value === null ? null : Number(value);
+}
+
 /** Readings over the robot's time, in seconds. */
 export class Recording {
   private times: number[] = [];
@@ -32,8 +36,7 @@ export class Recording {
     for (const [id, sensor] of now) this.addColumn(id, sensor);
     this.times.push(time);
     for (const [id, { readings }] of this.columns) {
-      const value = now.get(id)?.value ?? null;
-      readings.push(value === null ? null : Number(value));
+      readings.push(asReading(now.get(id)?.value ?? null));
     }
     if (this.times.length >= MOST_SAMPLES) this.forgetHalf();
   }
@@ -50,6 +53,32 @@ export class Recording {
     return {
       times: this.times.slice(from),
       readings: ids.map((id) => this.columns.get(id)?.readings.slice(from) ?? []),
+    };
+  }
+
+  /**
+   * Times and readings around a moment, of `seconds`; later ones are null.
+   *
+   * @param now the readings of the moment itself.
+   */
+  around(
+    moment: number,
+    seconds: number,
+    ids: readonly string[],
+    now: readonly Sensor[],
+  ): { times: number[]; readings: Reading[][] } {
+    const end = Math.max(moment, Math.min(this.times.at(-1) ?? moment, moment + seconds / 2));
+    const first = this.times.findLastIndex((time) => time < end - seconds) + 1;
+    const at = this.times.findLastIndex((time) => time < moment) + 1;
+    const after = this.times.slice(at).filter((time) => time > moment && time <= end);
+    const values = new Map(now.map((sensor) => [sensorId(sensor), sensor.value]));
+    return {
+      times: [...this.times.slice(first, at), moment, ...after],
+      readings: ids.map((id) => [
+        ...(this.columns.get(id)?.readings.slice(first, at) ?? []),
+        asReading(values.get(id) ?? null),
+        ...after.map(() => null),
+      ]),
     };
   }
 

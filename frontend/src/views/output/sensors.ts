@@ -60,7 +60,8 @@ class Sensors implements SensorsIsland {
     this.dom.append(this.nothing, this.readings.dom, this.picture, details, tools);
     this.dark.addEventListener("change", this.replot);
     this.disposers = [
-      effect(() => this.record(context.running.telemetry.value)),
+      effect(() => this.record(context.running.measured.value)),
+      effect(() => void [context.running.past.value, this.schedule()]),
       effect(() => this.nameAll()),
       effect(() => this.followPlot()),
     ];
@@ -145,11 +146,18 @@ class Sensors implements SensorsIsland {
     this.readings.show(this.context.running.telemetry.peek()?.sensors ?? []);
     const plotted = this.plotted();
     if (this.outdated) this.makePlot(plotted);
-    const { times, readings } = this.recording.last(SHOWN_SECONDS, plotted.map(sensorId));
-    this.plot.draw(times, readings);
+    const { times, readings } = this.toPlot(plotted.map(sensorId));
+    this.plot.draw(times, readings, this.context.running.past.peek()?.time ?? null);
     if (now - this.summarised < SUMMARY_PERIOD) return;
     this.summarised = now;
     this.summarise(plotted, readings);
+  }
+
+  /** The last minute, or that around the moment that the user looks back at. */
+  private toPlot(ids: readonly string[]): { times: number[]; readings: Reading[][] } {
+    const past = this.context.running.past.peek();
+    if (!past) return this.recording.last(SHOWN_SECONDS, ids);
+    return this.recording.around(past.time, SHOWN_SECONDS, ids, past.telemetry?.sensors ?? []);
   }
 
   /** The plot as a table, for screen readers. */

@@ -3,10 +3,10 @@
 import { computed, effect } from "@preact/signals";
 import { t } from "../../i18n";
 import type { Context } from "../../model/context";
+import { face } from "../../ui/face";
 import type { Island } from "../../ui/island";
 import { element } from "./elements";
 import { emotionName } from "./emotions";
-import { face } from "./face";
 
 type Led = readonly [name: string, colour: readonly [number, number, number]];
 

@@ -49,6 +49,7 @@ class Loudspeaker {
     this.disposers = [
       connection.on("Sound", (sound) => preferences.value.sound && this.hear(sound)),
       connection.on("Opened", () => this.silence()),
+      connection.on("TabOpened", () => this.silence()),
       connection.on("RunState", ({ state }) => state === "starting" && this.silence()),
       connection.on("Ended", ({ ended }) => ended === "stopped" && this.silence()),
       connection.on("Telemetry", (telemetry) => {

@@ -1,6 +1,7 @@
 /** A table that is updated often: changed cells flash, the others are not touched. */
 
-import { element } from "./elements";
+import { icon } from "../../ui/icons";
+import { button, element } from "./elements";
 
 export type Row = readonly [name: string, ...values: string[]];
 
@@ -25,28 +26,59 @@ function write(cell: HTMLElement, text: string, flashes: boolean): void {
   if (before && flashes) flash(cell);
 }
 
-function makeRow([name, ...values]: Row): HTMLTableRowElement {
+/** What a click on a row's name does. */
+export interface Asking {
+  readonly title: () => string;
+  ask(name: string): void;
+}
+
+/** Buttons that go to where a row changed, before and after the moment that is shown. */
+export interface Jumping {
+  readonly title: (by: -1 | 1, name: string) => string;
+  /** The heading of their column. */
+  readonly heading: () => string;
+  go(by: -1 | 1, name: string): void;
+}
+
+function makeRow([name, ...values]: Row, asking: Asking | null, jumping: Jumping | null): HTMLTableRowElement {
   const cells = values.map(() => element("td"));
-  return element("tr", { "data-name": name }, element("th", { scope: "row" }, name), ...cells);
+  if (jumping) cells.push(element("td", { class: "jumps" }, jumper(-1, name, jumping), jumper(1, name, jumping)));
+  const head = element("th", { scope: "row" }, asking ? asker(name, asking) : name);
+  return element("tr", { "data-name": name }, head, ...cells);
+}
+
+function asker(name: string, asking: Asking): HTMLButtonElement {
+  const made = button("ask", () => asking.ask(name));
+  made.append(name, icon("why"));
+  made.title = asking.title();
+  return made;
+}
+
+function jumper(by: -1 | 1, name: string, jumping: Jumping): HTMLButtonElement {
+  const made = button("jump", () => jumping.go(by, name));
+  made.append(icon(by < 0 ? "lineBefore" : "lineAfter"));
+  made.title = made.ariaLabel = jumping.title(by, name);
+  return made;
 }
 
 function sameRows(body: HTMLTableSectionElement, rows: readonly Row[]): boolean {
   return body.rows.length === rows.length && rows.every(([name], index) => body.rows[index]?.dataset.name === name);
 }
 
-export function createTable(): Table {
+export function createTable(asking: Asking | null = null, jumping: Jumping | null = null): Table {
   const title = element("caption");
   const head = element("tr");
   const body = element("tbody");
   const dom = element("table", {}, title, element("thead", {}, head), body);
 
-  function show(caption: string, columns: readonly string[], rows: readonly Row[], flashing = Infinity): void {
+  function show(caption: string, named: readonly string[], rows: readonly Row[], flashing = Infinity): void {
+    const columns = jumping ? [...named, jumping.heading()] : named;
     dom.hidden = rows.length === 0;
     title.textContent = caption;
     if (head.textContent !== columns.join("")) {
       head.replaceChildren(...columns.map((column) => element("th", { scope: "col" }, column)));
     }
-    if (!sameRows(body, rows)) body.replaceChildren(...rows.map(makeRow));
+    if (!sameRows(body, rows)) body.replaceChildren(...rows.map((row) => makeRow(row, asking, jumping)));
     rows.forEach(([, ...values], index) => {
       const cells = body.rows[index]?.cells;
       values.forEach((value, column) => {

@@ -23,10 +23,30 @@ function whenEntry({ name, active, time }: WhenNow): readonly [string, string, s
 export function createVariables(context: Context): Island {
   const dom = element("section", { class: "robot-panel variables scroll", tabindex: "0" });
   const nothing = element("p", { class: "nothing" });
-  const local = createTable();
-  const shared = createTable();
-  const whens = createTable();
-  dom.append(nothing, local.dom, shared.dom, whens.dom);
+  const stack = element("p", { class: "stack" });
+  const { askingWhy, lookingBack, running } = context;
+  const title = () => t("page-why-variable");
+  const ofVariables = { title, ask: (name: string) => askingWhy.aboutVariable(name) };
+  const changes = {
+    heading: () => t("page-variables-changes"),
+    title: (by: -1 | 1, name: string) =>
+      t(by < 0 ? "page-variables-change-before" : "page-variables-change-after", { name }),
+    go: (by: -1 | 1, name: string) => lookingBack.toChange(by, name),
+  };
+  const local = createTable(ofVariables, changes);
+  const shared = createTable(ofVariables, changes);
+  const whens = createTable({ title, ask: (name) => askingWhy.aboutWhen(name, isActive(name)) });
+  dom.append(nothing, stack, local.dom, shared.dom, whens.dom);
+
+  /** The functions that ran at the moment that is looked back at, outermost first. */
+  function showStack(functions: readonly string[]): void {
+    stack.textContent = t("page-variables-stack", { functions: functions.map((name) => `${name}()`).join(" › ") });
+    stack.hidden = functions.length === 0;
+  }
+
+  function isActive(name: string): boolean {
+    return running.variables.peek()?.whens?.some((one) => one.name === name && one.active) ?? false;
+  }
 
   function show(variables: Variables | null): void {
     const value = [t("page-variables-name"), t("page-variables-value")];
@@ -39,5 +59,15 @@ export function createVariables(context: Context): Island {
     dom.setAttribute("aria-label", t("page-variables-title"));
   }
 
-  return { dom, destroy: effect(() => show(context.running.variables.value)) };
+  const disposers = [
+    effect(() => show(running.variables.value)),
+    effect(() => void dom.classList.toggle("has-run", !!running.timeline.value?.end)),
+    effect(() => showStack(running.past.value?.stack ?? [])),
+  ];
+  return {
+    dom,
+    destroy: () => {
+      for (const dispose of disposers) dispose();
+    },
+  };
 }

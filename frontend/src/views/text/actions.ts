@@ -20,7 +20,8 @@ export type ActionName =
   | "help"
   | "definition"
   | "rename"
-  | "reveal";
+  | "reveal"
+  | "why";
 
 /** An action and its keys in CodeMirror's notation. */
 export interface Action {
@@ -65,6 +66,7 @@ export class Actions {
       },
       { name: "rename", keys: ["F2"], run: (view) => void this.rename(view) },
       { name: "reveal", keys: ["Alt-Enter"], run: (view) => this.revealElsewhere(view) },
+      { name: "why", keys: ["Alt-y"], run: (view) => this.askWhy(view) },
     ];
   }
 
@@ -118,6 +120,15 @@ export class Actions {
       this.context.program.flush();
       this.context.connection.send({ kind: "Rename", sort, name, new: to });
     });
+  }
+
+  private askWhy(view: EditorView): void {
+    const { askingWhy } = this.context;
+    const line = cursorLine(view.state);
+    const block = this.outline.value.around(line);
+    if (!block) return say(view, t("page-text-no-statement", { line }));
+    if (!askingWhy.isPossible) return say(view, t("page-why-none"));
+    askingWhy.aboutBlock(block);
   }
 
   private revealElsewhere(view: EditorView): void {

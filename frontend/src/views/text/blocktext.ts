@@ -9,6 +9,9 @@ interface State {
   brackets: number;
   /** Within `python:` ... `end`. */
   raw: boolean;
+  /** The quote of the open f-string, and whether a value in it is being read. */
+  text: string;
+  value: boolean;
   /** The previous word on the line, if it determines the kind of the next name. */
   before: string;
 }
@@ -16,6 +19,12 @@ interface State {
 const WORD = /^[\p{L}\p{Nl}_][\p{L}\p{Nl}\p{Mn}\p{Mc}\p{Nd}\p{Pc}]*/u;
 const NUMBER = /^(?:0[xXbBoO]\w*|(?:\d[\d_]*\.?[\d_]*|\.\d[\d_]*)(?:[eE][-+]?\d[\d_]*)?)/;
 const STRING = /^(?:"(?:[^"\\]|\\.)*"?|'(?:[^'\\]|\\.)*'?)/;
+const F_STRING = /^[fF]["']/;
+/** The text in an f-string, by its quote. */
+const TEXT_OF_F_STRING: Readonly<Record<string, RegExp>> = {
+  '"': /^(?:[^"{}\\]|\\.|\{\{|\}\})*/,
+  "'": /^(?:[^'{}\\]|\\.|\{\{|\}\})*/,
+};
 const RAW_EXPRESSION = /^`(?:[^`]|``)*`?/;
 const OPERATOR = /^(?:\*\*|\/\/|[-+*/%<>=!])=?|^,|^\./;
 const RAW_START = /^python[ \t]*:[ \t]*(?:#.*)?$/;
@@ -39,14 +48,20 @@ const PYTHON_KEYWORDS = new Set(
 const CONSTANTS = new Set(["True", "False", "None"]);
 const DEFINING = new Set(["def", "when", "class"]);
 /** Soft keywords are names, unless the form of the line makes them keywords. */
+const AT_START: Readonly<Record<string, RegExp>> = {
+  repeat: /^\s*repeat/,
+  forever: /^\s*forever\s*:/,
+  wait: /^\s*wait\s+until\b/,
+  until: /^\s*wait\s+until\b/,
+};
 const AFTER_FOR = new Set(["from", "to", "step"]);
 
 function startState(): State {
-  return { depth: 0, brackets: 0, raw: false, before: "" };
+  return { depth: 0, brackets: 0, raw: false, text: "", value: false, before: "" };
 }
 
 function startLine(stream: StringStream, state: State): void {
-  state.before = "";
+  state.before = state.text = "";
   if (!state.raw && stream.match(RAW_START, false)) {
     state.raw = true;
     state.depth += 1;
@@ -58,15 +73,39 @@ function startLine(stream: StringStream, state: State): void {
 }
 
 function token(stream: StringStream, state: State): string | null {
+  if (state.text && stream.pos > 0) {
+    const found = textWithValues(stream, state);
+    if (found) return found;
+  }
   if (stream.eatSpace()) return null;
   if (stream.string.search(/\S/) === stream.pos) startLine(stream, state);
   if (stream.match("#")) return comment(stream);
   if (stream.match(STRING)) return "string";
+  if (!state.raw && stream.match(F_STRING)) return beginText(stream, state);
   if (!state.raw && stream.match(RAW_EXPRESSION)) return "special";
   if (stream.match(NUMBER)) return "number";
   const word = stream.match(WORD) as RegExpMatchArray | null;
   if (word) return named(word[0], stream, state);
   return punctuation(stream, state);
+}
+
+function beginText(stream: StringStream, state: State): string {
+  state.text = stream.current().slice(-1);
+  state.value = false;
+  return textWithValues(stream, state) ?? "string";
+}
+
+/** Reads an f-string up to its next value or its end; null inside a value. */
+function textWithValues(stream: StringStream, state: State): string | null {
+  const next = stream.peek();
+  if (state.value && next !== "}" && next !== state.text) return null;
+  if (next === "{" || next === "}") {
+    state.value = stream.next() === "{";
+    return "punctuation";
+  }
+  stream.match(TEXT_OF_F_STRING[state.text] ?? /^.*/);
+  if (stream.eat(state.text) || stream.eol()) state.text = "";
+  return "string";
 }
 
 function comment(stream: StringStream): string {
@@ -88,7 +127,7 @@ function named(word: string, stream: StringStream, state: State): string {
 function isKeyword(word: string, stream: StringStream, state: State): boolean {
   if (word === "python") return RAW_START.test(stream.string.trim());
   if (state.raw) return PYTHON_KEYWORDS.has(word);
-  if (word === "repeat") return stream.string.trimStart().startsWith(word);
+  if (word in AT_START) return AT_START[word]?.test(stream.string) ?? false;
   if (AFTER_FOR.has(word)) return /^\s*for\b/.test(stream.string);
   return KEYWORDS.has(word);
 }
@@ -126,7 +165,7 @@ export const blocktext = StreamLanguage.define<State>({
   },
   languageData: {
     commentTokens: { line: "#" },
-    closeBrackets: { brackets: ["(", "[", "'", '"', "`"] },
+    closeBrackets: { brackets: ["(", "[", "{", "'", '"', "`"] },
     indentOnInput: /^\s*(?:end|else:|elif\s)$/,
   },
   tokenTable: {

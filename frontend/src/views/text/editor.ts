@@ -37,6 +37,7 @@ import { problemMarks } from "./problems";
 import { renamePanel } from "./rename";
 import type { Requests } from "./requests";
 import { runningLine } from "./running-line";
+import { values } from "./values";
 
 /** Keys that the page uses instead of CodeMirror: Ctrl+Enter runs the program. */
 const TAKEN = new Set(["Mod-Enter"]);
@@ -108,6 +109,7 @@ export function extensions(notation: Notation, actions: Actions, requests: Reque
     help(requests),
     renamePanel(),
     runningLine(),
+    values(),
     editing(),
     keys(actions),
     pointerAndMenu(actions),

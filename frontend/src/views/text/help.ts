@@ -3,7 +3,8 @@
 import { type EditorState, type Extension, StateEffect, StateField } from "@codemirror/state";
 import { EditorView, hoverTooltip, keymap, showTooltip, type Tooltip } from "@codemirror/view";
 
-import { t } from "../../i18n";
+import { say, t } from "../../i18n";
+import { deviceWord } from "../../model/robots";
 import type { Description } from "../../protocol/messages";
 import type { Requests } from "./requests";
 
@@ -20,7 +21,12 @@ const field = StateField.define<Tooltip | null>({
 });
 
 function lacking(found: Description): string {
-  return found.needs?.length ? t("page-text-lacks", { devices: found.needs.join(", ") }) : "";
+  return found.needs?.length ? t("page-text-lacks", { devices: found.needs.map(deviceWord).join(", ") }) : "";
+}
+
+/** What serves the senses of a skill on the chosen robot. */
+function serving({ serves }: Description): string {
+  return serves ? say(serves) : "";
 }
 
 function line(className: string, text: string): HTMLElement {
@@ -35,6 +41,7 @@ function dom(found: Description): HTMLElement {
   box.className = "text-help";
   box.append(line("text-help-title", found.title ?? ""));
   if (found.text) box.append(line("text-help-text", found.text));
+  if (serving(found)) box.append(line("text-help-serves", serving(found)));
   if (lacking(found)) box.append(line("text-help-lacks", lacking(found)));
   return box;
 }
@@ -64,7 +71,9 @@ export async function helpAtCursor(view: EditorView, requests: Requests): Promis
   const found = await requests.describe(state, position);
   if (view.state.doc !== state.doc) return;
   const known = found?.title ? found : null;
-  const text = known ? [known.title, known.text, lacking(known)].filter(Boolean).join(". ") : t("page-text-no-help");
+  const text = known
+    ? [known.title, known.text, serving(known), lacking(known)].filter(Boolean).join(". ")
+    : t("page-text-no-help");
   view.dispatch({
     effects: [setHelp.of(known && tooltip(state, position, known)), EditorView.announce.of(text)],
   });

@@ -8,6 +8,7 @@ import { computed, effect, type ReadonlySignal } from "@preact/signals";
 
 import type { Context } from "../../model/context";
 import type { ProgramState } from "../../model/program";
+import { valuesInWords } from "../../model/values-there";
 import type { Notation } from "../../protocol/messages";
 import type { Island } from "../../ui/island";
 import { Actions } from "./actions";
@@ -15,17 +16,19 @@ import { showBreakpoints } from "./breakpoints";
 import { extensions } from "./editor";
 import { Outline } from "./outline";
 import { words } from "./phrases";
-import { positionOf, scrollTo, selectAt } from "./places";
+import { cursorLine, positionOf, scrollTo, selectAt } from "./places";
 import { showProblems } from "./problems";
 import { Requests } from "./requests";
 import { showRunning } from "./running-line";
 import { showText, tellEdits } from "./sync";
 import { createToolbar } from "./toolbar";
+import { showValues } from "./values";
 
 export interface TextIsland extends Island {
   focus(): void;
   /** Show a statement: the block's id. */
   reveal(block: string): void;
+  inWords(block: string): string;
   /** Go to a line and column, from 1; column 0 is the line's first word. */
   goTo(line: number, column: number): void;
 }
@@ -46,6 +49,7 @@ class TextView implements TextIsland {
   private hasProblems = false;
   private hasBreakpoints = false;
   private runs = false;
+  private hasValues = false;
 
   constructor(
     private readonly context: Context,
@@ -66,6 +70,7 @@ class TextView implements TextIsland {
       effect(() => this.showProblems()),
       effect(() => this.showBreakpoints()),
       effect(() => this.showRunning()),
+      effect(() => this.showValues()),
       effect(() => this.view.dispatch({ effects: this.words.reconfigure(words(notation)) })),
       effect(() => this.showAccess()),
     ];
@@ -78,6 +83,12 @@ class TextView implements TextIsland {
   reveal(block: string): void {
     const lines = this.outline.value.head(block);
     if (lines) this.goTo(lines.first, 0);
+  }
+
+  inWords(block: string): string {
+    const lines = this.outline.value.head(block);
+    const { doc } = this.view.state;
+    return lines && lines.first <= doc.lines ? doc.line(lines.first).text.trim() : "";
   }
 
   goTo(line: number, column: number): void {
@@ -100,6 +111,9 @@ class TextView implements TextIsland {
         extensions(this.notation, this.actions, this.requests),
         tooltips({ parent: this.boxes }),
         tellEdits(this.context.program, this.notation),
+        EditorView.updateListener.of(({ selectionSet, view }) => {
+          if (selectionSet && view.hasFocus) this.context.select(this.outline.peek().around(cursorLine(view.state)));
+        }),
       ],
     });
   }
@@ -133,6 +147,18 @@ class TextView implements TextIsland {
     const lines = heads.flatMap((head) => (head ? [head.first] : []));
     if (lines.length > 0 || this.hasBreakpoints) showBreakpoints(this.view, lines);
     this.hasBreakpoints = lines.length > 0;
+  }
+
+  private showValues(): void {
+    this.showProgram();
+    const outline = this.outline.value;
+    const byLine = new Map<number, string>();
+    for (const [block, text] of valuesInWords(this.context.running.values.value)) {
+      const lines = outline.head(block);
+      if (lines) byLine.set(lines.first, text);
+    }
+    if (byLine.size > 0 || this.hasValues) showValues(this.view, byLine);
+    this.hasValues = byLine.size > 0;
   }
 
   private showRunning(): void {

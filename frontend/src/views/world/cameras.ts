@@ -1,22 +1,30 @@
-/** The cameras: orbiting, from above, or following the robot. */
+/** The cameras: following the robot, through its eye, orbiting, or from above. */
 
 import { MOUSE, PerspectiveCamera, TOUCH, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
+import { Following } from "./following";
+import { FIELD, frame, type Subject } from "./framing";
+import type { EyePose } from "./robots";
 import type { XY } from "./scenery/description";
-import { between } from "./scenery/geometry";
+import { between, forward, type Pose, radians } from "./scenery/geometry";
 
-export type CameraMode = "orbit" | "follow" | "top";
+export type CameraMode = "follow" | "eye" | "orbit" | "top";
 
 /** The duration of a camera movement in ms. */
-const MOVE = 350;
+const MOVE = 400;
+/** ms after the user has moved the camera until it follows again. */
+const PAUSE = 3000;
+/** A robot that is farther from its start than this has left it, mm. */
+const LEFT = 30;
+/** The eye of a robot sees more at once, degrees. */
+const EYE_FIELD = 62;
 const UP = new Vector3(0, 0, 1);
 const FROM_SOUTH = new Vector3(0, -0.8, 1).normalize();
 // Slightly to the south, so that north is up on the screen.
 const FROM_ABOVE = new Vector3(0, -0.001, 1).normalize();
 const STEEPEST = 0.001;
 const FLATTEST = 1.5;
-const FOLLOW_DISTANCE = 900;
 /** The largest share of a small picture's height that buttons cover. */
 const MOST_COVERED = 0.35;
 /** How far in front of the floor's centre the camera may look, as a share of its depth: near objects appear larger. */
@@ -36,15 +44,19 @@ interface Move {
 }
 
 export class Cameras {
-  readonly camera = new PerspectiveCamera(38, 1, 20, 30000);
-  mode: CameraMode = "orbit";
+  readonly camera = new PerspectiveCamera(FIELD, 1, 20, 45_000);
+  mode: CameraMode = "follow";
   private readonly controls: OrbitControls;
   private readonly calm = matchMedia("(prefers-reduced-motion: reduce)");
   private floorSize: XY = [2000, 2000];
-  private followed: XY = [0, 0];
+  private subject: Subject | null = null;
   private move: Move | null = null;
-  /** Whether it shows the whole world, which it then also does after a resize. */
-  private whole = false;
+  /** What it shows, also after a resize, until the user moves it. */
+  private shows: "whole" | "start" | null = null;
+  private readonly following = new Following(this.camera);
+  /** The time from which on it follows, in ms; later than all times while the user moves it. */
+  private followsFrom = 0;
+  private waiting = 0;
 
   /** @param changed is called when a redraw is needed. */
   constructor(
@@ -58,7 +70,8 @@ export class Cameras {
     this.controls.maxDistance = 14000;
     this.controls.addEventListener("change", () => this.changed());
     this.controls.addEventListener("start", () => this.taken());
-    this.apply("orbit");
+    this.controls.addEventListener("end", () => this.released());
+    this.apply("follow");
   }
 
   /**
@@ -70,7 +83,12 @@ export class Cameras {
     const hidden = Math.min(covered, MOST_COVERED * height);
     this.camera.aspect = width / Math.max(1, height - hidden);
     this.camera.setViewOffset(width, height - hidden, 0, -hidden, width, height);
-    if (this.whole) this.reset();
+    if (this.shows) this.reset();
+  }
+
+  /** Whether the user wants little motion. */
+  get isCalm(): boolean {
+    return this.calm.matches;
   }
 
   /** Set the floor's size. */
@@ -78,26 +96,51 @@ export class Cameras {
     this.floorSize = size;
   }
 
+  /** Set what the following camera shows first: the robot where it starts, and its first goal. */
+  start(subject: Subject): void {
+    this.subject = subject;
+  }
+
   choose(mode: CameraMode): void {
+    const wasEye = this.mode === "eye";
     this.apply(mode);
-    if (mode === "follow") this.go(this.behind());
-    else this.showWhole();
+    if (mode === "eye") this.shows = this.move = null;
+    else this.showAgain();
+    // From the eye of the robot it is a cut.
+    if (wasEye) this.arrive();
+    this.changed();
   }
 
   /** Show the whole world. */
   showWhole(): void {
-    if (this.mode === "follow") this.apply("orbit");
+    if (this.mode === "follow" || this.mode === "eye") this.apply("orbit");
     const from = this.mode === "top" ? FROM_ABOVE : FROM_SOUTH;
     const shifts = this.mode === "top" ? [0] : SHIFTS;
     const looks = shifts.map((shift) => this.lookFrom(from, new Vector3(0, shift * this.floorSize[1], 0)));
     this.go(looks.reduce((best, look) => (distance(look) < distance(best) ? look : best)));
-    this.whole = true;
+    this.shows = "whole";
   }
 
-  /** Like `showWhole`, but without a movement: for the first frame. */
+  /** Show what this camera shows first, without a movement: for the first frame. */
   reset(): void {
-    this.showWhole();
+    if (this.mode === "eye") return;
+    this.showAgain();
     this.arrive();
+  }
+
+  /** The robot is at its start: show it there, unless the user has moved the camera. */
+  restart(): void {
+    if (this.shows === "start") this.showAgain();
+  }
+
+  private showAgain(): void {
+    if (this.mode === "follow" && this.subject) this.showStart(this.subject);
+    else this.showWhole();
+  }
+
+  private showStart(subject: Subject): void {
+    this.go(frame(subject, this.camera.aspect));
+    this.shows = "start";
   }
 
   /** Look at a point on the floor. */
@@ -126,18 +169,28 @@ export class Cameras {
     this.go({ place: offset.add(target), target });
   }
 
-  /** Move a following camera along with the robot. */
-  follow(x: number, y: number): void {
-    const shift = new Vector3(x - this.followed[0], y - this.followed[1], 0);
-    this.followed = [x, y];
-    if (this.mode !== "follow") return;
-    for (const look of this.move ? [this.move.from, this.move.to] : []) {
-      look.place.add(shift);
-      look.target.add(shift);
-    }
-    this.camera.position.add(shift);
-    this.controls.target.add(shift);
+  /** Keep the robot in the picture; return whether the camera is still moving. */
+  follow({ x, y }: Pose, now: number): boolean {
+    if (this.mode !== "follow" || this.move || now < this.followsFrom || this.isAtStart(x, y)) return false;
+    const moves = this.following.step(x, y, this.controls.target, now, this.calm.matches);
     this.controls.update();
+    return moves;
+  }
+
+  /** Whether the robot is where the picture was made for. */
+  private isAtStart(x: number, y: number): boolean {
+    if (this.shows !== "start" || !this.subject) return false;
+    return Math.hypot(x - this.subject.x, y - this.subject.y) < LEFT;
+  }
+
+  /** See what the robot's camera sees. */
+  look(robot: Pose, { ahead, height, up }: EyePose): void {
+    if (this.mode !== "eye") return;
+    const [east, north] = forward(robot.heading);
+    const { camera } = this;
+    camera.position.set(robot.x + ahead * east, robot.y + ahead * north, height);
+    const [level, rise] = [Math.cos(radians(up)), Math.sin(radians(up))];
+    camera.lookAt(camera.position.x + level * east, camera.position.y + level * north, height + rise);
   }
 
   /** Continue a movement; return whether it is still moving. */
@@ -154,12 +207,17 @@ export class Cameras {
   }
 
   dispose(): void {
+    clearTimeout(this.waiting);
     this.controls.dispose();
   }
 
   private apply(mode: CameraMode): void {
     this.mode = mode;
     const top = mode === "top";
+    this.controls.enabled = mode !== "eye";
+    this.camera.fov = mode === "eye" ? EYE_FIELD : FIELD;
+    this.camera.updateProjectionMatrix();
+    this.followsFrom = 0;
     this.controls.minPolarAngle = top ? STEEPEST : 0.02;
     this.controls.maxPolarAngle = top ? STEEPEST : FLATTEST;
     this.controls.enableRotate = !top;
@@ -176,7 +234,7 @@ export class Cameras {
   private go(to: Look): void {
     const from = { place: this.camera.position.clone(), target: this.controls.target.clone() };
     this.move = { from, to, start: performance.now() };
-    this.whole = false;
+    this.shows = null;
     if (this.calm.matches) this.arrive();
     this.changed();
   }
@@ -184,7 +242,15 @@ export class Cameras {
   /** The user has taken over the camera with the pointer. */
   private taken(): void {
     this.move = null;
-    this.whole = false;
+    this.shows = null;
+    clearTimeout(this.waiting);
+    this.followsFrom = Number.POSITIVE_INFINITY;
+  }
+
+  private released(): void {
+    this.followsFrom = performance.now() + PAUSE;
+    clearTimeout(this.waiting);
+    this.waiting = window.setTimeout(() => this.changed(), PAUSE + 20);
   }
 
   private arrive(): void {
@@ -195,14 +261,6 @@ export class Cameras {
     const { place, target } = this.now();
     const shift = new Vector3(-right, up, 0).multiplyScalar(place.distanceTo(target) / 150);
     this.go({ place: place.add(shift), target: target.add(shift) });
-  }
-
-  /** A position close to the robot's face, on the camera's current side. */
-  private behind(): Look {
-    const target = new Vector3(...this.followed, 40);
-    const offset = this.camera.position.clone().sub(this.controls.target);
-    const steep = offset.angleTo(UP) < 0.3;
-    return { target, place: (steep ? FROM_SOUTH.clone() : offset).setLength(FOLLOW_DISTANCE).add(target) };
   }
 
   /** From the smallest distance that shows the whole floor. */

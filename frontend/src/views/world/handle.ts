@@ -16,7 +16,13 @@ export class Handle {
   private radius = 0;
 
   constructor() {
-    const material = new MeshBasicMaterial({ color: MARKS.handle, transparent: true, opacity: 0.85, depthTest: false });
+    const material = new MeshBasicMaterial({
+      color: MARKS.handle,
+      toneMapped: false,
+      transparent: true,
+      opacity: 0.85,
+      depthTest: false,
+    });
     this.knob = new Mesh(new CircleGeometry(KNOB, 28), material);
     this.object.add(new Mesh(new RingGeometry(0.94, 1, 56), material), this.knob);
     this.object.renderOrder = 8;

@@ -2,13 +2,12 @@
 
 import "./world.css";
 
-import { effect } from "@preact/signals";
+import { effect, signal } from "@preact/signals";
 
 import { t } from "../../i18n";
 import type { Context } from "../../model/context";
-import { World, type WorldIsland } from "./world";
-
-export type { WorldIsland };
+import type { WorldIsland } from "../../model/views";
+import { World } from "./world";
 
 export function createWorld(context: Context): WorldIsland {
   try {
@@ -26,5 +25,5 @@ function withoutPicture(): WorldIsland {
   const end = effect(() => {
     dom.textContent = t("page-world-no3d");
   });
-  return { dom, framesDrawn: 0, resize: () => undefined, destroy: end };
+  return { dom, framesDrawn: 0, tools: [], hint: signal(""), resize: () => undefined, destroy: end };
 }

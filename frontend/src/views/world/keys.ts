@@ -1,9 +1,8 @@
 /** The keys of the world while it has the focus. */
 
 import type { Signal } from "@preact/signals";
-
+import type { Tool } from "../../ui/tool";
 import type { Cameras } from "./cameras";
-import type { Tool } from "./toolbar";
 
 /** Degrees by which one key press turns the camera. */
 const CAMERA_STEP = 10;

@@ -15,15 +15,22 @@ import {
   SpriteMaterial,
   SRGBColorSpace,
 } from "three";
+import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 import type { GoalNow } from "../../protocol/messages";
 import { MARKS } from "./scenery/colours";
 import type { WorldValues, XY } from "./scenery/description";
-import { from, type Pose } from "./scenery/geometry";
+import { between, from, type Pose } from "./scenery/geometry";
 import { ribbons } from "./scenery/ribbon";
+import { star } from "./scenery/star";
 import { place } from "./scenery/things";
 
 const HEIGHT = 1.2;
+/** The radius of a start, and the length of a dash with its gap, mm. */
+const START = 88;
+const DASH = 36;
 const SIGN_HEIGHT = 190;
+/** A star floats above the floor, or above the robot that starts there; it fits into its goal. */
+const STAR = { part: 0.62, least: 20, most: 44, above: 14, high: 190, near: 160 } as const;
 const SIGN_PIXELS = 64;
 const SIGNS = { open: "⚑", reached: "✓", failed: "✗" } as const;
 type State = GoalNow["state"];
@@ -31,6 +38,7 @@ type State = GoalNow["state"];
 function flat(geometry: BufferGeometry, colour: string, opacity: number): Mesh<BufferGeometry, MeshBasicMaterial> {
   const material = new MeshBasicMaterial({
     color: colour,
+    toneMapped: false,
     transparent: true,
     opacity,
     depthWrite: false,
@@ -43,14 +51,29 @@ function flat(geometry: BufferGeometry, colour: string, opacity: number): Mesh<B
   return mesh;
 }
 
-/** An arrow in a ring: a robot's start and its heading. */
+/** A dashed ring: a robot's start, with a tip that shows its heading. */
 export function startMark(pose: Pose): Object3D {
-  const arrow = new Shape();
-  arrow.moveTo(48, 0).lineTo(-26, 30).lineTo(-12, 0).lineTo(-26, -30);
+  const tip = new Shape();
+  tip
+    .moveTo(START + 34, 0)
+    .lineTo(START + 10, 17)
+    .lineTo(START + 10, -17);
   const group = new Group();
-  group.add(flat(new RingGeometry(62, 70, 40), MARKS.start, 0.7), flat(new ShapeGeometry(arrow), MARKS.start, 0.55));
+  const parts = [new CircleGeometry(START, 40), dashes(START, 9), new ShapeGeometry(tip)] as const;
+  group.add(flat(parts[0], MARKS.start, 0.12), flat(parts[1], MARKS.start, 0.9), flat(parts[2], MARKS.start, 0.9));
   place(group, pose);
   return group;
+}
+
+/** A dashed ring with an outer radius and a width, mm. */
+function dashes(radius: number, width: number): BufferGeometry {
+  const count = Math.max(8, Math.round((2 * Math.PI * radius) / DASH));
+  const angle = (2 * Math.PI) / count;
+  const pieces = Array.from(
+    { length: count },
+    (_, i) => new RingGeometry(radius - width, radius, 4, 1, i * angle, angle * 0.62),
+  );
+  return mergeGeometries(pieces);
 }
 
 /** A goal's mark, with the colour and sign of its state. */
@@ -59,16 +82,25 @@ export class GoalMark {
   private state: State | null = null;
   private readonly sign = new Sprite(new SpriteMaterial({ depthTest: false }));
 
+  /** @param stars are there until the goal is reached or missed. */
   constructor(
     private readonly shapes: readonly Mesh<BufferGeometry, MeshBasicMaterial>[],
-    [x, y]: XY,
+    readonly place: XY,
     private readonly signs: Signs,
+    private readonly stars: readonly Object3D[] = [],
   ) {
-    this.object.add(...shapes, this.sign);
-    this.sign.position.set(x, y, SIGN_HEIGHT);
-    this.sign.scale.setScalar(85);
+    this.object.add(...shapes, ...stars, this.sign);
+    this.sign.position.set(...place, SIGN_HEIGHT);
+    this.sign.scale.setScalar(58);
     this.sign.renderOrder = 9;
     this.show("open");
+  }
+
+  /** Turn its stars to a place. */
+  face(x: number, y: number): void {
+    for (const { position, rotation } of this.stars) {
+      rotation.z = Math.atan2(y - position.y, x - position.x) + Math.PI / 2;
+    }
   }
 
   /** Show the goal's state; return whether it changed. */
@@ -76,7 +108,10 @@ export class GoalMark {
     if (state === this.state) return false;
     this.state = state;
     for (const shape of this.shapes) shape.material.color.set(MARKS[state]);
+    for (const one of this.stars) one.visible = state === "open";
+    this.sign.visible = state !== "open" || this.stars.length === 0;
     this.sign.material.map = this.signs.of(state);
+    this.sign.material.needsUpdate = true;
     return true;
   }
 }
@@ -116,18 +151,52 @@ function drawSign(state: State): CanvasTexture {
 
 /** The marks of a world's goals, in the order of telemetry. */
 export function goalMarks(world: WorldValues, lines: readonly XY[][], signs: Signs): GoalMark[] {
-  const reach = world.goal.reach.map(({ x, y, radius }) => new GoalMark(region(x, y, radius), [x, y], signs));
+  const places = (points: readonly XY[], radius: number): GoalMark => {
+    const shapes = points.flatMap(([x, y]) => region(x, y, radius));
+    const stars = points.map((point) => starAt(point, radius, world));
+    return new GoalMark(shapes, points.at(-1) ?? [0, 0], signs, stars);
+  };
+  const reach = world.goal.reach.map(({ x, y, radius }) => places([[x, y]], radius));
   const follow = world.goal.follow.map(({ line }) => {
     const index = world.line.findIndex(({ name }) => name === line);
     return followMark(lines[index] ?? [], (world.line[index]?.width ?? 40) + 50, signs);
   });
   const visit = world.goal.visit.map(({ id, distance }) => visitMark(world, id, distance, signs));
-  return [...reach, ...follow, ...visit];
+  const tour = world.goal.tour.map(({ points, radius }) => places(points, radius));
+  const stop = world.goal.stop.map(({ x, y, radius }) => places([[x, y]], radius));
+  const show = world.goal.show.map(({ x, y, radius }) =>
+    radius === null ? new GoalMark([], entrance(world), signs) : places([[x, y]], radius),
+  );
+  const avoid = world.goal.avoid.map(() => new GoalMark([], entrance(world), signs));
+  return [...reach, ...follow, ...visit, ...tour, ...stop, ...show, ...avoid];
+}
+
+function starAt([x, y]: XY, goal: number, { start }: WorldValues): Object3D {
+  const radius = between(STAR.part * goal, STAR.least, STAR.most);
+  const isStart = start.some((pose) => Math.hypot(pose.x - x, pose.y - y) < STAR.near);
+  const one = star(radius);
+  one.position.set(x, y, radius + (isStart ? STAR.high : STAR.above));
+  return one;
+}
+
+/** Where the first goal is that has a place. */
+export function firstGoal({ goal, tag }: WorldValues): XY | null {
+  const visited = goal.visit.flatMap(({ id }) => tag.filter((one) => one.id === id));
+  const toured = goal.tour.flatMap(({ points }) => points.slice(0, 1).map(([x, y]) => ({ x, y })));
+  const shown = goal.show.filter(({ radius }) => radius !== null);
+  const [first] = [...goal.reach, ...visited, ...toured, ...goal.stop, ...shown];
+  return first ? [first.x, first.y] : null;
+}
+
+/** The first start, for goals that have no place. */
+function entrance(world: WorldValues): XY {
+  const [first] = world.start;
+  return first ? [first.x, first.y] : [0, 0];
 }
 
 function region(x: number, y: number, radius: number): Mesh<BufferGeometry, MeshBasicMaterial>[] {
-  const disc = flat(new CircleGeometry(radius, 48).translate(x, y, 0), MARKS.open, 0.2);
-  const ring = flat(new RingGeometry(radius - 8, radius, 48).translate(x, y, 0), MARKS.open, 0.8);
+  const disc = flat(new CircleGeometry(radius, 48).translate(x, y, 0), MARKS.open, 0.18);
+  const ring = flat(dashes(radius, 10).translate(x, y, 0), MARKS.open, 0.95);
   return [disc, ring];
 }
 

@@ -24,6 +24,8 @@ export interface Ground {
   size(): XY;
   /** Whether it may be moved now. */
   allowed(): boolean;
+  /** The cursor over a robot that may not be moved now. */
+  refusal(): "help" | "not-allowed";
   /** Called when the robot has been placed. */
   placed(pose: Pose): void;
   changed(): void;
@@ -126,6 +128,12 @@ export class Placing {
     return this.pointing.missBy(event, middle) < reach || this.pointing.pixelsFrom(event, middle) < TOUCH_PIXELS;
   }
 
+  /** Whether the pointer is on the robot. */
+  isOnRobot(event: MouseEvent): boolean {
+    const robot = this.ground.robot();
+    return !!robot && this.isOver(event, robot.pose, robot.reach);
+  }
+
   private moved(event: PointerEvent): void {
     if (this.drag) {
       event.stopImmediatePropagation();
@@ -146,7 +154,7 @@ export class Placing {
     const robot = this.ground.robot();
     const over = robot && this.isOver(event, robot.pose, robot.reach);
     const knob = this.selected && robot && this.pointing.pixelsFrom(event, this.handle.at(robot.pose)) < TOUCH_PIXELS;
-    this.canvas.style.cursor = !over && !knob ? "" : this.ground.allowed() ? "grab" : "not-allowed";
+    this.canvas.style.cursor = !over && !knob ? "" : this.ground.allowed() ? "grab" : this.ground.refusal();
   }
 
   private up(event: PointerEvent): void {

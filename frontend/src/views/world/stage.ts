@@ -1,50 +1,89 @@
 /** The drawing of one scene, updated by telemetry. */
 
-import { type BufferGeometry, Group, type Material, Mesh, type Object3D } from "three";
-import type { GoalNow, Scene } from "../../protocol/messages";
+import { type BufferGeometry, type Fog, Group, type Material, Mesh, type Object3D, Points, Sprite } from "three";
+import type { GoalNow, Robot, Scene } from "../../protocol/messages";
 import { type Beams, beams } from "./beams";
-import { type GoalMark, goalMarks, Signs, startMark } from "./marks";
+import type { Subject } from "./framing";
+import { firstGoal, type GoalMark, goalMarks, Signs, startMark } from "./marks";
 import type { Moment } from "./motion";
+import { nameplate } from "./nameplate";
 import { type RobotModel, robotModel } from "./robots";
-import type { RobotValues, WorldValues } from "./scenery/description";
+import type { RobotValues, WorldValues, XY } from "./scenery/description";
 import { floor, LINE_PAINT } from "./scenery/floor";
 import type { Pose } from "./scenery/geometry";
+import { colourOf, depthBelow, legible } from "./scenery/mat";
+import type { Palette } from "./scenery/palette";
 import { Pictures } from "./scenery/pictures";
+import { namedProps, props } from "./scenery/props";
 import { SHADE } from "./scenery/shadows";
-import { PAINT } from "./scenery/solids";
+import { COAT, PAINT } from "./scenery/solids";
+import { SHINE } from "./scenery/star";
+import { surroundings } from "./scenery/surroundings";
 import { glow, place, things } from "./scenery/things";
 
 /** Materials that all scenes share. */
-const SHARED: ReadonlySet<Material> = new Set([PAINT, SHADE, LINE_PAINT]);
+const SHARED: ReadonlySet<Material> = new Set([PAINT, COAT, SHINE, SHADE, LINE_PAINT]);
+
+/** Of the twin of a real robot. */
+const FADED = { transparent: true, opacity: 0.35, depthWrite: false };
 
 export class Stage {
   readonly object = new Group();
   readonly world: WorldValues;
   readonly robots: readonly RobotModel[];
   readonly beams: Beams | null;
+  readonly fog: Fog;
+  readonly floorColour: string;
+  private readonly described: RobotValues | null;
   private readonly pushed: readonly Object3D[];
   private readonly goals: readonly GoalMark[];
   private readonly signs = new Signs();
   private readonly pictures: Pictures;
   private start: Object3D | null = null;
+  /** Where the twin of a real robot would have been. */
+  private ghost: RobotModel | null = null;
 
-  /** @param changed is called when a picture has loaded. */
-  constructor(scene: Scene, changed: () => void) {
+  /**
+   * @param changed is called when a picture has loaded.
+   * @param color is the colour of a robot's name; null if robots are shown without names.
+   */
+  constructor(
+    scene: Scene,
+    palette: Palette,
+    changed: () => void,
+    color: (name: string) => string | null = () => null,
+  ) {
     this.world = scene.world as unknown as WorldValues;
     this.pictures = new Pictures(changed);
-    const { fixed, pushed } = things(this.world, this.pictures);
+    const { fixed, pushed } = things(this.world, palette, this.pictures);
     this.pushed = pushed;
     this.goals = goalMarks(this.world, scene.lines, this.signs);
     const descriptions = scene.robots.map(([, values]) => values as unknown as RobotValues);
     this.robots = descriptions.map(robotModel);
+    this.described = descriptions[0] ?? null;
+    scene.robots.forEach(([name], i) => {
+      const shown = color(name);
+      if (shown) this.robots[i]?.label(nameplate(name, shown));
+    });
     this.beams = descriptions[0] ? beams(descriptions[0]) : null;
     const marks = [...this.world.light.map(glow), ...this.otherStarts(scene).map(startMark)];
     const models = [...this.goals, ...this.robots].map(({ object }) => object);
-    this.object.add(floor(scene.name, this.world, scene.lines, this.pictures), fixed);
+    const depth = depthBelow(this.world.floor);
+    const around = surroundings(this.world.floor.size, depth, palette);
+    this.fog = around.fog;
+    this.floorColour = colourOf(this.world.floor, legible(palette, this.world.line));
+    if (!scene.real) this.object.add(props(this.world.theme ?? "playground", this.world.floor.size, depth));
+    this.object.add(around.object, floor(scene.name, this.world, scene.lines, palette, this.pictures), fixed);
+    if (this.world.prop.length > 0) this.object.add(namedProps(this.world, depth));
     for (const part of [...pushed, ...marks, ...models]) this.object.add(part);
     this.showStarts(scene);
     if (this.robots[0] && this.beams) this.robots[0].object.add(this.beams.object);
     this.startAt(scene.start);
+  }
+
+  /** Close or open the eyes of all robots. */
+  blink(closed: boolean): void {
+    for (const robot of this.robots) robot.blink(closed);
   }
 
   /** Set where the next run starts. */
@@ -57,9 +96,39 @@ export class Stage {
     this.object.add(this.start);
   }
 
+  /** What the picture shows first. */
+  get subject(): Subject {
+    const robot = this.robots[0];
+    const { x, y, heading } = robot?.pose ?? { x: 0, y: 0, heading: 0 };
+    return { x, y, heading, reach: robot?.reach ?? 100, height: robot?.height ?? 100, goal: firstGoal(this.world) };
+  }
+
+  /** Where a goal is, by its number in telemetry; where our robot is if it has no place. */
+  placeOf(goal: number): XY | null {
+    const { x = 0, y = 0 } = this.robots[0]?.pose ?? {};
+    return this.goals[goal]?.place ?? [x, y];
+  }
+
+  /** Turn what has a front to the camera. */
+  face({ x, y }: { readonly x: number; readonly y: number }): void {
+    for (const goal of this.goals) goal.face(x, y);
+  }
+
   show({ robots, pushed }: Moment): void {
     robots.forEach((robot, i) => this.robots[i]?.show(robot));
     pushed.forEach((pose, i) => this.pushed[i] && place(this.pushed[i], pose));
+  }
+
+  /** Show where the twin of a real robot would have been; null hides it. */
+  showGhost(pose: Robot | null): void {
+    if (!this.ghost && pose && this.described) {
+      this.ghost = robotModel(this.described);
+      fade(this.ghost.object);
+      this.object.add(this.ghost.object);
+    }
+    if (!this.ghost) return;
+    this.ghost.object.visible = pose !== null;
+    if (pose) this.ghost.show(pose);
   }
 
   /** Show the states of the goals; return those that changed. */
@@ -71,6 +140,7 @@ export class Stage {
     this.pictures.dispose();
     this.signs.dispose();
     for (const robot of this.robots) robot.dispose();
+    this.ghost?.dispose();
     dispose(this.object);
   }
 
@@ -89,12 +159,33 @@ export class Stage {
   }
 }
 
-function dispose(object: Object3D): void {
-  object.removeFromParent();
-  object.traverse((part) => part instanceof Mesh && release(part));
+/** Let everything shine through an object, which has no shadow. */
+function fade(object: Object3D): void {
+  object.traverse((part) => {
+    if (!(part instanceof Mesh)) return;
+    part.castShadow = false;
+    const materials: Material[] = [part.material].flat();
+    const faded = materials.map((material) => Object.assign(material.clone(), FADED));
+    part.material = Array.isArray(part.material) ? faded : faded[0];
+  });
 }
 
-function release(mesh: Mesh<BufferGeometry, Material | Material[]>): void {
+function dispose(object: Object3D): void {
+  object.removeFromParent();
+  object.traverse((part) => {
+    if (part instanceof Mesh || part instanceof Points) release(part);
+    if (part instanceof Sprite) releaseSprite(part);
+  });
+}
+
+function releaseSprite({ material }: Sprite): void {
+  material.map?.dispose();
+  material.dispose();
+}
+
+type Drawn = Mesh<BufferGeometry, Material | Material[]> | Points<BufferGeometry, Material | Material[]>;
+
+function release(mesh: Drawn): void {
   mesh.geometry.dispose();
   for (const material of [mesh.material].flat()) if (!SHARED.has(material)) material.dispose();
 }

@@ -13,16 +13,26 @@ const HEIGHT = 1.6;
 const MOST_POINTS = 4000;
 const CORNERS = 6;
 
+interface Look {
+  readonly colour: string;
+  readonly halfWidth: number;
+  /** Over the floor, mm. */
+  readonly height: number;
+}
+
+const OWN: Look = { colour: MARKS.trail, halfWidth: HALF_WIDTH, height: HEIGHT };
+
 export class Trail {
-  readonly mesh: Mesh;
+  readonly mesh: Mesh<BufferGeometry, MeshBasicMaterial>;
   private points: XY[] = [];
   private readonly places = new BufferAttribute(new Float32Array(MOST_POINTS * CORNERS * 3), 3);
 
-  constructor() {
+  constructor(private readonly look: Look = OWN) {
     this.places.setUsage(DynamicDrawUsage);
     const geometry = new BufferGeometry().setAttribute("position", this.places);
     const material = new MeshBasicMaterial({
-      color: MARKS.trail,
+      color: look.colour,
+      toneMapped: false,
       depthWrite: false,
       polygonOffset: true,
       polygonOffsetFactor: -4,
@@ -31,6 +41,11 @@ export class Trail {
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = 4;
     this.clear();
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
   }
 
   clear(): void {
@@ -57,8 +72,9 @@ export class Trail {
     const [start, end] = [this.points[i - 1], this.points[i]];
     if (!start || !end) return;
     const length = Math.hypot(end[0] - start[0], end[1] - start[1]);
-    const sideX = (-HALF_WIDTH * (end[1] - start[1])) / length;
-    const sideY = (HALF_WIDTH * (end[0] - start[0])) / length;
+    const { halfWidth, height } = this.look;
+    const sideX = (-halfWidth * (end[1] - start[1])) / length;
+    const sideY = (halfWidth * (end[0] - start[0])) / length;
     // A piece starts at the end of the previous one, which avoids gaps at the outer side.
     const [a, b] = this.endOf(i - 1) ?? [
       [start[0] - sideX, start[1] - sideY],
@@ -68,7 +84,7 @@ export class Trail {
       [end[0] + sideX, end[1] + sideY],
       [end[0] - sideX, end[1] - sideY],
     ];
-    [a, d, c, a, c, b].forEach(([x, y], k) => this.places.setXYZ((i - 1) * CORNERS + k, x, y, HEIGHT));
+    [a, d, c, a, c, b].forEach(([x, y], k) => this.places.setXYZ((i - 1) * CORNERS + k, x, y, height));
     this.places.addUpdateRange((i - 1) * CORNERS * 3, CORNERS * 3);
     this.places.needsUpdate = true;
     this.mesh.geometry.setDrawRange(0, i * CORNERS);

@@ -1,16 +1,49 @@
 /** The world's canvas, drawn only while something changes. */
 
-import { Color, DirectionalLight, HemisphereLight, type PerspectiveCamera, Scene, WebGLRenderer } from "three";
+import {
+  type Fog,
+  Mesh,
+  NeutralToneMapping,
+  PCFShadowMap,
+  type PerspectiveCamera,
+  PMREMGenerator,
+  Scene,
+  type Texture,
+  WebGLRenderer,
+} from "three";
+import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import { QUALITIES, Qualities, type Quality } from "./quality";
+import type { XY } from "./scenery/description";
+import { Light } from "./scenery/light";
+import type { Palette } from "./scenery/palette";
+import { COAT, PAINT } from "./scenery/solids";
 
 /** More pixels are slow and make no visible difference. */
 const SHARPEST = 2;
+const REFLECTIONS = 0.4;
+/** The first quality, with and without a graphics card. */
+const FIRST = { fast: 0, slow: 2 } as const;
+/** Without a graphics card, a picture in which nothing moves is drawn with this many times the pixels, after ms. */
+const STILL = { sharpness: 1.5, after: 350 } as const;
+/** ms from frame to frame without a graphics card, on average: more would take the processor from the program. */
+const CALM = 30;
 
 export class View {
   readonly scene = new Scene();
   /** The number of frames drawn, for benchmarks. */
   framesDrawn = 0;
+  private readonly light = new Light();
   private readonly renderer: WebGLRenderer;
+  private readonly fast = drawsFast();
+  private readonly qualities: Qualities;
+  private quality = QUALITIES[0] as Quality;
+  private room: Texture | null = null;
+  private shadowsMove = true;
   private frame = 0;
+  /** When the next frame may be drawn. */
+  private due = 0;
+  private ratio = 1;
+  private stillness = 0;
 
   /**
    * @param before is called before each frame; true requests another frame.
@@ -21,14 +54,23 @@ export class View {
     private readonly camera: PerspectiveCamera,
     private readonly before: (now: number) => boolean,
   ) {
-    const fast = drawsFast();
-    // Small pixels need no antialiasing, the slowest part without a graphics card.
-    this.renderer = new WebGLRenderer({ canvas, alpha: true, antialias: fast && devicePixelRatio <= 1 });
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, fast ? SHARPEST : 1));
-    const sun = new DirectionalLight(0xffffff, 1.5);
-    sun.position.set(-0.45, -0.6, 1.2);
-    this.scene.add(new HemisphereLight(0xffffff, new Color("#b9b4aa"), 1.85), sun);
+    this.renderer = new WebGLRenderer({ canvas, alpha: true, antialias: this.fast });
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.shadowMap.autoUpdate = false;
+    this.scene.environmentIntensity = REFLECTIONS;
+    this.scene.add(this.light.object);
+    this.qualities = new Qualities(this.fast ? FIRST.fast : FIRST.slow, (quality) => this.apply(quality));
     canvas.addEventListener("webglcontextrestored", () => this.invalidate());
+  }
+
+  /** Show the sky and the light around a floor of this size, mm. */
+  surround(size: XY, palette: Palette, fog: Fog): void {
+    this.scene.fog = fog;
+    this.light.show(size, palette);
+    this.shade();
+    this.invalidate();
   }
 
   /** Redraw with the next frame. */
@@ -36,26 +78,93 @@ export class View {
     this.frame ||= requestAnimationFrame((now) => this.draw(now));
   }
 
+  /** Cast the shadows again with the next frame. */
+  moveShadows(): void {
+    this.shadowsMove = true;
+  }
+
   resize(width: number, height: number): void {
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
     // Now: a resized canvas is empty.
-    this.draw(performance.now());
+    this.render(performance.now());
   }
 
   dispose(): void {
     cancelAnimationFrame(this.frame);
+    clearTimeout(this.stillness);
+    this.room?.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
 
   private draw(now: number): void {
+    this.frame = 0;
+    if (!this.fast && now < this.due) return this.invalidate();
+    // A late frame is made up for by the next one, but a pause is not.
+    this.due = Math.max(this.due + CALM, now);
+    this.render(now);
+  }
+
+  private render(now: number): void {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
     const again = this.before(now);
+    this.sharpen(1);
+    this.castShadows(again);
     this.renderer.render(this.scene, this.camera);
     this.framesDrawn += 1;
+    this.qualities.note(now, again);
     if (again) this.invalidate();
+    if (this.fast) return;
+    clearTimeout(this.stillness);
+    if (!again) this.stillness = window.setTimeout(() => this.renderStill(), STILL.after);
+  }
+
+  /** Without a graphics card, shadows move with every second frame of a movement, and with its last one. */
+  private castShadows(again: boolean): void {
+    if (!this.shadowsMove || (again && !this.fast && this.framesDrawn % 2 === 1)) return;
+    this.shadowsMove = false;
+    this.renderer.shadowMap.needsUpdate = true;
+  }
+
+  /** The picture will stay for a while: draw it once more without jagged edges. */
+  private renderStill(): void {
+    if (this.frame) return;
+    this.sharpen(STILL.sharpness);
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private sharpen(by: number): void {
+    const ratio = this.ratio * by;
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
+  }
+
+  private apply(quality: Quality): void {
+    const { reflections, shadows, sharpness } = quality;
+    this.quality = quality;
+    this.shade();
+    this.light.sharpen(shadows);
+    this.moveShadows();
+    this.ratio = sharpness * Math.min(devicePixelRatio, this.fast ? SHARPEST : 1);
+    this.scene.environment = reflections ? this.furnish() : null;
+  }
+
+  /** Let shadows fall on things, or only on the floor. */
+  private shade(): void {
+    const { shaded } = this.quality;
+    this.scene.traverse((part) => {
+      if (part instanceof Mesh && (part.material === PAINT || part.material === COAT)) part.receiveShadow = shaded;
+    });
+  }
+
+  /** The room that robots reflect. */
+  private furnish(): Texture {
+    if (this.room) return this.room;
+    const generator = new PMREMGenerator(this.renderer);
+    this.room = generator.fromScene(new RoomEnvironment(), 0.04).texture;
+    generator.dispose();
+    return this.room;
   }
 }
 

@@ -40,6 +40,7 @@ export function robotInWords(title: string, robot: Robot, values: RobotValues, t
   if (seen) words.push(aheadInWords(seen));
   const emotion = robot.emotion ?? "none";
   if (emotion !== "none") words.push(t("page-world-emotion", { emotion: t(`page-world-emotion-${emotion}`) }));
+  if (robot.text) words.push(t("page-world-text", { text: robot.text }));
   return `${words.join("; ")}.`;
 }
 

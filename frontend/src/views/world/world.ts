@@ -3,86 +3,116 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { t, worldName } from "../../i18n";
 import type { Context } from "../../model/context";
-import type { Robot, Scene, Telemetry } from "../../protocol/messages";
-import type { Island } from "../../ui/island";
+import type { Way } from "../../model/kept-runs";
+import { preferences, type ThemeName, theme } from "../../model/preferences";
+import type { WorldIsland } from "../../model/views";
+import type { GoalNow, Robot, Scene, Sound, Telemetry } from "../../protocol/messages";
 import { Throttle } from "../../ui/throttle";
+import type { Tool } from "../../ui/tool";
 import { Announcer } from "./announcer";
 import { type CameraMode, Cameras } from "./cameras";
+import { FloorDrawing } from "./drawing";
+import { type Drawn, drawn } from "./drawn";
+import { Confetti } from "./effects/confetti";
+import { Effects } from "./effects/effects";
+import { Flash } from "./effects/flash";
+import { Notes } from "./effects/notes";
+import { Hand } from "./hand";
+import { HeldKeys } from "./held-keys";
 import { worldKeys } from "./keys";
 import { Motion } from "./motion";
 import { Placing } from "./placing";
 import { Pointing } from "./pointing";
-import type { RobotValues, XY } from "./scenery/description";
+import { isBlinking } from "./robots/blinking";
+import type { RobotValues, WorldValues, XY } from "./scenery/description";
 import type { Pose } from "./scenery/geometry";
+import { paletteOf } from "./scenery/palette";
 import { Stage } from "./stage";
-import { type Tool, Toolbar } from "./toolbar";
 import { Trail } from "./trail";
 import { View } from "./view";
+import { Ways } from "./ways";
 import { goalInWords, placeInWords, robotInWords } from "./words";
 
 /** ms between two changes of the picture's label, so that screen readers can finish it. */
 const LABEL_PERIOD = 3000;
+/** The height of what the page lays over the top of the picture, px. */
+const OVERLAY = 56;
 /** A robot that moves farther than this between two messages was placed, mm. */
 const LEAP = 20;
 
-/** The world as a part of the page. */
-export interface WorldIsland extends Island {
-  /** Adapt to the current size of the element. */
-  resize(): void;
-  /** The number of frames drawn, for benchmarks. */
-  readonly framesDrawn: number;
-}
-
 export class World implements WorldIsland {
   readonly dom = document.createElement("div");
+  readonly tools: readonly Tool[];
+  readonly hint: ReadonlySignal<string>;
   private readonly frame = document.createElement("div");
   private readonly canvas = document.createElement("canvas");
-  private readonly hint = document.createElement("p");
   private readonly announcer = new Announcer();
   private readonly cameras = new Cameras(this.canvas, () => this.view?.invalidate());
   private readonly view: View = new View(this.canvas, this.cameras.camera, (now) => this.draw(now));
   private readonly pointing = new Pointing(this.canvas, this.cameras.camera);
   private readonly motion = new Motion();
   private readonly trail = new Trail();
+  private readonly ways = new Ways();
+  private readonly drawing = new FloorDrawing();
+  private readonly effects = new Effects();
+  private touches = false;
+  /** Whether the trail is hidden because it would cover a drawing. */
+  private trailIsBelow = false;
   private readonly placing: Placing;
-  private readonly toolbar: Toolbar;
+  private readonly held: HeldKeys;
+  private readonly hand: Hand;
   private stage: Stage | null = null;
+  private moved = false;
   private drawnScene = "";
+  private worldName = "";
   private readonly labels = new Throttle(LABEL_PERIOD);
 
-  private readonly mode = signal<CameraMode>("orbit");
+  private readonly mode = signal<CameraMode>("follow");
   private readonly showsTrail = signal(true);
   private readonly showsBeams = signal(false);
   /** Whether arrow keys place the robot. */
   private readonly places = signal(false);
   private readonly still: ReadonlySignal<boolean>;
+  /** Whether there is a run to ask about. */
+  private readonly asks: ReadonlySignal<boolean>;
   private readonly endings: (() => void)[] = [];
   private readonly sizes = new ResizeObserver(() => this.resize());
 
   constructor(private readonly context: Context) {
     const { running } = context;
+    this.asks = computed(() => context.askingWhy.isPossible);
     const rests = () => !running.active.value || ["paused", "held"].includes(running.state.value.state);
-    // A real robot cannot be moved from the page.
-    this.still = computed(() => !running.scene.value?.real && rests());
+    // A real robot cannot be moved from the page, and the past cannot be changed.
+    this.still = computed(() => !running.scene.value?.real && !running.past.value && rests());
     this.placing = new Placing(this.canvas, this.pointing, {
       robot: () => this.ownRobot(),
       size: () => this.stage?.world.floor.size ?? [0, 0],
       allowed: () => this.still.peek() && this.stage !== null,
+      // A click on it asks why.
+      refusal: () => (running.past.peek() ? "help" : "not-allowed"),
       placed: (pose) => context.connection.send({ kind: "PlaceRobot", ...pose }),
       changed: () => this.view.invalidate(),
     });
-    this.toolbar = new Toolbar(this.tools());
+    this.held = new HeldKeys(this.frame, context);
+    this.hint = computed(() => (this.places.value ? t("page-world-placing") : this.held.hint.value));
+    this.hand = new Hand(context);
+    this.tools = [...this.createTools(), ...this.hand.tools];
     this.build();
     this.listen();
+    this.followRun();
   }
 
   get framesDrawn(): number {
     return this.view.framesDrawn;
   }
 
+  /** What the picture shows, for tests; null without a world. */
+  get drawn(): Drawn | null {
+    return this.stage && drawn(this.stage.subject, this.cameras.camera, this.effects.begun);
+  }
+
   resize(): void {
-    const bar = this.toolbar.dom.offsetTop + this.toolbar.dom.offsetHeight;
-    this.cameras.size(this.frame.clientWidth, this.frame.clientHeight, bar);
+    this.cameras.size(this.frame.clientWidth, this.frame.clientHeight, OVERLAY);
     this.view.resize(this.frame.clientWidth, this.frame.clientHeight);
   }
 
@@ -91,9 +121,13 @@ export class World implements WorldIsland {
     this.sizes.disconnect();
     this.labels.cancel();
     this.placing.destroy();
-    this.toolbar.destroy();
+    this.held.destroy();
+    this.hand.destroy();
     this.cameras.dispose();
     this.stage?.dispose();
+    this.drawing.clear();
+    this.effects.clear();
+    this.ways.clear();
     this.view.dispose();
     this.dom.remove();
   }
@@ -104,32 +138,66 @@ export class World implements WorldIsland {
     this.frame.role = "application";
     this.frame.tabIndex = 0;
     this.canvas.role = "img";
-    this.hint.className = "world-hint";
     this.frame.append(this.canvas);
-    this.dom.append(this.frame, this.toolbar.dom, this.hint, this.announcer.dom);
-    this.view.scene.add(this.trail.mesh, this.placing.handle.object);
+    this.dom.append(this.frame, this.announcer.dom);
+    this.view.scene.add(
+      this.trail.mesh,
+      this.ways.object,
+      this.drawing.object,
+      this.effects.object,
+      this.placing.handle.object,
+    );
     this.sizes.observe(this.frame);
   }
 
-  private listen(): void {
-    const { running, connection } = this.context;
-    this.watch(
-      () => running.scene.value,
-      (scene) => scene && this.showScene(scene),
-    );
+  private followRun(): void {
+    const { running } = this.context;
     this.watch(
       () => running.telemetry.value,
       (telemetry) => telemetry && this.receive(telemetry),
     );
     this.watch(
+      () => running.strokes.value,
+      () => this.showDrawing(),
+    );
+    this.watch(
+      () => this.context.ways.value,
+      (ways) => this.showWays(ways),
+    );
+    this.watch(
+      () => this.context.ghost.value,
+      (ghost) => {
+        this.stage?.showGhost(ghost);
+        this.view.invalidate();
+      },
+    );
+    this.watch(
       () => running.state.value.state,
-      (state) => state === "starting" && this.trail.clear(),
+      (state) => state === "starting" && this.restart(),
+    );
+  }
+
+  private restart(): void {
+    this.trail.clear();
+    this.cameras.restart();
+  }
+
+  private listen(): void {
+    const { running, connection } = this.context;
+    this.watch(
+      // The colours of robots change with the tabs.
+      () => {
+        const scene = running.scene.value;
+        return { scene, page: theme.value, colors: scene?.robots.map(([name]) => this.context.robotColor(name)) };
+      },
+      ({ scene, page }) => scene && this.showScene(scene, page),
     );
     this.watch(
       () => this.still.value,
       (still) => still || this.moves(),
     );
     this.endings.push(connection.on("Failed", () => this.placing.forget()));
+    this.endings.push(connection.on("Sound", (sound) => this.showSound(sound)));
     this.watch(
       () => t("page-world-label"),
       (label) => (this.frame.ariaLabel = label),
@@ -139,15 +207,20 @@ export class World implements WorldIsland {
       (on) => this.placing.select(on),
     );
     this.watch(
-      () => (this.places.value ? t("page-world-placing") : ""),
-      (hint) => this.showHint(hint),
+      () => running.keys.value.length > 0,
+      (listens) => listens && this.announcer.say(this.held.hint.peek()),
     );
     this.watch(
       () => t("page-world-image"),
       () => (this.canvas.ariaLabel = this.inWords()),
     );
-    const keys = worldKeys(this.cameras, this.tools(), { on: this.places, nudge: (...by) => this.nudge(...by) });
+    const keys = worldKeys(this.cameras, this.tools, {
+      on: this.places,
+      nudge: (...by) => this.nudge(...by),
+    });
     this.frame.addEventListener("keydown", keys);
+    this.canvas.addEventListener("contextmenu", (event) => this.askAbout(event));
+    this.canvas.addEventListener("click", (event) => this.context.running.past.peek() && this.askAbout(event));
     this.canvas.addEventListener("dblclick", (event) => this.centreOn(this.pointing.floor(event)));
     this.canvas.addEventListener("pointerdown", () => this.frame.focus({ preventScroll: true }));
   }
@@ -162,7 +235,7 @@ export class World implements WorldIsland {
     );
   }
 
-  private tools(): Tool[] {
+  private createTools(): Tool[] {
     const camera = (name: CameraMode, key: string): Tool => ({
       name,
       key,
@@ -170,17 +243,26 @@ export class World implements WorldIsland {
       act: () => this.look(name),
     });
     return [
-      camera("orbit", "o"),
       camera("follow", "f"),
       camera("top", "t"),
+      camera("eye", "e"),
+      camera("orbit", "o"),
       { name: "nearer", key: "+", act: () => this.cameras.zoom(0.75) },
       { name: "farther", key: "-", act: () => this.cameras.zoom(1 / 0.75) },
       { name: "whole", key: "h", act: () => this.showWhole() },
       { name: "trail", key: "l", pressed: this.showsTrail, act: () => this.toggleTrail() },
       { name: "beams", key: "b", pressed: this.showsBeams, act: () => this.toggleBeams() },
       { name: "place", key: "p", pressed: this.places, enabled: this.still, act: () => this.togglePlacing() },
+      { name: "why", key: "y", enabled: this.asks, act: () => this.context.askingWhy.aboutRobot() },
       { name: "where", key: "w", act: () => this.announcer.say(this.inWords()) },
     ];
+  }
+
+  /** Ask why the robot does this, if the pointer is on it. */
+  private askAbout(event: MouseEvent): void {
+    if (!this.asks.peek() || !this.placing.isOnRobot(event)) return;
+    event.preventDefault();
+    this.context.askingWhy.aboutRobot();
   }
 
   private look(mode: CameraMode): void {
@@ -197,9 +279,29 @@ export class World implements WorldIsland {
     if (place) this.cameras.centre(place);
   }
 
-  private toggleTrail(): void {
-    this.showsTrail.value = this.trail.mesh.visible = !this.trail.mesh.visible;
+  private showDrawing(): void {
+    this.drawing.show(this.context.running.strokes.peek().list);
+    // The trail follows the pen and is as wide as its lines.
+    const covered = !this.drawing.empty;
+    if (covered !== this.trailIsBelow && covered === this.showsTrail.peek()) this.toggleTrail();
+    this.trailIsBelow = covered;
     this.view.invalidate();
+  }
+
+  private toggleTrail(): void {
+    this.showsTrail.value = !this.showsTrail.value;
+    this.showTrail();
+  }
+
+  /** The ways of compared runs take the trail's place. */
+  private showTrail(): void {
+    this.trail.mesh.visible = this.showsTrail.peek() && this.ways.empty;
+    this.view.invalidate();
+  }
+
+  private showWays(ways: readonly Way[]): void {
+    this.ways.show(ways);
+    this.showTrail();
   }
 
   private toggleBeams(): void {
@@ -236,29 +338,35 @@ export class World implements WorldIsland {
     this.placing.select(false);
   }
 
-  private showHint(hint: string): void {
-    this.hint.hidden = !hint;
-    this.hint.textContent = hint;
-  }
-
-  private showScene(scene: Scene): void {
+  private showScene(scene: Scene, page: ThemeName): void {
     const { start, ...lasting } = scene;
-    const drawn = JSON.stringify(lasting);
+    const colors = scene.robots.map(([name]) => this.context.robotColor(name));
+    const drawn = JSON.stringify([lasting, colors, page]);
     if (drawn === this.drawnScene) this.stage?.startAt(start);
-    else this.build3d(scene);
+    else this.build3d(scene, page);
     this.drawnScene = drawn;
     this.label();
     this.view.invalidate();
   }
 
-  private build3d(scene: Scene): void {
+  private build3d(scene: Scene, page: ThemeName): void {
     this.stage?.dispose();
     this.motion.clear();
     this.trail.clear();
-    this.stage = new Stage(scene, () => this.view.invalidate());
+    this.effects.clear();
+    const { robotColor } = this.context;
+    const palette = paletteOf((scene.world as unknown as WorldValues).theme, page);
+    this.stage = new Stage(scene, palette, () => this.view.invalidate(), robotColor);
+    this.drawing.on(this.stage.floorColour);
     this.view.scene.add(this.stage.object);
+    this.view.surround(this.stage.world.floor.size, palette, this.stage.fog);
+    this.view.moveShadows();
     this.cameras.floor(this.stage.world.floor.size);
-    this.cameras.reset();
+    // Another robot of a project is in the same world, where the user has chosen a view.
+    const isSame = scene.robots.length > 1 && scene.name === this.worldName;
+    this.worldName = scene.name;
+    this.cameras.start(this.stage.subject);
+    if (!isSame) this.cameras.reset();
     this.mode.value = this.cameras.mode;
     this.showBeams();
   }
@@ -269,6 +377,8 @@ export class World implements WorldIsland {
     this.motion.receive(telemetry, performance.now());
     if (robot) this.placing.confirm(robot);
     const news = this.stage?.showGoals(telemetry.goals ?? []) ?? [];
+    if (news.some(({ state }) => state === "reached")) this.celebrate(telemetry.goals ?? [], news);
+    this.feel(telemetry);
     // The page announces reached goals itself.
     const failed = news.filter(({ state }) => state === "failed");
     if (failed.length) this.announcer.say(failed.map(goalInWords).join(" "));
@@ -277,10 +387,49 @@ export class World implements WorldIsland {
     this.view.invalidate();
   }
 
+  private celebrate(goals: readonly GoalNow[], news: readonly GoalNow[]): void {
+    if (!preferences.peek().celebrate || this.cameras.isCalm) return;
+    goals.forEach((goal, i) => {
+      const place = this.stage?.placeOf(i);
+      const isNew = goal.state === "reached" && news.includes(goal);
+      if (isNew && place) this.effects.begin(new Confetti(place), performance.now());
+    });
+  }
+
+  /** Show that the robot has bumped into something. */
+  private feel({ sensors, robots: [robot] }: Telemetry): void {
+    const touches = sensors?.some(({ device, value }) => device === "Bumper" && value === true) ?? false;
+    const reach = this.stage?.robots[0]?.reach;
+    if (touches && !this.touches && robot && reach)
+      this.effects.begin(new Flash([robot.x, robot.y], reach), performance.now());
+    this.touches = touches;
+  }
+
+  private showSound({ device, action }: Sound): void {
+    const robot = this.stage?.robots[0];
+    if (!robot || !["Speaker", "MP3"].includes(device) || this.cameras.isCalm) return;
+    const { x, y } = robot.pose;
+    const notes = new Notes(action === "say" ? "speech" : "notes", { x, y, height: robot.height });
+    this.effects.begin(notes, performance.now());
+    this.view.invalidate();
+  }
+
   private lastSeen: { robot: Robot; time: number } | null = null;
+  /** Whether the trail is that of the past. */
+  private showsPast = false;
+
+  /** The trail up to a moment that the user looks back at, or to the present again. */
+  private showWay(time: number): void {
+    const { running } = this.context;
+    this.showsPast = running.past.peek() !== null;
+    this.trail.clear();
+    for (const [x, y] of running.wayUntil(time)) this.trail.extend(x, y);
+  }
 
   /** A robot that moved without time passing was placed: start a new trail. */
   private advanceTrail(robot: Robot, time: number): void {
+    const { past } = this.context.running;
+    if (past.peek() || this.showsPast) return this.showWay(time);
     const last = this.lastSeen;
     this.lastSeen = { robot, time };
     const way = last ? Math.hypot(robot.x - last.robot.x, robot.y - last.robot.y) : 0;
@@ -303,11 +452,29 @@ export class World implements WorldIsland {
       const carried = this.placing.pose;
       const robots = [carried ? { ...own, ...carried } : own, ...moment.robots.slice(1)];
       this.stage.show({ ...moment, robots });
-      this.cameras.follow(own.x, own.y);
       this.placing.show();
     }
+    const moving = this.motion.moving(now);
+    // The last frame of a movement, too.
+    if (moving || this.moved || this.placing.pose) this.view.moveShadows();
+    this.moved = moving || this.placing.pose !== null;
+    const shows = this.effects.step(now);
+    // Eyes close only in pictures that are drawn anyway, but never stay closed.
+    const blinks = !this.cameras.isCalm && isBlinking(now);
+    this.stage?.blink(blinks);
+    return this.moveCamera(now) || moving || shows || blinks;
+  }
+
+  /** Move the camera with the robot; return whether it is still moving. */
+  private moveCamera(now: number): boolean {
+    const robot = this.stage?.robots[0];
     const turning = this.cameras.step(now);
-    return turning || this.motion.moving(now);
+    if (!robot) return turning;
+    robot.object.visible = this.cameras.mode !== "eye";
+    this.cameras.look(robot.pose, robot.eye);
+    const following = this.cameras.follow(robot.pose, now);
+    this.stage?.face(this.cameras.camera.position);
+    return following || turning;
   }
 
   private label(): void {

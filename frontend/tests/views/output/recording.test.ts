@@ -62,3 +62,12 @@ test("half an hour is the most that is kept", () => {
   expect(times.length).toBeLessThan(36_000);
   expect(times.at(-1)).toBe(39_999 / 20);
 });
+
+test("around a moment, readings end with those of the moment, and times go on", () => {
+  const recording = new Recording();
+  for (let time = 0; time <= 20; time++) recording.add(time, [light(time)]);
+  expect(recording.around(17.5, 4, [LIGHT], [light(99)])).toEqual({
+    times: [16, 17, 17.5, 18, 19],
+    readings: [[16, 17, 99, null, null]],
+  });
+});

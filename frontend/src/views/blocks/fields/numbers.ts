@@ -27,7 +27,16 @@ abstract class PanelNumber extends Blockly.FieldNumber {
     // The panel has the focus and returns it.
     super.showEditor_(event, true, false);
     const before = this.getValue();
-    openPanel(this as Blockly.Field, this.panel(), { undo: () => this.take(Number(before)) });
+    const panel = this.panel();
+    panel.addEventListener("keydown", (event) => this.type(event));
+    openPanel(this as Blockly.Field, panel, { undo: () => this.take(Number(before)) });
+  }
+
+  /** A digit replaces the number, as in a field without a panel. */
+  private type({ key }: KeyboardEvent): void {
+    if (!/^[\d.-]$/.test(key)) return;
+    this.htmlInput_?.focus();
+    this.htmlInput_?.select();
   }
 
   /** An intermediate value: the edit is reported when the panel closes. */
@@ -61,7 +70,7 @@ export class FieldSlider extends PanelNumber {
   }
 }
 
-/** An angle in degrees clockwise, set by a dial. */
+/** An angle in degrees clockwise, set by a dial; the sentence around it has the unit. */
 export class FieldAngle extends PanelNumber {
   private dial: Dial | null = null;
 
@@ -81,10 +90,6 @@ export class FieldAngle extends PanelNumber {
   protected override take(value: number): void {
     super.take(value);
     this.dial?.show(value);
-  }
-
-  protected override getText_(): string | null {
-    return super.getText_() ?? `${this.getValue()}°`;
   }
 
   override getAriaTypeName(): string {

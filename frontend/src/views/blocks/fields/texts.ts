@@ -4,43 +4,60 @@ import * as Blockly from "blockly/core";
 
 import { t } from "../../../i18n";
 import { allowedAt } from "./allowed";
+import { colourPanel } from "./colour-panel";
 import { FreeChoice } from "./free-choice";
 import { openPanel } from "./panel";
+import { areNotes, piano } from "./piano";
+
+/** The menu entry that asks for another text. */
+const OTHER = "\u0000other";
 
 /** A choice among the parameter's options, known once the block is in the workspace. */
 export class FieldChoice extends FreeChoice {
   constructor() {
     super(choices);
   }
+
+  /** Notes are chosen on a piano. */
+  protected override showEditor_(event?: MouseEvent): void {
+    const { options = [] } = allowedAt(this as Blockly.Field);
+    if (!areNotes(options.map(([, value]) => value))) return super.showEditor_(event);
+    const before = this.getValue();
+    const close = () => Blockly.DropDownDiv.hideIfOwner(this as Blockly.Field);
+    const keys = piano(options, String(before), (note) => this.setValue(note), close);
+    openPanel(this as Blockly.Field, keys, { undo: () => this.setValue(before) });
+    keys.querySelector<HTMLElement>("[aria-checked=true]")?.focus({ preventScroll: true });
+  }
+
+  protected override doClassValidation_(value?: string): string | null {
+    if (value === OTHER) this.askForOther();
+    return value === OTHER ? null : super.doClassValidation_(value);
+  }
+
+  private askForOther(): void {
+    Blockly.dialog.prompt(t("page-blocks-other-prompt"), this.getValue() ?? "", (answer) => {
+      if (answer?.trim()) this.setValue(answer.trim());
+    });
+  }
 }
 
 function choices(this: Blockly.FieldDropdown): Blockly.MenuOption[] {
-  const { options = [] } = allowedAt(this as Blockly.Field);
-  const found = options.map(([label, value]): Blockly.MenuOption => [label, value]);
+  const { options = [], open = false } = allowedAt(this as Blockly.Field);
+  const usual = options.map(([label, value]): Blockly.MenuOption => [label, value]);
+  const found = open ? [...usual, [t("page-blocks-other"), OTHER] as Blockly.MenuOption] : usual;
   const own = this.getValue() ?? "";
-  return found.length && found.some((option) => option[1] === own) ? found : [[own, own], ...found];
+  return usual.some((option) => option[1] === own) ? found : [[own, own], ...found];
 }
 
-/** The colours offered besides a free choice: easy to tell apart on an LED. */
-const COLOURS = {
-  red: "#ff0000",
-  orange: "#ff8800",
-  yellow: "#ffff00",
-  green: "#00ff00",
-  cyan: "#00ffff",
-  blue: "#0000ff",
-  purple: "#8800ff",
-  pink: "#ff66aa",
-  white: "#ffffff",
-  black: "#000000",
-} as const;
 const HEXADECIMAL = /^#[0-9a-f]{6}$/i;
 
 /** A colour as #rrggbb, shown in that colour. */
 export class FieldColour extends Blockly.FieldTextInput {
   protected override showEditor_(): void {
     const before = this.getValue();
-    openPanel(this as Blockly.Field, this.panel(), { undo: () => this.setValue(before) });
+    const field = this as Blockly.Field;
+    const panel = colourPanel(field, colourOf(before) ?? "#000000", (colour) => this.setValue(colour));
+    openPanel(field, panel, { undo: () => this.setValue(before) });
   }
 
   protected override render_(): void {
@@ -60,31 +77,6 @@ export class FieldColour extends Blockly.FieldTextInput {
 
   override getAriaTypeName(): string {
     return t("page-blocks-colour");
-  }
-
-  private panel(): HTMLElement {
-    const panel = document.createElement("div");
-    const own = Object.assign(document.createElement("input"), {
-      type: "color",
-      ariaLabel: t("page-blocks-other-colour"),
-    });
-    own.value = colourOf(this.getValue()) ?? "#000000";
-    own.title = own.ariaLabel;
-    own.addEventListener("input", () => this.setValue(own.value));
-    panel.append(...Object.entries(COLOURS).map(([name, colour]) => this.swatch(name, colour)), own);
-    return panel;
-  }
-
-  private swatch(name: string, colour: string): HTMLButtonElement {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.ariaLabel = button.title = t(`page-blocks-colour-${name}`);
-    button.style.background = colour;
-    button.addEventListener("click", () => {
-      this.setValue(colour);
-      Blockly.DropDownDiv.hideIfOwner(this as Blockly.Field);
-    });
-    return button;
   }
 }
 

@@ -2,16 +2,18 @@
 
 import { Group, Mesh, Path, Shape } from "three";
 
-import { css } from "../scenery/colours";
+import { friendly } from "../scenery/colours";
 import type { RobotValues } from "../scenery/description";
 import { rectangle } from "../scenery/shadows";
-import { Parts, plate, roundedBox, wheelDisc } from "../scenery/solids";
+import { COAT, drum, Parts, plate, roundedBox } from "../scenery/solids";
 import { Face } from "./face";
 import type { Look } from "./model";
 import { Wheel } from "./wheel";
 
-const DARK = "#3b4048";
-const RED = "#d8402f";
+const DARK = "#2a3040";
+const RED = "#ff5a3c";
+const STEEL = "#c3cad8";
+const SCREEN = "#0b1020";
 const LIFT = { x: -14, z: 45, length: 66 };
 const LED_PLACES: Readonly<Record<string, readonly [number, number]>> = {
   Front: [-14, 0],
@@ -23,15 +25,15 @@ const LED_PLACES: Readonly<Record<string, readonly [number, number]>> = {
 
 export function cozmo(robot: RobotValues): Look {
   const { body, wheels } = robot;
-  const face = new Face(36, 24, "#57d8ff");
+  const face = new Face(38, 25, "#5ef0ff");
   const lights = lightsOf(robot);
-  const group = new Group();
-  group.add(hull(robot), ...Object.values(lights).flat());
-  const axles = [wheels.track / 2, -wheels.track / 2];
-  const hubs = { tyre: "#8b939e", hub: "#e9ecef" };
+  const group = hull(robot);
+  for (const light of Object.values(lights).flat()) group.add(light);
+  const axles = [wheels.track / 2 + 3, -wheels.track / 2 - 3];
+  const hubs = { tyre: DARK, hub: RED };
   return {
     body: group,
-    wheels: [0, 34].flatMap((x) => axles.map((y) => new Wheel(y, wheels.radius - 2, 11, hubs, x - 8))),
+    wheels: [0, 34].flatMap((x) => axles.map((y) => new Wheel(y, wheels.radius - 2, 13, hubs, x - 8))),
     joints: { CAMERA: head(face), ARM: lift() },
     lights,
     face,
@@ -39,26 +41,28 @@ export function cozmo(robot: RobotValues): Look {
   };
 }
 
-function hull(robot: RobotValues): Mesh {
-  const colour = css(robot.body.colour);
-  const parts = new Parts().add(roundedBox(72, 32, 26, 6), colour, -4, 0, 24);
-  parts.add(roundedBox(40, 34, 16, 6), colour, -22, 0, 42);
-  parts.add(roundedBox(30, 30, 4, 2), DARK, -23, 0, 50);
-  parts.add(roundedBox(6, 20, 10, 3), DARK, -42, 0, 28);
+function hull(robot: RobotValues): Group {
+  const colour = friendly(robot.body.colour);
+  const coat = new Parts().add(roundedBox(76, 34, 27, 8), colour, -4, 0, 26);
+  coat.add(roundedBox(44, 36, 16, 7), colour, -22, 0, 43);
+  coat.add(roundedBox(20, 32, 13, 5), RED, -40, 0, 30);
+  const matt = new Parts().add(roundedBox(34, 32, 4, 2), DARK, -23, 0, 50.5);
   for (const side of [1, -1]) {
-    const tread = plate(stadium(20, 14), 10, 1)
+    const middle = side * (robot.wheels.track / 2 + 3);
+    const tread = plate(stadium(21, 15), 13, 1.5)
       .rotateX(Math.PI / 2)
-      .translate(9, 5, 14.5);
-    parts.add(tread, DARK, 0, side * (robot.wheels.track / 2), 0);
-    parts.add(wheelDisc(7, 6, 20), RED, LIFT.x, side * 19, LIFT.z);
+      .translate(9, 6.5, 15);
+    matt.add(tread, DARK, 0, middle, 0);
+    for (let i = -3; i <= 3; i++) matt.add(roundedBox(4, 13, 2.4, 1), "#1b2030", 9 + i * 8, middle, 30);
+    matt.add(drum(8, 7, 2, 20).rotateX(Math.PI / 2), RED, LIFT.x, side * 20, LIFT.z);
   }
-  return parts.mesh();
+  return new Group().add(coat.mesh(COAT), matt.mesh());
 }
 
 /** A track's outline, hollow for its wheels. */
 function stadium(half: number, radius: number): Shape {
   const shape = round(new Shape(), half, radius);
-  shape.holes.push(round(new Path(), half, radius - 3.5));
+  shape.holes.push(round(new Path(), half, radius - 4));
   return shape;
 }
 
@@ -70,12 +74,15 @@ function round<T extends Path>(path: T, half: number, radius: number): T {
 
 function head(face: Face): Group {
   const group = new Group();
-  group.position.set(2, 0, 50);
-  const parts = new Parts().add(roundedBox(38, 44, 34, 8), "#f4f5f6", 8, 0, 6);
-  parts.add(roundedBox(4, 40, 28, 2), "#1b2028", 26, 0, 5);
-  parts.add(roundedBox(10, 48, 12, 4), DARK, -2, 0, 2);
-  face.mesh.position.set(28.4, 0, 6);
-  group.add(parts.mesh(), face.mesh);
+  group.position.set(2, 0, 52);
+  const coat = new Parts().add(roundedBox(42, 50, 37, 10), "#f7f8fb", 8, 0, 7);
+  coat.add(roundedBox(5, 43, 30, 5), SCREEN, 28, 0, 7);
+  coat.add(roundedBox(24, 34, 5, 2.4), RED, 4, 0, 25.5);
+  for (const side of [1, -1]) {
+    coat.add(drum(9, 5, 2, 20).rotateX(Math.PI / 2), STEEL, 2, side * 26, 5);
+  }
+  face.mesh.position.set(30.8, 0, 7);
+  group.add(coat.mesh(COAT), face.mesh);
   return group;
 }
 
@@ -85,11 +92,11 @@ function lift(): Group {
   group.position.set(LIFT.x, 0, LIFT.z);
   const parts = new Parts();
   for (const side of [1, -1]) {
-    parts.add(roundedBox(LIFT.length, 4, 7, 2), DARK, LIFT.length / 2, side * 26, 0);
-    parts.add(roundedBox(8, 6, 16, 2), RED, LIFT.length + 3, side * 16, -10);
+    parts.add(roundedBox(LIFT.length, 4, 7, 2), STEEL, LIFT.length / 2, side * 26, 0);
+    parts.add(roundedBox(9, 7, 18, 3), STEEL, LIFT.length + 3, side * 16, -10);
   }
-  parts.add(roundedBox(6, 56, 12, 3), "#e9ecef", LIFT.length, 0, -5);
-  group.add(parts.mesh());
+  parts.add(roundedBox(7, 58, 14, 3), STEEL, LIFT.length, 0, -5);
+  group.add(parts.mesh(COAT));
   return group;
 }
 
@@ -103,7 +110,7 @@ function lightsOf(robot: RobotValues): Record<string, Mesh[]> {
 }
 
 function light(x: number, y: number): Mesh {
-  const mesh = new Mesh(roundedBox(6, 7, 3, 1.4));
-  mesh.position.set(x, y, 53);
+  const mesh = new Mesh(roundedBox(7, 8, 4, 2));
+  mesh.position.set(x, y, 53.5);
   return mesh;
 }

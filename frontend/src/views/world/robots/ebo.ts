@@ -1,72 +1,62 @@
 /** EBO: round and orange, with a head that nods and a face on it. */
 
-import { Group } from "three";
+import { Color, Group } from "three";
 
-import { css } from "../scenery/colours";
+import { friendly } from "../scenery/colours";
 import type { RobotValues } from "../scenery/description";
 import { circle } from "../scenery/shadows";
-import { cylinder, Parts, roundedBox, turned } from "../scenery/solids";
+import { COAT, drum, Parts, roundedBox } from "../scenery/solids";
 import { Face } from "./face";
 import type { Look } from "./model";
 import { addWindows } from "./sensors";
 import { Wheel } from "./wheel";
 
-const DARK = "#2b303a";
-const EAR = "#c75f12";
-const HEAD = { x: 24, z: 88, length: 46, width: 88, height: 52 };
+const DARK = "#2b3144";
+const SCREEN = "#0b1020";
+const CREAM = "#fff3e2";
+const HEAD = { x: 10, z: 90, length: 50, width: 78, height: 54 };
+/** How far the wheels stand out. */
+const OUT = 6;
 
 export function ebo(robot: RobotValues): Look {
-  const { radius, track } = { radius: robot.wheels.radius, track: robot.wheels.track };
   const reach = robot.body.radius ?? 75;
-  const face = new Face(76, 40, "#8fe3ff");
+  const face = new Face(64, 38, "#5ef0ff");
+  const side = reach - OUT;
   return {
-    body: shell(robot, reach),
-    wheels: [track / 2, -track / 2].map((y) => new Wheel(y, radius, 16, { tyre: DARK, hub: "#f7d9b5" })),
-    joints: { CAMERA: head(css(robot.body.colour), face) },
+    body: shell(robot, reach - OUT),
+    wheels: [side, -side].map((y) => new Wheel(y, robot.wheels.radius, 16, { tyre: "#222938", hub: "#ffffff" })),
+    joints: { CAMERA: head(friendly(robot.body.colour), face) },
     lights: {},
     face,
     outline: circle(0, 0, reach),
   };
 }
 
-function shell(robot: RobotValues, reach: number) {
-  const parts = new Parts().add(cylinder(reach - 22, 34), DARK, 0, 0, 25);
-  const profile: [number, number][] = [
-    [0, 36],
-    [reach - 4, 36],
-    [reach, 40],
-    [reach, 56],
-    [reach - 3, 64],
-    [reach - 12, 70],
-    [0, 72],
-  ];
-  parts.add(turned(profile, 48), css(robot.body.colour));
-  parts.add(
-    turned(
-      [
-        [reach + 0.6, 43],
-        [reach + 0.6, 55],
-      ],
-      48,
-    ),
-    "#fff1df",
-  );
-  addWindows(parts, robot, 49);
+function shell(robot: RobotValues, radius: number): Group {
+  const colour = friendly(robot.body.colour);
+  const coat = new Parts().add(drum(radius, 40, 15, 44), colour, 0, 0, 32);
+  coat.add(drum(radius + 1.2, 11, 4, 44), CREAM, 0, 0, 31);
+  coat.add(drum(radius - 10, 16, 7, 40), colour, 0, 0, 55);
   // A short tail, which marks the back.
-  parts.add(cylinder(9, 14, 20), EAR, 22 - reach, 0, 76);
-  parts.add(cylinder(16, 14, 24), DARK, HEAD.x, 0, 74);
-  return parts.mesh();
+  coat.add(drum(11, 20, 4, 20), dark(colour), 16 - radius, 0, 68);
+  const matt = new Parts().add(drum(30, 18, 5, 28), DARK, HEAD.x - 4, 0, 66);
+  addWindows(matt, robot, 31, 15, 9);
+  return new Group().add(coat.mesh(COAT), matt.mesh());
+}
+
+function dark(colour: string): string {
+  return new Color(colour).multiplyScalar(0.55).getStyle();
 }
 
 function head(colour: string, face: Face): Group {
   const group = new Group();
   group.position.set(HEAD.x, 0, HEAD.z);
-  const parts = new Parts().add(roundedBox(HEAD.length, HEAD.width, HEAD.height, 14), colour);
-  parts.add(roundedBox(4, 82, 46, 2), DARK, HEAD.length / 2 - 1);
-  for (const side of [1, -1]) parts.add(roundedBox(22, 10, 26, 5), EAR, -2, side * (HEAD.width / 2 + 2), 0);
+  const coat = new Parts().add(roundedBox(HEAD.length, HEAD.width, HEAD.height, 15), colour);
+  for (const side of [1, -1]) coat.add(roundedBox(26, 13, 32, 6), dark(colour), -2, side * (HEAD.width / 2 + 2), 0);
+  coat.add(roundedBox(8, 68, 43, 5), SCREEN, HEAD.length / 2 - 2);
   // The camera, above the screen.
-  parts.add(roundedBox(8, 14, 8, 3), DARK, HEAD.length / 2 - 3, 0, HEAD.height / 2);
-  face.mesh.position.x = HEAD.length / 2 + 1.2;
-  group.add(parts.mesh(), face.mesh);
+  coat.add(roundedBox(13, 18, 11, 4), DARK, HEAD.length / 2 - 6, 0, HEAD.height / 2);
+  face.mesh.position.x = HEAD.length / 2 + 2.2;
+  group.add(coat.mesh(COAT), face.mesh);
   return group;
 }

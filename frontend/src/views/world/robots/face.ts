@@ -1,8 +1,8 @@
 /** The face on a robot's screen: eyes and mouth for each emotion. */
 
-import { CanvasTexture, Mesh, MeshBasicMaterial, PlaneGeometry, SRGBColorSpace } from "three";
-
-const HEIGHT = 128;
+import { type CanvasTexture, Mesh, MeshBasicMaterial, PlaneGeometry } from "three";
+import { createCanvas } from "./canvas";
+import { letter } from "./lettering";
 
 /** Fractions of the screen's height; positive is down. */
 interface Expression {
@@ -27,12 +27,21 @@ const EXPRESSIONS: Readonly<Record<string, Expression>> = {
   disgust: { eye: 0.14, brow: 0.06, smile: -0.1, open: 0.03, mouth: 0.36 },
 };
 
-/** A screen that shows a face; `none` shows closed eyes, dimly. */
+/** What a robot shows without an emotion: two open eyes. */
+const AWAKE: Expression = { eye: 0.44, brow: 0, smile: 0, open: 0, mouth: 0 };
+/** The opening of closed eyes. */
+const CLOSED = 0.07;
+/** How far the light of the face shines, in pixels. */
+const GLOW = 10;
+
+/** A screen that shows a face; `none` shows open eyes only. */
 export class Face {
   readonly mesh: Mesh;
   private readonly pen: CanvasRenderingContext2D;
   private readonly texture: CanvasTexture;
   private emotion = "";
+  private text = "";
+  private closed = false;
 
   /** @param width and height of the screen, mm; it faces ahead. */
   constructor(
@@ -40,62 +49,81 @@ export class Face {
     height: number,
     private readonly colour: string,
   ) {
-    const canvas = document.createElement("canvas");
-    canvas.height = HEIGHT;
-    canvas.width = Math.round((HEIGHT * width) / height);
-    this.pen = canvas.getContext("2d") as CanvasRenderingContext2D;
-    this.texture = new CanvasTexture(canvas);
-    this.texture.colorSpace = SRGBColorSpace;
-    this.texture.anisotropy = 4;
+    ({ pen: this.pen, texture: this.texture } = createCanvas(width, height));
     const screen = new PlaneGeometry(width, height).rotateX(Math.PI / 2).rotateZ(Math.PI / 2);
-    this.mesh = new Mesh(screen, new MeshBasicMaterial({ map: this.texture }));
-    this.show("none");
+    this.mesh = new Mesh(screen, new MeshBasicMaterial({ map: this.texture, toneMapped: false }));
+    this.show("none", "");
   }
 
-  show(emotion: string): void {
-    if (emotion === this.emotion) return;
+  /** Show an emotion, or a text instead of it. */
+  show(emotion: string, text: string): void {
+    if (emotion === this.emotion && text === this.text) return;
     this.emotion = emotion;
-    this.draw(EXPRESSIONS[emotion]);
-    this.texture.needsUpdate = true;
+    this.text = text;
+    this.redraw();
+  }
+
+  /** Close or open the eyes; a text has none. */
+  blink(closed: boolean): void {
+    if (closed === this.closed) return;
+    this.closed = closed;
+    if (!this.text) this.redraw();
   }
 
   dispose(): void {
     this.texture.dispose();
   }
 
-  private draw(expression: Expression | undefined): void {
+  private redraw(): void {
+    const expression = EXPRESSIONS[this.emotion] ?? AWAKE;
+    this.draw(this.closed ? { ...expression, eye: CLOSED } : expression);
+    this.texture.needsUpdate = true;
+  }
+
+  private draw(expression: Expression): void {
     const { pen } = this;
     const { width, height } = pen.canvas;
     pen.resetTransform();
     pen.globalAlpha = 1;
-    pen.fillStyle = "#10151d";
+    pen.shadowBlur = 0;
+    pen.fillStyle = "#0b1020";
     pen.fillRect(0, 0, width, height);
+    if (this.text) return letter(pen, this.text, this.colour, height / 2);
     // The face is drawn in fractions of the height, centred at (0, 0).
     pen.setTransform(height, 0, 0, height, width / 2, height / 2);
     pen.fillStyle = pen.strokeStyle = this.colour;
+    pen.shadowColor = this.colour;
+    pen.shadowBlur = GLOW;
     pen.lineCap = "round";
-    if (expression) this.awake(expression);
-    else this.asleep();
+    this.features(expression);
   }
 
-  private asleep(): void {
-    this.pen.globalAlpha = 0.4;
-    this.pen.lineWidth = 0.05;
-    for (const side of [-1, 1]) this.stroke([side * 0.28 - 0.1, 0], [side * 0.28, 0.05], [side * 0.28 + 0.1, 0]);
-  }
-
-  private awake(expression: Expression): void {
+  private features(expression: Expression): void {
     for (const side of [-1, 1]) {
       this.eye(side, expression);
       if (expression.brow) this.brow(side, expression);
     }
-    this.mouth(expression);
+    if (expression.mouth) this.mouth(expression);
   }
 
-  private eye(side: number, { eye }: Expression): void {
-    this.pen.beginPath();
-    this.pen.ellipse(side * 0.3, -0.12, 0.105, eye / 2, 0, 0, 2 * Math.PI);
-    this.pen.fill();
+  /** A tall eye with a highlight; a smiling one is an arch. */
+  private eye(side: number, { eye, smile, mouth }: Expression): void {
+    const { pen } = this;
+    const [x, y] = [side * 0.3, mouth ? -0.12 : 0];
+    if (smile > 0.1) {
+      pen.lineWidth = 0.1;
+      return this.stroke([x - 0.14, y + 0.08], [x, y - 0.22], [x + 0.14, y + 0.08]);
+    }
+    pen.beginPath();
+    pen.roundRect(x - 0.12, y - eye / 2, 0.24, eye, Math.min(0.12, eye / 2));
+    pen.fill();
+    pen.save();
+    pen.shadowBlur = 0;
+    pen.fillStyle = "rgba(255,255,255,.6)";
+    pen.beginPath();
+    pen.ellipse(x - 0.04, y - eye * 0.22, 0.04, eye * 0.14, 0, 0, 2 * Math.PI);
+    pen.fill();
+    pen.restore();
   }
 
   private brow(side: number, { brow, eye }: Expression): void {

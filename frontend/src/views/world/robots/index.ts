@@ -14,4 +14,4 @@ export function robotModel(robot: RobotValues): RobotModel {
   return new RobotModel((LOOKS[robot.name] ?? plain)(robot), robot);
 }
 
-export { RobotModel } from "./model";
+export { type EyePose, RobotModel } from "./model";

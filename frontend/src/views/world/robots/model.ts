@@ -1,15 +1,23 @@
 /** The model of a robot: the parts common to all kinds. */
 
-import { Group, type Mesh, MeshBasicMaterial, type Object3D } from "three";
+import { Box3, Group, type Mesh, MeshBasicMaterial, type Object3D, type Sprite } from "three";
 import type { Robot } from "../../../protocol/messages";
 import type { RobotValues, XY } from "../scenery/description";
 import { radians, wrapped } from "../scenery/geometry";
 import { shadows } from "../scenery/shadows";
 import { place } from "../scenery/things";
-import type { Face } from "./face";
+import { Bubble } from "./bubble";
 import type { Wheel } from "./wheel";
 
-const LED_OFF = "#59606b";
+const LED_OFF = "#aab3c5";
+
+/** A screen of a robot. */
+export interface Screen {
+  show(emotion: string, text: string): void;
+  /** Close or open its eyes, if it has any. */
+  blink?(closed: boolean): void;
+  dispose(): void;
+}
 
 /** The appearance of one kind of robot. Positions are in mm: forward, left, up. */
 export interface Look {
@@ -20,9 +28,17 @@ export interface Look {
   readonly joints: Readonly<Record<string, Object3D>>;
   /** The lights, by the LED's key. */
   readonly lights: Readonly<Record<string, readonly Mesh[]>>;
-  readonly face: Face | null;
+  /** What shows emotions and texts. */
+  readonly face: Screen | null;
   /** Its outline on the floor. */
   readonly outline: readonly XY[];
+}
+
+/** Where a robot's camera is, mm, and how far it looks up, degrees. */
+export interface EyePose {
+  readonly ahead: number;
+  readonly height: number;
+  readonly up: number;
 }
 
 /** A robot on the floor with the pose and state of telemetry. */
@@ -30,7 +46,10 @@ export class RobotModel {
   readonly object = new Group();
   /** The distance from its centre to its farthest point, mm. */
   readonly reach: number;
+  /** mm. */
+  readonly height: number;
   private last: Robot | null = null;
+  private readonly bubble: Bubble;
 
   constructor(
     private readonly look: Look,
@@ -39,15 +58,26 @@ export class RobotModel {
     const { body, wheels, joints } = look;
     const moving = [...wheels.map((wheel) => wheel.object), ...Object.values(joints)];
     for (const part of [body, shadows([look.outline]), ...moving]) this.object.add(part);
+    this.bubble = new Bubble(values.body.height);
+    this.height = new Box3().setFromObject(this.object).max.z;
+    this.object.add(this.bubble.sprite);
     this.reach = Math.max(...look.outline.map(([x, y]) => Math.hypot(x, y)));
     for (const lights of Object.values(look.lights)) {
-      for (const light of lights) light.material = new MeshBasicMaterial({ color: LED_OFF });
+      for (const light of lights) light.material = new MeshBasicMaterial({ color: LED_OFF, toneMapped: false });
     }
   }
 
   /** The state shown last. */
   get pose(): Robot {
     return this.last ?? { name: "", x: 0, y: 0, heading: 0 };
+  }
+
+  /** Where its camera is, or its front if it has none. */
+  get eye(): EyePose {
+    const [camera] = this.values.camera;
+    if (!camera) return { ahead: this.reach, height: this.values.body.height * 0.8, up: 0 };
+    const up = camera.pitch + (camera.joint ? (this.pose.joints?.[camera.joint] ?? 0) : 0);
+    return { ahead: camera.x, height: camera.z, up };
   }
 
   show(robot: Robot): void {
@@ -58,11 +88,24 @@ export class RobotModel {
       part.rotation.y = -radians(robot.joints?.[key] ?? 0);
     }
     this.shine(robot);
-    if (this.look.face) this.look.face.show(robot.emotion ?? "none");
+    this.look.face?.show(robot.emotion ?? "none", robot.text ?? "");
+    // A screen is small, and may face away: its text is above the robot, too.
+    this.bubble.show(robot.text ?? "");
+  }
+
+  blink(closed: boolean): void {
+    this.look.face?.blink?.(closed);
+  }
+
+  /** Put its name above it, below its texts. */
+  label(plate: Sprite): void {
+    this.object.add(plate);
+    this.bubble.lift(plate.position.z + plate.scale.y / 2);
   }
 
   dispose(): void {
     this.look.face?.dispose();
+    this.bubble.dispose();
   }
 
   /** Turn the wheels by the distance driven. */

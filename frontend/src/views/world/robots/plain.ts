@@ -2,28 +2,28 @@
 
 import { Group, Mesh, type Object3D } from "three";
 
-import { css } from "../scenery/colours";
+import { friendly } from "../scenery/colours";
 import type { RobotValues, XY } from "../scenery/description";
 import { circle, rectangle } from "../scenery/shadows";
-import { cylinder, Parts, roundedBox, turned } from "../scenery/solids";
+import { COAT, cylinder, drum, Parts, roundedBox } from "../scenery/solids";
 import { Face } from "./face";
 import type { Look } from "./model";
 import { addWindows } from "./sensors";
 import { Wheel } from "./wheel";
 
-const DARK = "#2b303a";
+const DARK = "#2b3144";
 const GROUND_CLEARANCE = 8;
 
 export function plain(robot: RobotValues): Look {
   const { track, radius } = robot.wheels;
   const lights = lightsOf(robot);
-  const face = robot.display?.kind === "screen" ? new Face(...screenSize(robot), "#8fe3ff") : null;
+  const face = robot.display?.kind === "screen" ? new Face(...screenSize(robot), "#5ef0ff") : null;
   const width = Math.max(6, radius * 0.4);
   const body = new Group();
   body.add(hull(robot), ...Object.values(lights).flat());
   return {
     body,
-    wheels: [track / 2, -track / 2].map((y) => new Wheel(y, radius, width, { tyre: DARK, hub: "#e9ecef" })),
+    wheels: [track / 2, -track / 2].map((y) => new Wheel(y, radius, width, { tyre: DARK, hub: "#ffffff" })),
     joints: { ...arms(robot), ...heads(robot, face, body) },
     lights,
     face,
@@ -44,30 +44,17 @@ function hull(robot: RobotValues): Mesh {
   const { body } = robot;
   const tall = Math.max(4, body.height - GROUND_CLEARANCE);
   const parts = new Parts();
-  if (body.shape === "disc") parts.add(drum(body.radius ?? 50, tall), css(body.colour), 0, 0, GROUND_CLEARANCE);
-  else {
-    const box = roundedBox(body.length ?? 100, body.width ?? 100, tall, 8);
-    parts.add(box, css(body.colour), body.offset, 0, GROUND_CLEARANCE + tall / 2);
-  }
-  addWindows(parts, robot, Math.min(body.height * 0.6, 50), 12, Math.min(9, tall / 2));
+  const shape =
+    body.shape === "disc"
+      ? drum(body.radius ?? 50, tall, 14, 44)
+      : roundedBox(body.length ?? 100, body.width ?? 100, tall, 12);
+  const [x, z] = [body.shape === "disc" ? 0 : body.offset, GROUND_CLEARANCE + tall / 2];
+  parts.add(shape, friendly(body.colour), x, 0, z);
+  addWindows(parts, robot, Math.min(body.height * 0.6, 50), 14, Math.min(9, tall / 2));
   // A triangle on top points ahead.
   const front = frontOf(robot);
   parts.add(cylinder(front * 0.22, 2, 3).rotateZ(Math.PI / 2), "#ffffff", front * 0.55, 0, body.height + 0.6);
-  return parts.mesh();
-}
-
-function drum(radius: number, height: number) {
-  const edge = Math.min(8, radius / 4, height / 3);
-  return turned(
-    [
-      [0, 0],
-      [radius, 0],
-      [radius, height - edge],
-      [radius - edge, height],
-      [0, height],
-    ],
-    48,
-  );
+  return parts.mesh(COAT);
 }
 
 function screenSize({ body }: RobotValues): [number, number] {
@@ -111,7 +98,7 @@ function arm(robot: RobotValues, index: number): Group {
   const group = new Group().add(
     new Parts()
       .add(roundedBox(length, 10, 10, 3), DARK, length / 2)
-      .add(roundedBox(12, 18, 18, 4), "#e9ecef", length)
+      .add(roundedBox(12, 18, 18, 5), "#e9ecef", length)
       .mesh(),
   );
   group.position.set(frontOf(robot) * 0.4, (index % 2 ? -1 : 1) * 14 * Math.ceil((index + 1) / 2), robot.body.height);

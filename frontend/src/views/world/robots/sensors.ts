@@ -7,9 +7,9 @@ import { type Parts, roundedBox } from "../scenery/solids";
 /** Add a dark window for each sensor, `z` mm above the floor. */
 export function addWindows(parts: Parts, robot: RobotValues, z: number, width = 12, height = 9): void {
   for (const { x, y, direction } of robot.distance) {
-    const frame = roundedBox(5, width, height, 2).rotateZ(-radians(direction));
-    parts.add(frame, "#20242c", x, y, z);
-    const pane = roundedBox(6, width * 0.5, height * 0.5, 2).rotateZ(-radians(direction));
-    parts.add(pane, "#b0243a", x, y, z);
+    const frame = roundedBox(7, width, height, 3).rotateZ(-radians(direction));
+    parts.add(frame, "#151b2b", x, y, z);
+    const pane = roundedBox(8, width * 0.4, height * 0.4, 1.5).rotateZ(-radians(direction));
+    parts.add(pane, "#12b5cb", x, y, z);
   }
 }

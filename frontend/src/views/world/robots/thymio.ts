@@ -2,24 +2,27 @@
 
 import { Group, Mesh, Path, Shape } from "three";
 
-import { css } from "../scenery/colours";
+import { friendly } from "../scenery/colours";
 import type { RobotValues, XY } from "../scenery/description";
-import { cylinder, Parts, plate, roundedBox } from "../scenery/solids";
+import { COAT, drum, Parts, plate, roundedBox } from "../scenery/solids";
 import type { Look } from "./model";
 import { addWindows } from "./sensors";
 import { Wheel } from "./wheel";
 
-const GREY = "#c3c9d1";
-const DARK = "#3a404a";
+const GREY = "#c9d1e0";
+const DARK = "#39425a";
+const MIDDLE = "#ff8a1f";
 /** The length of the round part. */
 const ROUNDING = 28;
 
 export function thymio(robot: RobotValues): Look {
   const { radius, track } = robot.wheels;
-  const wheels = [track / 2 + 6, -track / 2 - 6].map((y) => new Wheel(y, radius, 8, { tyre: DARK, hub: "#f2f4f7" }));
+  const wheels = [track / 2 + 6, -track / 2 - 6].map(
+    (y) => new Wheel(y, radius, 11, { tyre: "#222938", hub: "#dfe5f0" }),
+  );
   const lights = lightsOf(robot);
-  const body = new Group();
-  body.add(hull(robot), ...Object.values(lights).flat());
+  const body = hull(robot);
+  for (const light of Object.values(lights).flat()) body.add(light);
   return { body, wheels, joints: {}, lights, face: null, outline: outlineOf(robot) };
 }
 
@@ -51,26 +54,33 @@ function outlineOf(robot: RobotValues): XY[] {
     .map(({ x, y }): XY => [x, y]);
 }
 
-function hull(robot: RobotValues): Mesh {
+function hull(robot: RobotValues): Group {
   const extent = extentOf(robot);
   const { height } = robot.body;
-  const parts = new Parts().add(plate(shapeOf(extent, 8), 14), DARK, 0, 0, 4);
-  parts.add(plate(shapeOf({ ...extent, side: extent.side - 5 }), height - 15, 7), css(robot.body.colour), 0, 0, 15);
-  addWindows(parts, robot, 34, 13, 8);
-  addButtons(parts, height);
-  return parts.mesh();
+  const matt = new Parts().add(plate(shapeOf(extent, 8), 14), DARK, 0, 0, 4);
+  addWindows(matt, robot, 33, 14, 9);
+  const coat = new Parts();
+  coat.add(
+    plate(shapeOf({ ...extent, side: extent.side - 5 }), height - 14, 10),
+    friendly(robot.body.colour),
+    0,
+    0,
+    14,
+  );
+  addButtons(coat, height);
+  return new Group().add(coat.mesh(COAT), matt.mesh());
 }
 
 /** The five buttons on top: a round one between four arrows. */
 function addButtons(parts: Parts, height: number): void {
-  parts.add(cylinder(6, 3, 24), GREY, 30, 0, height + 1.5);
+  parts.add(drum(7, 4, 2, 24), MIDDLE, 30, 0, height + 1);
   for (const [x, y] of [
-    [15, 0],
-    [-15, 0],
-    [0, 15],
-    [0, -15],
+    [17, 0],
+    [-17, 0],
+    [0, 17],
+    [0, -17],
   ] as const) {
-    parts.add(roundedBox(8, 8, 3, 2).rotateZ(Math.PI / 4), GREY, 30 + x, y, height + 1.5);
+    parts.add(roundedBox(9, 9, 4, 2).rotateZ(Math.PI / 4), GREY, 30 + x, y, height + 0.6);
   }
 }
 

@@ -25,13 +25,41 @@ export function css(colour: Colour): string {
   return `rgb(${rgb(colour).join(",")})`;
 }
 
+/** How the world in 3D shows the named colours: the same hues, in the shades of the page. */
+const FRIENDLY: Readonly<Record<string, string>> = {
+  white: "#f8f9fc",
+  black: "#171c2b",
+  grey: "#a3adbf",
+  red: "#ef4444",
+  green: "#2fae5b",
+  blue: "#2f7bff",
+  yellow: "#ffc933",
+  orange: "#ff8a1f",
+  brown: "#b8793f",
+  purple: "#8257e6",
+};
+
+/** A colour for the world in 3D; a world's own red, green and blue stay. */
+export function friendly(colour: Colour): string {
+  return (typeof colour === "string" && FRIENDLY[colour]) || css(colour);
+}
+
+/** The colour of walls in the simulator that have none of their own. */
+const WALL: readonly [number, number, number] = [205, 200, 185];
+
+export function isDefaultWall(colour: Colour): boolean {
+  return rgb(colour).join() === WALL.join();
+}
+
 /** The page's marks in a world: legible on light and dark floors. */
 export const MARKS = {
-  open: "#2f6fed",
+  open: "#f08c00",
   reached: "#1c9c4a",
   failed: "#d23b3b",
-  start: "#7a8699",
-  trail: "#ff8a1f",
-  beam: "#e0457b",
+  start: "#2f6fed",
+  trail: "#f97316",
+  beam: "#12b5cb",
+  hit: "#ef2d3c",
   handle: "#2f6fed",
+  star: "#ffc933",
 } as const;

@@ -2,6 +2,7 @@
 
 export type XY = [number, number];
 export type Colour = string | [number, number, number];
+export type Theme = "playground" | "city" | "space" | "warehouse" | "garden" | "night" | "maze";
 
 export interface FloorValues {
   size: XY;
@@ -79,6 +80,30 @@ export interface LampValues {
   brightness: number;
 }
 
+export type PropKind =
+  | "ball"
+  | "barrel"
+  | "block"
+  | "cone"
+  | "crate"
+  | "flowers"
+  | "house"
+  | "lamp"
+  | "pile"
+  | "planet"
+  | "post"
+  | "rocket"
+  | "tree";
+
+export interface PropValues {
+  kind: PropKind;
+  x: number;
+  y: number;
+  heading: number;
+  scale: number;
+  solid: boolean;
+}
+
 export interface StartValues {
   x: number;
   y: number;
@@ -89,6 +114,7 @@ export interface StartValues {
 interface GoalValues {
   name: string;
   robot: string | null;
+  after: string | null;
   time_limit: number | null;
 }
 
@@ -110,9 +136,56 @@ export interface VisitValues extends GoalValues {
   angle: number;
 }
 
+export interface TourValues extends GoalValues {
+  points: XY[];
+  radius: number;
+}
+
+export interface StopValues extends GoalValues {
+  x: number;
+  y: number;
+  radius: number;
+  heading: number | null;
+  angle: number;
+  seconds: number;
+}
+
+export interface ShowValues extends GoalValues {
+  emotion: string;
+  x: number;
+  y: number;
+  radius: number | null;
+}
+
+export interface AvoidValues extends GoalValues {
+  distance: number;
+}
+
+export interface GoalLists {
+  reach: ReachValues[];
+  follow: FollowValues[];
+  visit: VisitValues[];
+  tour: TourValues[];
+  stop: StopValues[];
+  show: ShowValues[];
+  avoid: AvoidValues[];
+}
+
+/** The largest differences between a world and its variants. */
+export interface VaryValues {
+  start: number;
+  heading: number;
+  light: number;
+  noise: number;
+  slip: number;
+  thing: { name: string; distance: number }[];
+}
+
 export interface WorldValues {
   title: string;
+  theme: Theme;
   ambient_light: number;
+  sensor_noise: number;
   floor: FloorValues;
   line: LineValues[];
   wall: WallValues[];
@@ -121,8 +194,10 @@ export interface WorldValues {
   tag: TagValues[];
   face: FaceValues[];
   light: LampValues[];
+  prop: PropValues[];
   start: StartValues[];
-  goal: { reach: ReachValues[]; follow: FollowValues[]; visit: VisitValues[] };
+  goal: GoalLists;
+  vary: VaryValues | null;
 }
 
 export interface BodyValues {

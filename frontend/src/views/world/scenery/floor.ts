@@ -1,30 +1,25 @@
-/** The ground: its colour or picture, the wall around it, and the lines painted on it. */
+/** The floor, the lines painted on it, and the wall at its edge. */
 
-import {
-  BufferGeometry,
-  Color,
-  Float32BufferAttribute,
-  Group,
-  Mesh,
-  MeshBasicMaterial,
-  type Object3D,
-  PlaneGeometry,
-} from "three";
-
-import { css } from "./colours";
+import { Color, Group, Mesh, MeshBasicMaterial, type Object3D } from "three";
+import { friendly } from "./colours";
 import type { FloorValues, WorldValues, XY } from "./description";
+import { legible, mat, RIM } from "./mat";
+import type { Palette } from "./palette";
 import type { Pictures } from "./pictures";
 import { ribbons } from "./ribbon";
-import { PAINT } from "./solids";
+import { Faces } from "./solids";
 
-const BORDER_INSIDE = "#d7d4c8";
-const BORDER_TOP = "#b9b4a2";
-const BORDER_THICKNESS = 14;
+/** The light on the wall's sides: north, east, south and west of the floor. */
+const LIGHT = [0.97, 1, 0.93, 0.9] as const;
 const LINE_HEIGHT = 0.4;
+/** The soft edge of the wall, mm. */
+const SOFT = 8;
+const SOFT_STEPS = 4;
 
 /** The painted lines are flat: they need no light, and the floor must not hide them. */
 export const LINE_PAINT = new MeshBasicMaterial({
   vertexColors: true,
+  toneMapped: false,
   // Drawn with the translucent marks, in their order: a goal's halo goes below its line.
   transparent: true,
   depthWrite: false,
@@ -35,28 +30,29 @@ export const LINE_PAINT = new MeshBasicMaterial({
 /**
  * The floor with everything flat on it.
  *
- * @param name of the world: its picture is at `worlds/NAME/floor.png`.
+ * @param name of the world.
  * @param lines the corners of each line's middle.
  */
-export function floor(name: string, world: WorldValues, lines: readonly XY[][], pictures: Pictures): Object3D {
-  const group = new Group();
-  group.add(ground(name, world.floor, pictures), paintedLines(world, lines));
-  if (world.floor.border > 0) group.add(border(world.floor));
+export function floor(
+  name: string,
+  world: WorldValues,
+  lines: readonly XY[][],
+  palette: Palette,
+  pictures: Pictures,
+): Object3D {
+  const group = new Group().add(
+    mat(name, world.floor, legible(palette, world.line), pictures),
+    paintedLines(world, lines),
+  );
+  if (world.floor.border > 0) group.add(border(world.floor, palette));
   return group;
-}
-
-function ground(name: string, floor: FloorValues, pictures: Pictures): Mesh {
-  // Without lighting: the largest surface is the cheapest to draw.
-  const material = new MeshBasicMaterial({ color: css(floor.colour) });
-  if (floor.picture) pictures.on(material, `worlds/${encodeURIComponent(name)}/floor.png`);
-  return new Mesh(new PlaneGeometry(...floor.size), material);
 }
 
 function paintedLines(world: WorldValues, lines: readonly XY[][]): Mesh {
   const all = world.line.map((line, i) => ({
     points: lines[i] ?? [],
     width: line.width,
-    colour: css(line.colour),
+    colour: friendly(line.colour),
   }));
   const mesh = new Mesh(ribbons(all, LINE_HEIGHT), LINE_PAINT);
   mesh.renderOrder = 1;
@@ -64,47 +60,34 @@ function paintedLines(world: WorldValues, lines: readonly XY[][]): Mesh {
 }
 
 /** The border's inner sides and top: the outer sides would hide the objects behind them. */
-function border({ size, border: height }: FloorValues): Mesh {
-  const [x, y] = [size[0] / 2, size[1] / 2];
-  const inner: XY[] = [
-    [x, y],
-    [x, -y],
-    [-x, -y],
-    [-x, y],
-  ];
+function border({ size, border: height }: FloorValues, { border: side, rim }: Palette): Mesh {
   const faces = new Faces();
-  inner.forEach((start, i) => {
-    const end = inner[(i + 1) % 4] ?? start;
-    faces.quad([...start, 0], [...start, height], [...end, height], [...end, 0], BORDER_INSIDE);
-    faces.quad([...start, height], [...away(start), height], [...away(end), height], [...end, height], BORDER_TOP);
+  const profile = profileOf(height);
+  const corners = [0, 1, 2, 3] as const;
+  for (const corner of corners) {
+    profile.slice(1).forEach(([out, z], i) => {
+      const [before, below] = profile[i] as XY;
+      const [a, b] = [at(size, corner, before), at(size, (corner + 1) % 4, before)];
+      const [c, d] = [at(size, (corner + 1) % 4, out), at(size, corner, out)];
+      const shade = new Color(i === 0 ? side : rim).multiplyScalar(LIGHT[(corner + 1) % 4] as number);
+      faces.quad([...a, below], [...d, z], [...c, z], [...b, below], shade.getStyle());
+    });
+  }
+  return new Mesh(faces.geometry(), new MeshBasicMaterial({ vertexColors: true, toneMapped: false }));
+}
+
+/** From the floor up its inner side and over its soft edge: (outwards, up). */
+function profileOf(height: number): XY[] {
+  const soft = Math.min(SOFT, height);
+  const edge = Array.from({ length: SOFT_STEPS + 1 }, (_, i): XY => {
+    const angle = (i / SOFT_STEPS) * (Math.PI / 2);
+    return [soft - soft * Math.cos(angle), height - soft + soft * Math.sin(angle)];
   });
-  return new Mesh(faces.geometry(), PAINT);
+  return [[0, 0], ...edge, [RIM, height]];
 }
 
-function away([x, y]: XY): XY {
-  return [x + Math.sign(x) * BORDER_THICKNESS, y + Math.sign(y) * BORDER_THICKNESS];
-}
-
-type Point = [number, number, number];
-
-/** Faces of four corners in one colour each; corners are clockwise seen from the front. */
-class Faces {
-  private readonly positions: number[] = [];
-  private readonly colours: number[] = [];
-
-  quad(a: Point, b: Point, c: Point, d: Point, colour: string): void {
-    const { r, g, b: blue } = new Color(colour);
-    for (const point of [a, c, b, a, d, c]) {
-      this.positions.push(...point);
-      this.colours.push(r, g, blue);
-    }
-  }
-
-  geometry(): BufferGeometry {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new Float32BufferAttribute(this.positions, 3));
-    geometry.setAttribute("color", new Float32BufferAttribute(this.colours, 3));
-    geometry.computeVertexNormals();
-    return geometry;
-  }
+/** A corner of the floor, farther out; clockwise from the north-east. */
+function at([width, depth]: XY, corner: number, out: number): XY {
+  const [x, y] = [width / 2 + out, depth / 2 + out];
+  return [corner < 2 ? x : -x, corner === 0 || corner === 3 ? y : -y];
 }

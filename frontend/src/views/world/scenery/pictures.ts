@@ -1,6 +1,6 @@
 /** The server's pictures: tags, faces, floors. */
 
-import { type Material, SRGBColorSpace, type Texture, TextureLoader } from "three";
+import { type ColorSpace, type Material, SRGBColorSpace, type Texture, TextureLoader } from "three";
 
 type Pictured = Material & { map: Texture | null; color: { set(colour: string): unknown } };
 
@@ -13,15 +13,27 @@ export class Pictures {
 
   /** Show the picture at an address relative to the page; until it has loaded, the plain colour. */
   on(material: Pictured, address: string): void {
-    this.loader.load(address, (texture) => {
-      texture.colorSpace = SRGBColorSpace;
-      texture.anisotropy = 4;
-      this.textures.add(texture);
+    this.load(address, SRGBColorSpace, (texture) => {
       material.map = texture;
       material.color.set("#ffffff");
       material.needsUpdate = true;
+    });
+  }
+
+  /** Load the picture at an address relative to the page. */
+  load(address: string, space: ColorSpace, use: (texture: Texture) => void): void {
+    this.loader.load(address, (texture) => {
+      texture.colorSpace = space;
+      texture.anisotropy = 4;
+      use(this.keep(texture));
       this.changed();
     });
+  }
+
+  /** Keep a texture until these pictures are disposed of. */
+  keep<T extends Texture>(texture: T): T {
+    this.textures.add(texture);
+    return texture;
   }
 
   dispose(): void {

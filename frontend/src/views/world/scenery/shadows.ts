@@ -5,13 +5,16 @@ import { BufferGeometry, Float32BufferAttribute, Mesh, MeshBasicMaterial } from 
 import type { XY } from "./description";
 import { forward, type Pose } from "./geometry";
 
-const DARKNESS = 0.28;
+const DARKNESS = 0.24;
 /** The width of the fading edge, mm. */
 const FADE = 28;
 const HEIGHT = 0.8;
+/** Red, green and blue, 0 to 1: a dark blue. */
+const SHADE_COLOUR = [0.01, 0.015, 0.06] as const;
 
 export const SHADE = new MeshBasicMaterial({
   vertexColors: true,
+  toneMapped: false,
   transparent: true,
   depthWrite: false,
   polygonOffset: true,
@@ -46,7 +49,7 @@ export function shadows(outlines: readonly (readonly XY[])[]): Mesh {
   const colours: number[] = [];
   const add = ([x, y]: XY, dark: number): void => {
     positions.push(x, y, HEIGHT);
-    colours.push(0, 0, 0, dark);
+    colours.push(...SHADE_COLOUR, dark);
   };
   for (const outline of outlines) shade(outline, add);
   const geometry = new BufferGeometry();

@@ -2,15 +2,20 @@
 
 import { DoubleSide, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial, type Object3D, PlaneGeometry } from "three";
 
-import { css } from "./colours";
+import { friendly, isDefaultWall } from "./colours";
 import type { BoardValues, BoxValues, CylinderValues, LampValues, WallValues, WorldValues, XY } from "./description";
 import { forward, headingOf, type Pose, radians } from "./geometry";
+import type { Palette } from "./palette";
 import type { Pictures } from "./pictures";
 import { circle, rectangle, shadows } from "./shadows";
-import { cylinder, Parts, roundedBox, turned } from "./solids";
+import { ball, cylinder, drum, Parts, roundedBox, turned } from "./solids";
 
-const BOARD_BACK = "#aa9678";
+const BOARD = "#ffffff";
+const BOARD_FOOT = "#8257e6";
 const BOARD_THICKNESS = 6;
+/** The soft edges of boxes, cylinders and walls, mm. */
+const SOFT = 9;
+const SOFT_WALL = 7;
 
 /** The fixed objects, and the movable ones in the order of telemetry. */
 export interface Things {
@@ -18,9 +23,9 @@ export interface Things {
   readonly pushed: readonly Object3D[];
 }
 
-export function things(world: WorldValues, pictures: Pictures): Things {
+export function things(world: WorldValues, palette: Palette, pictures: Pictures): Things {
   const fixed = new Group();
-  fixed.add(standing(world), shadows(outlines(world)));
+  fixed.add(standing(world, palette), shadows(outlines(world)));
   for (const tag of world.tag) fixed.add(poster(tag, `textures/tag/${tag.id}.png`, pictures));
   for (const face of world.face) fixed.add(poster(face, `textures/face/${face.emotion}.png`, pictures));
   const boxes = world.box.filter(isPushed).map(loose(solidBox));
@@ -37,12 +42,14 @@ function isFixed(thing: { mass: number | null }): boolean {
 }
 
 /** All fixed objects, in one mesh. */
-function standing(world: WorldValues): Mesh {
+function standing(world: WorldValues, { walls }: Palette): Mesh {
   const parts = new Parts();
-  for (const wall of world.wall) addWall(parts, wall);
+  world.wall.forEach((wall, i) => {
+    addWall(parts, wall, isDefaultWall(wall.colour) ? (walls[i % walls.length] as string) : friendly(wall.colour));
+  });
   for (const box of world.box.filter(isFixed)) addBox(parts, box);
   for (const thing of world.cylinder.filter(isFixed)) {
-    parts.add(solidCylinder(thing), css(thing.colour), thing.x, thing.y, thing.height / 2);
+    parts.add(solidCylinder(thing), friendly(thing.colour), thing.x, thing.y, thing.height / 2);
   }
   for (const board of [...world.tag, ...world.face]) addBoard(parts, board);
   for (const lamp of world.light) addLamp(parts, lamp);
@@ -59,23 +66,15 @@ function outlines(world: WorldValues): XY[][] {
 }
 
 function solidBox(box: BoxValues) {
-  return roundedBox(box.length, box.width, box.height, 5);
+  return roundedBox(box.length, box.width, box.height, SOFT);
 }
 
 function solidCylinder({ radius, height }: CylinderValues) {
-  const edge = Math.min(5, radius / 2, height / 2);
-  const half = height / 2;
-  return turned([
-    [0, -half],
-    [radius, -half],
-    [radius, half - edge],
-    [radius - edge, half],
-    [0, half],
-  ]);
+  return drum(radius, height, SOFT);
 }
 
 function addBox(parts: Parts, box: BoxValues): void {
-  parts.add(solidBox(box).rotateZ(-radians(box.heading)), css(box.colour), box.x, box.y, box.height / 2);
+  parts.add(solidBox(box).rotateZ(-radians(box.heading)), friendly(box.colour), box.x, box.y, box.height / 2);
 }
 
 function loose<T extends { height: number; colour: BoxValues["colour"]; x: number; y: number }>(
@@ -83,7 +82,7 @@ function loose<T extends { height: number; colour: BoxValues["colour"]; x: numbe
 ): (thing: T) => Object3D {
   return (thing) => {
     const group = new Group();
-    group.add(new Parts().add(shape(thing), css(thing.colour), 0, 0, thing.height / 2).mesh());
+    group.add(new Parts().add(shape(thing), friendly(thing.colour), 0, 0, thing.height / 2).mesh());
     group.add(shadows([footprint(thing)]));
     place(group, { x: thing.x, y: thing.y, heading: "heading" in thing ? Number(thing.heading) : 0 });
     return group;
@@ -102,10 +101,10 @@ export function place(object: Object3D, { x, y, heading }: Pose): void {
   object.rotation.z = -radians(heading);
 }
 
-function addWall(parts: Parts, wall: WallValues): void {
+function addWall(parts: Parts, wall: WallValues, colour: string): void {
   for (const { pose, length } of piecesOf(wall)) {
-    const piece = roundedBox(length, wall.thickness, wall.height, 2).rotateZ(-radians(pose.heading));
-    parts.add(piece, css(wall.colour), pose.x, pose.y, wall.height / 2);
+    const piece = roundedBox(length, wall.thickness, wall.height, SOFT_WALL).rotateZ(-radians(pose.heading));
+    parts.add(piece, colour, pose.x, pose.y, wall.height / 2);
   }
 }
 
@@ -120,17 +119,20 @@ function piecesOf({ points, thickness }: WallValues): { pose: Pose; length: numb
   });
 }
 
-/** A board with a foot; its picture is drawn just in front of it. */
+/** A board on a post with a foot; its picture is drawn just in front of it. */
 function addBoard(parts: Parts, board: BoardValues): void {
   const turn = -radians(board.heading);
   const [x, y] = forward(board.heading);
   const behind = BOARD_THICKNESS / 2 + 1;
-  const back = roundedBox(BOARD_THICKNESS, board.size + 6, board.size + 6, 2).rotateZ(turn);
-  parts.add(back, BOARD_BACK, board.x - behind * x, board.y - behind * y, board.z);
-  const bottom = board.z - board.size / 2;
+  const [middleX, middleY] = [board.x - behind * x, board.y - behind * y];
+  const frame = board.size + 12;
+  parts.add(roundedBox(BOARD_THICKNESS, frame, frame, 3).rotateZ(turn), BOARD, middleX, middleY, board.z);
+  const bottom = board.z - frame / 2;
   if (bottom <= 0) return;
-  const post = roundedBox(BOARD_THICKNESS, board.size / 5, bottom, 1).rotateZ(turn);
-  parts.add(post, BOARD_BACK, board.x - behind * x, board.y - behind * y, bottom / 2);
+  const post = roundedBox(BOARD_THICKNESS, board.size / 5, bottom, 2).rotateZ(turn);
+  parts.add(post, BOARD_FOOT, middleX, middleY, bottom / 2);
+  const foot = roundedBox(30, board.size * 0.6, 8, 4).rotateZ(turn);
+  parts.add(foot, BOARD_FOOT, middleX, middleY, 4);
 }
 
 function poster(board: BoardValues, address: string, pictures: Pictures): Mesh {
@@ -144,40 +146,18 @@ function poster(board: BoardValues, address: string, pictures: Pictures): Mesh {
   return mesh;
 }
 
-/** A street lamp above its position, thin enough to hide nothing. */
+/** A lamp that hangs above its position, thin enough to hide nothing. */
 function addLamp(parts: Parts, { x, y, z }: LampValues): void {
-  parts.add(
-    turned(
-      [
-        [0, 6],
-        [22, 0],
-        [26, 0],
-        [14, 14],
-        [0, 18],
-      ],
-      24,
-    ),
-    "#5b6472",
-    x,
-    y,
-    z,
-  );
-  parts.add(
-    turned(
-      [
-        [0, -20],
-        [10, -16],
-        [17, -6],
-        [14, 2],
-        [0, 4],
-      ],
-      20,
-    ),
-    "#ffe58a",
-    x,
-    y,
-    z,
-  );
+  const shade: XY[] = [
+    [0, 40],
+    [10, 38],
+    [44, 8],
+    [44, 0],
+    [38, 0],
+    [0, 30],
+  ];
+  parts.add(turned(shade.toReversed(), 28), "#4f6bed", x, y, z);
+  parts.add(ball(20), "#fff1b0", x, y, z + 4);
 }
 
 /** The light of a lamp on the floor. */

@@ -1,0 +1,47 @@
+/** The goal of the world in words; of several, the next one, and how many have been reached. */
+
+import { t, worldName } from "../../i18n";
+import { usePage } from "../../model/page";
+import type { GoalNow } from "../../protocol/messages";
+import { Icon } from "../../ui/icons";
+
+export function Goals() {
+  const { context, askingWhy } = usePage();
+  const goals = context.running.telemetry.value?.goals ?? [];
+  if (goals.length === 0) return null;
+  const reached = goals.filter(({ state }) => state === "reached").length;
+  const done = reached === goals.length;
+  const look = done ? "chip goals reached" : "chip goals";
+  const title = goals.map(({ name }) => worldName(name)).join("\n");
+  const goal = goalNow(goals);
+  const inside = (
+    <>
+      <Icon name={done ? "check" : "star"} />
+      {goal && worldName(goal.name)}{" "}
+      {goals.length > 1 && <b>{t("page-problems-goals-reached", { reached, all: goals.length })}</b>}
+    </>
+  );
+  if (!goal || !askingWhy.isPossible) {
+    return (
+      <p class={look} title={title}>
+        {inside}
+      </p>
+    );
+  }
+  return (
+    <button
+      type="button"
+      class={`${look} asks`}
+      title={`${title}\n${t("page-why-goal")}`}
+      onClick={() => askingWhy.aboutGoal(goal)}
+    >
+      {inside}
+      <Icon name="why" />
+    </button>
+  );
+}
+
+/** The goal to reach now; once there is none left, the first one. */
+function goalNow(goals: readonly GoalNow[]): GoalNow | undefined {
+  return goals.find(({ state }) => state === "open") ?? goals[0];
+}

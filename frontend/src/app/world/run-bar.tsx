@@ -1,0 +1,80 @@
+/** Run, Stop, the buttons of the debugger, the speed, and the switch of the output. */
+
+import { t } from "../../i18n";
+import { usePage } from "../../model/page";
+import { showsDebugger } from "../../model/preferences";
+import { IconButton } from "../../ui/button";
+import { countProblems } from "../panes/findings";
+import { SpeedSlider } from "./speed-slider";
+import "./run-bar.css";
+
+export function RunBar() {
+  return (
+    <div class="run-bar">
+      <RunButtons />
+      <SpeedSlider />
+      <OutputButton />
+    </div>
+  );
+}
+
+function RunButtons() {
+  const { context, controls } = usePage();
+  const { state } = context.running.state.value;
+  const active = context.running.active.value;
+  const waiting = state === "paused" || state === "held";
+  return (
+    <div
+      id="run"
+      class={showsDebugger.value ? "run-group crowded" : "run-group"}
+      role="group"
+      aria-label={t("page-bar-running")}
+      data-tour="run"
+    >
+      <IconButton
+        icon="run"
+        word="page-bar-run"
+        look="go"
+        named
+        off={active && !waiting}
+        onClick={() => controls.run()}
+      />
+      <IconButton icon="stop" word="page-bar-stop" look="halt" named off={!active} onClick={() => controls.stop()} />
+      {showsDebugger.value && <DebugButtons active={active} waiting={waiting} />}
+    </div>
+  );
+}
+
+function DebugButtons({ active, waiting }: { active: boolean; waiting: boolean }) {
+  const { controls } = usePage();
+  return (
+    <>
+      <IconButton
+        icon={waiting ? "resume" : "pause"}
+        word={waiting ? "page-bar-resume" : "page-bar-pause"}
+        off={!active}
+        onClick={() => controls.pauseOrResume()}
+      />
+      <IconButton icon="step" word="page-bar-step" onClick={() => controls.step(false)} />
+      <IconButton icon="stepOver" word="page-bar-step-over" onClick={() => controls.step(true)} />
+      <IconButton icon="restart" word="page-bar-restart" onClick={() => controls.restart()} />
+    </>
+  );
+}
+
+/** Shows and hides the output; while it is hidden, it counts the problems. */
+function OutputButton() {
+  const { context, views } = usePage();
+  const { count } = countProblems(context);
+  const shown = views.shows("panel");
+  return (
+    <div class="output-button">
+      <IconButton icon="console" word="page-shell-panel" pressed={shown} onClick={() => views.togglePanel()} />
+      {!shown && count > 0 && (
+        <span class="badge" aria-hidden="true">
+          {count}
+        </span>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,53 @@
+/** What the run is doing, at the lower edge of the world. */
+
+import { useShare } from "../../features/share/share";
+import { t } from "../../i18n";
+import { usePage } from "../../model/page";
+import { Icon } from "../../ui/icons";
+
+export function Status() {
+  const { telemetry, state, scene, past, timeline } = usePage().context.running;
+  const { variant = 0 } = scene.value ?? {};
+  return (
+    <div class="status">
+      <span class="chip state">
+        {past.value
+          ? t("page-timeline-looking-back", {
+              seconds: past.value.time.toFixed(1),
+              end: (timeline.value?.end ?? 0).toFixed(1),
+            })
+          : `${t(`page-bar-state-${state.value.state}`)} · ${(telemetry.value?.time ?? 0).toFixed(1)} s`}
+      </span>
+      {variant > 0 && <span class="chip state">{t("page-worlds-variant", { number: variant })}</span>}
+      <Link />
+      {useShare().isFilming.value && (
+        <span class="chip state filming">
+          <Icon name="video" />
+          {t("page-share-filming")}
+        </span>
+      )}
+    </div>
+  );
+}
+
+const LINK_WORDS = {
+  disconnected: "page-link-disconnected",
+  connected: "page-link-connected",
+  weak: "page-link-weak",
+  lost: "page-link-lost",
+} as const;
+
+/** The link to a real robot, with its battery if the robot reports it. */
+function Link() {
+  const link = usePage().context.running.link.value;
+  if (!link || link.state === "simulated") return null;
+  const { state, battery = null, quality = null } = link;
+  const words = [t(LINK_WORDS[state])];
+  if (battery !== null) words.push(t("page-link-battery", { volts: battery.toFixed(1) }));
+  const title = quality === null ? undefined : t("page-link-quality", { percent: Math.round(100 * quality) });
+  return (
+    <span class={`chip state link ${state}`} title={title}>
+      {words.join(", ")}
+    </span>
+  );
+}

@@ -1,0 +1,97 @@
+/** The world, the chips and menus over its picture, and the run controls below it. */
+
+import { GhostFindings, GhostLegend } from "../../features/ghost/ghost";
+import { Legend } from "../../features/runs/legend";
+import { ShownRun } from "../../features/runs/shown";
+import { t } from "../../i18n";
+import { type Page, usePage } from "../../model/page";
+import { preferences } from "../../model/preferences";
+import { IslandPlace } from "../../ui/island-place";
+import { Chips } from "./chips";
+import { EyeMenu } from "./eye-menu";
+import { Goals } from "./goals";
+import { RunBar } from "./run-bar";
+import { Status } from "./status";
+import { Timeline } from "./timeline";
+import { WhyChip } from "./why-chip";
+import { WorldMenu } from "./world-menu";
+import "./world-pane.css";
+
+export function WorldPane() {
+  const page = usePage();
+  return (
+    <section
+      id="world"
+      class="region world-pane"
+      aria-labelledby="title-world"
+      data-region="world"
+      data-tour="world"
+      tabIndex={-1}
+    >
+      <h2 id="title-world" class="hidden">
+        {t("page-shell-world")}
+      </h2>
+      <div class="world-place">
+        <IslandPlace load={() => loadWorld(page)} ready={(world) => (page.views.world.value = world)} />
+        <div class="world-top">
+          <Chips />
+          <WorldMenu />
+          <EyeMenu />
+        </div>
+        <div class="world-bottom">
+          <Hint />
+          <Status />
+          <WhyChip />
+          <Goals />
+          <Legend />
+          <GhostLegend />
+        </div>
+        <Extras />
+      </div>
+      <ShownRun />
+      <GhostFindings />
+      <Timeline />
+      <RunBar />
+    </section>
+  );
+}
+
+/** What keys do in the world now. */
+function Hint() {
+  const hint = usePage().views.world.value?.hint.value;
+  return hint ? <p class="world-hint">{hint}</p> : null;
+}
+
+function Extras() {
+  const page = usePage();
+  const { camera, drive } = preferences.value.layout;
+  return (
+    <>
+      {camera && (
+        <aside class="extra camera-place" aria-label={t("page-shell-camera")}>
+          <IslandPlace load={() => loadCamera(page)} />
+        </aside>
+      )}
+      {drive && (
+        <aside class="extra drive-place" aria-label={t("page-shell-drive")}>
+          <IslandPlace load={() => loadDrive(page)} />
+        </aside>
+      )}
+    </>
+  );
+}
+
+async function loadWorld({ context }: Page) {
+  const { createWorld } = await import("../../views/world");
+  return createWorld(context);
+}
+
+async function loadCamera({ context }: Page) {
+  const { createCamera } = await import("../../views/output/camera");
+  return createCamera(context);
+}
+
+async function loadDrive({ context }: Page) {
+  const { createDrive } = await import("../../views/output/drive");
+  return createDrive(context);
+}

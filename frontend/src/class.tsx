@@ -1,0 +1,33 @@
+/** The entry point of a class's pages: joining, the teacher's wall, the projector. */
+
+import { effect } from "@preact/signals";
+import { render } from "preact";
+
+import { JoinPage } from "./features/class-page/join";
+import { Joining } from "./features/class-page/joining";
+import { ProjectorPage } from "./features/class-page/projector";
+import { ClassStream } from "./features/class-page/stream";
+import { WallPage } from "./features/class-page/wall";
+import { language, startLanguage } from "./i18n";
+import { preferredLanguage, theme } from "./model/preferences";
+import "./ui/fonts.css";
+import "./ui/theme.css";
+import "./ui/controls.css";
+import "./features/class-page/class-page.css";
+
+function pageAt(path: string) {
+  if (path.endsWith("/teacher")) return <WallPage stream={new ClassStream("wall")} />;
+  if (path.endsWith("/projector")) return <ProjectorPage stream={new ClassStream("projected")} />;
+  return <JoinPage joining={new Joining()} />;
+}
+
+async function begin(root: HTMLElement): Promise<void> {
+  effect(() => {
+    document.documentElement.lang = language.value;
+    document.documentElement.dataset.theme = theme.value;
+  });
+  await startLanguage(preferredLanguage);
+  render(pageAt(location.pathname), root);
+}
+
+void begin(document.getElementById("page")!);

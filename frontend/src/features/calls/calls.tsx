@@ -1,0 +1,210 @@
+/** What called what in the run, as a graph that one can walk through with the arrow keys. */
+
+import { useSignal, useSignalEffect } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+
+import { t } from "../../i18n";
+import { usePage } from "../../model/page";
+import type { CallGraph } from "../../protocol/messages";
+import { BOX, type Laid, type Place } from "./places";
+import "./calls.css";
+
+/** The names of the rows, from the program to the robot's driver. */
+export const LAYERS = [
+  "calls-layer-program",
+  "calls-layer-functions",
+  "calls-layer-skills",
+  "calls-layer-devices",
+  "calls-layer-driver",
+] as const;
+/** From this share of the time on a function has the strongest colour. */
+const MUCH = 0.5;
+const LEVELS = 4;
+/** Milliseconds between two questions about a run that goes on. */
+const PERIOD = 1000;
+/** The longest name in a box, in characters. */
+const LONGEST = 20;
+
+export function Calls() {
+  const { lookingBack } = usePage();
+  const graph = useCalls();
+  const laid = useLaid(graph);
+  if (!graph?.edges?.length) return <p class="calls-none">{t("page-calls-none")}</p>;
+  return laid && <Picture graph={laid.graph} laid={laid} look={(time) => lookingBack.look(time)} />;
+}
+
+/** The graph with its layout, whose library is loaded when it is first needed. */
+export function useLaid(graph: CallGraph | null): (Laid & { graph: CallGraph }) | null {
+  const laid = useSignal<(Laid & { graph: CallGraph }) | null>(null);
+  useEffect(() => {
+    let given = true;
+    if (graph)
+      void import("./layout").then(({ lay }) => {
+        if (given) laid.value = { ...lay(graph), graph };
+      });
+    return () => {
+      given = false;
+    };
+  }, [graph, laid]);
+  return laid.value;
+}
+
+/** The calls up to the moment that is shown, or of the whole run. */
+function useCalls(): CallGraph | null {
+  const { context, views } = usePage();
+  const { connection, running } = context;
+  const graph = useSignal<CallGraph | null>(null);
+  useEffect(() => connection.on("CallGraph", (news) => (graph.value = news)), [connection, graph]);
+  useSignalEffect(() => {
+    if (views.panel.value !== "calls" || !views.shows("panel")) return;
+    const ask = () => {
+      const last = running.past.value?.time;
+      connection.send(last === undefined ? { kind: "ReadCalls" } : { kind: "ReadCalls", last });
+    };
+    if (!running.active.value && !running.timeline.value?.end) {
+      graph.value = null;
+      return;
+    }
+    ask();
+    if (!running.active.value || running.past.value) return;
+    const timer = setInterval(ask, PERIOD);
+    return () => clearInterval(timer);
+  });
+  return graph.value;
+}
+
+interface PictureProps {
+  readonly graph: CallGraph;
+  readonly laid: Laid;
+  /** The functions to mark, by their index. */
+  readonly marked?: ReadonlySet<number>;
+  /** Shows a moment of the run, in s. */
+  readonly look: (time: number) => void;
+}
+
+export function Picture({ graph, laid, marked, look }: PictureProps) {
+  const chosen = useSignal(0);
+  const root = useRef<SVGSVGElement>(null);
+  const { functions = [], edges = [] } = graph;
+  const choose = (index: number) => {
+    chosen.value = index;
+    root.current?.querySelector<SVGGElement>(`[data-function="${index}"]`)?.focus();
+  };
+  const lookAtFirst = (index: number) => {
+    const call = edges.find(({ callee }) => callee === index);
+    if (call) look(call.first);
+  };
+  return (
+    <div class="calls" data-selectable>
+      <svg
+        ref={root}
+        width={laid.width}
+        height={laid.height}
+        viewBox={`0 0 ${laid.width} ${laid.height}`}
+        role="group"
+        aria-label={t("page-calls-title", { robot: graph.robot })}
+      >
+        {edges.map((edge, index) => (
+          <Line key={`${edge.caller} ${edge.callee}`} points={laid.lines[index] ?? []} count={edge.count} />
+        ))}
+        {functions.map((one, index) => {
+          const place = laid.places[index] ?? { x: 0, y: 0 };
+          return (
+            <g
+              key={`${one.layer} ${one.name}`}
+              class={`call level-${levelOf(one.share)}${marked?.has(index) ? " apart" : ""}`}
+              transform={`translate(${place.x - BOX.width / 2} ${place.y - BOX.height / 2})`}
+              role="button"
+              tabIndex={index === Math.min(chosen.value, functions.length - 1) ? 0 : -1}
+              data-function={index}
+              aria-label={described(graph, index)}
+              onClick={() => lookAtFirst(index)}
+              onFocus={() => (chosen.value = index)}
+              onKeyDown={(event) => walk(event, laid, index, choose, lookAtFirst)}
+            >
+              <title>{described(graph, index)}</title>
+              <rect width={BOX.width} height={BOX.height} rx={8} />
+              <text x={BOX.width / 2} y={19} class="name">
+                {shortened(one.name)}
+              </text>
+              <text x={BOX.width / 2} y={35}>
+                {t("page-calls-count", { count: one.count, seconds: one.seconds })}
+              </text>
+            </g>
+          );
+        })}
+      </svg>
+    </div>
+  );
+}
+
+function Line({ points, count }: { points: readonly Place[]; count: number }) {
+  const [first, ...others] = points;
+  if (!first) return null;
+  const middle = points[Math.floor(points.length / 2)] ?? first;
+  const way = others.map(({ x, y }) => `L${x} ${y}`).join(" ");
+  return (
+    <g class="call-line">
+      <path d={`M${first.x} ${first.y} ${way}`} />
+      <text x={middle.x} y={middle.y - 4}>
+        {count}×
+      </text>
+    </g>
+  );
+}
+
+/** Go to the nearest function in the direction of an arrow key. */
+function walk(
+  event: KeyboardEvent,
+  laid: Laid,
+  index: number,
+  choose: (index: number) => void,
+  open: (index: number) => void,
+): void {
+  const [dx, dy] = DIRECTIONS[event.key] ?? [0, 0];
+  if (event.key === "Enter" || event.key === " ") open(index);
+  else if (dx || dy) {
+    const next = nearest(laid.places, index, dx, dy);
+    if (next !== undefined) choose(next);
+  } else return;
+  event.preventDefault();
+}
+
+const DIRECTIONS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+function nearest(places: readonly Place[], from: number, dx: number, dy: number): number | undefined {
+  const here = places[from];
+  if (!here) return undefined;
+  const found = places
+    .map(({ x, y }, index) => ({ index, along: (x - here.x) * dx + (y - here.y) * dy, x, y }))
+    .filter(({ along }) => along > 1)
+    .map((one) => ({ ...one, far: Math.hypot(one.x - here.x, one.y - here.y) + 2 * Math.abs((one.x - here.x) * dy) }))
+    .sort((a, b) => a.far - b.far);
+  return found[0]?.index;
+}
+
+function described({ functions = [], edges = [] }: CallGraph, index: number): string {
+  const one = functions[index];
+  if (!one) return "";
+  const callers = edges.filter(({ callee }) => callee === index).map(({ caller }) => functions[caller]?.name ?? "");
+  return t("page-calls-function", {
+    layer: t(LAYERS[one.layer] ?? LAYERS[0]),
+    name: one.name,
+    count: one.count,
+    seconds: one.seconds,
+    callers: callers.length ? callers.join(", ") : "–",
+  });
+}
+
+function levelOf(share: number): number {
+  return Math.round(Math.min(1, share / MUCH) * LEVELS);
+}
+
+function shortened(name: string): string {
+  return name.length <= LONGEST ? name : `${name.slice(0, LONGEST - 1)}…`;
+}

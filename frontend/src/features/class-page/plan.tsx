@@ -1,0 +1,63 @@
+/** A small live world from above: what is in it, where the robot is, and where it has been. */
+
+import { useLayoutEffect, useRef } from "preact/hooks";
+
+import type { Plan, Seat } from "../../protocol/classroom";
+import { css } from "../../views/world/scenery/colours";
+import type { WorldValues } from "../../views/world/scenery/description";
+import { shapesOf } from "../world-editor/shapes";
+import { svg } from "../world-editor/svg";
+import { allThings } from "../world-editor/things";
+
+/** mm: the margin around the floor, and half the length of the robot's arrow. */
+const MARGIN = 30;
+const ARROW = 70;
+
+interface Props {
+  readonly plan: Plan | undefined;
+  readonly seat: Seat;
+  /** What screen readers say. */
+  readonly label: string;
+}
+
+export function SmallWorld({ plan, seat, label }: Props) {
+  const things = useRef<SVGGElement>(null);
+  const world = plan?.world as WorldValues | undefined;
+  useLayoutEffect(() => {
+    if (world) things.current?.replaceChildren(...drawn(world));
+  }, [plan?.scene, plan?.pupil]);
+  if (!world) return <div class="small-world empty" />;
+  const [width, depth] = world.floor.size;
+  const size = [width + 2 * MARGIN, depth + 2 * MARGIN];
+  return (
+    <svg
+      class="small-world world-plan"
+      role="img"
+      aria-label={label}
+      viewBox={`${-size[0]! / 2} ${-size[1]! / 2} ${size[0]} ${size[1]}`}
+    >
+      <g ref={things} />
+      <polyline class="way" points={points(seat.way ?? [])} />
+      {seat.pose && (
+        <path
+          class="robot"
+          d={`M ${ARROW} 0 L ${-ARROW} ${ARROW * 0.7} L ${-ARROW * 0.6} 0 L ${-ARROW} ${-ARROW * 0.7} Z`}
+          transform={`translate(${seat.pose[0]} ${-seat.pose[1]}) rotate(${seat.pose[2]})`}
+        />
+      )}
+    </svg>
+  );
+}
+
+function drawn(world: WorldValues): SVGElement[] {
+  const [width, depth] = world.floor.size;
+  const floor = svg("rect", { x: -width / 2, y: -depth / 2, width, height: depth, fill: css(world.floor.colour) });
+  return [floor, ...allThings(world).flatMap((ref) => shapesOf(world, ref))];
+}
+
+/** Points of an SVG polyline from x and y in mm, one after the other. */
+function points(way: readonly number[]): string {
+  const pairs: string[] = [];
+  for (let i = 0; i + 1 < way.length; i += 2) pairs.push(`${way[i]},${-way[i + 1]!}`);
+  return pairs.join(" ");
+}

@@ -1,0 +1,28 @@
+/** What the class sees on the projector: how to join, or one pupil's world without the name. */
+
+import { useEffect } from "preact/hooks";
+
+import { t } from "../../i18n";
+import { Frame } from "./frame";
+import { SmallWorld } from "./plan";
+import type { ClassStream } from "./stream";
+import { JoinSign } from "./wall";
+
+export function ProjectorPage({ stream }: { stream: ClassStream }) {
+  useEffect(() => stream.open(), []);
+  const shown = stream.projected.value;
+  if (!shown) return <Frame>{stream.state.value === "refused" && <p>{t("page-class-no-key")}</p>}</Frame>;
+  const { seat, plan, names = [] } = shown;
+  return (
+    <Frame title={t("page-class-title", { title: shown.title })}>
+      <div class="projector">
+        {seat ? (
+          <SmallWorld plan={plan ?? undefined} seat={seat} label={t("page-class-world-shown")} />
+        ) : (
+          <JoinSign address={shown.address} word={shown.word} />
+        )}
+        <p class="projector-names">{names.join(" · ")}</p>
+      </div>
+    </Frame>
+  );
+}

@@ -1,0 +1,16 @@
+/** How a robot is called. */
+
+import { plainTitle } from "../../model/robots";
+import type { RobotChoice } from "../../protocol/messages";
+import type { Listed } from "./connect";
+
+/** The kind of a robot in words. */
+export function kindTitle(robots: readonly RobotChoice[], robot: string): string {
+  const choice = robots.find((one) => one.name === robot);
+  return plainTitle(choice ?? { name: robot, title: robot, simulated: false });
+}
+
+/** A robot's own name, or its kind. */
+export function titleOf(robots: readonly RobotChoice[], { name, robot }: Listed): string {
+  return name || kindTitle(robots, robot);
+}

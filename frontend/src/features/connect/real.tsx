@@ -1,0 +1,236 @@
+/** The real robots: on the left those near this computer, on the right what to do with one. */
+
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+
+import { say, t } from "../../i18n";
+import { usePage } from "../../model/page";
+import { OTHER_SIMULATORS } from "../../model/robots";
+import { Icon, type IconName } from "../../ui/icons";
+import { RobotPicture } from "../../ui/robots/picture";
+import { SettingsForm } from "../robot-settings/dialogs";
+import { type Aside, ROBOT } from "./aside";
+import { Calibrate } from "./calibrate";
+import { type Listed, useConnect } from "./connect";
+import { HelpMe } from "./help-me";
+import { kindTitle, titleOf } from "./names";
+import { Connected, Idle, Trouble } from "./panel";
+
+export function RealRobots() {
+  const connect = useConnect();
+  const aside = useSignal<Aside>(ROBOT);
+  const show = (next: Aside) => (aside.value = next);
+  const state = connect.state.value.state;
+  // A new connection is what the user wants to see.
+  useEffect(() => {
+    if (state === "connecting") show(ROBOT);
+  }, [state]);
+  return (
+    <div class={state === "none" && aside.value === ROBOT ? "connect-real idle" : "connect-real"}>
+      <Robots show={show} />
+      <div class="connect-panel">
+        <Panel aside={aside.value} show={show} />
+      </div>
+    </div>
+  );
+}
+
+function Panel({ aside, show }: { aside: Aside; show: (next: Aside) => void }) {
+  const connect = useConnect();
+  const back = () => show(ROBOT);
+  if (aside.what === "help") return <HelpMe key={aside.robot} robot={aside.robot} show={show} />;
+  if (aside.what === "address") return <Address robot={aside.robot} back={back} />;
+  const { state } = connect.state.value;
+  if (state === "none") return <Idle />;
+  if (state !== "connected") return <Trouble show={show} />;
+  if (aside.what === "calibrate") return <Calibrate back={back} />;
+  return <Connected show={show} />;
+}
+
+function Robots({ show }: { show: (next: Aside) => void }) {
+  const connect = useConnect();
+  const { found, before, others } = connect.lists.value;
+  const real = others.filter((one) => !OTHER_SIMULATORS.has(one.robot));
+  const first = connect.state.value.robot || before[0]?.robot || real[0]?.robot || "cozmo";
+  return (
+    <div class="connect-list">
+      <p class="connect-count" role="status">
+        <Icon name="refresh" />
+        {t("page-connect-found", { count: found.length })}
+      </p>
+      <p role="alert" class="refused">
+        <Refusal />
+      </p>
+      <ul>
+        {found.map((one) => (
+          <Found key={one.id} robot={one} />
+        ))}
+      </ul>
+      <Away title={t("page-connect-before")} robots={before} show={show} />
+      <Away title={t("page-connect-others")} robots={real} show={show} />
+      <p class="connect-foot">
+        <span>
+          <Icon name="help" />
+          {t("page-connect-hint")}
+        </span>
+        <button type="button" class="connect-link" onClick={() => show({ what: "address", robot: first })}>
+          {t("page-connect-address")}
+        </button>
+      </p>
+    </div>
+  );
+}
+
+function Refusal() {
+  const { refusal } = useConnect();
+  return <>{refusal.value && say(refusal.value)}</>;
+}
+
+const WAYS: Readonly<Record<string, IconName>> = {
+  wifi: "wifi",
+  usb: "usb",
+  bluetooth: "bluetooth",
+  computer: "simulated",
+};
+
+function Found({ robot }: { robot: Listed }) {
+  const connect = useConnect();
+  const { state, id } = connect.state.value;
+  const isMine = id === robot.id && (state === "connected" || state === "connecting");
+  const isConnected = isMine && state === "connected";
+  const isOthers = robot.isBusy && !isMine;
+  const title = useTitle(robot);
+  return (
+    <li class={isConnected ? "connected" : ""} aria-label={title}>
+      <RobotPicture robot={robot.robot} />
+      <div class="connect-about">
+        <strong>{title}</strong>
+        <span class="dim">{isConnected ? <Battery /> : isOthers ? t("page-connect-busy") : <Way robot={robot} />}</span>
+      </div>
+      {isMine ? (
+        <button type="button" class="button bordered" onClick={() => connect.disconnect()}>
+          {t(isConnected ? "page-connect-disconnect" : "page-shell-cancel")}
+        </button>
+      ) : (
+        <button
+          type="button"
+          class="button filled"
+          aria-label={t("page-connect-connect-named", { robot: title })}
+          disabled={isOthers}
+          onClick={() => connect.connect(robot.id)}
+        >
+          {t("page-connect-connect")}
+        </button>
+      )}
+    </li>
+  );
+}
+
+/** Its own name, or its kind; the place tells two robots of a kind apart. */
+function useTitle(robot: Listed): string {
+  const { project } = usePage();
+  return titleOf(project.welcome.value?.robots ?? [], robot);
+}
+
+function Way({ robot: { robot, name, found } }: { robot: Listed }) {
+  const { project } = usePage();
+  const kind = name ? `${kindTitle(project.welcome.value?.robots ?? [], robot)} · ` : "";
+  if (!found) return null;
+  return (
+    <>
+      <Icon name={WAYS[found.way] ?? "wifi"} />
+      <span class="connect-text">
+        {kind}
+        {t(`page-connect-way-${found.way}`)}
+        {found.place && ` · ${found.place}`}
+      </span>
+    </>
+  );
+}
+
+function Battery() {
+  const { values } = useConnect();
+  const charge = values.value?.charge;
+  return (
+    <>
+      <span class="connect-yes">
+        <Icon name="check" />
+        {t("page-connect-connected")}
+      </span>
+      {typeof charge === "number" && (
+        <span>
+          <Icon name="battery" />
+          {t("page-connect-charge", { percent: Math.round(charge * 100) })}
+        </span>
+      )}
+    </>
+  );
+}
+
+interface AwayProps {
+  readonly title: string;
+  readonly robots: readonly Listed[];
+  readonly show: (next: Aside) => void;
+}
+
+function Away({ title, robots, show }: AwayProps) {
+  if (robots.length === 0) return null;
+  return (
+    <section aria-label={title}>
+      <h3>{title}</h3>
+      <ul class="away">
+        {robots.map((one) => (
+          <AwayRobot key={one.robot} robot={one} show={show} />
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function AwayRobot({ robot, show }: { robot: Listed; show: (next: Aside) => void }) {
+  const title = useTitle(robot);
+  return (
+    <li aria-label={title}>
+      <RobotPicture robot={robot.robot} />
+      <div class="connect-about">
+        <strong>{title}</strong>
+        <span class="dim">{t(robot.isBusy ? "page-connect-busy" : "page-connect-away")}</span>
+      </div>
+      <button
+        type="button"
+        class="button soft"
+        aria-label={t("page-connect-help-named", { robot: title })}
+        onClick={() => show({ what: "help", robot: robot.robot })}
+      >
+        {t("page-connect-help")}
+      </button>
+    </li>
+  );
+}
+
+function Address({ robot, back }: { robot: string; back: () => void }) {
+  const { project } = usePage();
+  const chosen = useSignal(robot);
+  const connect = useConnect();
+  const robots = project.welcome.value?.robots ?? [];
+  return (
+    <div class="connect-address">
+      <h3>{t("page-connect-address")}</h3>
+      <p class="dim">{t("page-connect-address-help")}</p>
+      <label class="field">
+        {t("page-bar-robot")}
+        <select value={chosen.value} onChange={({ currentTarget }) => (chosen.value = currentTarget.value)}>
+          {connect.nearby.value?.known?.map((one) => (
+            <option key={one.robot} value={one.robot}>
+              {kindTitle(robots, one.robot)}
+            </option>
+          ))}
+        </select>
+      </label>
+      <button type="button" class="button filled" onClick={() => connect.connect(chosen.value)}>
+        {t("page-connect-connect")}
+      </button>
+      <SettingsForm key={chosen.value} robot={chosen.value} cancel={back} />
+    </div>
+  );
+}

@@ -1,0 +1,42 @@
+/** What happens in the class, for a page that shows a pupil's program. */
+
+import { signal } from "@preact/signals";
+
+import type { InClass } from "../../protocol/classroom";
+import type { Connection } from "../../protocol/connection";
+import { provided } from "../../ui/provided";
+
+export class ClassNews {
+  /** The newest news; null outside a class. */
+  readonly now = signal<InClass | null>(null);
+  /** The hint that the pupil has put away. */
+  readonly read = signal("");
+
+  constructor(private readonly connection: Connection) {
+    connection.on("InClass", (news) => {
+      this.now.value = news;
+    });
+  }
+
+  /** Raise the hand, or lower it. */
+  askForHelp(on: boolean): void {
+    this.connection.send({ kind: "AskForHelp", on });
+  }
+
+  /** Let the teacher write, or no more. */
+  letTeacherWrite(on: boolean): void {
+    this.connection.send({ kind: "LetTeacherWrite", on });
+  }
+
+  /** As the teacher: ask the pupil to be allowed to write, or stop writing. */
+  askToWrite(on: boolean): void {
+    this.connection.send({ kind: "AskToWrite", on });
+  }
+
+  /** Put the teacher's hint away. */
+  putAway(): void {
+    this.read.value = this.now.peek()?.hint ?? "";
+  }
+}
+
+export const [ClassNewsProvider, useClassNews] = provided<ClassNews>("ClassNews");

@@ -1,0 +1,121 @@
+/** What a page shows of the class: the pupil's name and hand, the teacher's hint and questions, eyes up. */
+
+import type { ComponentChildren } from "preact";
+import { useLayoutEffect, useRef } from "preact/hooks";
+
+import { t } from "../../i18n";
+import type { InClass } from "../../protocol/classroom";
+import { IconButton } from "../../ui/button";
+import { hold } from "../../ui/dialog";
+import { Icon } from "../../ui/icons";
+import { useClassNews } from "./in-class";
+import "./notes.css";
+
+/** In the bar: whose page it is, and the raised hand. */
+export function PupilChip() {
+  const news = useClassNews();
+  const now = news.now.value;
+  if (!now) return null;
+  return (
+    <span class="pupil-chip">
+      <strong>{now.name}</strong>
+      {now.role === "pupil" && (
+        <button
+          type="button"
+          class="button bordered"
+          aria-pressed={now.hand}
+          onClick={() => news.askForHelp(!now.hand)}
+        >
+          <Icon name="hand" />
+          <span>{t("page-class-hand")}</span>
+        </button>
+      )}
+    </span>
+  );
+}
+
+/** The notes of the class over the page. */
+export function ClassNotes() {
+  const now = useClassNews().now.value;
+  if (!now) return null;
+  return (
+    <>
+      <div class="class-notes" role="log" aria-label={t("page-class-notes")}>
+        {now.role === "pupil" ? <ForPupil now={now} /> : <ForTeacher now={now} />}
+      </div>
+      {now.eyes_up && <EyesUp />}
+    </>
+  );
+}
+
+function ForPupil({ now }: { now: InClass }) {
+  const news = useClassNews();
+  return (
+    <>
+      {now.hint && now.hint !== news.read.value && (
+        <Note>
+          <p>
+            <strong>{t("page-class-hint-from")}</strong> {now.hint}
+          </p>
+          <IconButton icon="close" word="page-shell-dismiss" onClick={() => news.putAway()} />
+        </Note>
+      )}
+      {now.writing === "asked" && (
+        <Note>
+          <p>{t("page-class-asked")}</p>
+          <button type="button" class="button filled" onClick={() => news.letTeacherWrite(true)}>
+            {t("page-class-let")}
+          </button>
+          <button type="button" class="button bordered" onClick={() => news.letTeacherWrite(false)}>
+            {t("page-class-let-not")}
+          </button>
+        </Note>
+      )}
+      {now.writing === "yes" && (
+        <Note>
+          <p>{t("page-class-writes")}</p>
+          <button type="button" class="button bordered" onClick={() => news.letTeacherWrite(false)}>
+            {t("page-class-enough")}
+          </button>
+        </Note>
+      )}
+    </>
+  );
+}
+
+function ForTeacher({ now }: { now: InClass }) {
+  const news = useClassNews();
+  const [text, button, wanted] = {
+    no: ["page-class-looking", "page-class-ask", true],
+    asked: ["page-class-waiting", "page-class-ask-not", false],
+    yes: ["page-class-may", "page-class-stop-writing", false],
+  }[now.writing] as [string, string, boolean];
+  return (
+    <Note>
+      <p>{t(text, { name: now.name })}</p>
+      <button type="button" class="button bordered" onClick={() => news.askToWrite(wanted)}>
+        {t(button)}
+      </button>
+    </Note>
+  );
+}
+
+function Note({ children }: { children: ComponentChildren }) {
+  return <section class="toast note">{children}</section>;
+}
+
+/** All pages rest while the teacher speaks. */
+function EyesUp() {
+  const dialog = useRef<HTMLDialogElement>(null);
+  // Escape does not put it away.
+  useLayoutEffect(() => (dialog.current ? hold(dialog.current, () => undefined) : undefined), []);
+  return (
+    <dialog ref={dialog} class="eyes-up" aria-labelledby="eyes-up">
+      <Icon name="eye" />
+      <h2 id="eyes-up" tabIndex={-1}>
+        {t("page-class-eyes-up")}
+      </h2>
+      <p>{t("page-class-eyes-up-text")}</p>
+    </dialog>
+  );
+}

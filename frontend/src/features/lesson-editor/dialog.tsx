@@ -1,0 +1,24 @@
+/** The dialog in which a teacher makes or changes a lesson; what is in it is loaded when it is opened. */
+
+import { useSignal } from "@preact/signals";
+import type { FunctionComponent } from "preact";
+import { useEffect } from "preact/hooks";
+
+import { t } from "../../i18n";
+import { Dialog } from "../../ui/dialog";
+import { useLessonMaking } from "../lessons/making";
+
+export function LessonEditorDialog() {
+  const making = useLessonMaking();
+  const loaded = useSignal<{ readonly Part: FunctionComponent } | null>(null);
+  useEffect(() => {
+    void import("./editor").then(({ LessonEditor }) => (loaded.value = { Part: LessonEditor }));
+  }, []);
+  const Part = loaded.value?.Part;
+  const title = making.draft.value?.lesson ? "page-maker-change-title" : "page-maker-make-title";
+  return (
+    <Dialog title={t(title)} close={() => making.close()} size="whole">
+      {Part && <Part />}
+    </Dialog>
+  );
+}

@@ -1,0 +1,65 @@
+/** A program of a step: what pupils begin with, or the teacher's solution. */
+
+import { t } from "../../i18n";
+import type { WrittenProgram } from "../../protocol/messages";
+import { EMPTY_PROGRAM } from "../lessons/draft";
+import { useLessonMaking } from "../lessons/making";
+import { ChoiceInput, Field } from "./inputs";
+
+interface Props {
+  /** The index of the step. */
+  readonly index: number;
+  readonly which: "program" | "solution";
+}
+
+type Source = "none" | "blocktext" | "python";
+
+export function ProgramInput({ index, which }: Props) {
+  const making = useLessonMaking();
+  const program = making.draft.value?.steps[index]?.[which] ?? null;
+  const take = (changed: WrittenProgram | null) => making.editPrograms(index, { [which]: changed });
+  const open = making.openProgram();
+  const source: Source = program === null ? "none" : (program.notation ?? "blocktext");
+  const choose = (chosen: string) => {
+    const { text } = program ?? EMPTY_PROGRAM;
+    take(chosen === "none" ? null : { text, notation: chosen as "blocktext" | "python" });
+  };
+  const none =
+    which === "solution" ? "page-maker-no-solution" : index > 0 ? "page-maker-as-before" : "page-maker-empty";
+  const path = ["step", index, which];
+  return (
+    <div class="maker-program">
+      <ChoiceInput
+        word={`page-maker-${which}`}
+        path={[...path, "notation"]}
+        value={source}
+        options={[
+          ["none", t(none)],
+          ["blocktext", t("page-maker-in-blocktext")],
+          ["python", t("page-maker-in-python")],
+        ]}
+        take={choose}
+      />
+      {open && open.text !== program?.text && (
+        <button type="button" class="button bordered" onClick={() => take(open)}>
+          {t(`page-maker-take-${which}`)}
+        </button>
+      )}
+      {program && (
+        <Field word={`page-maker-${which}-text`} path={path}>
+          {(id, described) => (
+            <textarea
+              id={id}
+              class="maker-code"
+              rows={Math.min(16, program.text.split("\n").length + 1)}
+              spellcheck={false}
+              value={program.text}
+              onInput={({ currentTarget }) => take({ ...program, text: currentTarget.value })}
+              {...described}
+            />
+          )}
+        </Field>
+      )}
+    </div>
+  );
+}

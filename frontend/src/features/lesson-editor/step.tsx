@@ -1,0 +1,167 @@
+/** A step of a lesson: its text, its program and world, its checks, hints and question. */
+
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+
+import { language, t } from "../../i18n";
+import { usePage } from "../../model/page";
+import { titleOf, useBlockSets } from "../block-sets/block-sets";
+import type { Phase, StepContent } from "../lessons/draft";
+import { inLanguage } from "../lessons/lessons";
+import { useLessonMaking } from "../lessons/making";
+import type { MarkdownPart } from "../lessons/markdown";
+import { Checks } from "./checks";
+import { Hints } from "./hints";
+import { ChoiceInput, NumberInput, TextInput } from "./inputs";
+import { ProgramInput } from "./program";
+import { Puzzle } from "./puzzle";
+import { Quiz } from "./quiz";
+
+const PHASES: readonly Phase[] = ["predict", "run", "investigate", "modify", "make"];
+
+interface Props {
+  readonly step: StepContent;
+  readonly index: number;
+}
+
+export function Step({ step, index }: Props) {
+  const making = useLessonMaking();
+  const path = ["step", index];
+  return (
+    <>
+      <div class="maker-row">
+        <TextInput
+          word="page-maker-step-title"
+          path={[...path, "title"]}
+          text={step.title}
+          take={(title) => making.editStep(index, { title })}
+        />
+        <ChoiceInput
+          word="page-maker-phase"
+          path={[...path, "phase"]}
+          value={step.phase}
+          options={PHASES.map((one) => [one, t(`page-lesson-phase-${one}`)] as const)}
+          take={(phase) => making.editStep(index, { phase: phase as Phase })}
+        />
+      </div>
+      <Instructions step={step} index={index} />
+      <ProgramInput index={index} which="program" />
+      <div class="maker-row">
+        <World step={step} index={index} />
+        <Blocks step={step} index={index} />
+        <NumberInput
+          word="page-maker-variants"
+          path={[...path, "variants"]}
+          value={step.variants ?? 0}
+          least={0}
+          most={100}
+          take={(variants) => making.editStep(index, { variants })}
+        />
+        <NumberInput
+          word="page-maker-seconds"
+          path={[...path, "seconds"]}
+          value={step.seconds ?? 60}
+          least={1}
+          most={600}
+          whole={false}
+          take={(seconds) => making.editStep(index, { seconds })}
+        />
+      </div>
+      <Checks step={step} index={index} />
+      <Hints step={step} index={index} />
+      <Quiz step={step} index={index} />
+      <Puzzle step={step} index={index} />
+      <section class="maker-group">
+        <h3>{t("page-maker-solution-title")}</h3>
+        <ProgramInput index={index} which="solution" />
+      </section>
+    </>
+  );
+}
+
+/** The text in Markdown, and beside it what pupils see. */
+function Instructions({ step, index }: Props) {
+  const making = useLessonMaking();
+  const markdown = useSignal<{ readonly Part: MarkdownPart } | null>(null);
+  useEffect(() => {
+    void import("../lessons/markdown").then(({ Markdown }) => (markdown.value = { Part: Markdown }));
+  }, []);
+  const Preview = markdown.value?.Part;
+  const shown = step.text[making.writing.value] || inLanguage(step.text);
+  return (
+    <div class="maker-beside">
+      <TextInput
+        word="page-maker-text"
+        path={["step", index, "text"]}
+        text={step.text}
+        take={(text) => making.editStep(index, { text })}
+        long
+        longest={8000}
+      />
+      <section class="maker-preview" aria-label={t("page-maker-preview")}>
+        <h3>{t("page-maker-preview")}</h3>
+        {Preview && shown ? (
+          <Preview
+            text={shown}
+            lesson={making.draft.value?.lesson ?? ""}
+            drawings={making.examined.value.drawings ?? {}}
+          />
+        ) : (
+          <p class="dim">{t("page-maker-text-help")}</p>
+        )}
+      </section>
+    </div>
+  );
+}
+
+function World({ step, index }: Props) {
+  const making = useLessonMaking();
+  const { project } = usePage();
+  const names = project.worlds.value.map((one) => one.name);
+  const all = step.world && !names.includes(step.world) ? [...names, step.world] : names;
+  const before = [["", t(index > 0 ? "page-maker-as-before" : "page-maker-robots-world")]] as const;
+  return (
+    <ChoiceInput
+      word="page-maker-world"
+      path={["step", index, "world"]}
+      value={step.world ?? ""}
+      options={[...before, ...all.map((name) => [name, project.worldTitle(name)] as const)]}
+      take={(world) => making.editStep(index, { world: world || undefined })}
+    />
+  );
+}
+
+/** One of our block sets; or blocks that were chosen for a project, one by one. */
+function Blocks({ step, index }: Props) {
+  const making = useLessonMaking();
+  const sets = useBlockSets();
+  const before = [["", t(index > 0 ? "page-maker-as-before" : "page-maker-all-blocks")]] as const;
+  const ours = sets.ours.value.map((one) => [one.name ?? "", titleOf(one)] as const);
+  const lists = [sets.shown.value, ...sets.carried.value, ...sets.own.value].flatMap((one) => {
+    const blocks = one.show?.blocks ?? [];
+    const isPlain = blocks.length > 0 && blocks.length <= 200 && !one.show?.categories?.length && !one.hide;
+    const isOurs = sets.ours.value.some((other) => other.name === one.name);
+    return isPlain && !isOurs ? [[JSON.stringify(blocks), titleOf(one)] as const] : [];
+  });
+  const now = typeof step.blocks === "object" ? JSON.stringify(step.blocks) : (step.blocks ?? "");
+  const known = new Map([...before, ...ours, ...lists]);
+  if (!known.has(now)) {
+    const count = typeof step.blocks === "object" ? step.blocks.length : 0;
+    known.set(now, count ? t("page-maker-some-blocks", { count }) : now);
+  }
+  return (
+    <ChoiceInput
+      key={language.value}
+      word="page-maker-blocks"
+      path={["step", index, "blocks"]}
+      value={now}
+      options={[...known]}
+      take={(chosen) => making.editStep(index, { blocks: blocksOf(chosen) })}
+    />
+  );
+}
+
+function blocksOf(chosen: string): StepContent["blocks"] {
+  if (chosen.startsWith("[")) return JSON.parse(chosen) as string[];
+  return chosen || undefined;
+}

@@ -1,0 +1,184 @@
+/** The lessons on the start page, by level, and the examples behind them. */
+
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+
+import { t } from "../../i18n";
+import { usePage } from "../../model/page";
+import { preferences } from "../../model/preferences";
+import { plainTitle } from "../../model/robots";
+import type { LessonChoice } from "../../protocol/messages";
+import { IconButton } from "../../ui/button";
+import { chooseFile, chooseFolder } from "../../ui/files";
+import { Icon } from "../../ui/icons";
+import { Menu, type MenuItem } from "../../ui/menu";
+import { inLanguage, LESSON_FILE, LESSON_ZIP, useLessons } from "./lessons";
+import { useLessonMaking } from "./making";
+import "./cards.css";
+
+const LEVELS = [1, 2, 3, 4] as const;
+/** The level at which pupils of a stage begin. */
+const BEGINNINGS = { starter: 1, explorer: 2, coder: 3 } as const;
+
+export function LessonCards() {
+  const lessons = useLessons();
+  const { project, context } = usePage();
+  const all = lessons.choices.value ?? [];
+  const last = all.find((one) => one.project && one.project === project.entries.value?.[0]?.name);
+  const chosen = useSignal<number | null>(null);
+  const isReadOnly = context.program.readOnly.value !== null;
+  const welcomed = project.welcome.value !== null;
+  useEffect(() => {
+    if (welcomed) lessons.list();
+  }, [welcomed]);
+  const level = chosen.value ?? last?.level ?? BEGINNINGS[preferences.value.stage];
+  const shown = all.filter((one) => one.level === level);
+  return (
+    <section id="lessons" class="start-lessons" aria-labelledby="start-lessons" data-region="lessons" tabIndex={-1}>
+      <div class="start-head">
+        <h2 id="start-lessons">{t("page-lesson-cards-title")}</h2>
+        <div class="start-stages" role="group" aria-label={t("page-lesson-cards-levels")}>
+          {LEVELS.map((one) => (
+            <button
+              key={one}
+              type="button"
+              class="start-chip"
+              aria-pressed={one === level}
+              onClick={() => (chosen.value = one)}
+            >
+              {t(`page-lesson-cards-level-${one}`)}
+            </button>
+          ))}
+        </div>
+        {!isReadOnly && lessons.teaches.value && (
+          <div class="lesson-import">
+            <button
+              type="button"
+              class="button bordered"
+              onClick={() => chooseFile(`${LESSON_FILE},${LESSON_ZIP}`, (file) => void lessons.import(file))}
+            >
+              <Icon name="upload" />
+              {t("page-lesson-open-file")}
+            </button>
+            <IconButton
+              icon="projects"
+              word="page-lesson-open-folder"
+              onClick={() => chooseFolder((files) => lessons.takeFolder(files))}
+            />
+          </div>
+        )}
+      </div>
+      {lessons.choices.value && shown.length === 0 && <p class="dim">{t("page-lesson-cards-none")}</p>}
+      <ul class="start-cards">
+        {shown.map((one) => (
+          <Card key={one.name} lesson={one} isReadOnly={isReadOnly} />
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function Card({ lesson, isReadOnly }: { lesson: LessonChoice; isReadOnly: boolean }) {
+  const lessons = useLessons();
+  const { name, picture = "", step = 0, steps, own = false, project = "" } = lesson;
+  const title = inLanguage(lesson.title);
+  return (
+    <li class="lesson-card">
+      <button
+        type="button"
+        class="start-example"
+        title={lesson.aims.map(inLanguage).join("\n")}
+        onClick={() => lessons.start(lesson)}
+      >
+        {picture ? (
+          <img src={address(name, picture)} alt="" width={480} height={270} loading="lazy" />
+        ) : (
+          <span class="start-blank" />
+        )}
+        <span class="start-words">
+          <strong>{title}</strong>
+          <Facts lesson={lesson} />
+          {project && step > 0 && <span class="lesson-badge">{t("page-lesson-go-on", { step, count: steps })}</span>}
+          {own && !project && <span class="lesson-badge">{t("page-lesson-own")}</span>}
+        </span>
+      </button>
+      {(project || own || lessons.teaches.value) && (
+        <span class="lesson-tools">
+          {project && !isReadOnly && (
+            <IconButton
+              icon="restart"
+              word="page-lesson-again"
+              values={{ title }}
+              onClick={() => lessons.start(lesson, true)}
+            />
+          )}
+          <LessonMenu lesson={lesson} isReadOnly={isReadOnly} />
+        </span>
+      )}
+    </li>
+  );
+}
+
+/** What can be done with a lesson: most of it only by the teacher. */
+function LessonMenu({ lesson, isReadOnly }: { lesson: LessonChoice; isReadOnly: boolean }) {
+  const lessons = useLessons();
+  const making = useLessonMaking();
+  const { dialogs } = usePage();
+  const { name, own = false } = lesson;
+  const title = inLanguage(lesson.title);
+  const notes: MenuItem = {
+    text: t("page-lesson-notes"),
+    icon: "lesson",
+    run: () => dialogs.show({ lessonNotes: name, title }),
+  };
+  const copy: MenuItem = { text: t("page-lesson-copy"), icon: "copy", run: () => making.copy(name) };
+  const change: MenuItem = { text: t("page-maker-change"), icon: "rename", run: () => making.change(name) };
+  const whole: MenuItem = {
+    text: t("page-maker-download-teacher"),
+    icon: "download",
+    run: () => making.export(name, "teacher"),
+  };
+  const pupils: MenuItem = {
+    text: t("page-maker-download-pupils"),
+    icon: "download",
+    run: () => making.export(name, "pupils"),
+  };
+  const remove: MenuItem = {
+    text: t("page-lesson-delete-menu"),
+    icon: "trash",
+    run: () => dialogs.show({ deleteLesson: name, title }),
+  };
+  const teaches = lessons.teaches.value;
+  const writes = teaches && !isReadOnly;
+  const groups = [
+    { items: [...(teaches ? [notes] : []), ...(own && writes ? [change] : []), ...(writes ? [copy] : [])] },
+    { items: own ? [...(teaches ? [whole] : []), pupils] : [] },
+    { items: own && writes ? [remove] : [] },
+  ].filter(({ items }) => items.length > 0);
+  if (groups.length === 0) return null;
+  return <Menu label={t("page-lesson-more", { title })} icon="more" groups={groups} side="right" />;
+}
+
+/** How long it takes, its usual robot, and the stars. */
+function Facts({ lesson: { minutes, robots, stars, earned = 0 } }: { lesson: LessonChoice }) {
+  const { project } = usePage();
+  const robot = project.welcome.value?.robots.find((one) => one.name === robots[0]);
+  return (
+    <span class="lesson-facts dim">
+      <span>
+        {t("page-lesson-minutes", { minutes })} · {robot ? plainTitle(robot) : robots[0]}
+      </span>
+      {stars > 0 && (
+        <span class={earned > 0 ? "lesson-count some" : "lesson-count"}>
+          <Icon name="earned" />
+          <span aria-hidden="true">{t("page-lesson-stars-short", { earned, stars })}</span>
+          <span class="hidden">{t("page-lesson-stars-of", { earned, stars })}</span>
+        </span>
+      )}
+    </span>
+  );
+}
+
+function address(lesson: string, file: string): string {
+  return `lessons/${encodeURIComponent(lesson)}/pictures/${encodeURIComponent(file)}`;
+}

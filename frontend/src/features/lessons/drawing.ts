@@ -1,0 +1,98 @@
+/** A picture of some blocks, drawn by Blockly. */
+
+import { effect } from "@preact/signals";
+import * as Blockly from "blockly/core";
+
+import { language } from "../../i18n";
+import { theme } from "../../model/preferences";
+import type { Workspace } from "../../protocol/messages";
+import type { Island } from "../../ui/island";
+import { prepare } from "../../views/blocks";
+import { Checker } from "../../views/blocks/checker";
+import { MEDIA } from "../../views/blocks/media";
+import { fetchPalette, installPalette } from "../../views/blocks/palette";
+import { Sync } from "../../views/blocks/sync";
+import { themeOf } from "../../views/blocks/themes";
+
+const MARGIN = 6;
+const LARGEST_SCALE = 0.72;
+/** The language whose blocks Blockly has learned for drawings. */
+let installed: { readonly language: string; readonly done: Promise<void> } | null = null;
+
+export class Drawing implements Island {
+  readonly dom = document.createElement("div");
+  private readonly host = document.createElement("div");
+  private workspace: Blockly.WorkspaceSvg | null = null;
+  private isGone = false;
+  private readonly ends: (() => void)[];
+
+  constructor(
+    private readonly blocks: Workspace,
+    text: string,
+  ) {
+    prepare();
+    this.dom.className = "blocks lesson-drawing";
+    this.dom.setAttribute("role", "img");
+    this.dom.ariaLabel = text;
+    // It is a picture: nothing in it takes the focus or a click.
+    this.host.inert = true;
+    this.dom.append(this.host);
+    this.ends = [
+      effect(() => this.workspace?.setTheme(themeOf(theme.value))),
+      effect(() => void this.draw(language.value)),
+    ];
+  }
+
+  destroy(): void {
+    this.isGone = true;
+    for (const end of this.ends) end();
+    this.workspace?.dispose();
+    this.dom.remove();
+  }
+
+  /** Blockly can only draw once the element has a size. */
+  resize(): void {
+    if (this.workspace) this.fit(this.workspace);
+    else void this.draw(language.peek());
+  }
+
+  private async draw(code: string): Promise<void> {
+    await known(code);
+    if (this.isGone || !this.dom.clientWidth || code !== language.peek()) return;
+    this.workspace?.dispose();
+    this.workspace = Blockly.inject(this.host, options());
+    new Sync(this.workspace, this.workspace.connectionChecker as Checker).show(this.blocks);
+    Blockly.renderManagement.triggerQueuedRenders(this.workspace);
+    this.fit(this.workspace);
+  }
+
+  private fit(workspace: Blockly.WorkspaceSvg): void {
+    const { left, top, right, bottom } = workspace.getBlocksBoundingBox();
+    const [width, height] = [right - left, bottom - top];
+    const scale = Math.min(LARGEST_SCALE, this.dom.clientWidth / (width + 2 * MARGIN));
+    this.host.style.width = `${scale * (width + 2 * MARGIN)}px`;
+    this.host.style.height = `${scale * (height + 2 * MARGIN)}px`;
+    workspace.setScale(scale);
+    Blockly.svgResize(workspace);
+    workspace.translate((MARGIN - left) * scale, (MARGIN - top) * scale);
+  }
+}
+
+/** Teach Blockly the blocks of a language; the view of the blocks, if it is shown, has the same. */
+function known(code: string): Promise<void> {
+  if (installed?.language !== code) installed = { language: code, done: fetchPalette(code).then(installPalette) };
+  return installed.done;
+}
+
+function options(): Blockly.BlocklyOptions {
+  return {
+    renderer: "zelos",
+    theme: themeOf(theme.peek()),
+    media: MEDIA,
+    readOnly: true,
+    sounds: false,
+    zoom: { maxScale: 1, minScale: 0.1 },
+    move: { scrollbars: false, drag: false, wheel: false },
+    plugins: { connectionChecker: Checker },
+  };
+}

@@ -1,0 +1,238 @@
+/** The lessons to choose from, and the one of the open project. */
+
+import { computed, signal } from "@preact/signals";
+
+import { language, say, t } from "../../i18n";
+import type { Announcer } from "../../model/announcer";
+import { browserId } from "../../model/browser-id";
+import { preferences } from "../../model/preferences";
+import type { Program } from "../../model/program";
+import type { Connection } from "../../protocol/connection";
+import type {
+  LessonAttempt,
+  LessonChecked,
+  LessonChoice,
+  LessonGoals,
+  LessonHints,
+  LessonNotes,
+  LessonShown,
+  LessonWords,
+  PuzzleJudged,
+  QuizJudged,
+} from "../../protocol/messages";
+import { inBase64 } from "../../ui/files";
+import { provided } from "../../ui/provided";
+import type { Toasts } from "../../ui/toasts";
+import { type LessonFolder, lessonFolderOf } from "./folder";
+
+/** A lesson as a file, and as a folder that was zipped by hand. */
+export const [LESSON_FILE, LESSON_ZIP] = [".lblesson", ".zip"];
+/** The server's limit in bytes. */
+const LARGEST = 2_500_000;
+
+type Text = string | Readonly<Record<string, string>>;
+
+/** A text of a lesson in the user's language, in English, or in the first language that it has. */
+export function inLanguage(text: Text = ""): string {
+  if (typeof text === "string") return text;
+  return text[language.value] ?? text.en ?? Object.values(text)[0] ?? "";
+}
+
+export function sayWords({ text = "", phrase = null }: LessonWords): string {
+  return phrase ? say(phrase) : inLanguage(text);
+}
+
+interface Others {
+  readonly program: Program;
+  readonly announcer: Announcer;
+  readonly toasts: Toasts;
+}
+
+export class Lessons {
+  /** Null until the server has sent them. */
+  readonly choices = signal<readonly LessonChoice[] | null>(null);
+  /** Whether this page may show what only the teacher has. */
+  readonly teaches = signal(false);
+  /** The lesson of the open project; null without one. */
+  readonly shown = signal<LessonShown | null>(null);
+  readonly goals = computed(() => this.news.value?.goals ?? this.shown.value?.goals ?? []);
+  readonly steps = computed(() => this.news.value?.steps ?? this.shown.value?.steps ?? []);
+  readonly checked = signal<LessonChecked | null>(null);
+  readonly hints = signal<LessonHints | null>(null);
+  readonly quiz = signal<QuizJudged | null>(null);
+  readonly puzzle = signal<PuzzleJudged | null>(null);
+  /** What a lesson has for the teacher; null until the server has sent it. */
+  readonly notes = signal<LessonNotes | null>(null);
+  /** Stars that have just been earned, until the celebration is over; counts celebrations. */
+  readonly party = signal(0);
+  /** Whether a run has failed since the step was shown: then a hint is offered. */
+  readonly failed = signal(false);
+  /** What is known of the goals since the step was shown. */
+  private readonly news = signal<LessonGoals | null>(null);
+  private readonly live = signal(false);
+
+  constructor(
+    private readonly connection: Connection,
+    private readonly others: Others,
+  ) {
+    const browser = browserId();
+    connection.on("Welcome", ({ teaches = false }) => {
+      this.teaches.value = teaches;
+      connection.send({ kind: "Introduce", browser });
+    });
+    connection.on("Lessons", ({ lessons, problems = [] }) => {
+      this.choices.value = lessons;
+      for (const problem of problems) others.toasts.error(say(problem));
+    });
+    connection.on("Opened", () => this.forget());
+    connection.on("LessonShown", (shown) => this.show(shown));
+    connection.on("LessonGoals", (goals) => this.judged(goals));
+    connection.on("LessonChecked", (checked) => this.told(checked));
+    connection.on("LessonHints", (hints) => (this.hints.value = hints));
+    connection.on("QuizJudged", (judged) => this.answered(this.quiz, judged));
+    connection.on("PuzzleJudged", (judged) => this.answered(this.puzzle, judged));
+    connection.on("LessonNotes", (notes) => (this.notes.value = notes));
+    connection.on("LessonImported", ({ lesson, title }) => {
+      others.toasts.note(t("page-lesson-imported", { title: inLanguage(title) }));
+      this.start({ name: lesson, title });
+    });
+  }
+
+  /** Whether the program of a lesson runs and is being judged. */
+  get isLive(): boolean {
+    return this.live.value;
+  }
+
+  list(): void {
+    this.connection.send({ kind: "ListLessons" });
+  }
+
+  /** Go on with a lesson, or begin it. */
+  start(lesson: Pick<LessonChoice, "name" | "title">, again = false): void {
+    this.others.program.flush();
+    const { robot } = preferences.value;
+    const name = inLanguage(lesson.title).slice(0, 80);
+    this.connection.send({ kind: "StartLesson", lesson: lesson.name, name, robot, again });
+  }
+
+  showStep(step: number): void {
+    this.others.program.flush();
+    this.connection.send({ kind: "ShowStep", step });
+  }
+
+  restartStep(): void {
+    this.others.program.flush();
+    this.connection.send({ kind: "RestartStep" });
+  }
+
+  check(): void {
+    this.others.program.flush();
+    this.connection.send({ kind: "CheckStep" });
+  }
+
+  stopChecking(): void {
+    this.connection.send({ kind: "StopChecking" });
+  }
+
+  /** Run the program where it has failed. */
+  replay({ robot, variant = 0 }: LessonAttempt): void {
+    this.connection.send({ kind: "ShowVariant", robot, variant });
+  }
+
+  takeHint(): void {
+    this.connection.send({ kind: "TakeHint" });
+  }
+
+  answerQuiz(choices: readonly number[]): void {
+    this.connection.send({ kind: "AnswerQuiz", choices: [...choices] });
+  }
+
+  answerPuzzle(order: readonly number[]): void {
+    this.connection.send({ kind: "AnswerPuzzle", order: [...order] });
+  }
+
+  /** Add a lesson's file to the user's lessons, and begin it. */
+  async import(file: File): Promise<void> {
+    if (file.size > LARGEST) return this.others.toasts.error(t("page-lesson-too-large", { name: file.name }));
+    const content = await inBase64(file);
+    this.connection.send({ kind: "ImportLesson", filename: file.name.slice(-100), content });
+  }
+
+  /** Add a folder with a lesson to the user's lessons, and begin it. */
+  async importFolder({ name, files }: LessonFolder): Promise<void> {
+    const size = [...files.values()].reduce((sum, file) => sum + file.size, 0);
+    if (size > LARGEST) return this.others.toasts.error(t("page-lesson-too-large", { name }));
+    const read = [...files].map(async ([path, file]) => [path, await inBase64(file)] as const);
+    const content = Object.fromEntries(await Promise.all(read));
+    this.connection.send({ kind: "ImportLessonFolder", name: name.slice(0, 100), files: content });
+  }
+
+  /** Add what the user has chosen as a folder, if it is a lesson. */
+  takeFolder(files: readonly File[]): void {
+    const folder = lessonFolderOf(files);
+    if (folder) void this.importFolder(folder);
+    else if (files.length > 0) this.others.toasts.error(t("page-lesson-no-folder"));
+  }
+
+  delete(lesson: string): void {
+    this.connection.send({ kind: "DeleteLesson", lesson });
+  }
+
+  /** Ask for what a lesson has for the teacher. */
+  readNotes(lesson: string): void {
+    this.notes.value = null;
+    this.connection.send({ kind: "ReadLessonNotes", lesson });
+  }
+
+  private forget(): void {
+    this.shown.value = this.news.value = this.checked.value = this.hints.value = null;
+    this.quiz.value = this.puzzle.value = null;
+    this.failed.value = this.live.value = false;
+  }
+
+  private show(shown: LessonShown): void {
+    const before = this.shown.peek();
+    if (before?.name !== shown.name || before?.step !== shown.step) this.forget();
+    this.news.value = null;
+    this.shown.value = shown.name ? shown : null;
+  }
+
+  private judged(goals: LessonGoals): void {
+    const before = this.goals.peek();
+    const { live = false, done = false, earned = 0 } = goals;
+    this.news.value = goals.steps?.length ? goals : { ...goals, steps: [...this.steps.peek()] };
+    this.live.value = live;
+    const met = goals.goals.filter((goal, index) => goal.state === "met" && before[index]?.state !== "met");
+    if (met.length > 0) {
+      this.others.announcer.say(t("page-lesson-met-said", { goals: met.map((goal) => sayWords(goal.say)).join(", ") }));
+    }
+    if (live) {
+      this.checked.value = null;
+      this.hints.value = null;
+    }
+    if (earned > 0) this.celebrate();
+    this.failed.value = !live && !done && goals.goals.some((goal) => goal.state === "failed");
+  }
+
+  private told(checked: LessonChecked): void {
+    const before = this.checked.peek();
+    this.checked.value = checked;
+    if (before?.running && !checked.running) {
+      this.others.announcer.say(t(checked.everywhere ? "page-lesson-everywhere-yes" : "page-lesson-everywhere-no"));
+      if (checked.everywhere) this.party.value++;
+    }
+  }
+
+  private answered<Judged extends { right: boolean }>(place: { value: Judged | null }, judged: Judged): void {
+    place.value = judged;
+    this.others.announcer.say(t(judged.right ? "page-lesson-right" : "page-lesson-wrong"));
+    if (judged.right) this.party.value++;
+  }
+
+  private celebrate(): void {
+    this.party.value++;
+    this.others.announcer.say(t("page-lesson-star-said"));
+  }
+}
+
+export const [LessonsProvider, useLessons] = provided<Lessons>("Lessons");

@@ -1,0 +1,144 @@
+/** Markdown of a lesson as elements: HTML in it is shown as text, and nothing is fetched from elsewhere. */
+
+import { lexer, type Token, type Tokens } from "marked";
+import type { ComponentChildren, FunctionComponent } from "preact";
+
+import type { Workspace } from "../../protocol/messages";
+import { DrawnBlocks } from "./drawn-blocks";
+
+interface Props {
+  readonly text: string;
+  /** The name of the lesson, whose pictures may be shown. */
+  readonly lesson: string;
+  /** The blocks of the code blocks that are drawn, by their text. */
+  readonly drawings: Readonly<Record<string, Workspace>>;
+}
+
+/** The component `Markdown`, which is loaded when it is needed. */
+export type MarkdownPart = FunctionComponent<Props>;
+
+/** The depth of lists and quotes that is shown. */
+const DEEPEST = 12;
+const PICTURE = /^(?:\.\/)?(?:pictures\/)?([\w-]{1,60}\.\w{1,8})$/;
+
+export function Markdown(props: Props) {
+  return <div class="lesson-text">{shown(lexer(props.text), props, DEEPEST)}</div>;
+}
+
+function shown(tokens: readonly Token[], props: Props, depth: number): ComponentChildren {
+  if (depth === 0) return null;
+  return tokens.map((token, index) => {
+    return <Piece key={index} token={token} props={props} depth={depth - 1} />;
+  });
+}
+
+interface PieceProps {
+  readonly token: Token;
+  readonly props: Props;
+  readonly depth: number;
+}
+
+function Piece({ token, props, depth }: PieceProps): ComponentChildren {
+  const inside = () => shown(("tokens" in token && token.tokens) || [], props, depth);
+  switch (token.type) {
+    case "space":
+    case "def":
+      return null;
+    case "heading":
+      return <h4>{inside()}</h4>;
+    case "paragraph":
+      return <p>{inside()}</p>;
+    case "blockquote":
+      return <blockquote>{inside()}</blockquote>;
+    case "strong":
+      return <strong>{inside()}</strong>;
+    case "em":
+      return <em>{inside()}</em>;
+    case "del":
+      return <del>{inside()}</del>;
+    case "codespan":
+      return <code>{(token as Tokens.Codespan).text}</code>;
+    case "br":
+      return <br />;
+    case "hr":
+      return <hr />;
+    case "list":
+      return <List list={token as Tokens.List} props={props} depth={depth} />;
+    case "code":
+      return <Code code={token as Tokens.Code} drawings={props.drawings} />;
+    case "table":
+      return <Table table={token as Tokens.Table} props={props} depth={depth} />;
+    case "image":
+      return <Picture image={token as Tokens.Image} lesson={props.lesson} />;
+    case "link":
+      return <Link link={token as Tokens.Link}>{inside()}</Link>;
+    case "text":
+      return "tokens" in token && token.tokens ? inside() : (token as Tokens.Text).text;
+    case "escape":
+      return (token as Tokens.Escape).text;
+    default:
+      // HTML among them.
+      return token.raw;
+  }
+}
+
+function List({ list, props, depth }: { list: Tokens.List; props: Props; depth: number }) {
+  const items = list.items.map((item, index) => <li key={index}>{shown(item.tokens, props, depth)}</li>);
+  return list.ordered ? <ol start={Number(list.start) || 1}>{items}</ol> : <ul>{items}</ul>;
+}
+
+function Code({ code, drawings }: { code: Tokens.Code; drawings: Props["drawings"] }) {
+  const source = code.text.replace(/^\n+|\n+$/g, "");
+  const drawing = code.lang?.trim() === "blocks" ? drawings[source] : undefined;
+  if (drawing) return <DrawnBlocks key={source} workspace={drawing} text={source} />;
+  return (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it
+    <pre tabIndex={0}>
+      <code>{code.text}</code>
+    </pre>
+  );
+}
+
+function Table({ table, props, depth }: { table: Tokens.Table; props: Props; depth: number }) {
+  return (
+    <table>
+      <thead>
+        <tr>
+          {table.header.map((cell, index) => (
+            <th key={index}>{shown(cell.tokens, props, depth)}</th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {table.rows.map((row, index) => (
+          <tr key={index}>
+            {row.map((cell, column) => (
+              <td key={column}>{shown(cell.tokens, props, depth)}</td>
+            ))}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** A picture of the lesson; of any other, only its words. */
+function Picture({ image, lesson }: { image: Tokens.Image; lesson: string }) {
+  const file = PICTURE.exec(image.href)?.[1];
+  if (!file) return <em>{image.text}</em>;
+  return <img src={lessonPicture(lesson, file)} alt={image.text} />;
+}
+
+function Link({ link, children }: { link: Tokens.Link; children: ComponentChildren }) {
+  // A click must not lead away from the program.
+  if (!/^https:\/\//.test(link.href)) return <>{children}</>;
+  return (
+    <a href={link.href} target="_blank" rel="noopener noreferrer">
+      {children}
+    </a>
+  );
+}
+
+export function lessonPicture(lesson: string, file: string): string {
+  return `lessons/${encodeURIComponent(lesson)}/pictures/${encodeURIComponent(file)}`;
+}

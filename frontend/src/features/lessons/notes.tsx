@@ -1,0 +1,104 @@
+/** What a lesson has for the teacher: notes, the solution of each step, and typical wrong programs. */
+
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+
+import { t } from "../../i18n";
+import type { LessonDialogName } from "../../model/dialogs";
+import { usePage } from "../../model/page";
+import type { LessonNotes, SolvedStep, WrongProgram } from "../../protocol/messages";
+import { Dialog } from "../../ui/dialog";
+import { inLanguage, sayWords, useLessons } from "./lessons";
+import type { MarkdownPart } from "./markdown";
+import "./notes.css";
+
+interface Props {
+  readonly of: Extract<LessonDialogName, { lessonNotes: string }>;
+}
+
+export function LessonNotesDialog({ of: { lessonNotes, title } }: Props) {
+  const { dialogs } = usePage();
+  const lessons = useLessons();
+  const markdown = useSignal<{ readonly Part: MarkdownPart } | null>(null);
+  useEffect(() => {
+    lessons.readNotes(lessonNotes);
+    void import("./markdown").then(({ Markdown }) => (markdown.value = { Part: Markdown }));
+  }, [lessonNotes]);
+  const notes = lessons.notes.value;
+  const Part = markdown.value?.Part;
+  return (
+    <Dialog title={t("page-lesson-notes-title", { title })} close={() => dialogs.close()} size="large">
+      {notes && Part && <Notes notes={notes} Part={Part} />}
+    </Dialog>
+  );
+}
+
+function Notes({ notes: of, Part }: { notes: LessonNotes; Part: MarkdownPart }) {
+  const { lesson, notes = {}, drawings = {}, steps = [] } = of;
+  const text = withoutTitle(inLanguage(notes));
+  const solved = steps.some(({ solution, wrong }) => solution || wrong?.length);
+  if (!text && !solved) return <p class="dim">{t("page-lesson-notes-none")}</p>;
+  return (
+    <div class="lesson-notes">
+      {text && <Part text={text} lesson={lesson} drawings={drawings} />}
+      {steps.map((step, index) => (
+        <Step key={index} number={index + 1} step={step} />
+      ))}
+    </div>
+  );
+}
+
+function Step({ number, step: { title, solution = "", wrong = [] } }: { number: number; step: SolvedStep }) {
+  return (
+    <section>
+      <h3>{t("page-maker-step", { number, title: inLanguage(title) })}</h3>
+      {solution ? (
+        <>
+          <h4>{t("page-lesson-notes-solution")}</h4>
+          <Program text={solution} />
+        </>
+      ) : (
+        <p class="dim">{t("page-lesson-notes-no-solution")}</p>
+      )}
+      {wrong.length > 0 && (
+        <details>
+          <summary>
+            {t("page-lesson-notes-wrong")} ({wrong.length})
+          </summary>
+          {wrong.map((one, index) => (
+            <Wrong key={index} wrong={one} />
+          ))}
+        </details>
+      )}
+    </section>
+  );
+}
+
+function Wrong({ wrong: { program, check, hint = [] } }: { wrong: WrongProgram }) {
+  return (
+    <div class="lesson-wrong">
+      <p>{t("page-lesson-notes-fails", { check: sayWords(check) })}</p>
+      <Program text={program} />
+      <p>{t("page-lesson-notes-hint")}</p>
+      <ul>
+        {hint.map((level, index) => (
+          <li key={index}>{sayWords(level)}</li>
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function Program({ text }: { text: string }) {
+  return (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: a keyboard user must be able to scroll it
+    <pre tabIndex={0}>
+      <code>{text.trimEnd()}</code>
+    </pre>
+  );
+}
+
+/** Notes usually begin with the title, which the dialog shows. */
+function withoutTitle(text: string): string {
+  return text.replace(/^#[^#\n]*\n+/, "");
+}

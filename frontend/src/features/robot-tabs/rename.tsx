@@ -1,0 +1,23 @@
+/** Asks for another name of the robot whose tab is open. */
+
+import { t } from "../../i18n";
+import { usePage } from "../../model/page";
+import { Dialog } from "../../ui/dialog";
+import { NameForm } from "../../ui/name-form";
+
+export function RenameRobotDialog() {
+  const { dialogs, tabs } = usePage();
+  const close = () => dialogs.close();
+  const name = tabs.open.value;
+  return (
+    <Dialog title={t("page-tabs-rename-title")} close={close}>
+      <NameForm
+        name={name}
+        help={t("page-tabs-rename-help")}
+        action={t("page-tabs-rename-action")}
+        close={close}
+        run={(to) => tabs.rename(name, to)}
+      />
+    </Dialog>
+  );
+}

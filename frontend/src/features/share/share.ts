@@ -1,0 +1,97 @@
+/** A picture or a short film of the world, to show to others; both are made in the browser. */
+
+import { signal } from "@preact/signals";
+
+import { t } from "../../i18n";
+import type { Page } from "../../model/page";
+import { saveFile } from "../../ui/files";
+import { provided } from "../../ui/provided";
+import { Film, filmFormat } from "./film";
+import { drawWorld, fillSky, newBrush } from "./frame";
+
+const PICTURE = [1280, 720] as const;
+const FILM = [854, 480] as const;
+/** Frames in a second: more would take the processor from the run. */
+const RATE = 12;
+/** The longest film, ms. */
+const LONGEST = 60_000;
+/** How long the end is shown, ms. */
+const LAST_LOOK = 800;
+const CAPTION = { height: 56, font: '800 26px "Nunito Variable", sans-serif', ink: "#ffffff", ground: "#4338ca" };
+
+export class Share {
+  readonly isFilming = signal(false);
+
+  constructor(private readonly page: Page) {}
+
+  /** Save a picture of the world as it is now, with the name of the project. */
+  async takePicture(): Promise<void> {
+    const brush = newBrush(...PICTURE);
+    if (!this.drawFrame(brush)) return;
+    const png = await new Promise<Blob | null>((done) => brush.canvas.toBlob(done, "image/png"));
+    if (png) saveFile(`${this.title}.png`, png, "image/png");
+  }
+
+  /** Run the program from the start, and save a film of it when it ends. */
+  film(): void {
+    const { controls, context, toasts } = this.page;
+    if (this.isFilming.peek() || context.connection.state.peek() !== "open") return;
+    const format = filmFormat();
+    if (!format) return toasts.error(t("page-share-no-film"));
+    const brush = newBrush(...FILM);
+    if (!this.drawFrame(brush)) return;
+    const moves = { draw: () => void this.drawFrame(brush), rate: RATE, longest: LONGEST };
+    const film = new Film(brush.canvas, format, moves, (made) => {
+      forget();
+      this.isFilming.value = false;
+      if (!made) return;
+      saveFile(`${this.title}.${format.ending}`, made, format.type);
+      toasts.note(t("page-share-saved"));
+    });
+    const forget = this.follow(film);
+    this.isFilming.value = true;
+    controls.restart();
+  }
+
+  /** End a film with its run, and drop that of a run which does not start; return what stops this. */
+  private follow(film: Film): () => void {
+    const { connection } = this.page.context;
+    const ends = [
+      connection.on("Ended", () => window.setTimeout(() => film.end(), LAST_LOOK)),
+      connection.onRefused(["Run"], () => film.drop()),
+      // Its run is not seen any more.
+      connection.state.subscribe((state) => state !== "open" && film.drop()),
+    ];
+    return () => {
+      for (const end of ends) end();
+    };
+  }
+
+  private get title(): string {
+    return this.page.project.name.peek();
+  }
+
+  private drawFrame(brush: CanvasRenderingContext2D): boolean {
+    const world = this.page.views.world.peek();
+    if (!world || !drawWorld(world, brush)) return false;
+    fillSky(brush);
+    this.writeCaption(brush);
+    return true;
+  }
+
+  private writeCaption(brush: CanvasRenderingContext2D): void {
+    const { width, height } = brush.canvas;
+    const top = height - CAPTION.height;
+    brush.fillStyle = CAPTION.ground;
+    brush.fillRect(0, top, width, CAPTION.height);
+    brush.fillStyle = CAPTION.ink;
+    brush.font = CAPTION.font;
+    brush.textBaseline = "middle";
+    brush.fillText(this.title, 24, top + CAPTION.height / 2, width - 240);
+    brush.textAlign = "right";
+    brush.fillText("LearnBlock", width - 24, top + CAPTION.height / 2);
+    brush.textAlign = "left";
+  }
+}
+
+export const [ShareProvider, useShare] = provided<Share>("Share");

@@ -1,0 +1,47 @@
+/** Sends the server a picture of the world when a run ends, for the list of projects. */
+
+import type { Page } from "../../model/page";
+import type { WorldIsland } from "../../model/views";
+import { inBase64 } from "../../ui/files";
+import { drawWorld, fillSky, newBrush } from "../share/frame";
+
+const WIDTH = 480;
+const HEIGHT = 270;
+/** The server's limit in bytes. */
+const LARGEST = 20_000;
+const QUALITIES = [0.8, 0.65, 0.5, 0.35];
+
+export function keepPictures({ context: { connection, program }, project, views }: Page): void {
+  connection.on("Ended", ({ tried }) => {
+    if (tried || program.readOnly.peek()) return;
+    // By the next frame, the world shows how the run ended.
+    requestAnimationFrame(() => void send(project.name.peek(), views.world.peek()));
+  });
+
+  async function send(project: string, world: WorldIsland | null): Promise<void> {
+    const picture = project && world && pictureOf(world);
+    const jpeg = picture && (await encode(picture));
+    if (jpeg) connection.send({ kind: "KeepPicture", project, content: await inBase64(new File([jpeg], "")) });
+  }
+}
+
+/** A small copy of the world's canvas; null if nothing is drawn there. */
+function pictureOf(world: WorldIsland): HTMLCanvasElement | null {
+  const brush = newBrush(WIDTH, HEIGHT);
+  if (!drawWorld(world, brush) || isBlank(brush)) return null;
+  fillSky(brush);
+  return brush.canvas;
+}
+
+function isBlank(brush: CanvasRenderingContext2D): boolean {
+  return brush.getImageData(0, 0, WIDTH, HEIGHT).data.every((value) => value === 0);
+}
+
+/** A JPEG, which every browser can make, small enough for the server; null if none is. */
+async function encode(picture: HTMLCanvasElement): Promise<Blob | null> {
+  for (const quality of QUALITIES) {
+    const jpeg = await new Promise<Blob | null>((done) => picture.toBlob(done, "image/jpeg", quality));
+    if (jpeg && jpeg.size <= LARGEST) return jpeg;
+  }
+  return null;
+}

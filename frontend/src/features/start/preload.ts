@@ -1,0 +1,9 @@
+/** Loads the parts of the working page while the user looks at the start page. */
+export function preload(): void {
+  const whenIdle = globalThis.requestIdleCallback ?? setTimeout;
+  whenIdle(() => {
+    void import("../../views/blocks");
+    void import("../../views/text");
+    void import("../../views/world");
+  });
+}

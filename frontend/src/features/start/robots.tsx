@@ -1,0 +1,56 @@
+/** Which robot the user has. */
+
+import { t } from "../../i18n";
+import { usePage } from "../../model/page";
+import { prefer, preferences } from "../../model/preferences";
+import { hasReal, plainTitle } from "../../model/robots";
+import type { RobotChoice } from "../../protocol/messages";
+import { Icon } from "../../ui/icons";
+import { RobotPicture } from "../../ui/robots/picture";
+
+/** The robots that are offered, in this order. */
+const SHOWN = ["sim-ebo", "sim-cozmo", "sim-thymio", "sim-ev3"];
+
+export function Robots() {
+  const { dialogs, project } = usePage();
+  const robots = project.welcome.value?.robots ?? [];
+  const shown = SHOWN.flatMap((name) => robots.find((one) => one.name === name) ?? []);
+  return (
+    <section class="start-card" aria-labelledby="start-robots" data-region="robots">
+      <h2 id="start-robots">{t("page-start-robots")}</h2>
+      <fieldset class="start-robots" aria-labelledby="start-robots">
+        {shown.map((robot) => (
+          <Robot key={robot.name} robot={robot} />
+        ))}
+      </fieldset>
+      <div class="start-no-robot">
+        <span class="start-dot" />
+        {t("page-start-no-robot")}
+        {hasReal(robots) && (
+          <button type="button" class="button bordered" onClick={() => dialogs.show("connect")}>
+            <Icon name="bluetooth" />
+            {t("page-start-connect")}
+          </button>
+        )}
+      </div>
+    </section>
+  );
+}
+
+function Robot({ robot }: { robot: RobotChoice }) {
+  const preferred = preferences.value.robot;
+  // A twin's card also represents the real robot.
+  const chosen = preferred === robot.name || `sim-${preferred}` === robot.name;
+  return (
+    <label class="start-robot">
+      <input type="radio" name="robot" class="hidden" checked={chosen} onChange={() => prefer({ robot: robot.name })} />
+      <RobotPicture robot={robot.name} />
+      {plainTitle(robot)}
+      {chosen && (
+        <span class="start-check">
+          <Icon name="check" />
+        </span>
+      )}
+    </label>
+  );
+}

@@ -1,0 +1,37 @@
+/** The page that opens first: continue, choose a robot, try examples, and find projects. */
+
+import { useEffect, useRef } from "preact/hooks";
+
+import { t } from "../../i18n";
+import { usePage } from "../../model/page";
+import { LessonCards } from "../lessons/cards";
+import { Examples } from "./examples";
+import { Hero } from "./hero";
+import { preload } from "./preload";
+import { type OpenFiles, Projects } from "./projects";
+import { Robots } from "./robots";
+import { TopBar } from "./top-bar";
+import "./start.css";
+
+export function StartPage({ openFiles }: { openFiles: OpenFiles }) {
+  const { project } = usePage();
+  const main = useRef<HTMLElement>(null);
+  useEffect(() => {
+    project.list();
+    preload();
+    // The button that led here is gone.
+    if (project.entries.value) main.current?.focus();
+  }, []);
+  return (
+    <div class="start">
+      <TopBar />
+      <main id="home" ref={main} tabIndex={-1} aria-label={t("page-start-home")}>
+        <Hero />
+        <Robots />
+        <LessonCards />
+        <Examples />
+        <Projects openFiles={openFiles} />
+      </main>
+    </div>
+  );
+}

@@ -1,0 +1,71 @@
+import { language, languages, t } from "../../i18n";
+import { usePage } from "../../model/page";
+import { prefer } from "../../model/preferences";
+import { Icon, type IconName } from "../../ui/icons";
+import { languageName } from "../../ui/language-name";
+import { Menu } from "../../ui/menu";
+import { useClassNews } from "../in-class/in-class";
+import { PupilChip } from "../in-class/notes";
+import { Logo } from "./logo";
+
+/** The sections of the page, with their icons. */
+const PLACES: readonly (readonly [string, IconName])[] = [
+  ["home", "home"],
+  ["lessons", "lesson"],
+  ["examples", "examples"],
+  ["projects", "projects"],
+];
+
+export function TopBar() {
+  const { dialogs } = usePage();
+  const inClass = useClassNews().now.value !== null;
+  return (
+    <header class="start-bar">
+      <Logo />
+      <span class="start-brand">LearnBlock</span>
+      <nav aria-label={t("page-start-places")}>
+        {PLACES.map(([name, icon]) => (
+          <button
+            key={name}
+            type="button"
+            aria-current={name === "home" ? "page" : undefined}
+            onClick={() => goTo(name)}
+          >
+            <Icon name={icon} />
+            <span>{t(`page-start-${name}`)}</span>
+          </button>
+        ))}
+      </nav>
+      <PupilChip />
+      <LanguageMenu />
+      {!inClass && (
+        <button type="button" class="button" onClick={() => dialogs.show("teachers")}>
+          <Icon name="teachers" />
+          <span>{t("page-start-teachers")}</span>
+        </button>
+      )}
+    </header>
+  );
+}
+
+function LanguageMenu() {
+  const items = languages.map((code) => ({
+    text: languageName(code),
+    checked: code === language.value,
+    run: () => prefer({ language: code }),
+  }));
+  return (
+    <Menu label={t("page-bar-language")} icon="globe" groups={[{ items }]} side="right">
+      <span class="hidden">{t("page-bar-language")}: </span>
+      <span>{languageName(language.value)}</span>
+      <Icon name="down" />
+    </Menu>
+  );
+}
+
+/** Scroll to a section, and put the focus there. */
+function goTo(name: string): void {
+  const section = document.getElementById(name);
+  section?.scrollIntoView({ block: "start" });
+  section?.focus({ preventScroll: true });
+}

@@ -1,0 +1,38 @@
+/** Scrolls the program while a block is dragged beyond its edge, and drops it where the pointer is. */
+
+import { ScrollBlockDragger } from "@blockly/plugin-scroll-options";
+import * as Blockly from "blockly/core";
+
+/**
+ * Only the pointer decides, and slowly: the far end of a wide block is often beyond the edge. Speeds in px
+ * per ms.
+ */
+export const EDGE = { slowBlockStartDistance: Infinity, slowMouseSpeed: 0.2, fastMouseSpeed: 0.6 };
+
+/** Over the palette it does not scroll: blocks come from there, and go there to be deleted. */
+export class Dragger extends ScrollBlockDragger {
+  /**
+   * Look for the place once more before the block is dropped. While blocks wait to be drawn, their places are
+   * those of the last frame: a quick drop would land beside the gap that has just closed or opened.
+   */
+  override onDragEnd(event: PointerEvent, delta?: Blockly.utils.Coordinate): void {
+    if (delta && event instanceof PointerEvent) {
+      Blockly.renderManagement.triggerQueuedRenders(this.draggable.workspace);
+      this.onDrag(event, delta);
+    }
+    super.onDragEnd(event);
+  }
+
+  protected override scrollWorkspaceWhileDragging_(event: PointerEvent): void {
+    if (isOverPalette(this.draggable.workspace as Blockly.WorkspaceSvg, event)) this.stopAutoScrolling();
+    else super.scrollWorkspaceWhileDragging_(event);
+  }
+}
+
+/** Whether the pointer is beside the program, over the palette at its left or below it. */
+function isOverPalette(workspace: Blockly.WorkspaceSvg, { clientX, clientY }: PointerEvent): boolean {
+  const metrics = workspace.getMetricsManager();
+  const { left, top } = workspace.getParentSvg().getBoundingClientRect();
+  if (workspace.horizontalLayout) return clientY > top + metrics.getViewMetrics().height;
+  return clientX < left + metrics.getAbsoluteMetrics().left;
+}

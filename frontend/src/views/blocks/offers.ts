@@ -1,0 +1,120 @@
+/** The blocks that a group of the palette offers: first the few that matter, then all others. */
+
+import { type Entry, nameOf } from "../../model/shown-blocks";
+
+export type Item = Entry & { readonly needs?: readonly string[]; readonly lacking?: boolean };
+
+/** Blocks under one heading, by their names in sets or that of a whole tab. */
+export interface Section {
+  readonly heading: string;
+  readonly blocks: readonly string[];
+}
+
+/** A tab with its current blocks. */
+export interface FilledTab {
+  readonly name: string;
+  readonly category: string;
+  readonly items: readonly Item[];
+}
+
+export interface Offer {
+  readonly tabs: readonly FilledTab[];
+  /** What to show first; null to show everything. */
+  readonly first: readonly Section[] | null;
+  /** Whether the others are shown, too. */
+  readonly open: boolean;
+  /** What the robot lacks of the needs of blocks. */
+  readonly lacks: ReadonlySet<string>;
+}
+
+/** The words of the palette. */
+export interface Words {
+  more(count: number): string;
+  fewer(): string;
+  /** Why the robot can't do blocks with this need. */
+  missing(need: string): string;
+}
+
+export const MORE = "LB_MORE";
+
+/** The entries of a group's flyout. */
+export function offered(offer: Offer, words: Words): Item[] {
+  const tabs = offer.tabs.map((tab) => ({ ...tab, items: tab.items.filter((item) => !missing(item, offer.lacks)) }));
+  const first = offer.first ? offer.first.map((section) => filled(section, tabs)) : [];
+  const begun = first.flatMap(({ items }) => items);
+  const shown = new Set(begun.map(nameOf).filter(Boolean));
+  const rest = tabs.map((tab) => ({
+    heading: tab.name,
+    items: tab.items.filter((item) => !isShown(item, shown, begun)),
+  }));
+  const lacking = offer.tabs.flatMap(({ items }) => items).filter((item) => missing(item, offer.lacks));
+  const others = [...headed(rest, offer.tabs.length > 1), ...lackingItems(lacking, offer.lacks, words)];
+  const count = others.filter(isBlock).length;
+  if (count === 0) return headed(first, true);
+  if (begun.length === 0) return others;
+  if (!offer.open) return [...headed(first, true), button(words.more(count))];
+  return [...headed(first, true), ...others, button(words.fewer())];
+}
+
+/** Found blocks; those that the robot can't do come last. */
+export function found(items: readonly Item[], lacks: ReadonlySet<string>, words: Words): Item[] {
+  const able = items.filter((item) => !missing(item, lacks));
+  return [
+    ...able,
+    ...lackingItems(
+      items.filter((item) => missing(item, lacks)),
+      lacks,
+      words,
+    ),
+  ];
+}
+
+interface Headed {
+  readonly heading: string;
+  readonly items: readonly Item[];
+}
+
+function filled({ heading, blocks }: Section, tabs: readonly FilledTab[]): Headed {
+  const items = blocks.flatMap((name) => tabs.flatMap((tab) => itemsNamed(name, tab)));
+  return { heading, items };
+}
+
+function itemsNamed(name: string, { category, items }: FilledTab): readonly Item[] {
+  return category === name ? items : items.filter((item) => nameOf(item) === name);
+}
+
+// A button has no name, but it is the same object.
+function isShown(item: Item, names: ReadonlySet<string>, items: readonly Item[]): boolean {
+  return names.has(nameOf(item)) || items.includes(item);
+}
+
+function headed(sections: readonly Headed[], withHeadings: boolean): Item[] {
+  return sections
+    .filter(({ items }) => items.length > 0)
+    .flatMap(({ heading, items }) => [...(withHeadings && heading ? [label(heading)] : []), ...items]);
+}
+
+function lackingItems(items: readonly Item[], lacks: ReadonlySet<string>, words: Words): Item[] {
+  const needs = new Set(items.map((item) => missing(item, lacks)!));
+  return [...needs].flatMap((need) => [
+    label(words.missing(need)),
+    ...items.filter((item) => missing(item, lacks) === need).map((item) => ({ ...item, lacking: true })),
+  ]);
+}
+
+/** The first need of a block that the robot can't serve. */
+function missing({ needs }: Item, lacks: ReadonlySet<string>): string | undefined {
+  return needs?.find((need) => lacks.has(need));
+}
+
+function isBlock({ kind }: Item): boolean {
+  return kind === "block";
+}
+
+function label(text: string): Item {
+  return { kind: "label", text, "web-class": "lbHeading" } as Item;
+}
+
+function button(text: string): Item {
+  return { kind: "button", text, callbackkey: MORE, "web-class": "lbMore" } as Item;
+}

@@ -1,0 +1,81 @@
+/** The open part of the palette: below its head, a bit smaller than the program, and as wide as its blocks. */
+
+import * as Blockly from "blockly/core";
+
+/** The blocks' size, whatever the zoom of the program. */
+const SCALE = 0.74;
+/** CSS pixels. */
+export const HEAD_HEIGHT = 48;
+const LEAST_WIDTH = 238;
+/** Beside a program with little room, longer blocks are cut. */
+const MOST_WIDTH = { narrow: 250, wide: 330 };
+/** The room of the scrollbar beside the blocks; the style sheet makes it thinner than this. */
+const SCROLLBAR = 12;
+/** From this width on, the program has room beside the widest palette. */
+const WIDE = 1000;
+
+export class PaletteFlyout extends Blockly.VerticalFlyout {
+  /** It only grows, because the program beside it moves. */
+  private widest = LEAST_WIDTH;
+  /** Called when it opens, closes or changes its size. */
+  changed: () => void = () => {};
+
+  override getFlyoutScale(): number {
+    return SCALE;
+  }
+
+  override getY(): number {
+    return HEAD_HEIGHT;
+  }
+
+  override setVisible(visible: boolean): void {
+    super.setVisible(visible);
+    this.changed?.();
+  }
+
+  protected override positionAt_(width: number, height: number, x: number, y: number): void {
+    this.placeAt(width, Math.max(0, height - HEAD_HEIGHT), x, y);
+  }
+
+  /** Place its blocks, below its head. */
+  protected placeAt(width: number, height: number, x: number, y: number): void {
+    super.positionAt_(width, height, x, y);
+    this.changed?.();
+  }
+
+  /** The position of its head in the view. */
+  get headTop(): number {
+    return 0;
+  }
+
+  protected override layout_(contents: Blockly.FlyoutItem[]): void {
+    this.workspace_.scale = this.getFlyoutScale();
+    let y = this.MARGIN;
+    for (const item of contents) {
+      const element = item.getElement();
+      element.moveBy(this.left, y);
+      y += element.getBoundingRectangle().getHeight();
+    }
+  }
+
+  private get mostWidth(): number {
+    const isWide = this.targetWorkspace.getInjectionDiv().clientWidth >= WIDE;
+    return isWide ? MOST_WIDTH.wide : MOST_WIDTH.narrow;
+  }
+
+  private get left(): number {
+    return this.MARGIN * 1.25;
+  }
+
+  protected override reflowInternal_(): void {
+    this.workspace_.scale = this.getFlyoutScale();
+    const widths = this.getContents().map((item) => item.getElement().getBoundingRectangle().getWidth());
+    const content = (Math.max(0, ...widths) + this.left) * this.workspace_.scale + SCROLLBAR;
+    this.widest = Math.max(this.widest, Math.min(this.mostWidth, Math.ceil(content)));
+    if (this.getWidth() === this.widest) return;
+    this.width_ = this.widest;
+    this.position();
+    this.targetWorkspace.resizeContents();
+    this.targetWorkspace.recordDragTargets();
+  }
+}

@@ -1,0 +1,80 @@
+/** The buttons for the zoom and the bin, drawn like the buttons of the page. */
+
+import * as Blockly from "blockly/core";
+
+import { type IconName, icon } from "../../ui/icons";
+
+const { Svg, dom } = Blockly.utils;
+const ICON = 20;
+/** Between two buttons, and from the bin to the edge. */
+const GAP = 8;
+const EDGE = 20;
+/** Blockly reserves this place for the bin, at the bottom of which its button is. */
+const BIN = { width: 47, height: 60 };
+
+/** Private members of Blockly's zoom controls: their measures, used before they are placed. */
+interface Measures {
+  WIDTH: number;
+  HEIGHT: number;
+  SMALL_SPACING: number;
+  LARGE_SPACING: number;
+  MARGIN_HORIZONTAL: number;
+}
+
+const ZOOM: Readonly<Record<string, IconName>> = {
+  blocklyZoomIn: "plus",
+  blocklyZoomOut: "minus",
+  blocklyZoomReset: "follow",
+};
+
+/** Draw the buttons of a workspace in a row at the bottom; fingers get larger ones. */
+export function drawTools(workspace: Blockly.WorkspaceSvg): void {
+  const size = matchMedia("(pointer: coarse)").matches ? 44 : 40;
+  const measures = workspace.zoomControls_ as unknown as Measures | null;
+  if (measures) Object.assign(measures, inRow(size));
+  const svg = workspace.getParentSvg();
+  svg.style.setProperty("--lb-step", `${size + GAP}px`);
+  for (const [kind, name] of Object.entries(ZOOM))
+    draw(svg.querySelector(`.${kind}`), name, { width: size, height: size });
+  const bin = svg.querySelector(".blocklyTrash");
+  draw(bin, "trash", { width: BIN.width, height: size, top: BIN.height - size });
+  workspace.resize();
+}
+
+/** Blockly would place the zoom's buttons above each other: here all are in one place, and the style sheet moves them. */
+function inRow(size: number): Measures {
+  return {
+    WIDTH: size,
+    HEIGHT: size,
+    SMALL_SPACING: -size,
+    LARGE_SPACING: -size,
+    MARGIN_HORIZONTAL: EDGE + BIN.width + GAP,
+  };
+}
+
+interface Size {
+  readonly width: number;
+  readonly height: number;
+  /** Its distance from the top of its place. */
+  readonly top?: number;
+}
+
+/** Draw a button in place of Blockly's pictures; its role, label and keys are Blockly's. */
+function draw(button: Element | null, name: IconName, { width, height, top = 0 }: Size): void {
+  if (!button) return;
+  button.replaceChildren();
+  button.classList.add("lbTool");
+  dom.createSvgElement(Svg.RECT, { y: top, width, height, rx: 12, class: "lbToolFace" }, button);
+  const picture = icon(name);
+  const place = { x: (width - ICON) / 2, y: top + (height - ICON) / 2, width: ICON, height: ICON };
+  for (const [key, value] of Object.entries(place)) picture.setAttribute(key, String(value));
+  button.append(picture);
+  // The label of the bin says whether it is empty, so it changes.
+  if (name !== "trash") addTitle(button);
+}
+
+function addTitle(button: Element): void {
+  const title = document.createElementNS(dom.SVG_NS, "title");
+  title.textContent = button.getAttribute("aria-label");
+  button.append(title);
+}

@@ -1,0 +1,37 @@
+/** What the picture of the world shows, for tests. */
+
+import { type PerspectiveCamera, Vector3 } from "three";
+
+import type { Subject } from "./framing";
+import type { XY } from "./scenery/description";
+
+export interface Drawn {
+  /** The part of the picture's height that the robot takes. */
+  readonly share: number;
+  /** Where the robot and the first goal with a place are in the picture: -1 to 1, to the right and up. */
+  readonly robot: XY;
+  readonly goal: XY | null;
+  /** The number of effects that have begun so far, such as confetti. */
+  readonly effects: number;
+}
+
+/** @param effects that have begun so far. */
+export function drawn({ x, y, reach, height, goal }: Subject, camera: PerspectiveCamera, effects: number): Drawn {
+  camera.updateMatrixWorld();
+  // The corners of a square in the robot's outline, not around it.
+  const half = reach * Math.SQRT1_2;
+  const ups = [0, height].flatMap((z) =>
+    [-half, half].flatMap((east) => [-half, half].map((north) => placeOf(camera, x + east, y + north, z)[1])),
+  );
+  return {
+    share: (Math.max(...ups) - Math.min(...ups)) / 2,
+    robot: placeOf(camera, x, y, 0),
+    goal: goal && placeOf(camera, ...goal, 0),
+    effects,
+  };
+}
+
+function placeOf(camera: PerspectiveCamera, x: number, y: number, z: number): XY {
+  const place = new Vector3(x, y, z).project(camera);
+  return [place.x, place.y];
+}

@@ -1,0 +1,146 @@
+/** Places the camera so that the robot is large and its first goal is in sight. */
+
+import { Vector3 } from "three";
+
+import type { XY } from "./scenery/description";
+import { radians } from "./scenery/geometry";
+
+/** Degrees of the picture's height. */
+export const FIELD = 36;
+/** The part of the picture in which robot and goal are, from its middle. */
+export const INNER = 0.8;
+/** The robot's part of the picture's height: the least, the most, and the usual one without a goal. */
+const LEAST = 0.14;
+const MOST = 0.3;
+const ALONE = 0.2;
+/** What a turn from the south by 90 degrees costs, and what a robot that looks into the camera is worth. */
+const SIDEWAYS = 0.05;
+const FACING = 0.04;
+/** Degrees down, and degrees from the south. */
+const STEEPNESSES = [30, 27, 33] as const;
+const TURNS = [0, 15, -15, 30, -30, 45, -45, 60, -60, 80, -80, 100, -100, 125, -125, 150, -150, 180] as const;
+/** Where the camera looks, from the robot to its goal. */
+const PARTS = [0, 0.15, 0.3, 0.45, 0.6] as const;
+const NEAREST = 260;
+const FARTHEST = 9000;
+const STEP = 1.07;
+
+const TAN = Math.tan(radians(FIELD / 2));
+
+/** What the picture shows. */
+export interface Subject {
+  readonly x: number;
+  readonly y: number;
+  readonly heading: number;
+  /** The radius around it, and its height, mm. */
+  readonly reach: number;
+  readonly height: number;
+  /** The first goal; null if it has no place. */
+  readonly goal: XY | null;
+}
+
+export interface View {
+  readonly place: Vector3;
+  readonly target: Vector3;
+}
+
+/** The best of many places for the camera. */
+export function frame(subject: Subject, aspect: number): View {
+  let best: { eye: Eye; score: number } | null = null;
+  for (const steepness of STEEPNESSES) {
+    for (const turn of TURNS) {
+      for (const part of subject.goal ? PARTS : PARTS.slice(0, 1)) {
+        const eye = nearest(subject, steepness, turn, part, aspect);
+        const score = eye ? worth(eye.share(subject), turn, subject.heading) : Number.NEGATIVE_INFINITY;
+        if (eye && score > (best?.score ?? Number.NEGATIVE_INFINITY)) best = { eye, score };
+      }
+    }
+  }
+  return (best?.eye ?? new Eye(subject.x, subject.y, STEEPNESSES[0], 0, aspect)).view;
+}
+
+/** How good a picture is; one with too small a robot is worse than all others. */
+function worth(share: number, turn: number, heading: number): number {
+  const facing = Math.cos(radians(turn - 90 + heading));
+  const score = Math.min(share, MOST) - (SIDEWAYS * Math.abs(turn)) / 90 + FACING * facing;
+  return share < LEAST ? score - 1 : score;
+}
+
+/** The nearest camera that has everything in the inner part of its picture. */
+function nearest(subject: Subject, steepness: number, turn: number, part: number, aspect: number): Eye | null {
+  const [goalX, goalY] = subject.goal ?? [subject.x, subject.y];
+  const [x, y] = [subject.x + part * (goalX - subject.x), subject.y + part * (goalY - subject.y)];
+  const most = subject.goal ? MOST : ALONE;
+  const eye = new Eye(x, y, steepness, turn, aspect);
+  for (let distance = NEAREST; distance < FARTHEST; distance *= STEP) {
+    eye.distance = distance;
+    if (eye.share(subject) <= most && eye.shows(subject)) return eye;
+  }
+  return null;
+}
+
+/** A camera that looks at a point on the floor. It makes no vectors: thousands of places are tried. */
+class Eye {
+  distance = NEAREST;
+  private readonly level: number;
+  private readonly rise: number;
+  private readonly east: number;
+  private readonly north: number;
+
+  constructor(
+    private readonly x: number,
+    private readonly y: number,
+    steepness: number,
+    turn: number,
+    private readonly aspect: number,
+  ) {
+    const [down, around] = [radians(steepness), radians(turn - 90)];
+    this.level = Math.cos(down);
+    this.rise = Math.sin(down);
+    this.east = Math.cos(around);
+    this.north = Math.sin(around);
+  }
+
+  get view(): View {
+    const target = new Vector3(this.x, this.y, 0);
+    const back = new Vector3(this.level * this.east, this.level * this.north, this.rise);
+    return { target, place: target.clone().addScaledVector(back, this.distance) };
+  }
+
+  /** The part of the picture's height that the robot takes: from its nearest to its farthest upper edge. */
+  share({ x, y, reach, height }: Subject): number {
+    const [out, across] = [this.east * reach, this.north * reach];
+    return (this.up(x - out, y - across, height) - this.up(x + out, y + across, 0)) / 2;
+  }
+
+  shows({ x, y, reach, height, goal }: Subject): boolean {
+    if (goal && !(this.has(goal[0], goal[1], 0) && this.has(goal[0], goal[1], height))) return false;
+    const r = reach * Math.SQRT1_2;
+    for (const east of [x - r, x + r]) {
+      for (const north of [y - r, y + r]) {
+        if (!this.has(east, north, 0) || !this.has(east, north, height)) return false;
+      }
+    }
+    return true;
+  }
+
+  /** Whether a point is in the inner part of the picture. */
+  private has(x: number, y: number, z: number): boolean {
+    const depth = this.depth(x, y, z);
+    const right = -this.north * (x - this.x) + this.east * (y - this.y);
+    return depth > 0 && Math.abs(right) < INNER * depth * this.aspect && Math.abs(this.up(x, y, z)) < INNER;
+  }
+
+  /** How far up a point is in the picture, -1 to 1; above it if it is behind the camera. */
+  private up(x: number, y: number, z: number): number {
+    const back = this.east * (x - this.x) + this.north * (y - this.y);
+    const depth = this.depth(x, y, z);
+    return depth > 0 ? (this.level * z - this.rise * back) / depth : 2;
+  }
+
+  /** Half of the height that the picture has at a point, mm. */
+  private depth(x: number, y: number, z: number): number {
+    const back = this.east * (x - this.x) + this.north * (y - this.y);
+    return TAN * (this.distance - this.level * back - this.rise * z);
+  }
+}

@@ -1,0 +1,63 @@
+/** Lowers the quality of the picture in steps while frames are slow. */
+
+/** Frames between two decisions. */
+const WATCHED = 45;
+/** ms from frame to frame that are too slow. */
+const SLOW = 33;
+/** A longer gap is a pause, not a slow frame. */
+const PAUSE = 400;
+
+/** The steps, best first. */
+export interface Quality {
+  /** Whether robots reflect a room. */
+  readonly reflections: boolean;
+  /** Whether shadows fall on things, not only on the floor. */
+  readonly shaded: boolean;
+  /** Pixels of the map of shadows. */
+  readonly shadows: number;
+  /** Of the sharpest picture that the screen can show. */
+  readonly sharpness: number;
+}
+
+export const QUALITIES: readonly Quality[] = [
+  { reflections: true, shaded: true, shadows: 1024, sharpness: 1 },
+  { reflections: false, shaded: true, shadows: 1024, sharpness: 1 },
+  { reflections: false, shaded: false, shadows: 1024, sharpness: 1 },
+  { reflections: false, shaded: false, shadows: 512, sharpness: 1 },
+  { reflections: false, shaded: false, shadows: 512, sharpness: 0.75 },
+  { reflections: false, shaded: false, shadows: 512, sharpness: 0.6 },
+  { reflections: false, shaded: false, shadows: 512, sharpness: 0.5 },
+];
+
+export class Qualities {
+  private frames = 0;
+  private spent = 0;
+  private last = 0;
+
+  /** @param step the first step, an index of `QUALITIES`. */
+  constructor(
+    private step: number,
+    private readonly apply: (quality: Quality) => void,
+  ) {
+    this.choose();
+  }
+
+  /** Note a frame at `now`, in ms; `flows` if the next one follows at once. */
+  note(now: number, flows: boolean): void {
+    const took = now - this.last;
+    this.last = now;
+    if (!flows || took > PAUSE) return;
+    this.frames += 1;
+    this.spent += took;
+    if (this.frames < WATCHED) return;
+    if (this.spent / this.frames > SLOW && this.step < QUALITIES.length - 1) {
+      this.step += 1;
+      this.choose();
+    }
+    this.frames = this.spent = 0;
+  }
+
+  private choose(): void {
+    this.apply(QUALITIES[this.step] as Quality);
+  }
+}

@@ -1,0 +1,64 @@
+import { expect, test } from "vitest";
+
+import { type FilledTab, found, type Item, type Offer, offered } from "../../../src/views/blocks/offers";
+
+const WORDS = {
+  more: (count: number) => `+ ${count}`,
+  fewer: () => "fewer",
+  missing: (need: string) => `no ${need}`,
+};
+
+function block(name: string, ...needs: string[]): Item {
+  return { kind: "block", type: name, needs };
+}
+
+const TABS: readonly FilledTab[] = [
+  { name: "Driving", category: "Base", items: [block("drive"), block("turn"), block("slow")] },
+  { name: "Head", category: "Motor", items: [block("look", "Motor"), block("tilt", "Motor")] },
+];
+const FIRST = [
+  { heading: "", blocks: ["turn", "drive"] },
+  { heading: "Look", blocks: ["look"] },
+];
+
+function shown(change: Partial<Offer>): string[] {
+  const offer = { tabs: TABS, first: FIRST, open: false, lacks: new Set<string>(), ...change };
+  return offered(offer, WORDS).map(wordOf);
+}
+
+function wordOf(item: Item): string {
+  return (item as { text?: string }).text ?? `${item.lacking ? "pale " : ""}${item.type}`;
+}
+
+test("a group first shows its first blocks, in their order, and counts the others", () => {
+  expect(shown({})).toEqual(["turn", "drive", "Look", "look", "+ 2"]);
+});
+
+test("the others follow under the names of their tabs", () => {
+  const others = ["Driving", "slow", "Head", "tilt", "fewer"];
+  expect(shown({ open: true })).toEqual(["turn", "drive", "Look", "look", ...others]);
+});
+
+test("blocks that the robot can't do are pale, last, and under the reason", () => {
+  const lacks = new Set(["Motor"]);
+  expect(shown({ lacks })).toEqual(["turn", "drive", "+ 3"]);
+  const others = ["Driving", "slow", "no Motor", "pale look", "pale tilt", "fewer"];
+  expect(shown({ lacks, open: true })).toEqual(["turn", "drive", ...others]);
+});
+
+test("a block set shows all its blocks at once", () => {
+  expect(shown({ first: null })).toEqual(["Driving", "drive", "turn", "slow", "Head", "look", "tilt"]);
+});
+
+test("a group without any of its first blocks shows the others at once", () => {
+  expect(shown({ tabs: [TABS[1]!], lacks: new Set(["Motor"]) })).toEqual(["no Motor", "pale look", "pale tilt"]);
+});
+
+test("a whole tab can be among the first", () => {
+  expect(shown({ first: [{ heading: "", blocks: ["Base"] }] })).toEqual(["drive", "turn", "slow", "+ 2"]);
+});
+
+test("found blocks that the robot can't do come last", () => {
+  const items = [block("look", "Motor"), block("drive")];
+  expect(found(items, new Set(["Motor"]), WORDS).map(wordOf)).toEqual(["drive", "no Motor", "pale look"]);
+});

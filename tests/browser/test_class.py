@@ -1,0 +1,254 @@
+"""A lesson hour: a class joins, works on a lesson, one child is helped, the work is graded."""
+
+import csv
+import os
+import re
+import subprocess
+import sys
+import zipfile
+from types import SimpleNamespace
+
+import pytest
+from playwright.sync_api import expect
+
+from browser.conftest import ARTEFACTS
+from browser.pupil import LONGEST_RUN
+from browser.test_accessibility import faults
+from classes import opened
+
+LESSON = "First drive"
+NAMES = ("Ana", "Leo", "Mia", "Noa", "Sam")
+PREDICTION = "On the blue line"
+
+
+@pytest.fixture
+def room(tmp_path):
+    with opened(tmp_path / "teacher") as one:
+        yield one
+
+
+@pytest.fixture
+def desk(browser):
+    """A function that opens a page in a browser of its own; an uncaught error fails the test."""
+    contexts, errors = [], []
+
+    def sit_down(address, width=1366, height=768, **options):
+        viewport = {"width": width, "height": height}
+        context = browser.new_context(viewport=viewport, locale="en", **options)
+        context.set_default_timeout(20_000)
+        context.add_init_script(
+            "localStorage['learnblock.preferences'] ??= JSON.stringify("
+            "{tourDone: true, sound: false, theme: 'light'})"
+        )
+        contexts.append(context)
+        page = context.new_page()
+        page.on("pageerror", lambda error: errors.append(error.stack or str(error)))
+        page.goto(address)
+        return page
+
+    yield sit_down
+    for context in contexts:
+        context.close()
+    assert errors == []
+
+
+def picture(page, name):
+    folder = ARTEFACTS / "class"
+    folder.mkdir(parents=True, exist_ok=True)
+    page.screenshot(path=folder / f"{name}.png")
+
+
+def button(page, name, **options):
+    return page.get_by_role("button", name=name, exact=True, **options)
+
+
+def join(desk, address, word, name, **options):
+    """Join as a child does who is new; return the page and the pictures."""
+    page = desk(address, **options)
+    page.get_by_label("What is the join word?").fill(word)
+    page.keyboard.press("Enter")
+    page.get_by_label("What is your first name?").fill(name)
+    button(page, "I am new here").click()
+    expect(page.locator(".pin-row li")).to_have_count(4)
+    pictures = page.locator(".pin-row li").all_text_contents()
+    page.get_by_role("link", name="I'll remember them").click()
+    expect(page.locator(".pupil-chip")).to_contain_text(name)
+    return page, pictures
+
+
+def tile(wall, name):
+    return wall.get_by_role("listitem", name=name, exact=True)
+
+
+def run(page):
+    button(page, "Run").click()
+    expect(button(page, "Run")).to_be_enabled(timeout=LONGEST_RUN)
+
+
+def test_a_lesson_hour(room, desk, tmp_path):
+    wall = open_wall(room, desk)
+    pages = {name: join(desk, room.address, room.word, name)[0] for name in NAMES}
+    expect(wall.locator(".tile")).to_have_count(len(NAMES))
+    expect(wall.locator(".class-joining")).to_contain_text("5 pupils are here")
+    hand_out(wall, pages)
+    work(wall, pages["Ana"])
+    ask_and_get_a_hint(wall, pages["Leo"])
+    help_in_the_program(wall, pages["Leo"])
+    look_up(wall, pages)
+    collect(wall)
+    grade(room, tmp_path / "out")
+
+
+def open_wall(room, desk):
+    """Open the wall, which says how to join."""
+    wall = desk(f"{room.address}/teacher?key={room.key}")
+    # The key is gone from the address, so that a glance at the screen does not reveal it.
+    expect(wall).to_have_url(f"{room.address}/teacher")
+    expect(wall.locator(".join-address")).to_have_text(room.address)
+    expect(wall.locator(".join-word")).to_have_text(room.word)
+    picture(wall, "1-before-anybody-is-here")
+    return wall
+
+
+def hand_out(wall, pages):
+    """Hand out a lesson, which opens on every page."""
+    button(wall, "Hand out a lesson").click()
+    wall.get_by_role("menuitem", name=LESSON).click()
+    for name, page in pages.items():
+        expect(page.locator("[data-region=lesson]")).to_contain_text("What will it do?")
+        expect(tile(wall, name)).to_contain_text("step 1 of")
+    picture(wall, "2-lesson-handed-out")
+
+
+def work(wall, page):
+    """Do two steps of the lesson, which the wall shows."""
+    page.get_by_role("radio", name=PREDICTION).check()
+    button(page, "Check").click()
+    expect(page.locator(".lesson-judged")).to_contain_text("Right!")
+    button(page, "Next").click()
+    run(page)
+    expect(tile(wall, "Ana")).to_contain_text("step 2 of")
+    expect(tile(wall, "Ana")).to_contain_text(re.compile("[2-9] ★"))
+    picture(page, "3-a-quick-pupil")
+
+
+def ask_and_get_a_hint(wall, page):
+    """Raise the hand, and read the teacher's hint."""
+    button(page, "I need help").click()
+    expect(tile(wall, "Leo")).to_contain_text("Asks for help")
+    expect(wall.locator(".tile").first).to_contain_text("Leo")
+    picture(wall, "4-a-raised-hand")
+    button(tile(wall, "Leo"), "Hint").click()
+    wall.get_by_label("What should the pupil look at?").fill("Which number is in the block?")
+    button(wall, "Send").click()
+    expect(page.locator(".class-notes")).to_contain_text("Which number is in the block?")
+    expect(tile(wall, "Leo")).not_to_contain_text("Asks for help")
+    picture(page, "5-a-hint")
+
+
+def help_in_the_program(wall, page):
+    """Look at the pupil's program, and write in it while the pupil agrees."""
+    with wall.context.expect_page() as shown:
+        tile(wall, "Leo").get_by_role("link", name="Open").click()
+    looking = shown.value
+    notes = looking.locator(".class-notes")
+    expect(notes).to_contain_text("You are looking at the program of Leo")
+    button(looking, "Ask to write").click()
+    button(page, "Let them write").click()
+    expect(notes).to_contain_text("You can write in the program of Leo")
+    picture(looking, "6-the-teacher-helps")
+    button(page, "That's enough").click()
+    expect(notes).to_contain_text("You are looking")
+    looking.close()
+
+
+def look_up(wall, pages):
+    """Have all pages rest, and go on."""
+    button(wall, "Eyes up").click()
+    for page in pages.values():
+        expect(page.get_by_role("heading", name="Eyes up!")).to_be_visible()
+    page = pages["Ana"]
+    picture(page, "7-eyes-up")
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("heading", name="Eyes up!")).to_be_visible()
+    button(wall, "Eyes up").click()
+    expect(page.get_by_role("heading", name="Eyes up!")).to_have_count(0)
+
+
+def collect(wall):
+    """Download the work of all."""
+    with wall.expect_download() as download:
+        wall.get_by_role("link", name="Download all work").click()
+    with zipfile.ZipFile(download.value.path()) as archive:
+        handed_in = [name for name in archive.namelist() if name.endswith(f"/{LESSON}.learnblock")]
+    assert len(handed_in) == len(NAMES)
+
+
+def grade(room, out):
+    """Grade the class while it is open."""
+    command = [sys.executable, "-m", "learnblock", "grade", "--class", "7b"]
+    command += ["--lesson", "1-01-first-drive", "--step", "2", "--robots", "sim-thymio"]
+    graded = subprocess.run(
+        [*command, "--variants", "0", "--out", out],
+        env={**os.environ, "LEARNBLOCK_HOME": str(room.home)},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+    assert graded.returncode == 0, graded.stderr
+    with (out / "results.csv").open(newline="", encoding="utf-8-sig") as results:
+        rows = list(csv.DictReader(results))
+    assert [row["pupil"].partition(" ")[0] for row in rows] == list(NAMES)
+
+
+def test_the_wall_and_the_entrance_have_no_faults_for_axe(room, desk, axe):
+    def found(page):
+        return faults(SimpleNamespace(page=page), axe)
+
+    entrance = desk(room.address)
+    expect(entrance.get_by_label("What is the join word?")).to_be_visible()
+    assert found(entrance) == []
+    page, pictures = join(desk, room.address, room.word, "Ana")
+    again = desk(room.address, width=390, height=844)
+    again.get_by_label("What is the join word?").fill(room.word)
+    again.keyboard.press("Enter")
+    again.get_by_label("What is your first name?").fill("Ana")
+    button(again, "I have been here before").click()
+    assert found(again) == []
+    picture(again, "pictures-390")
+    for name in pictures:
+        button(again, name.strip()).click()
+    expect(again.locator(".pupil-chip")).to_contain_text("Ana")
+    picture(again, "joined-390")
+    wall = desk(f"{room.address}/teacher?key={room.key}")
+    expect(wall.locator(".tile")).to_have_count(1)
+    assert found(wall) == []
+    projector = wall.context.new_page()
+    projector.goto(f"{room.address}/projector")
+    expect(projector.locator(".join-word")).to_have_text(room.word)
+    assert found(projector) == []
+    picture(projector, "projector")
+    page.close()
+
+
+def test_the_wall_is_not_shown_to_pupils(room, desk):
+    page, _ = join(desk, room.address, room.word, "Ana")
+    page.goto(f"{room.address}/teacher")
+    expect(page.locator("body")).not_to_contain_text(room.word)
+    page.goto(f"{room.address}/projector")
+    expect(page.locator("body")).to_contain_text("This page is the teacher's")
+
+
+def test_wrong_pictures_are_said_in_spanish(room, desk):
+    join(desk, room.address, room.word, "Ana")
+    page = desk(room.address)
+    page.get_by_role("combobox").select_option("es")
+    page.get_by_label("¿Cuál es la palabra para entrar?").fill(room.word)
+    page.keyboard.press("Enter")
+    page.get_by_label("¿Cómo te llamas?").fill("Ana")
+    button(page, "Ya he estado aquí").click()
+    for _ in range(4):
+        button(page, "Manzana").click()
+    expect(page.get_by_role("alert")).to_contain_text("no van juntos")
+    picture(page, "wrong-pictures-es")

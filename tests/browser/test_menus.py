@@ -1,0 +1,59 @@
+"""Menus are shown whole and in front of everything, wherever their buttons are."""
+
+import pytest
+from playwright.sync_api import expect
+
+SMALL = {"width": 1366, "height": 560}
+#: The parts of a menu that something covers, or that are outside of the window.
+COVERED = """list => [...list.querySelectorAll("[role^=menuitem]")].filter((item) => {
+    item.scrollIntoView({ block: "nearest" });
+    const { left, top, width, height } = item.getBoundingClientRect();
+    return !item.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+}).map((item) => item.textContent)"""
+
+
+def list_of(pupil):
+    return pupil.page.get_by_role("menu")
+
+
+@pytest.mark.parametrize("menu", ["World", "View and robot", "Robot", "Project"])
+def test_no_pane_covers_an_item_of_a_menu_while_the_output_is_open(sit_down, server, menu):
+    pupil = sit_down(server)
+    expect(pupil.page.locator("#panel")).to_be_visible()
+    pupil.menu(menu).click()
+    pupil.picture(menu)
+    assert list_of(pupil).evaluate(COVERED) == []
+
+
+def test_the_last_world_is_chosen_with_two_clicks_in_a_low_window(sit_down, server):
+    pupil = sit_down(server, viewport=SMALL)
+    pupil.menu("World").click()
+    last = pupil.page.get_by_role("menuitemradio").last
+    name = last.text_content()
+    last.click()
+    pupil.expect_chosen("World", name)
+
+
+def test_the_button_of_an_open_menu_hides_the_world_behind_it(sit_down, server):
+    pupil = sit_down(server)
+    pupil.menu("World").focus()
+    pupil.page.keyboard.press("ArrowDown")
+    expect(list_of(pupil)).to_be_visible()
+    colour = pupil.menu("World").evaluate("one => getComputedStyle(one).backgroundColor")
+    assert colour.startswith("rgb(")
+
+
+def test_a_menu_follows_its_button_when_the_window_changes_its_size(sit_down, server):
+    pupil = sit_down(server)
+    pupil.menu("View and robot").click()
+    pupil.page.set_viewport_size({"width": 1200, "height": 700})
+    pupil.page.wait_for_function(
+        """([list, button]) => {
+            const [menu, owner] = [list, button].map((one) => one.getBoundingClientRect());
+            return Math.abs(menu.right - owner.right) < 2 && menu.top > owner.bottom;
+        }""",
+        arg=[
+            list_of(pupil).element_handle(),
+            pupil.menu("View and robot").element_handle(),
+        ],
+    )

@@ -1,0 +1,90 @@
+"""A picture and a film of the world are saved to show them to others."""
+
+import cv2
+import pytest
+from playwright.sync_api import expect
+
+from browser.pupil import LONGEST_RUN
+
+DRIVING = """\
+main:
+    function.drive_distance(100)
+    function.turn(45)
+end
+"""
+
+
+#: A browser that records only films of one type.
+ONLY = """type => {
+    MediaRecorder.isTypeSupported = (one) => one === type;
+}"""
+
+
+@pytest.fixture
+def pupil(sit_down, server):
+    pupil = sit_down(server, empty=True)
+    pupil.write("blocktext", DRIVING)
+    expect(pupil.blocks("lb_skill_drive_distance")).to_be_visible()
+    return pupil
+
+
+def saved(pupil, command, tmp_path):
+    """Choose a command of the world's menu; return the path of the file that it saves."""
+    # A film is saved when its run has ended.
+    with pupil.page.expect_download(timeout=LONGEST_RUN) as started:
+        pupil.command("World", command)
+    path = tmp_path / started.value.suggested_filename
+    started.value.save_as(path)
+    return path
+
+
+def is_colourful(frame):
+    """Whether a picture has more than one colour above its caption."""
+    return frame[: frame.shape[0] * 3 // 4].std() > 10
+
+
+def test_a_picture_of_the_world_has_the_name_of_the_project(pupil, tmp_path):
+    path = saved(pupil, "Save picture", tmp_path)
+    picture = cv2.imread(str(path))
+    assert path.stem == pupil.name_of_project()
+    assert picture.shape == (720, 1280, 3)
+    assert is_colourful(picture)
+
+
+def test_a_film_shows_the_run_from_its_start_to_its_end(pupil, tmp_path):
+    path = saved(pupil, "Film a run", tmp_path)
+    pupil.state("Ended")
+    film = cv2.VideoCapture(str(path))
+    frames = []
+    while (frame := film.read())[0]:
+        frames.append(frame[1])
+    # A busy machine films fewer.
+    assert len(frames) > 2
+    assert is_colourful(frames[0])
+    assert abs(frames[0].astype(int) - frames[-1]).max() > 50
+    expect(pupil.page.locator(".filming")).to_have_count(0)
+
+
+def test_a_browser_that_cannot_film_says_so_and_the_run_is_not_started(pupil):
+    pupil.page.evaluate(ONLY, "none")
+    pupil.command("World", "Film a run")
+    pupil.expect_note("This browser can’t make films.")
+    expect(pupil.page.locator(".filming")).to_have_count(0)
+    pupil.state("Ready")
+
+
+def test_without_webm_the_film_is_an_mp4(pupil, tmp_path):
+    if not pupil.page.evaluate("MediaRecorder.isTypeSupported('video/mp4')"):
+        pytest.skip("this Chromium cannot record mp4")
+    pupil.page.evaluate(ONLY, "video/mp4")
+    path = saved(pupil, "Film a run", tmp_path)
+    assert path.suffix == ".mp4"
+    assert cv2.VideoCapture(str(path)).read()[0]
+
+
+def test_a_run_that_does_not_start_is_not_filmed(pupil):
+    pupil.write("blocktext", "main:\n    unknown_word\nend\n")
+    expect(pupil.page.locator("[role=tab] .count")).to_have_text("1")
+    pupil.command("World", "Film a run")
+    pupil.expect_note("The program has an error")
+    expect(pupil.page.locator(".filming")).to_have_count(0)
