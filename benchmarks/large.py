@@ -12,7 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from page import CANVAS, chromium, serving, visitor
+from _browser import STARTED, chromium, serving, visitor
 from playwright.sync_api import Page
 
 GIVEN = Path(__file__).with_suffix(".js")
@@ -20,6 +20,7 @@ LINES = 5000
 #: The time for which the program runs, in ms.
 RUNNING = 10_000
 #: The edits change the number on the second line, in the first statement of the first stack.
+CANVAS = "[data-region=blocks] .blocklySvg > .blocklyWorkspace > .blocklyBlockCanvas"
 NUMBER = f"{CANVAS} > g > .lb_skill_sleep > .blocklyShadow"
 STATEMENT = "    function.sleep(1)\n"
 FIRST = f"def first():\n{STATEMENT}end\n"
@@ -85,7 +86,7 @@ def created(page: Page, name: str, text: str) -> None:
 
 
 def opened(page: Page, address: str, name: str) -> Figures:
-    page.goto(f"{address}&test&project={name}")
+    page.goto(f"{address}&test#project={name}")
     page.evaluate("number => void (large.number = number)", NUMBER)
     return Figures(page.evaluate("() => large.opening()"))
 
@@ -120,7 +121,7 @@ def edited(page: Page, words: str, act: Callable[[], None]) -> Figures:
 
 def ran(page: Page) -> Figures:
     """Run the program at 10 times for a while."""
-    page.get_by_role("combobox", name="Speed").select_option(label="10×")
+    page.get_by_role("slider", name="Speed").fill("6")
     began = page.evaluate("() => large.now()")
     page.get_by_role("button", name="Run", exact=True).click()
     page.wait_for_function("() => learnblock.context.running.active.value")
@@ -156,12 +157,11 @@ def measure(page: Page, address: str, name: str, text: str) -> None:
 
 def main() -> None:
     lines = int(sys.argv[1]) if len(sys.argv) > 1 else LINES
-    with chromium() as browser, serving() as address, visitor(browser) as page:
+    with chromium() as browser, serving() as address, visitor(browser, GIVEN) as page:
         print(f"Python {platform.python_version()}, Chromium {browser.version},", end=" ")
         print(f"{os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}; seconds")
         print(f"{'':22}", *(f"{name:>9}" for name in SEEN), f"{'> 0.2 s':>9}", "  longest tasks")
-        page.add_init_script(path=GIVEN)
-        page.goto(f"{address}&test")
+        page.goto(f"{address}&test#project={STARTED}")
         page.wait_for_function("() => globalThis.learnblock?.context.program.state.value.blocktext")
         measure(page, address, "functions", program(lines))
         measure(page, address, "stack", one_stack(lines))

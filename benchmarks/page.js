@@ -30,23 +30,51 @@ globalThis.measures = (() => {
 
   const nextFrame = () => new Promise(requestAnimationFrame);
 
-  const isReady = () =>
+  const isReady = () => (location.hash.includes("project=") ? showsProject() : document.querySelector("main h1"));
+
+  const showsProject = () =>
     document.querySelector(".blocklyBlockCanvas .blocklyDraggable") !== null &&
-    (globalThis.learnblock?.views.world?.framesDrawn ?? 0) > 0 &&
+    (globalThis.learnblock?.views.world.value?.framesDrawn ?? 0) > 0 &&
     learnblock.context.running.scene.value !== null;
 
-  /** Until blocks and world are there: ms since the navigation, and what came over the wire. */
+  /** Until the start page, or blocks and world, are there: ms since the navigation. */
   const ready = async () => {
     while (!isReady()) await nextFrame();
-    const time = performance.now();
+    return { ready: await painted() };
+  };
+
+  /** What has come over the wire, in bytes, and when the first of it was painted. */
+  const transferred = () => {
     const came = [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")];
     return {
-      ready: time,
       painted: performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? 0,
       bytes: came.reduce((sum, one) => sum + one.transferSize, 0),
       requests: came.length,
     };
   };
+
+  const tasks = [];
+  new PerformanceObserver((list) => tasks.push(...list.getEntries())).observe({ type: "longtask" });
+
+  /** From now on, until each key is painted; typing must change the text. */
+  const watchKeys = () => {
+    tasks.length = measures.keys.length = 0;
+    addEventListener(
+      "keydown",
+      async ({ timeStamp }) => {
+        const end = await painted();
+        measures.keys.push(end - timeStamp);
+      },
+      { capture: true },
+    );
+  };
+
+  const longestTask = () => Math.max(0, ...tasks.map(({ duration }) => duration));
+
+  /** Whether the program has as many turns, and they have arrived as blocks. */
+  const hasTurns = (count) =>
+    learnblock.context.program.settled &&
+    JSON.stringify(learnblock.context.program.state.value.workspace).split('"lb_skill_turn"').length > count;
 
   /** As from the clipboard; to type it would take the browser half a minute. */
   const paste = (text) => {
@@ -77,7 +105,7 @@ globalThis.measures = (() => {
 
   /** Pictures a second, of the world and of the display, and the longest time without one. */
   const frames = async (duration) => {
-    const [began, before] = [await nextFrame(), learnblock.views.world.framesDrawn];
+    const [began, before] = [await nextFrame(), learnblock.views.world.value.framesDrawn];
     let [now, count, gap] = [began, 0, 0];
     while (now - began < duration) {
       const next = await nextFrame();
@@ -86,8 +114,8 @@ globalThis.measures = (() => {
       count += 1;
     }
     const seconds = (now - began) / 1000;
-    return { drawn: (learnblock.views.world.framesDrawn - before) / seconds, display: count / seconds, gap };
+    return { drawn: (learnblock.views.world.value.framesDrawn - before) / seconds, display: count / seconds, gap };
   };
 
-  return { ready, paste, watch, frames, seen: null };
+  return { ready, transferred, paste, watch, frames, watchKeys, longestTask, hasTurns, keys: [], seen: null };
 })();

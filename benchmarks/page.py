@@ -1,27 +1,25 @@
-"""Measure the page: opening it, showing an edit in all three views, drawing the world.
+"""Measure the page: opening it, showing an edit in all three views, drawing the world, typing.
 
-    python benchmarks/page.py [opening] [sync] [drawing]
+    python benchmarks/page.py [opening] [sync] [drawing] [typing]
 
 It needs a built page, Playwright and a Chromium (``CHROMIUM=/path/to/it``).
 """
 
-import json
 import os
 import platform
 import re
-import shutil
 import statistics
-import subprocess
 import sys
-import tempfile
 import urllib.request
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from playwright.sync_api import Browser, Page, sync_playwright
+from _browser import SIZE, SPLIT, STARTED, Processors, chromium, serving, visitor
+from large import created
+from large import program as functions
+from playwright.sync_api import Browser, Page
 
 from learnblock.blocks import builtin
 from learnblock.language import Workspace, parse, to_workspace
@@ -33,8 +31,10 @@ OPENINGS = 5
 STARTS = 5
 #: The time in which frames are counted, in ms.
 WATCHED = 8000
-#: The time in which the largest program appears on a slow machine, in ms.
-TIMEOUT = 120_000
+#: Runs in which pictures are counted.
+RUNS = 3
+#: Lines of the program in which is typed, letters, and ms from letter to letter.
+LINES, LETTERS, PAUSE = 1000, 100, 120
 #: The edit changes the number on the second line.
 HEAD = "main:\n    function.sleep(1)\n"
 BODY = """\
@@ -48,9 +48,10 @@ BODY = """\
 CANVAS = "[data-region=blocks] .blocklySvg > .blocklyWorkspace > .blocklyBlockCanvas"
 NUMBER = f"{CANVAS} .lb_skill_sleep > .blocklyShadow"
 COLUMNS = ("all", "worst", "sending", "server", "showing", "painting")
-PARTS = ("opening", "sync", "drawing")
-#: There is no graphics card.
-SOFTWARE = "--enable-unsafe-swiftshader"
+PARTS = ("opening", "sync", "drawing", "typing")
+#: What the page is measured with, besides the newcomer's page: everything that moves.
+ALL_VIEWS = {**SPLIT, "views": ["blocks", "blocktext", "python"]}
+BUSY = {"split": False, "views": ["blocks"], "view": "blocks", "panel": True, "camera": True}
 
 
 # Opening the page.
@@ -59,14 +60,15 @@ SOFTWARE = "--enable-unsafe-swiftshader"
 def opening(browser: Browser) -> None:
     starts = [started() for _ in range(STARTS)]
     print(f"server      {statistics.median(starts):.2f} s until the first answer")
-    with serving() as address:
-        opened(browser, address)  # The first visit creates the project that later visits open.
-        measured = [opened(browser, address) for _ in range(OPENINGS)]
-    first, again = (sorted(one[index] for one in measured) for index in (0, 1))
-    print(f"page ready  {median_of(first, 'ready')} ms; again, from the cache,", end=" ")
-    print(f"{median_of(again, 'ready')} ms (first paint {median_of(first, 'painted')} ms)")
-    print(f"transferred {measured[0][0]['bytes'] / 1000:.0f} kB in", end=" ")
-    print(f"{measured[0][0]['requests']} requests; again {measured[0][1]['bytes'] / 1000:.0f} kB")
+    for name, place in (("start page", ""), ("project", f"#project={STARTED}")):
+        with serving() as address:
+            measured = [opened(browser, f"{address}&test{place}") for _ in range(OPENINGS)]
+        first, again = ([one[index] for one in measured] for index in (0, 1))
+        print(f"{name:11} ready in {median_of(first, 'ready')} ms", end=" ")
+        print(f"(first paint {median_of(first, 'painted')} ms),", end=" ")
+        print(f"again, from the cache, in {median_of(again, 'ready')} ms;", end=" ")
+        came, kept = median_of(first, "bytes", 1000), median_of(again, "bytes", 1000)
+        print(f"transferred {came} kB in {median_of(first, 'requests')} requests, again {kept} kB")
 
 
 def started() -> float:
@@ -78,25 +80,25 @@ def started() -> float:
 
 
 def opened(browser: Browser, address: str) -> "tuple[Figures, Figures]":
-    """Open the page with an empty cache, and again."""
-    with visitor(browser) as page:
-        return ready(page, address), ready(page, address)
+    """Open the page with an empty cache, and again in a new tab."""
+    with visitor(browser, GIVEN, SIZE, layout=None) as page:
+        first = ready(page, address)
+        page.goto("about:blank")
+        return first, ready(page, address)
 
 
 def ready(page: Page, address: str) -> "Figures":
-    page.goto(f"{address}&test")
-    return Figures(page.evaluate("measures.ready()"))
+    page.goto(address)
+    figures = Figures(page.evaluate("measures.ready()"))
+    page.wait_for_load_state("networkidle")
+    return figures | page.evaluate("measures.transferred()")
 
 
-class Figures(dict[str, float]):
-    """The measurements of one opening."""
-
-    def __lt__(self, other: "Figures") -> bool:
-        return self["ready"] < other["ready"]
+Figures = dict[str, float]
 
 
-def median_of(measured: "list[Figures]", name: str) -> str:
-    return f"{statistics.median(one[name] for one in measured):.0f}"
+def median_of(measured: list[Figures], name: str, unit: float = 1) -> str:
+    return f"{statistics.median(one[name] for one in measured) / unit:.0f}"
 
 
 # One program in three views.
@@ -104,10 +106,10 @@ def median_of(measured: "list[Figures]", name: str) -> str:
 
 def sync(browser: Browser) -> None:
     print(f"ms, medians of {ROUNDS}      ", *(f"{column:>9}" for column in COLUMNS))
-    with serving() as address, visitor(browser) as page:
-        page.goto(f"{address}&test")
+    with serving() as address, visitor(browser, GIVEN, layout=ALL_VIEWS) as page:
+        page.goto(f"{address}&test#project={STARTED}")
         page.evaluate("measures.ready()")
-        show_all_views(page)
+        page.locator("[data-region=python] .cm-content").wait_for()
         for size in SIZES:
             text, blocks = program(size)
             put_in(page, text)
@@ -137,23 +139,12 @@ def blocks(workspace: Workspace) -> list[str]:
     return [block.id for block in ahead]
 
 
-def show_all_views(page: Page) -> None:
-    for name in ("Blocks", "Block-Text", "Python"):
-        button = page.locator(".areas").get_by_role("button", name=name, exact=True)
-        if button.get_attribute("aria-pressed") == "false":
-            button.click()
-    page.locator("[data-region=python] .cm-content").wait_for()
-
-
 def put_in(page: Page, text: str) -> None:
     page.locator("[data-region=blocktext] .cm-content").click()
     page.keyboard.press("Control+a")
     page.evaluate("text => measures.paste(text)", text)
     turns = text.count("turn(90)")
-    page.wait_for_function(
-        "turns => document.querySelectorAll('.blocklyBlockCanvas .lb_skill_turn').length === turns",
-        arg=turns,
-    )
+    page.wait_for_function("turns => measures.hasTurns(turns)", arg=turns)
     page.wait_for_function("() => learnblock.context.program.settled")
 
 
@@ -226,69 +217,75 @@ def print_row(what: str, edits: list[Sync]) -> None:
 
 
 def drawing(browser: Browser) -> None:
-    with serving() as address, visitor(browser) as page:
-        page.goto(f"{address}&test")
+    layouts = {"alone": None, "with camera and sensors": BUSY}
+    for name, layout in layouts.items():
+        with serving() as address, visitor(browser, GIVEN, SIZE, layout) as page:
+            page.goto(f"{address}&test#project={STARTED}")
+            page.evaluate("measures.ready()")
+            page.evaluate("learnblock.project.create('frames', 'avoid')")
+            page.wait_for_url(re.compile("project=frames"))
+            choose_robot(page, "EBO")
+            if layout:
+                page.evaluate("learnblock.views.showPanel('sensors')")
+            runs = [watched(page) for _ in range(RUNS)]
+        print_drawing(name, runs)
+
+
+def choose_robot(page: Page, name: str) -> None:
+    page.get_by_role("button", name=re.compile("^Robot:")).click()
+    page.get_by_role("menuitemradio", name=name, exact=True).click()
+
+
+def watched(page: Page) -> Figures:
+    """Run the program, and count pictures and processor time while it runs."""
+    page.get_by_role("button", name="Run", exact=True).click()
+    page.wait_for_function("() => learnblock.context.running.telemetry.value?.time > 1")
+    processors = Processors()
+    figures = Figures(page.evaluate("duration => measures.frames(duration)", WATCHED))
+    figures |= {"browser": processors.cores("chrom"), "server": processors.cores("learnblock")}
+    page.get_by_role("button", name="Stop", exact=True).click()
+    page.wait_for_function("() => !learnblock.context.running.active.value")
+    return figures
+
+
+def print_drawing(name: str, runs: list[Figures]) -> None:
+    found = {key: statistics.median(run[key] for run in runs) for key in runs[0]}
+    print(f"world       {name}: {found['drawn']:.1f} pictures a second", end=" ")
+    print(f"of {found['display']:.1f} of the display, longest gap {found['gap']:.0f} ms;", end=" ")
+    print(f"browser {found['browser']:.2f} cores, server {found['server']:.2f}", end=" ")
+    print(f"(load {os.getloadavg()[0]:.1f})", flush=True)
+
+
+# Typing while a program runs.
+
+
+def typing(browser: Browser) -> None:
+    with serving() as address, visitor(browser, GIVEN, SIZE) as page:
+        page.goto(f"{address}&test#project={STARTED}")
         page.evaluate("measures.ready()")
-        page.evaluate("learnblock.project.create('frames', 'avoid')")
-        page.wait_for_url(re.compile("project=frames"))
-        page.get_by_role("combobox", name="Robot").select_option(label="EBO")
-        page.get_by_role("tab", name="Sensors").click()
-        page.get_by_role("button", name="Robot camera").click()
+        created(page, "long", functions(LINES))
         page.get_by_role("button", name="Run", exact=True).click()
-        page.locator(".camera-place canvas, .camera-place img").first.wait_for()
         page.wait_for_function("() => learnblock.context.running.active.value")
-        figures = page.evaluate("duration => measures.frames(duration)", WATCHED)
-    print(f"3D view     {figures['drawn']:.1f} pictures a second with plots and camera,", end=" ")
-    print(f"of {figures['display']:.1f} of the display; longest gap {figures['gap']:.0f} ms")
-
-
-# The setup.
-
-
-@contextmanager
-def serving() -> Iterator[str]:
-    """Return the address of a server with an empty home folder."""
-    with tempfile.TemporaryDirectory() as home:
-        command = [sys.executable, "-m", "learnblock", "--no-browser", "--port", "0"]
-        environment = {**os.environ, "LEARNBLOCK_HOME": home}
-        server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment)
-        try:
-            assert server.stdout  # noqa: S101
-            found = re.search(r"http://\S+", server.stdout.readline())
-            assert found  # noqa: S101
-            yield found[0]
-        finally:
-            server.terminate()
-            server.wait()
-
-
-@contextmanager
-def visitor(browser: Browser) -> Iterator[Page]:
-    """Open a page that has already shown the tour."""
-    likes = json.dumps({"tourDone": True, "language": "en", "sound": False})
-    context = browser.new_context(viewport={"width": 1800, "height": 900}, locale="en")
-    context.set_default_timeout(TIMEOUT)
-    context.add_init_script(f"localStorage['learnblock.preferences'] ??= {json.dumps(likes)}")
-    context.add_init_script(path=GIVEN)
-    try:
-        yield context.new_page()
-    finally:
-        context.close()
-
-
-@contextmanager
-def chromium() -> Iterator[Browser]:
-    found = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("google-chrome")
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=found, args=["--no-sandbox", SOFTWARE])
-        yield browser
-        browser.close()
+        page.locator("[data-region=blocktext] .cm-content").focus()
+        for key in ("Control+Home", "ArrowDown", "End", "Enter"):
+            page.keyboard.press(key)
+        page.evaluate("() => measures.watchKeys()")
+        page.keyboard.type(("x = x + 12345\n" * LETTERS)[:LETTERS], delay=PAUSE)
+        page.wait_for_function("count => measures.keys.length >= count", arg=LETTERS)
+        keys = sorted(page.evaluate("() => measures.keys"))
+        longest = page.evaluate("() => measures.longestTask()")
+    print(f"typing      in {LINES} lines while a program runs:", end=" ")
+    print(
+        f"p95 {keys[int(0.95 * len(keys))]:.0f} ms, median {statistics.median(keys):.0f} ms",
+        end=" ",
+    )
+    print(f"until painted; longest task {longest:.0f} ms (load {os.getloadavg()[0]:.1f})")
 
 
 def main() -> None:
     wanted = sys.argv[1:] or list(PARTS)
     measures: dict[str, Callable[[Browser], Any]]
-    measures = {"opening": opening, "sync": sync, "drawing": drawing}
+    measures = {"opening": opening, "sync": sync, "drawing": drawing, "typing": typing}
     with chromium() as browser:
         print(f"Python {platform.python_version()}, Chromium {browser.version},", end=" ")
         print(f"{os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}")

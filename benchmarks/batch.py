@@ -1,0 +1,66 @@
+"""A class's programs at once: half drive, a quarter follows a line by ground sensors, the rest by
+camera.
+
+    python benchmarks/batch.py [--runs 300] [--seconds 60]
+
+Prints the seconds of the whole batch, its factor of real time, and the same for a part of the runs
+made one after another, each with a process of its own.
+"""
+
+import argparse
+import os
+from dataclasses import replace
+from itertools import cycle, islice
+from pathlib import Path
+from time import perf_counter
+
+from learnblock import robots, running
+from learnblock.running import Options, ProgramRun
+from learnblock.running.batch import Batch
+from learnblock.running.job import Job
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+#: Each program with its robot and its world.
+CLASS = (
+    ("polygons.bt", "sim-ebo", "polygons"),
+    ("line-thymio.bt", "sim-thymio", "line"),
+    ("avoid.bt", "sim-ebo", "arena"),
+    ("line-ebo.bt", "sim-ebo", "line"),
+)
+
+
+def jobs(count: int, seconds: float) -> list[Job]:
+    """The runs of a class, each with another seed."""
+    made = []
+    for seed, (name, robot, world) in enumerate(islice(cycle(CLASS), count)):
+        entry = robots.find(robot)
+        program = running.program(running.read(EXAMPLES / name), entry)
+        made.append(Job(program, entry, Options(world=world, seed=seed, seconds=seconds)))
+    return made
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--runs", type=int, default=300)
+    parser.add_argument("--seconds", type=float, default=60.0, help="of the robots' time")
+    given = parser.parse_args()
+    wanted = jobs(given.runs, given.seconds)
+    began = perf_counter()
+    results = sorted(Batch(wanted).results(), key=lambda one: one.job)
+    batch = perf_counter() - began
+    together = sum(one.report.time for one in results) / batch
+    print(f"{os.cpu_count()} processors, {len(results)} runs of {given.seconds:g} s")
+    print(f"batch             {batch:8.1f} s, {together:7.1f} times real time")
+
+    few = wanted[: len(CLASS)]
+    began = perf_counter()
+    reports = [ProgramRun(one.program, one.robot, one.options).run() for one in few]
+    alone = sum(one.time for one in reports) / (perf_counter() - began)
+    print(f"one after another {'':>10} {alone:7.1f} times real time")
+    print(f"ratio             {'':>10} {together / alone:7.1f}")
+    same = [replace(one.report, output="") for one in results[: len(few)]] == reports
+    print("same reports" if same else "OTHER REPORTS")
+
+
+if __name__ == "__main__":
+    main()

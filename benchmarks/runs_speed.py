@@ -1,0 +1,140 @@
+"""Measure how much faster than real time whole programs run, in a process and in the host's thread.
+
+    python benchmarks/runs_speed.py [--seconds 60] [--rounds 2] [--before PYTHON] [example ...]
+
+With ``--before``, the interpreter of another checkout runs every example too, in turn with this
+one, so that a busy machine slows both alike. The column "thread" is of programs that take turns
+with their host in one thread. All traces should be the same. Times are of the processors, for host
+and program together with its start, and of the wall clock; the fastest round counts.
+"""
+
+import argparse
+import os
+import platform
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+ROOT = Path(__file__).parents[1]
+sys.path.insert(0, str(ROOT / "tests" / "helpers"))
+
+from runs import EXAMPLES, TWINS, WORLDS  # noqa: E402 - found through the line above
+
+#: Runs one example in another interpreter; its arguments: the worker's module and class, the
+#: program's file, the world, the seconds and the robots.
+RUN = """
+import importlib, os, sys, time
+from pathlib import Path
+from learnblock import robots, running
+from learnblock.running import Options, ProgramRun
+
+module, worker, path, world, seconds, *twins = sys.argv[1:]
+worker = getattr(importlib.import_module("learnblock.runtime." + module), worker)
+source = running.read(Path(path))
+entry = next(entry for entry in map(robots.find, twins) if not [
+    one for one in running.check(source, entry) if one.severity == "error"
+])
+program = running.program(source, entry)
+
+def run(seconds):
+    options = Options(world=world or None, seconds=seconds)
+    began, used = time.perf_counter(), sum(os.times()[:4])
+    report = ProgramRun(program, entry, options, worker=worker).run()
+    return time.perf_counter() - began, sum(os.times()[:4]) - used, report
+
+# The first run loads what all runs need.
+run(0.1)
+wall, processor, report = run(float(seconds))
+print(entry.name, report.time, wall, processor, report.trace_sha256)
+"""
+
+
+class Measured(NamedTuple):
+    """One run, in seconds.
+
+    Args:
+        robot: the twin that ran it.
+        time: of the robot.
+        wall: of the wall clock.
+        processor: of the processors.
+        sha256: the hash of the trace.
+    """
+
+    robot: str
+    time: float
+    wall: float
+    processor: float
+    sha256: str
+
+
+class Column(NamedTuple):
+    """What runs the examples: an interpreter, and the module and class of a worker."""
+
+    title: str
+    python: str
+    module: str = "process"
+    worker: str = "ProcessWorker"
+
+    def run(self, example: Path, seconds: float) -> Measured:
+        """Run an example once."""
+        world = WORLDS.get(example.name, "")
+        command = [self.python, "-c", RUN, self.module, self.worker, str(example), world]
+        command += [str(seconds), *TWINS]
+        done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
+        robot, time, wall, processor, sha256 = done.stdout.split()
+        return Measured(robot, float(time), float(wall), float(processor), sha256)
+
+
+def fastest(runs: Sequence[Measured]) -> Measured:
+    """The best times of several runs, which must have left the same trace."""
+    hashes = {run.sha256 for run in runs}
+    if len(hashes) > 1:
+        raise SystemExit(f"one program left {len(hashes)} different traces: {', '.join(hashes)}")
+    wall, processor = min(run.wall for run in runs), min(run.processor for run in runs)
+    return runs[0]._replace(wall=wall, processor=processor)
+
+
+def compare(
+    columns: Sequence[Column], example: Path, seconds: float, rounds: int
+) -> list[Measured]:
+    """Run an example in each way in turn."""
+    runs = [[column.run(example, seconds) for column in columns] for _ in range(rounds)]
+    return [fastest(each) for each in zip(*runs, strict=True)]
+
+
+def row(example: Path, runs: Sequence[Measured]) -> str:
+    figures = "".join(f"{x.time / x.processor:9.1f}{x.time / x.wall:8.1f}" for x in runs)
+    verdict = "same trace" if len({x.sha256 for x in runs}) == 1 else "OTHER TRACE"
+    now = runs[-1]
+    return f"{example.stem:<13}{now.robot:<12}{figures}  {now.sha256[:12]} {verdict}"
+
+
+def arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("examples", nargs="*", help="names such as avoid; all by default")
+    parser.add_argument("--seconds", type=float, default=60.0, help="of the robot's time")
+    parser.add_argument("--rounds", type=int, default=2)
+    parser.add_argument("--before", help="the interpreter of another checkout")
+    return parser.parse_args()
+
+
+def main() -> None:
+    given = arguments()
+    columns = [
+        *([Column("before", given.before)] if given.before else []),
+        Column("process", sys.executable),
+        Column("thread", sys.executable, "inline", "InlineWorker"),
+    ]
+    print(f"Python {platform.python_version()}, {os.cpu_count()} processors; times real time")
+    titles = "".join(f"{column.title:>9}{'wall':>8}" for column in columns)
+    print(f"{'':<25}{titles}")
+    for example in sorted(EXAMPLES.glob("*.bt")):
+        if not given.examples or example.stem in given.examples:
+            runs = compare(columns, example, given.seconds, given.rounds)
+            print(row(example, runs), flush=True)
+
+
+if __name__ == "__main__":
+    main()
