@@ -123,7 +123,8 @@ def sources_hash(root: str) -> str:
 
 def _sources(root: Path) -> list[Path]:
     frontend = root / "frontend"
-    single = ["package.json", "package-lock.json", "tsconfig.json", "vite.config.ts", "index.html"]
+    single = ["package.json", "package-lock.json", "tsconfig.json", "vite.config.ts"]
+    single += ["index.html", "class.html"]
     folders = [
         (frontend / "src", "*"),
         (frontend / "public", "*"),

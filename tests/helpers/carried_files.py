@@ -9,7 +9,8 @@ from learnblock.extensions import worlds
 from learnblock.extensions.worlds import PackedWorld
 from learnblock.server.projects import offering
 from learnblock.server.projects.carried import Carried, CarriedWorld, Code
-from learnblock.server.projects.project_file import Project, decode, encode
+from learnblock.server.projects.project import Project
+from learnblock.server.projects.project_file import decode, encode
 from learnblock.server.projects.unpacking import unpacked
 from shared_worlds import MAT, ROOM, png
 

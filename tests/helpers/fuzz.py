@@ -23,6 +23,7 @@ import custom_block_files as block_files
 import ev3_wires
 import ice_wires
 import library_files
+import log_files
 import old_projects
 import set_files
 import thymio_wires
@@ -106,6 +107,7 @@ def targets(folder: Path) -> tuple[Target, ...]:
         Target("source of blocks", block_files.read_source, (block_files.SOURCE,)),
         Target("chosen for blocks", block_files.read_configuration, (block_files.WORDS,)),
         Target("exported block", block_files.read_package, (block_files.PACKAGE,)),
+        Target("run's log", log_files.read_log, log_files.texts()),
         Target("settings", lambda text: read_settings(folder, text), SETTINGS),
         Target("CoppeliaSim's answers", coppeliasim_answers.read, coppeliasim_answers.texts()),
         Target("Cozmo's frames", cozmo_wires.read_frame, cozmo_wires.frame_texts()),
@@ -130,7 +132,7 @@ def texts(folder: Path, pattern: str) -> tuple[str, ...]:
 def read_block_text(text: str) -> None:
     """Perform every operation on a program in Block-Text."""
     tree, _ = language.recover(text)
-    found = language.check(tree, builtin(), frozenset({"Base:ROBOT"}))
+    found = language.check(tree, builtin(), frozenset({"Base"}))
     tree = language.parse(text)
     canonical = language.format(tree)
     if language.format(language.parse(canonical)) != canonical:

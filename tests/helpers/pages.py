@@ -12,7 +12,7 @@ from websockets.sync.client import connect
 
 from learnblock.i18n import Phrase
 from learnblock.server.app import create_app
-from learnblock.server.serve import _config
+from learnblock.server.serve import configured
 
 TOKEN = "the-token-of-the-tests"
 TIMEOUT = 20
@@ -26,7 +26,7 @@ class Server:
 
     def __init__(self, folder, **options):
         self.app = create_app(folder, token=TOKEN, **options)
-        self._server = uvicorn.Server(_config(self.app))
+        self._server = uvicorn.Server(configured(self.app))
         self._started = threading.Event()
         self._thread = threading.Thread(target=self._run, name="server")
 
@@ -55,6 +55,15 @@ class Server:
         """Return the response to a request, with its `body`."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=TIMEOUT)
         connection.request("GET", path, headers=headers)
+        response = connection.getresponse()
+        response.body = response.read()
+        connection.close()
+        return response
+
+    def post(self, path, body, **headers):
+        """Return the response to a request that sends something, with its `body`."""
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=TIMEOUT)
+        connection.request("POST", path, body, headers=headers)
         response = connection.getresponse()
         response.body = response.read()
         connection.close()
@@ -96,6 +105,8 @@ class Visitor:
         #: The last message of each kind.
         self.last = {}
         self._edits = 0
+        #: The number of the program that it shows.
+        self._shown = 0
 
     def say(self, kind, **values):
         self.socket.send(json.dumps({"kind": kind, **values}))
@@ -110,6 +121,8 @@ class Visitor:
         message = json.loads(message)
         self.heard[message["kind"]] += 1
         self.last[message["kind"]] = message
+        if message["kind"] in {"Opened", "TabOpened"}:
+            self._shown = message.get("shown", 0)
         return message
 
     def hear(self, kind, **values):
@@ -139,6 +152,7 @@ class Visitor:
     def type(self, text, notation="blocktext", **made_on):
         """Edit a text; return the resulting document."""
         self._edits += 1
+        made_on = {"shown": self._shown, **made_on}
         self.say("EditText", edit=self._edits, notation=notation, text=text, **made_on)
         return self.hear("Document", edit=self._edits)
 
@@ -157,12 +171,11 @@ class Visitor:
 
 def english(sent) -> str:
     """The English text of a phrase that the server sent."""
-    return str(_phrase(sent))
+    return str(phrase(sent))
 
 
-def _phrase(sent):
+def phrase(sent):
+    """A phrase that the server sent, or a value of one."""
     if isinstance(sent, dict):
-        return Phrase(
-            sent["code"], **{key: _phrase(value) for key, value in sent["values"].items()}
-        )
-    return tuple(map(_phrase, sent)) if isinstance(sent, list) else sent
+        return Phrase(sent["code"], **{key: phrase(value) for key, value in sent["values"].items()})
+    return tuple(map(phrase, sent)) if isinstance(sent, list) else sent

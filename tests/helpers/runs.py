@@ -1,6 +1,7 @@
 """Run programs in tests: from a file, a robot and a world to a report and a recorder."""
 
 import io
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -8,8 +9,11 @@ import msgspec
 
 from learnblock import robots, running
 from learnblock.running import Options, ProgramRun, Report
+from learnblock.running.recorded_keys import RecordedKeys, read_keys
+from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.process import ThreadWorker
 from learnblock.runtime.trace import Recorder
+from learnblock.runtime.watcher import Watcher
 from places import ROOT
 
 EXAMPLES = ROOT / "examples"
@@ -27,6 +31,46 @@ WORLDS = {
     "wall.bt": "walls",
 }
 
+#: The world in which the purpose of an example is a goal, and the seconds it may take.
+TASKS = {
+    "avoid.bt": ("arena", 40),
+    "dance.bt": ("stage", 10),
+    "first/bump.bt": ("bumper", 30),
+    "first/caught.bt": ("run-away", 20),
+    "first/corner.bt": ("heading", 12),
+    "first/distance.bt": ("distance", 12),
+    "first/edge.bt": ("edge", 30),
+    "first/face.bt": ("face-ahead", 30),
+    "first/feelings.bt": ("stage", 10),
+    "first/guess.bt": ("applause", 60),
+    "first/line.bt": ("line", 145),
+    "first/park.bt": ("parking", 30),
+    "first/pid.bt": ("line", 145),
+    "first/quiz.bt": ("applause", 10),
+    "first/reaction.bt": ("applause", 10),
+    "first/red-line.bt": ("red-line", 140),
+    "first/square.bt": ("square", 60),
+    "first/tag.bt": ("tag-ahead", 30),
+    "first/there-and-back.bt": ("patrol", 60),
+    "first/timer.bt": ("distance", 12),
+    "first/traffic-light.bt": ("patrol", 60),
+    "flower.bt": ("flower", 200),
+    "imitate.bt": ("faces", 60),
+    "labyrinth.bt": ("labyrinth", 150),
+    "line-ebo.bt": ("line", 145),
+    "line-states.bt": ("line", 145),
+    "line-thymio.bt": ("line", 145),
+    "melody.bt": ("stage", 20),
+    "patrol.bt": ("patrol", 65),
+    "polygons.bt": ("polygons", 100),
+    "remote-control.bt": ("square", 30),
+    "square.bt": ("square", 60),
+    "tag-tour.bt": ("tags", 100),
+    "tags.bt": ("tags", 62),
+    "wall.bt": ("walls", 50),
+    "watch-out.bt": ("table", 50),
+}
+
 
 @dataclass(frozen=True)
 class Finished:
@@ -42,19 +86,92 @@ class Finished:
         return [line for line in lines if kind in line]
 
 
-def run_file(path: Path, robot: str, *, worker=ThreadWorker, **options) -> Finished:
+#: What a person answers to the questions of an example.
+ANSWERS = {
+    "first/guess.bt": [str(number) for number in range(1, 21)],
+    "first/quiz.bt": ["Madrid", "Paris", "Rome"],
+    "first/reaction.bt": [""],
+}
+
+
+#: What a person does with the robot of an example, each at a time in seconds.
+HANDS = {"first/caught.bt": [(1.0, "shake"), (10.0, "left"), (12.0, "level")]}
+
+
+class Presser(Watcher):
+    """Holds down recorded keys."""
+
+    def __init__(self, keys: RecordedKeys) -> None:
+        self._keys = keys
+
+    def held_keys(self, time):
+        return self._keys.held(time)
+
+
+class Answerer(Watcher):
+    """Answers one question after another."""
+
+    def __init__(self, answers: Iterable[str]) -> None:
+        self._answers = iter(answers)
+        self.output = ""
+
+    def printed(self, text):
+        self.output += text
+
+    def input(self, prompt):
+        del prompt
+        return next(self._answers, None)
+
+
+class Holder(Watcher):
+    """Shakes and tilts the twin of a run.
+
+    Args:
+        moves: what to do, each at a time in seconds.
+    """
+
+    #: The run; the person waits until there is one.
+    session: ProgramRun | None = None
+
+    def __init__(self, moves: Iterable[tuple[float, str]]) -> None:
+        self._moves = list(moves)
+
+    def tick(self):
+        twin = self.session.client if self.session else None
+        while twin and self._moves and twin.clock.time() >= self._moves[0][0]:
+            twin.simulation.handle(twin.name, self._moves.pop(0)[1])
+
+
+def person(name: str) -> Watcher:
+    """Return who handles the robot, presses keys or answers questions in an example, if needed."""
+    if name in HANDS:
+        return Holder(HANDS[name])
+    keys = (EXAMPLES / name).with_suffix(".jsonl")
+    return Presser(read_keys(keys)) if keys.exists() else Answerer(ANSWERS.get(name, ()))
+
+
+def run_file(path: Path, robot: str, *, worker=None, watcher=None, **options) -> Finished:
     """Run a program's file to its end; the kind of worker does not change its trace."""
     source = running.read(path)
     entry = robots.find(robot)
+    # A real robot goes on while its program computes.
+    worker = worker or (InlineWorker if entry.load().lockstep else ThreadWorker)
     trace = io.BytesIO()
     session = ProgramRun(
-        running.program(source, entry), entry, Options(**options), trace=trace, worker=worker
+        running.program(source, entry),
+        entry,
+        Options(**options),
+        trace=trace,
+        worker=worker,
+        watcher=watcher,
     )
+    if isinstance(watcher, Holder):
+        watcher.session = session
     report = session.run()
     assert session.recorder is not None, report.error
     return Finished(report, session.recorder, trace.getvalue())
 
 
-def run_example(name: str, robot: str, **options) -> Finished:
-    """Run one of the examples."""
-    return run_file(EXAMPLES / name, robot, **options)
+def run_example(name: str, robot: str, *, watcher=None, **options) -> Finished:
+    """Run one of the examples, with its `person`."""
+    return run_file(EXAMPLES / name, robot, watcher=watcher or person(name), **options)

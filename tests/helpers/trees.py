@@ -8,7 +8,9 @@ import random
 
 from learnblock.language import format as format_program
 from learnblock.language import parse
+from learnblock.language.tree import texts
 from learnblock.language.tree.nodes import (
+    NOWHERE,
     Activate,
     Assign,
     Binary,
@@ -18,10 +20,12 @@ from learnblock.language.tree.nodes import (
     Call,
     Comment,
     Compare,
+    Conditional,
     Constant,
     Continue,
     Deactivate,
     Def,
+    Dictionary,
     Else,
     ForEach,
     ForRange,
@@ -44,13 +48,15 @@ from learnblock.language.tree.nodes import (
     SkillCall,
     String,
     Unary,
+    WaitUntil,
     When,
     While,
 )
 
 NAMES = ["append", "class", "class_", "elapsedTime", "from", "len", "math", "print", "python"]
-NAMES += ["random", "range", "repeat", "robot", "seen", "seen_when", "seen_when_when", "sqrt"]
-NAMES += ["start", "state_seen", "step", "time_seen", "to", "values", "x", "y", "ñ", "_"]
+NAMES += ["forever", "random", "range", "repeat", "robot", "seen", "seen_when", "sqrt"]
+NAMES += ["seen_when_when", "start", "state_seen", "step", "time_seen", "to", "until", "values"]
+NAMES += ["wait", "x", "y", "ñ", "_"]
 SKILLS = ("is_tag", "turn", "class", "end")
 KEYWORDS = ("a", "end", "import", "advSpeed", "class", "x")
 LIBRARY = (
@@ -62,6 +68,7 @@ LIBRARY = (
     ("constrain", 3),
     ("random", 2),
     ("len", 1),
+    ("keys", 1),
     ("pop", 1),
     ("pop", 2),
     ("pi", 0),
@@ -69,7 +76,7 @@ LIBRARY = (
 )
 NUMBERS = ("0", "1", "2", "10", "2.5", "1e3", "0xFF", ".5", "5.")
 TEXTS = ("", "hi", '"', "'", "\\", "\n", "# end", "é", "\ud800", "a'b\"c", "\x00")
-RAW_EXPRESSIONS = ("{1: 2}", "lambda: 0", "x.y", "a if b else c", "b'`'")
+RAW_EXPRESSIONS = ("{1, 2}", "lambda: 0", "x.y", "a @ b", "b'`'")
 RAW_STATEMENTS = (
     "import os\n",
     "import math\n",
@@ -105,7 +112,8 @@ class Trees:
     def expression(self, depth=3):
         leaves = (self.number, self.string, self.constant, self.name, self.name, self.raw)
         inner = (self.call, self.skill_call, self.list, self.index, self.unary, self.library_call)
-        twice = (self.binary, self.binary, self.binary, self.compare)
+        inner += (self.f_string, self.dictionary)
+        twice = (self.binary, self.binary, self.binary, self.compare, self.conditional)
         make = self.choice(leaves if depth <= 0 else leaves + inner + twice)
         return make(depth - 1)
 
@@ -114,6 +122,11 @@ class Trees:
 
     def string(self, _):
         return String(self.choice(TEXTS))
+
+    def f_string(self, depth):
+        parts = self.some(4, self.choice((self.string, self.expression)), depth)
+        plain = [part for part in parts if isinstance(part, String) or texts.is_plain(part)]
+        return texts.f_string(plain, NOWHERE)
 
     def constant(self, _):
         return Constant(self.choice((True, False, None)))
@@ -142,6 +155,10 @@ class Trees:
     def list(self, depth):
         return List(self.some(4, self.expression, depth))
 
+    def dictionary(self, depth):
+        keys = self.some(3, self.expression, depth)
+        return Dictionary(keys, tuple(self.expression(depth) for _ in keys))
+
     def index(self, depth):
         return Index(self.expression(depth), self.expression(depth))
 
@@ -155,6 +172,9 @@ class Trees:
         operators = (self.choice(COMPARISONS), *self.some(3, self.choice, COMPARISONS))
         operands = tuple(self.expression(depth) for _ in range(len(operators) + 1))
         return Compare(operators, operands)
+
+    def conditional(self, depth):
+        return Conditional(*(self.expression(depth) for _ in range(3)))
 
     def comment(self):
         return self.choice(COMMENTS) if self.random.random() < 0.3 else None
@@ -173,6 +193,7 @@ class Trees:
             ),
             lambda _: self.choice((Break, Continue, Pass))(self.comment()),
             lambda _: Return(self.perhaps(self.expression(2)), self.comment()),
+            lambda _: WaitUntil(self.expression(2), self.comment()),
             lambda _: self.choice((Activate, Deactivate))(self.choice(NAMES), self.comment()),
             lambda _: Comment(self.comment() or "text"),
             lambda _: Raw(self.choice(RAW_STATEMENTS)),
@@ -187,7 +208,8 @@ class Trees:
         return (*body, Pass()) if idle else tuple(body)
 
     def while_loop(self, depth):
-        return While(self.expression(2), self.body(depth), self.comment())
+        condition = self.choice((self.expression(2), Constant(value=True)))
+        return While(condition, self.body(depth), self.comment())
 
     def repeat(self, depth):
         return Repeat(self.expression(2), self.body(depth), self.comment())

@@ -30,4 +30,6 @@ def follow(twin, monkeypatch):
     # A world that is late does not catch up, because its robot could not keep up.
     monkeypatch.setattr("learnblock.runtime.pacing.SLIP", 0.0)
     monkeypatch.setattr("learnblock.client.client.WallClock", lambda: TwinsClock(twin))
-    monkeypatch.setattr("learnblock.runtime.remote._HostedWallClock", lambda wire: TwinsClock(twin))
+    monkeypatch.setattr(
+        "learnblock.runtime.remote._HostedWallClock", lambda wire, noting: TwinsClock(twin)
+    )

@@ -262,6 +262,26 @@ def _trials() -> Iterator[tuple[str, Message]]:
         yield name, {"name": "dance", "source": source[:250_000], "arguments": []}
 
 
+def _lessons() -> Iterator[tuple[str, Message]]:
+    step = {"title": "Drive", "phase": "make", "text": "Drive.", "world": "empty"}
+    lesson = {"title": "Drive", "level": 1, "minutes": 9, "aims": ["Drive"], "robots": ["sim-ebo"]}
+
+    def message(count: int, **values: object) -> Message:
+        steps = [{**step, **values} for _ in range(count)]
+        return {"edited": {"content": {**lesson, "step": steps}}}
+
+    yield "open fences", message(26, text=filled("```blocks\n", 8_000))
+    yield "fences", message(26, text=filled("```blocks\npass\n```\n", 8_000))
+    yield "pictures", message(30, text=filled("![", 8_000))
+    yield "checks", message(30, check=[{"kind": "goals"} for _ in range(300)])
+    yield "long lists", message(1, check=list(range(MESSAGE // 9)))
+    texts = [PROGRAMS["assignments"][:59_000], filled("if True:\n", 59_000), filled("(", 59_000)]
+    for name, text in zip(("assignments", "ifs", "brackets"), texts, strict=True):
+        programs = [{"solution": {"text": text}} for _ in range(2)]
+        edited = {"content": {**lesson, "step": [step] * 2}, "steps": programs}
+        yield name, {"edited": edited}
+
+
 _OTHERS: dict[str, Callable[[], Iterator[tuple[str, Message]]]] = {
     "ReadBlockSet": _block_sets,
     "ReadTags": _tags,
@@ -276,4 +296,5 @@ _OTHERS: dict[str, Callable[[], Iterator[tuple[str, Message]]]] = {
     "ExportBlockSet": _sets,
     "ChangeSettings": _settings,
     "TryCustomBlock": _trials,
+    "ExamineLesson": _lessons,
 }

@@ -1,0 +1,63 @@
+"""Runs with a log, in tests."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from learnblock import robots, running
+from learnblock.running import Options, ProgramRun, Report
+from learnblock.runtime.inline import InlineWorker
+from learnblock.runtime.log.blocks import Block
+from learnblock.runtime.log.keeping import RunLog
+from learnblock.runtime.process import ThreadWorker
+from learnblock.runtime.watcher import Watcher
+from learnblock.why import History
+from learnblock.why.recorded import Recorded
+from runs import EXAMPLES, Holder, person
+
+
+@dataclass(frozen=True)
+class Logged:
+    """A finished run with its log."""
+
+    report: Report
+    recorded: Recorded
+    blocks: tuple[Block, ...]
+
+    @property
+    def history(self) -> History:
+        """The log, read."""
+        return History(self.recorded)
+
+
+def logged_file(
+    path: Path, robot: str, *, watcher: Watcher | None = None, **options: Any
+) -> Logged:
+    """Run a program's file with a log."""
+    source, entry = running.read(path), robots.find(robot)
+    program = running.program(source, entry)
+    log = RunLog(program)
+    # A real robot goes on while its program computes.
+    worker = InlineWorker if entry.load().lockstep else ThreadWorker
+    run = ProgramRun(program, entry, Options(**options), worker=worker, watcher=watcher, log=log)
+    if isinstance(watcher, Holder):
+        watcher.session = run
+    report = run.run()
+    return Logged(report, Recorded.of(log.blocks), log.blocks)
+
+
+def logged_example(name: str, robot: str, **options: Any) -> Logged:
+    """Run one of the examples with a log, and with its `person`."""
+    return logged_file(EXAMPLES / name, robot, watcher=person(name), **options)
+
+
+def logged_blocks(name: str, robot: str, **options: Any) -> tuple[Block, ...]:
+    """The log of a run of one of the examples, as it is stored."""
+    return logged_example(name, robot, **options).blocks
+
+
+def logged_text(folder: Path, text: str, robot: str = "sim-ebo", **options: Any) -> Logged:
+    """Run a program in Block-Text with a log."""
+    path = folder / "program.bt"
+    path.write_text(text, encoding="utf-8")
+    return logged_file(path, robot, **options)
