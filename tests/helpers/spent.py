@@ -2,6 +2,8 @@
 
 from collections import Counter
 
+import pytest
+
 LONGEST = 10
 
 
@@ -9,9 +11,10 @@ def pytest_terminal_summary(terminalreporter):
     tests, folders = Counter(), Counter()
     for reports in terminalreporter.stats.values():
         for report in reports:
-            if duration := getattr(report, "duration", 0):
-                tests[report.nodeid] += duration
-                folders[_folder(report.nodeid)] += duration
+            # A test's own report has the seconds of its subtests too.
+            if hasattr(report, "duration") and not isinstance(report, pytest.SubtestReport):
+                tests[report.nodeid] += report.duration
+                folders[_folder(report.nodeid)] += report.duration
     if not tests:
         return
     terminalreporter.section("seconds")

@@ -104,11 +104,12 @@ def test_a_label_places_its_parameters_and_others_follow_with_their_names():
     assert "turn %2°/s {oops} 5%% speed %1" == found["message0"]
 
 
-@pytest.mark.parametrize("block", builtin().values(), ids=lambda block: block.name)
-def test_each_built_in_label_places_each_parameter_once(block):
-    for text in block.languages.values():
-        places = re.findall(r"\{(\w+)\}", text)
-        assert sorted(places) == sorted(one.name for one in block.parameters)
+def test_each_built_in_label_places_each_parameter_once(subtests):
+    for block in builtin().values():
+        with subtests.test(block.name):
+            for text in block.languages.values():
+                places = re.findall(r"\{(\w+)\}", text)
+                assert sorted(places) == sorted(one.name for one in block.parameters)
 
 
 def test_a_percent_sign_in_a_label_is_escaped():

@@ -60,9 +60,8 @@ def test_every_kind_of_message_is_in_the_table():
 
 
 @pytest.mark.parametrize("role", Role)
-@pytest.mark.parametrize("kind", sorted(RIGHTS))
-def test_each_role_may_send_what_it_should(kind, role):
-    assert may(role, kind) == (role in roles_of(kind))
+def test_each_role_may_send_what_it_should(role):
+    assert [kind for kind in RIGHTS if may(role, kind) != (role in roles_of(kind))] == []
 
 
 def test_an_unknown_kind_is_nobodys():

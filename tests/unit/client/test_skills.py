@@ -38,10 +38,6 @@ class Listener:
         self.lacking.append(device)
 
 
-def by_name(block: BlockConfiguration) -> str:
-    return block.name
-
-
 def with_key(need: str) -> str:
     """A sense, or a device with its key; an ability of a device is not looked for at run time."""
     kind, _, key = need.partition(":")
@@ -60,73 +56,84 @@ def test_every_skill_of_ours_is_a_block_and_every_block_a_skill(monkeypatch, tmp
     assert sorted(skills.find()) == sorted(builtin())
 
 
-@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
-def test_a_skill_without_its_device_has_no_effect_and_reports_it(block):
-    listener = Listener()
-    with FakeRobot(only=[], skills=[block.name], observer=listener) as robot:
-        answer = call(robot, block)
+def test_a_skill_without_its_device_has_no_effect_and_reports_it(subtests):
+    for block in BLOCKS:
+        with subtests.test(block.name):
+            listener = Listener()
+            with FakeRobot(only=[], skills=[block.name], observer=listener) as robot:
+                answer = call(robot, block)
 
-        assert not block.needs or answer is None or answer is False
-        assert answer is None or block.returns_value
-        # Any device of that type satisfies a need without a key of its own.
-        assert sorted(map(with_key, block.needs)) == sorted(
-            with_key(one if one in block.needs else one.partition(":")[0])
-            for one in listener.lacking
-        )
-        assert [] == robot.commands
-
-
-@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
-def test_a_skill_that_returns_a_boolean_is_a_question(block):
-    hint = skills.find([block.name])[block.name].__annotations__["return"]
-    is_question = hint in (bool, "bool")
-
-    assert is_question is (block.returns == "boolean")
+                assert not block.needs or answer is None or answer is False
+                assert answer is None or block.returns_value
+                # Any device of that type satisfies a need without a key of its own.
+                assert sorted(map(with_key, block.needs)) == sorted(
+                    with_key(one if one in block.needs else one.partition(":")[0])
+                    for one in listener.lacking
+                )
+                assert [] == robot.commands
 
 
-@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
-def test_with_every_device_no_skill_reports_a_missing_one(block):
-    listener = Listener()
-    with FakeRobot(skills=[block.name], observer=listener) as robot:
-        # RGBled and led ask for the lamp with the key "Up", which this robot has.
-        answer = call(robot, block)
+def test_a_skill_that_returns_a_boolean_is_a_question(subtests):
+    for block in BLOCKS:
+        with subtests.test(block.name):
+            hint = skills.find([block.name])[block.name].__annotations__["return"]
+            is_question = hint in (bool, "bool")
 
-        assert [] == listener.lacking
-        assert block.returns_value or answer is None
+            assert is_question is (block.returns == "boolean")
 
 
-@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
-def test_the_declared_devices_are_enough_for_a_skill(block):
-    ways = [SENSES.get(need, (need,)) for need in block.needs]
-    for serving in product(*ways):
-        needed = [DEVICE_TYPES[way.partition(":")[0]] for way in serving]
-        listener = Listener()
-        with FakeRobot(only=needed, skills=[block.name], observer=listener) as robot:
-            call(robot, block)
+def test_with_every_device_no_skill_reports_a_missing_one(subtests):
+    for block in BLOCKS:
+        with subtests.test(block.name):
+            listener = Listener()
+            with FakeRobot(skills=[block.name], observer=listener) as robot:
+                # RGBled and led ask for the lamp with the key "Up", which this robot has.
+                answer = call(robot, block)
 
-            assert [] == listener.lacking
-
-
-@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
-def test_a_block_has_its_function_s_parameters_and_defaults(block):
-    function = skills.find([block.name])[block.name]
-    robot, *parameters = inspect.signature(function).parameters.values()
-
-    assert "robot" == robot.name
-    assert [
-        (one.name, None if one.required else one.default, one.required) for one in block.parameters
-    ] == [
-        (one.name, None if one.default is one.empty else one.default, one.default is one.empty)
-        for one in parameters
-    ]
+                assert [] == listener.lacking
+                assert block.returns_value or answer is None
 
 
-@pytest.mark.parametrize("block", BLOCKS, ids=by_name)
-def test_a_skill_starts_its_documentation_with_a_sentence(block):
-    function = skills.find([block.name])[block.name]
-    first = (inspect.getdoc(function) or "").splitlines()[0]
+def test_the_declared_devices_are_enough_for_a_skill(subtests):
+    for block in BLOCKS:
+        with subtests.test(block.name):
+            ways = [SENSES.get(need, (need,)) for need in block.needs]
+            for serving in product(*ways):
+                needed = [DEVICE_TYPES[way.partition(":")[0]] for way in serving]
+                listener = Listener()
+                with FakeRobot(only=needed, skills=[block.name], observer=listener) as robot:
+                    call(robot, block)
 
-    assert first[:1].isupper()
+                    assert [] == listener.lacking
+
+
+def test_a_block_has_its_function_s_parameters_and_defaults(subtests):
+    for block in BLOCKS:
+        with subtests.test(block.name):
+            function = skills.find([block.name])[block.name]
+            robot, *parameters = inspect.signature(function).parameters.values()
+
+            assert "robot" == robot.name
+            assert [
+                (one.name, None if one.required else one.default, one.required)
+                for one in block.parameters
+            ] == [
+                (
+                    one.name,
+                    None if one.default is one.empty else one.default,
+                    one.default is one.empty,
+                )
+                for one in parameters
+            ]
+
+
+def test_a_skill_starts_its_documentation_with_a_sentence(subtests):
+    for block in BLOCKS:
+        with subtests.test(block.name):
+            function = skills.find([block.name])[block.name]
+            first = (inspect.getdoc(function) or "").splitlines()[0]
+
+            assert first[:1].isupper()
 
 
 def test_a_skill_of_a_plugin_or_of_the_user_never_hides_one_of_ours(monkeypatch, tmp_path):

@@ -33,27 +33,21 @@ def diagnosed(slip, version="program"):
     return check(tree, builtin(), python=text if is_python else None)
 
 
-@pytest.mark.parametrize("slip", SLIPS.values(), ids=SLIPS)
-def test_a_slip_is_named_with_its_place_and_the_way_out(slip):
-    said = [f"{one.severity} {one.line}: {one.message}" for one in diagnosed(slip)]
-    assert slip["says"] == said
+def is_marked_in(line, diagnostic):
+    """What is missing is marked after the end of the line."""
+    end = diagnostic.end_column or diagnostic.column
+    return 1 <= diagnostic.column <= end <= len(line) + 2
 
 
 @pytest.mark.parametrize("slip", SLIPS.values(), ids=SLIPS)
-def test_a_slip_is_named_in_every_language(slip):
-    for diagnostic in diagnosed(slip):
+def test_a_slip_is_named_in_every_language_with_its_place_and_the_way_out(slip):
+    found = diagnosed(slip)
+    assert slip["says"] == [f"{one.severity} {one.line}: {one.message}" for one in found]
+    lines = slip["program"].split("\n")
+    for diagnostic in found:
+        assert is_marked_in(lines[diagnostic.line - 1], diagnostic)
         words = {translate(diagnostic.message, language) for language in languages()}
         assert len(words) == len(languages())
-
-
-@pytest.mark.parametrize("slip", SLIPS.values(), ids=SLIPS)
-def test_a_slip_is_marked_in_its_line(slip):
-    lines = slip["program"].split("\n")
-    for diagnostic in diagnosed(slip):
-        # What is missing is marked after the end of the line.
-        line = lines[diagnostic.line - 1]
-        end = diagnostic.end_column or diagnostic.column
-        assert 1 <= diagnostic.column <= end <= len(line) + 2
 
 
 @pytest.mark.parametrize("slip", MENDED.values(), ids=MENDED)

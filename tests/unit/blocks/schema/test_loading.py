@@ -241,14 +241,15 @@ def test_built_in_names_are_all_different():
     assert count == len(builtin())
 
 
-@pytest.mark.parametrize("block", builtin().values(), ids=lambda block: block.name)
-def test_every_built_in_text_is_english_and_spanish(block):
-    for _what, translations in spoken(block):
-        assert {"EN", "ES"} == set(translations)
-    assert all(text.endswith((".", "?")) for text in block.tooltip.values())
-    # A Spanish question begins with its own question mark.
-    for text in (block.languages["ES"], block.tooltip["ES"]):
-        assert text.count("¿") == text.count("?")
+def test_every_built_in_text_is_english_and_spanish(subtests):
+    for block in builtin().values():
+        with subtests.test(block.name):
+            for _what, translations in spoken(block):
+                assert {"EN", "ES"} == set(translations)
+            assert all(text.endswith((".", "?")) for text in block.tooltip.values())
+            # A Spanish question begins with its own question mark.
+            for text in (block.languages["ES"], block.tooltip["ES"]):
+                assert text.count("¿") == text.count("?")
 
 
 def test_no_two_built_in_blocks_have_the_same_label():
@@ -257,10 +258,11 @@ def test_no_two_built_in_blocks_have_the_same_label():
         assert len(labels) == len(set(labels))
 
 
-@pytest.mark.parametrize("block", builtin().values(), ids=lambda block: block.name)
-def test_built_in_blocks_need_senses_and_devices_that_exist(block):
-    for need in block.needs:
-        assert need in SENSES or need.partition(":")[0] in DEVICE_TYPES
+def test_built_in_blocks_need_senses_and_devices_that_exist(subtests):
+    for block in builtin().values():
+        with subtests.test(block.name):
+            for need in block.needs:
+                assert need in SENSES or need.partition(":")[0] in DEVICE_TYPES
 
 
 # The user's configurations.

@@ -9,14 +9,13 @@ PROGRAMS = sorted((TESTS / "cases" / "malformed").glob("*.bt"))
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
-def test_a_slip_is_reported_with_its_position_and_advice(program, report):
+def test_a_slip_is_reported_in_every_language_with_its_position_and_advice(
+    program, report, diagnose
+):
+    text = program.read_text(encoding="utf-8")
     expected = program.with_suffix(".txt").read_text(encoding="utf-8")
-    assert expected == report(program.read_text(encoding="utf-8"), program.name)
-
-
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
-def test_a_slip_is_reported_in_every_language(program, diagnose):
-    for diagnostic in diagnose(program.read_text(encoding="utf-8")):
+    assert expected == report(text, program.name)
+    for diagnostic in diagnose(text):
         words = [translate(diagnostic.message, language) for language in languages()]
         assert len(set(words)) == len(languages())
 
