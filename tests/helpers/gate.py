@@ -1,10 +1,12 @@
 """The two tiers of the tests: the gate, and everything.
 
 The gate is what ``pytest`` runs without arguments: all unit tests, and of those that need a browser
-or the other end of a robot's wire the ones in ``tests/smoke.txt``. With ``--all`` everything runs;
-of a file or folder that is named, all tests run too.
+or the other end of a robot's wire the ones in ``tests/smoke.txt``. Of a test with the marker
+``sample(n)`` it runs n of the cases, evenly spread. With ``--all`` everything runs; of a file or
+folder that is named, all tests run too.
 """
 
+from collections import defaultdict
 from pathlib import Path
 
 import pytest
@@ -46,13 +48,33 @@ def pytest_report_header(config):
 def pytest_collection_modifyitems(config, items):
     if not config.stash[IS_GATE]:
         return
+    kept = set(_smoke(items)) & set(_samples(items))
+    config.hook.pytest_deselected(items=[item for item in items if item not in kept])
+    items[:] = [item for item in items if item in kept]
+
+
+def _smoke(items):
+    """Return the unit tests and the listed ones of the other folders."""
     names = listed()
     if missing := names - {name_of(item) for item in items}:
         raise pytest.UsageError(f"{LIST} lists tests that do not exist: {sorted(missing)}")
-    left_out = [item for item in items if folder_of(item) in FOLDERS and name_of(item) not in names]
-    kept = set(items) - set(left_out)
-    items[:] = [item for item in items if item in kept]
-    config.hook.pytest_deselected(items=left_out)
+    return [item for item in items if folder_of(item) not in FOLDERS or name_of(item) in names]
+
+
+def _samples(items):
+    """Return the items without those that are left out of a sample."""
+    cases = defaultdict(list)
+    for item in items:
+        cases[name_of(item).partition("[")[0]].append(item)
+    return [item for of_one in cases.values() for item in _sample(of_one)]
+
+
+def _sample(cases):
+    """Return as many cases of a test as its marker says, from the first to the last."""
+    marker = cases[0].get_closest_marker("sample")
+    most = marker.args[0] if marker else len(cases)
+    step = max(1, len(cases) / most)
+    return [cases[int(number * step)] for number in range(min(most, len(cases)))]
 
 
 def listed():

@@ -404,6 +404,7 @@ def session_of(name, *, seconds=1.0, **options):
     )
 
 
+@pytest.mark.sample(6)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_an_example_that_is_debugged_leaves_the_trace_of_one_that_is_not(name):

@@ -165,6 +165,7 @@ def runs():
     kept.end()
 
 
+@pytest.mark.sample(6)
 @pytest.mark.slow
 @pytest.mark.spread
 @every_lesson
@@ -176,6 +177,7 @@ def test_every_solution_passes_on_every_robot_that_it_names(runs, name):
         assert [line for one in done for line in unmet(one)] == []
 
 
+@pytest.mark.sample(6)
 @pytest.mark.slow
 @pytest.mark.spread
 @every_lesson

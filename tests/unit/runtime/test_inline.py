@@ -46,6 +46,7 @@ PROGRAMS = {
 }
 
 
+@pytest.mark.sample(6)
 @pytest.mark.slow
 @pytest.mark.spread
 @pytest.mark.parametrize("name", NAMES)

@@ -56,6 +56,7 @@ def test_nothing_is_blamed_that_is_right(name, robot, world):
         assert 0 <= sentence.time <= history.end
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("name", shipped())
 def test_nothing_is_blamed_in_the_solutions_of_lessons(name, tmp_path):
     lesson = find_lesson(name)
