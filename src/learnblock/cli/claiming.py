@@ -4,6 +4,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -12,6 +13,9 @@ from learnblock.errors import LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.server.projects.writer import Access, Writer
 
+if TYPE_CHECKING:
+    from learnblock.cli.running_server import RunningServer
+
 #: Seconds for another server to end, which ends every program and saves every project first.
 PATIENCE = 20.0
 #: The answers to the question.
@@ -19,13 +23,16 @@ _TAKE_OVER, _READ_ONLY = 1, 2
 
 
 @contextmanager
-def claimed(folder: Path, *, take_over: bool, read_only: bool) -> Iterator[Access]:
-    """Claim a folder of projects; if another server uses it, ask what to do.
+def claimed(
+    folder: Path, *, take_over: bool, read_only: bool, joins: bool
+) -> Iterator["Access | RunningServer"]:
+    """Claim a folder of projects; if this user's server has it, give that, else ask what to do.
 
     Args:
         folder: the folder.
         take_over: let the other server end, without a question.
         read_only: only read, without a question.
+        joins: whether the user's running server will do.
 
     Raises:
         LearnBlockError: another server uses the folder, and there is no terminal to ask on, or it
@@ -34,10 +41,15 @@ def claimed(folder: Path, *, take_over: bool, read_only: bool) -> Iterator[Acces
     if take_over and read_only:
         raise usage_error("cli-take-over-or-read-only")
     with Writer(folder) as writer:
-        yield Access.reading(writer) if read_only else _access(writer, folder, take_over)
+        if read_only:
+            yield Access.reading(writer)
+        else:
+            yield _access(writer, folder, take_over=take_over, joins=joins and not take_over)
 
 
-def _access(writer: Writer, folder: Path, take_over: bool) -> Access:  # noqa: FBT001 - a click flag
+def _access(
+    writer: Writer, folder: Path, *, take_over: bool, joins: bool
+) -> "Access | RunningServer":
     try:
         if writer.claim():
             return Access(writer)
@@ -46,9 +58,17 @@ def _access(writer: Writer, folder: Path, take_over: bool) -> Access:  # noqa: F
         reason = error.strerror or str(error)
         say("server-folder-unlocked", folder=str(folder), reason=reason, err=True)
         return Access()
+    if joins and (running := _running(writer)):
+        return running
     if not take_over and _answer(writer, folder) == _READ_ONLY:
         return Access.reading(writer)
     return _taken_over(writer, folder)
+
+
+def _running(writer: Writer) -> "RunningServer | None":
+    from learnblock.cli.running_server import RunningServer  # noqa: PLC0415 - rarely needed
+
+    return RunningServer.of(writer)
 
 
 def _answer(writer: Writer, folder: Path) -> int:

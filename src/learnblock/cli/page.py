@@ -1,17 +1,19 @@
 """The commands that open the page: `open`, and `dev` for its developers."""
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from learnblock.cli.console import text
+from learnblock.cli.console import say, text
 from learnblock.cli.importing import print_report
 from learnblock.cli.page_options import page_options
 from learnblock.errors import LearnBlockError
 
 if TYPE_CHECKING:
+    from learnblock.cli.running_server import RunningServer
     from learnblock.i18n import Phrase
     from learnblock.server.projects.folder import Project, ProjectFolder
 
@@ -50,7 +52,7 @@ def open_page(
     read_only: bool,
     **place: Any,
 ) -> None:
-    """Start the server, and show the page.
+    """Show the page: of this user's server if one uses the folder, else of a new one.
 
     Args:
         file: the program to open, if any.
@@ -63,11 +65,16 @@ def open_page(
     """
     from learnblock.cli.claiming import claimed  # noqa: PLC0415
     from learnblock.server import serve  # noqa: PLC0415
+    from learnblock.server.projects.writer import Access  # noqa: PLC0415
     from learnblock.storage.home import home  # noqa: PLC0415 - `--help` needs none of it
 
     folder = projects or home() / "projects"
     chosen = {name: value for name, value in place.items() if value is not None}
-    with claimed(folder, take_over=take_over, read_only=read_only) as access:
+    joins = not any(value for name, value in chosen.items() if name != "port")
+    with claimed(folder, take_over=take_over, read_only=read_only, joins=joins) as access:
+        if not isinstance(access, Access):
+            _join(access, folder, file, no_browser=no_browser, window=window)
+            return
         project = _project(folder, file, read_only=access.read_only is not None) if file else None
         service = serve.Service(
             folder, project=project, announce=_announce, access=access, **chosen
@@ -78,25 +85,54 @@ def open_page(
             serve.serve(service, show=None if no_browser else serve.show_in_browser)
 
 
+def _join(
+    running: "RunningServer", folder: Path, file: Path | None, *, no_browser: bool, window: bool
+) -> None:
+    """Show the page of a server that is already running, and let it take in the file."""
+    from learnblock.server import serve  # noqa: PLC0415 - `--help` needs none of it
+
+    address = running.page(_opened(folder, file, running.add) if file else None)
+    say("server-running", address=address)
+    if window:
+        serve.show_in_window(address)
+    elif not no_browser:
+        serve.show_in_browser(address)
+
+
 def _announce(phrase: "Phrase") -> None:
     click.echo(text(phrase))
 
 
 def _project(folder: Path, file: Path, *, read_only: bool) -> str:
-    """The project of a file; a file from elsewhere is copied into the projects folder."""
+    """The project of a file, which a server that only reads can't add."""
+    from learnblock.server.projects.folder import ProjectFolder  # noqa: PLC0415
+
+    def add(project: "Project") -> str:
+        return ProjectFolder(folder).add(project).name
+
+    def refuse(_: "Project") -> str:
+        raise LearnBlockError("server-open-read-only", name=file.name)
+
+    return _opened(folder, file, refuse if read_only else add)
+
+
+def _opened(folder: Path, file: Path, add: Callable[["Project"], str]) -> str:
+    """The name of the project of a file; one from elsewhere becomes a new project.
+
+    Args:
+        folder: the projects folder.
+        file: the file.
+        add: saves a new project, and returns the name of the project.
+    """
     from learnblock import importing, running  # noqa: PLC0415
     from learnblock.server.projects.folder import ProjectFolder  # noqa: PLC0415
 
     projects = ProjectFolder(folder)
     if file.suffix == ".learnblock" and file.resolve().parent == folder.resolve():
         return projects.read(file.stem).name
-    if read_only:
-        raise LearnBlockError("server-open-read-only", name=file.name)
     if file.suffix in {importing.ENDING, importing.LIBRARY_ENDING}:
-        project = _original(projects, file)
-    else:
-        project = projects.import_file(file.name, running.read_text(file))
-    return projects.add(project).name
+        return add(_original(projects, file))
+    return add(projects.import_file(file.name, running.read_text(file)))
 
 
 def _original(projects: "ProjectFolder", file: Path) -> "Project":

@@ -116,10 +116,7 @@ def serve_in_window(service: Service) -> None:
     Raises:
         LearnBlockError: pywebview is not installed, or see `serve`.
     """
-    try:
-        webview = import_module("webview")
-    except ImportError as error:
-        raise LearnBlockError("server-no-window") from error
+    webview = _webview()
     started = threading.Event()
     address = []
 
@@ -132,10 +129,30 @@ def serve_in_window(service: Service) -> None:
         serving = threading.Thread(target=server.run, args=([listening],), name="server")
         serving.start()
         started.wait()
-        webview.create_window("LearnBlock", address[0])
-        webview.start()
+        _show_window(webview, address[0])
         server.should_exit = True
         serving.join()
+
+
+def show_in_window(address: str) -> None:
+    """Show a page in a separate window until it is closed.
+
+    Raises:
+        LearnBlockError: pywebview is not installed.
+    """
+    _show_window(_webview(), address)
+
+
+def _webview() -> Any:
+    try:
+        return import_module("webview")
+    except ImportError as error:
+        raise LearnBlockError("server-no-window") from error
+
+
+def _show_window(webview: Any, address: str) -> None:
+    webview.create_window("LearnBlock", address)
+    webview.start()
 
 
 class _Server(uvicorn.Server):
@@ -194,9 +211,9 @@ def _server(
         def answers() -> None:
             address = _page_address(service, listening)
             if service.access.writer:
-                service.access.writer.describe(address)
-            given = "" if service.proxy_sends_token else f"?token={token}"
-            address = f"{address}{given}{_fragment(service)}"
+                service.access.writer.describe(address, token)
+            given = None if service.proxy_sends_token else token
+            address = whole_address(address, given, service.project)
             service.announce(Phrase("server-started", address=address))
             if service.access.read_only:
                 service.announce(service.access.read_only)
@@ -249,8 +266,10 @@ def _page_address(service: Service, listening: socket.socket) -> str:
     return f"http://{_place(service, listening)}{path}"
 
 
-def _fragment(service: Service) -> str:
-    return f"#project={quote(service.project)}" if service.project else ""
+def whole_address(address: str, token: str | None, project: str | None) -> str:
+    """The address that opens a page: with the token, and the project to open."""
+    given = f"?token={token}" if token else ""
+    return f"{address}{given}#project={quote(project)}" if project else f"{address}{given}"
 
 
 def _place(service: Service, listening: socket.socket) -> str:

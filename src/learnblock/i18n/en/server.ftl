@@ -6,6 +6,12 @@
 server-started =
     LearnBlock is running at { $address }
     Press Ctrl-C to stop it.
+# The user has started it before; $address is the address of its page.
+server-running =
+    LearnBlock is already running. Its page is at { $address }
+    To end that one and start a new one instead, use --take-over.
+# $address is the address of a page.
+server-silent = The LearnBlock at { $address } does not answer. Use --take-over to end it and start a new one.
 # $reason is the system's text.
 server-cannot-listen = LearnBlock can't listen at { $host }, port { $port }: { $reason }. Choose another --port.
 server-cannot-listen-socket = LearnBlock can't listen at { $path }: { $reason }.
@@ -44,7 +50,7 @@ server-open-read-only = Opening '{ $name }' would copy it into the projects fold
 
 # The title of the page below.
 server-incomplete-address-title = This address is incomplete
-server-incomplete-address = Open the whole address that LearnBlock printed when it started. It ends in ?token= and a long word, and is new each time.
+server-incomplete-address = The address of this page ends in ?token= and a long word. To open it, run learnblock once more, or use the whole address that LearnBlock printed when it started.
 server-wrong-address = LearnBlock does not accept this address or this page. Open the address that LearnBlock printed; behind a proxy, start LearnBlock with --allow-host NAME.
 server-not-built-title = The page has not been built
 server-not-built = This LearnBlock runs from its sources, without a built page. Build the page with Node.js, and reload:

@@ -5,6 +5,10 @@
 server-started =
     LearnBlock está en marcha en { $address }
     Pulsa Ctrl-C para pararlo.
+server-running =
+    LearnBlock ya está en marcha. Su página está en { $address }
+    Para terminarlo y empezar uno nuevo, usa --take-over.
+server-silent = El LearnBlock de { $address } no responde. Usa --take-over para terminarlo y empezar uno nuevo.
 server-cannot-listen = LearnBlock no puede escuchar en { $host }, puerto { $port }: { $reason }. Elige otro con --port.
 server-cannot-listen-socket = LearnBlock no puede escuchar en { $path }: { $reason }.
 server-already-listening = Otro LearnBlock está escuchando en { $path }.
@@ -34,7 +38,7 @@ server-open-read-only = Abrir '{ $name }' lo copiaría en la carpeta de proyecto
 ## Answers to a browser
 
 server-incomplete-address-title = Esta dirección está incompleta
-server-incomplete-address = Abre la dirección completa que LearnBlock mostró al empezar. Termina en ?token= y una palabra larga, y cada vez es distinta.
+server-incomplete-address = La dirección de esta página termina en ?token= y una palabra larga. Para abrirla, ejecuta learnblock otra vez, o usa la dirección completa que LearnBlock mostró al empezar.
 server-wrong-address = LearnBlock no acepta esta dirección o esta página. Abre la dirección que LearnBlock mostró; detrás de un proxy, inicia LearnBlock con --allow-host NOMBRE.
 server-not-built-title = La página no está construida
 server-not-built = Este LearnBlock se ejecuta desde su código fuente, sin una página construida. Construye la página con Node.js y vuelve a cargar:

@@ -1,5 +1,6 @@
 """The right to write to a projects folder, which one server has at a time."""
 
+import hmac
 import os
 import socket
 import time
@@ -16,6 +17,8 @@ from learnblock.storage.files import save
 
 #: A larger file is not ours.
 _LARGEST = 10_000
+#: Seconds between two looks for a description that is still missing.
+_LOOK_AGAIN = 0.05
 
 #: Another user may have written them, and they are printed on a terminal.
 _Printable = Annotated[str, msgspec.Meta(pattern="^[!-~]{0,300}$")]
@@ -30,24 +33,36 @@ class Owner(msgspec.Struct, frozen=True):
         computer: the name of the computer it runs on, which matters on a network drive.
         since: seconds since 1970.
         address: where its page is; without the token, which others may not read.
+        proof: proves to those who know the token that the server knows it too.
     """
 
     process: int
     computer: _Printable
     since: _Moment
     address: _Printable
+    proof: _Printable = ""
 
     @classmethod
-    def this_process(cls, address: str) -> "Owner":
+    def this_process(cls, address: str, token: str) -> "Owner":
         """Describe this server."""
-        return cls(os.getpid(), socket.gethostname(), time.time(), address)
+        proof = _proof(token, address)
+        return cls(os.getpid(), socket.gethostname(), time.time(), address, proof)
+
+    @property
+    def is_here(self) -> bool:
+        """Whether it runs on this computer."""
+        return self.computer == socket.gethostname()
+
+    def knows(self, token: str) -> bool:
+        """Whether the server at this address knows the token, so that it may be sent there."""
+        return hmac.compare_digest(self.proof, _proof(token, self.address))
 
     @property
     def phrase(self) -> Phrase:
         """Describe the process for a person."""
         since = time.strftime("%Y-%m-%d %H:%M", time.localtime(self.since))
         shown = {"process": str(self.process), "since": since, "address": self.address}
-        if self.computer == socket.gethostname():
+        if self.is_here:
             return Phrase("server-owner", **shown)
         return Phrase("server-owner-elsewhere", computer=self.computer, **shown)
 
@@ -111,11 +126,11 @@ class Writer:
         finally:
             self._request.unlink(missing_ok=True)
 
-    def describe(self, address: str) -> None:
+    def describe(self, address: str, token: str) -> None:
         """Save a description of this server for others, if it has the right to write."""
         if self._lock.is_locked:
             with suppress(OSError):
-                save(self._description, msgspec.json.encode(Owner.this_process(address)))
+                save(self._description, msgspec.json.encode(Owner.this_process(address, token)))
 
     @property
     def owner(self) -> Owner | None:
@@ -126,6 +141,17 @@ class Writer:
         except (OSError, msgspec.MsgspecError):
             # It has just started, or this user may not read the folder.
             return None
+
+    def await_owner(self, patience: float) -> Owner | None:
+        """The server that has the right to write, once it has started; None if unknown.
+
+        Args:
+            patience: seconds to wait for it.
+        """
+        deadline = time.monotonic() + patience
+        while (owner := self.owner) is None and time.monotonic() < deadline:
+            time.sleep(_LOOK_AGAIN)
+        return owner
 
     @property
     def owner_phrase(self) -> Phrase:
@@ -163,3 +189,7 @@ class Access:
         if writer.owner is None:
             return cls(read_only=Phrase("server-reading"))
         return cls(read_only=Phrase("server-reading-beside", owner=writer.owner_phrase))
+
+
+def _proof(token: str, address: str) -> str:
+    return hmac.digest(token.encode(), address.encode(), "sha256").hex()

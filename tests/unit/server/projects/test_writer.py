@@ -18,7 +18,7 @@ from learnblock.server.projects.writer import Writer
 
 writer = Writer(Path(sys.argv[1]))
 assert writer.claim()
-writer.describe("http://127.0.0.1:8421/")
+writer.describe("http://127.0.0.1:8421/", "the-token")
 print("claimed", flush=True)
 while not writer.is_asked_to_end:
     pass
@@ -46,6 +46,14 @@ def test_the_others_learn_who_has_it(tmp_path, holder):
     assert (owner.process, owner.computer) == (holder.pid, socket.gethostname())
     assert owner.address == "http://127.0.0.1:8421/"
     assert str(holder.pid) in str(owner.phrase)
+
+
+def test_only_who_knows_the_token_can_tell_that_the_server_knows_it(tmp_path, holder):
+    owner = Writer(tmp_path).owner
+    assert owner.knows("the-token")
+    assert not owner.knows("another")
+    assert not msgspec.structs.replace(owner, address="http://127.0.0.1:1/").knows("the-token")
+    assert b"the-token" not in (tmp_path / ".writer.json").read_bytes()
 
 
 def test_a_killed_process_is_no_obstacle(tmp_path, holder):
