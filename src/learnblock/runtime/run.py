@@ -148,7 +148,7 @@ class Run:
             self._end_soon(self.supervision.check_usage(conversation.worker.usage))
             if self.variables.are_due:
                 self.variables.request(conversation)
-                while (message := self.variables.wait(conversation)) is not None:
+                while self.ending is None and (message := self.variables.wait(conversation)):
                     self._handle(message)
 
     def stop(self, ending: Ending) -> None:

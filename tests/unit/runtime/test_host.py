@@ -10,11 +10,13 @@ import pytest
 from learnblock.client import Client
 from learnblock.devices import Device
 from learnblock.i18n import Phrase
+from learnblock.runtime import supervision
 from learnblock.runtime.activity import Activity
 from learnblock.runtime.debugger import Debugger
 from learnblock.runtime.ending import Ending, How
 from learnblock.runtime.inline import InlineWorker
 from learnblock.runtime.limits import MEGABYTE, Limits
+from learnblock.runtime.messages import ShowVariables, Stop
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from learnblock.runtime.watcher import Watcher
 
@@ -474,6 +476,47 @@ def test_a_program_that_was_ended_does_not_delay_the_others(stage, impatient):
     first, second = stage.results()
     assert (How.NO_CALL, How.FINISHED) == (first.how, second.how)
     assert second.output == "5.0\n"
+
+
+class GoneAtTheEnd(ThreadWorker):
+    """A program that can't be looked at once it has ended, as a process with its folder."""
+
+    ended = False
+
+    def kill(self):
+        self.ended = True
+        super().kill()
+
+    def usage(self, limits):
+        assert not self.ended
+        return super().usage(limits)
+
+
+def test_an_ended_program_is_not_looked_at_while_the_others_go_on(stage, monkeypatch):
+    monkeypatch.setattr(supervision, "USAGE_PERIOD", 0.0)
+    stage.add("print('bye')", worker=GoneAtTheEnd)
+    stage.add("robot.clock.sleep(500)", worker=ThreadWorker)
+    stage.host().run()
+    assert [result.how for result in stage.results()] == [How.FINISHED, How.FINISHED]
+
+
+class EndedWhenAsked(ThreadWorker):
+    """A program that is ended while it waits, at the moment when it is asked for its variables."""
+
+    def __init__(self):
+        super().__init__()
+        send = self.link.send
+        self.link.send = lambda message: send(Stop() if message == ShowVariables() else message)
+
+
+def test_a_program_that_is_ended_while_its_variables_are_read_ends_once(stage):
+    class Reading(Listener):
+        def tick(self):
+            run.variables.enabled = run.wake is not None
+
+    run = stage.add("robot.clock.sleep(500)", worker=EndedWhenAsked, watcher=Reading())
+    stage.host().run()
+    assert run.ending.phrase == Phrase("run-stopped-by-signal")
 
 
 PROGRAM = """
