@@ -1,5 +1,6 @@
 """The README's program and commands work as described."""
 
+import os
 import re
 import subprocess
 import sys
@@ -37,8 +38,10 @@ def test_a_command_of_the_first_program_works(first, command):
 
 
 def test_the_first_program_meets_an_obstacle_and_looks_surprised(first):
-    result = CliRunner().invoke(main, ["run", "first.bt", "--world", "obstacles"])
-    assert "shown      surprise" in result.stderr
+    [command] = re.findall(r"^learnblock (run first\.bt .*)$", README, re.MULTILINE)
+    report = CliRunner().invoke(main, command.split()).stderr
+    assert "shown      surprise" in report
+    assert "not reached" not in report
 
 
 def test_its_python_is_the_one_shown_and_runs_by_itself(first):
@@ -47,7 +50,12 @@ def test_its_python_is_the_one_shown_and_runs_by_itself(first):
     )
     assert blocks("python")[0] == result.stdout
     Path("first.py").write_text(result.stdout)
-    subprocess.run([sys.executable, "first.py"], check=True, timeout=60)
+    run = [sys.executable, "first.py"]
+    environment = {**os.environ, "LEARNBLOCK_LANGUAGE": "en"}
+    ended = subprocess.run(
+        run, check=True, timeout=60, capture_output=True, text=True, env=environment
+    )
+    assert re.fullmatch(r"first\.py: [\d.]+ s, \d+ mm driven, in the world \w+\.\n", ended.stderr)
 
 
 def test_continuous_integration_runs_the_same_test_command():

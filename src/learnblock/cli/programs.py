@@ -132,6 +132,8 @@ def check(
     else:
         for file, (diagnostics, text) in found.items():
             print_diagnostics(str(file), diagnostics, text)
+            if not diagnostics:
+                say("cli-no-problems", file=str(file))
     errors = [one for all_, _ in found.values() for one in all_ if one.severity == "error"]
     sys.exit(ExitCode.MISTAKES if errors else ExitCode.WELL)
 

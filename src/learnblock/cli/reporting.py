@@ -40,6 +40,8 @@ STATUS_PERIOD = 0.1
 
 #: Characters of the longest label of the report, and the indent of a value's further lines.
 LABEL = 10
+#: Digits of a trace's hash in the report.
+SHORT = 12
 _NEW_LINE = "\n" + " " * (LABEL + 1)
 #: How a run ended, by the names in the report's words.
 _HOW = {How.FINISHED: "finished", How.STOPPED: "stopped"}
@@ -355,6 +357,11 @@ def _print(report: Report, session: ProgramRun, *, as_json: bool) -> None:
         print_row(label, value)
 
 
+def short(trace_sha256: str) -> str:
+    """As much of a trace's hash as a person compares; ``--json`` has all of it."""
+    return trace_sha256[:SHORT]
+
+
 def print_row(label: str, value: str) -> None:
     """Print a row of the report: the code of its label, and its value."""
     click.echo(f"{text(Phrase(label)):<{LABEL}} {value}", err=True)
@@ -366,7 +373,7 @@ def _rows(report: Report, session: ProgramRun) -> Iterator[tuple[str, str]]:
     for goal in report.goals:
         yield "report-label-goal", goal_row(goal)
     yield from effect_rows(report, session.robot.name)
-    yield "report-label-trace", report.trace_sha256
+    yield "report-label-trace", short(report.trace_sha256)
 
 
 def ending_rows(report: Report, limit: float | None) -> Iterator[tuple[str, str]]:

@@ -35,6 +35,7 @@ from learnblock.cli.reporting import (
     print_row,
     refused_report,
     say_if_not_whole,
+    short,
     time_limit,
 )
 from learnblock.errors import FileError, LearnBlockError
@@ -319,7 +320,7 @@ def _print(report: TeamReport, session: TeamRun, screen: _Screen, *, as_json: bo
     for goal in report.goals:
         print_row("report-label-goal", goal_row(goal))
     differs = text(Phrase("report-team-not-deterministic"))
-    print_row("report-label-trace", report.trace_sha256 or differs)
+    print_row("report-label-trace", short(report.trace_sha256 or "") or differs)
 
 
 def _rows(member: Member, report: Report, limit: float | None) -> Iterator[tuple[str, str]]:

@@ -8,6 +8,8 @@ from types import FrameType
 
 from learnblock.client import Client
 from learnblock.errors import LearnBlockError
+from learnblock.i18n import Phrase, translate
+from learnblock.i18n.reader import system_language
 from learnblock.runtime.ending import How
 from learnblock.runtime.lines import LineBudget, start_line_events
 from learnblock.runtime.output import LineWriter
@@ -44,6 +46,32 @@ def trace_main_program(client: Client, path: Path) -> Callable[[], None]:
         file.close()
 
     return end
+
+
+def main_program() -> str | None:
+    """The name of the file that is run as ``python square.py``; None if no file is run so.
+
+    Python forgets it before robots stop at the end of a program.
+    """
+    main = sys.modules["__main__"]
+    file = getattr(main, "__file__", None)
+    # What ``python -m`` runs, such as tests, has a spec.
+    return Path(file).name if file and main.__spec__ is None else None
+
+
+def report_main_program(client: Client, name: str) -> None:
+    """Say on the standard error what the robot of a program did."""
+    outcome = client.outcome()
+    reached = tuple(goal.name for goal in outcome.goals if goal.state == "reached")
+    report = Phrase(
+        "run-alone-with-goals" if reached else "run-alone",
+        program=name,
+        time=round(client.clock.time(), 2),
+        distance=round(outcome.distance or 0),
+        world=str(client.conditions()["world"]),
+        **({"goals": reached} if reached else {}),
+    )
+    sys.stderr.write(f"{translate(report, system_language())}\n")
 
 
 def _main_frame() -> FrameType:

@@ -213,6 +213,20 @@ def test_warnings_alone_are_not_a_failure():
     assert "missing-device" in result.stdout
 
 
+def test_check_says_that_a_program_has_no_problems(write):
+    program = write("first.bt", "main:\n    function.turn_back()\nend\n")
+    result = call("check", program)
+    assert (result.exit_code, result.stdout) == (0, f"{program}: no problems\n")
+    assert call("check", program, "--json").stdout == "[]\n"
+
+
+def test_the_report_has_a_short_hash_and_its_json_the_whole_one():
+    whole = json.loads(call("run", SQUARE, "--world", "empty", "--json").stdout)["trace_sha256"]
+    report = call("run", SQUARE, "--world", "empty").stderr
+    assert len(whole) == 64
+    assert f"trace      {whole[:12]}\n" in report
+
+
 def test_check_can_print_json(write):
     program = write("typo.bt", "function.move_strait()\n")
     found = json.loads(call("check", program, "--json").stdout)

@@ -65,6 +65,8 @@ cli-new-next = Next:
 cli-new-robot-test = The test lists the functions that you still have to write, and what each must do.
 cli-new-skill = Next, change what the skill does. In Block-Text, it is { $call }.
 
+cli-no-problems = { $file }: no problems
+
 cli-emotions-question = Turn it on for all real cameras?
 
 cli-take-over-or-read-only = Give either --take-over or --read-only.

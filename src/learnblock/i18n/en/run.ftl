@@ -2,6 +2,10 @@
 # the report of a run.
 
 run-finished = The program finished.
+# A program that was run as "python square.py". $time is in seconds of the robot's time.
+run-alone = { $program }: { NUMBER($time, minimumFractionDigits: 2) } s, { $distance } mm driven, in the world { $world }.
+# $goals lists the names of goals.
+run-alone-with-goals = { run-alone } Reached: { $goals }.
 run-stopped = The program was stopped.
 run-stopped-by-signal = The program was stopped by the operating system.
 run-time-limit =

@@ -59,6 +59,8 @@ cli-new-next = Ahora:
 cli-new-robot-test = La prueba muestra las funciones que aún tienes que escribir y qué debe hacer cada una.
 cli-new-skill = Ahora cambia lo que hace la habilidad. En Block-Text es { $call }.
 
+cli-no-problems = { $file }: sin problemas
+
 cli-emotions-question = ¿Activarlo para todas las cámaras reales?
 
 cli-take-over-or-read-only = Usa --take-over o --read-only, pero no las dos.

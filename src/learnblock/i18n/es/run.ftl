@@ -1,6 +1,8 @@
 # La ejecución de un programa: cómo termina y por qué.
 
 run-finished = El programa ha terminado.
+run-alone = { $program }: { NUMBER($time, minimumFractionDigits: 2) } s, { $distance } mm recorridos, en el mundo { $world }.
+run-alone-with-goals = { run-alone } Alcanzado: { $goals }.
 run-stopped = El programa se ha detenido.
 run-stopped-by-signal = El sistema operativo ha detenido el programa.
 run-time-limit =

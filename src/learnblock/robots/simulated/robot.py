@@ -23,7 +23,7 @@ from learnblock.robots.simulated.simulation import Simulation, WorldClock
 from learnblock.robots.simulated.worlds import described_world, find_world
 from learnblock.runtime.lockstep import LockStepClock
 from learnblock.runtime.pacing import Pacing
-from learnblock.runtime.standalone import trace_main_program
+from learnblock.runtime.standalone import main_program, report_main_program, trace_main_program
 from learnblock.runtime.usertime import use_robot_time
 from learnblock.simulator import (
     GoalState,
@@ -86,6 +86,8 @@ class SimulatedRobot(Client):
         self.start = chosen_start(start)
         self._restore_time: Callable[[], None] | None = None
         self._end_trace: Callable[[], None] | None = None
+        #: The name of the program that reports what the robot did.
+        self._program: str | None = None
         self.simulation = simulation or self.make_simulation(
             world=world, seed=seed, pace=pace, variant=variant
         )
@@ -184,6 +186,8 @@ class SimulatedRobot(Client):
             self.simulation.finish(self.name)
         if self._restore_time:
             self._restore_time()
+            if self._program:
+                report_main_program(self, self._program)
         if self._end_trace:
             self._end_trace()
 
@@ -200,6 +204,7 @@ class SimulatedRobot(Client):
         """Tie the program's random numbers and time to the world, so that runs are reproducible."""
         random.seed(self.simulation.seed)
         self._restore_time = use_robot_time(self.clock)
+        self._program = main_program()
         if os.environ.get("LEARNBLOCK_TRACE"):
             self._end_trace = trace_main_program(self, Path(os.environ["LEARNBLOCK_TRACE"]))
 
