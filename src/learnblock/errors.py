@@ -326,8 +326,14 @@ def _refused_error(phrase: Phrase, kind: str) -> IceRefusedError:
     return IceRefusedError(phrase.code, kind=kind, **phrase.values)
 
 
-def nearest(name: str, known: Iterable[str]) -> str | None:
-    """The most similar of the known names, or None if none is similar; case does not matter."""
+def nearest(name: str, known: Iterable[str], *, likeness: float = 0.6) -> str | None:
+    """The most similar of the known names, or None if none is similar; case does not matter.
+
+    Args:
+        name: the unknown name.
+        known: the known ones.
+        likeness: how similar they have to be, from 0 to 1.
+    """
     folded = {candidate.casefold(): candidate for candidate in known}
-    near = difflib.get_close_matches(name.casefold(), folded, n=1, cutoff=0.6)
+    near = difflib.get_close_matches(name.casefold(), folded, n=1, cutoff=likeness)
     return folded[near[0]] if near else None

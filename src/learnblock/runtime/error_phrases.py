@@ -1,7 +1,8 @@
 """The errors of programs as phrases that can cross the link."""
 
 import builtins
-from collections.abc import Collection
+import dis
+from collections.abc import Iterable
 from types import TracebackType
 from typing import overload
 
@@ -55,19 +56,44 @@ def _suggestion(error: BaseException, failed: FailedCode) -> Phrase | None:
         if failed.sets(error.name):
             # It is not misspelled: the line that sets it has not run.
             return None
-        code, known = "run-means-name-near", _visible(error.__traceback__)
-    else:
-        code, known = "run-means-attribute-near", dir(error.obj)
-    near = nearest(error.name, [name for name in known if not name.startswith("_")])
-    return None if near is None else Phrase(code, name=error.name, near=near)
+        return _name_suggestion(error.name, _last(error.__traceback__))
+    return _near("run-means-attribute-near", error.name, dir(error.obj))
 
 
-def _visible(step: TracebackType | None) -> Collection[str]:
-    """The names that can be used where an error was raised."""
+def _name_suggestion(name: str, raised: TracebackType | None) -> Phrase | None:
+    from learnblock.blocks.source.importable import missing_import  # noqa: PLC0415 - rarely needed
+
+    if raised is None:
+        return None
+    if missing := missing_import(name, before_dot=_is_before_dot(raised)):
+        return missing
+    frame, code = raised.tb_frame, "run-means-name-near"
+    visible = {*vars(builtins), *frame.f_globals, *frame.f_locals}
+    # A name that is only a little like True, False, None or an error means something else.
+    likely = [one for one in visible if one[0].islower() or one not in vars(builtins)]
+    return _near(code, name, visible, likeness=0.8) or _near(code, name, likely)
+
+
+def _near(code: str, name: str, known: Iterable[str], *, likeness: float = 0.6) -> Phrase | None:
+    public = [one for one in known if not one.startswith("_")]
+    near = nearest(name, public, likeness=likeness)
+    return None if near is None else Phrase(code, name=name, near=near)
+
+
+def _last(step: TracebackType | None) -> TracebackType | None:
+    """Where an error was raised."""
     while step and step.tb_next:
         step = step.tb_next
-    frame = step.tb_frame if step else None
-    return {*vars(builtins), *frame.f_globals, *frame.f_locals} if frame else ()
+    return step
+
+
+def _is_before_dot(raised: TracebackType) -> bool:
+    """Whether a name is missing that is used as a module, as in ``time.sleep(1)``."""
+    following = (
+        one for one in dis.get_instructions(raised.tb_frame.f_code) if one.offset > raised.tb_lasti
+    )
+    one = next(following, None)
+    return one is not None and one.opname in {"LOAD_ATTR", "LOAD_METHOD"}
 
 
 def _sendable(phrase: Phrase) -> Phrase:

@@ -3,11 +3,13 @@
 import ast
 import warnings
 from collections.abc import Iterator, Mapping
+from types import CodeType
 
 from learnblock.blocks import NUMBERS, Parameter
 from learnblock.blocks.source.signature import Argument, Place, Signature, signature
 from learnblock.errors import Diagnostic, ProgramError, Severity
 from learnblock.extensions.custom_blocks.imports_check import wrong_imports
+from learnblock.extensions.custom_blocks.names_check import unknown_names, unknown_skills
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import attribute_to_python
 from learnblock.storage import skill_files
@@ -24,10 +26,20 @@ def wrong_source(source: str, filename: str, taken: Mapping[str, Phrase]) -> Ite
         taken: names that its functions cannot have, each with the reason.
     """
     try:
-        tree = _compiled(source, filename)
+        tree, code = _compiled(source, filename)
     except ProgramError as error:
         yield from error.diagnostics
         return
+    wrong = [*_wrong_parts(tree, taken)]
+    yield from wrong
+    # A hint or an import with a mistake is not reported a second time.
+    lines = {one.line for one in wrong}
+    yield from (one for one in unknown_names(tree, code) if one.line not in lines)
+    own = {one.name for one in skill_files.functions(tree)}
+    yield from unknown_skills(tree, {*taken, *own})
+
+
+def _wrong_parts(tree: ast.Module, taken: Mapping[str, Phrase]) -> Iterator[Diagnostic]:
     functions = list(skill_files.functions(tree))
     heads = list(_wrong_heads(tree))
     yield from heads
@@ -39,8 +51,8 @@ def wrong_source(source: str, filename: str, taken: Mapping[str, Phrase]) -> Ite
     yield from wrong_imports(tree)
 
 
-def _compiled(source: str, filename: str) -> ast.Module:
-    """The syntax tree of a source that also compiles, which finds more mistakes.
+def _compiled(source: str, filename: str) -> tuple[ast.Module, CodeType]:
+    """The syntax tree of a source, and its code: compiling finds more mistakes.
 
     Raises:
         ProgramError: it is not valid Python.
@@ -52,7 +64,7 @@ def _compiled(source: str, filename: str) -> ast.Module:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            compile(source, filename, "exec", dont_inherit=True)
+            code = compile(source, filename, "exec", dont_inherit=True)
     except SyntaxError as error:
         place = (error.lineno or 0, error.offset or 0)
         message = Phrase("custom-not-python", reason=error.msg)
@@ -60,7 +72,7 @@ def _compiled(source: str, filename: str) -> ast.Module:
     except (ValueError, RecursionError, MemoryError, OverflowError) as error:
         message = Phrase("custom-not-python", reason=str(error))
         raise ProgramError(filename, [Diagnostic("syntax-error", message)]) from None
-    return tree
+    return tree, code
 
 
 def _wrong_heads(tree: ast.Module) -> Iterator[Diagnostic]:

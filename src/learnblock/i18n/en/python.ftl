@@ -45,6 +45,8 @@ python-robot-class = Write 'robot.{ $skill }(...)', with a small 'r'.
 python-function = In Python a skill belongs to the robot. Write 'robot.{ $skill }(...)' instead of 'function.{ $skill }(...)'.
 python-end = Python has no 'end'. Remove it: a block ends where its indentation ends.
 python-not-imported = The module '{ $module }' is not imported. Write 'import { $module }' at the top.
+# $module: such as learnblock.devices; $name: such as Base
+python-not-imported-from = '{ $name }' is not imported. Write 'from { $module } import { $name }' at the top.
 python-skill-without-brackets = A skill needs its brackets. Write 'robot.{ $skill }()'.
 python-unknown-when = There is no event '{ $name }'. Write '@robot.when' and, below it, 'def { $name }():' above this line, or check the name.
 

@@ -45,6 +45,7 @@ python-robot-class = Escribe 'robot.{ $skill }(...)', con 'r' minúscula.
 python-function = En Python las habilidades son del robot. Escribe 'robot.{ $skill }(...)' en lugar de 'function.{ $skill }(...)'.
 python-end = En Python no hay 'end'. Quítalo: un bloque termina donde termina su sangrado.
 python-not-imported = El módulo '{ $module }' no está importado. Escribe 'import { $module }' al principio.
+python-not-imported-from = '{ $name }' no está importado. Escribe 'from { $module } import { $name }' al principio.
 python-skill-without-brackets = Una habilidad lleva paréntesis. Escribe 'robot.{ $skill }()'.
 python-unknown-when = No hay ningún evento '{ $name }'. Escribe encima de esta línea '@robot.when' y, debajo, 'def { $name }():', o revisa el nombre.
 

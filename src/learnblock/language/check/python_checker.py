@@ -3,9 +3,9 @@
 import ast
 import builtins
 import re
-import sys
 from collections.abc import Iterator
 
+from learnblock.blocks.source.importable import missing_import
 from learnblock.errors import Severity, nearest
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.slips import write_instead
@@ -136,8 +136,8 @@ class _PythonChecker:
             return Phrase("python-function", skill=attribute)
         if name == "end":
             return Phrase("python-end")
-        if attribute is not None and name in sys.stdlib_module_names:
-            return Phrase("python-not-imported", module=name)
+        if missing := missing_import(name, before_dot=attribute is not None):
+            return missing
         if name in VALUES:
             return write_instead(name, VALUES[name])
         if name in self.findings.skills:

@@ -127,6 +127,65 @@ def test_an_import_that_works_is_valid(source):
     assert () == check(source + PLAIN).problems
 
 
+NAMES = {
+    "robot.move_straigt(50)": (
+        3,
+        "There is no skill 'move_straigt'. Did you mean 'move_straight'?",
+    ),
+    "x = robot.wlatz(2)": (3, "Did you mean 'waltz'?"),
+    "time.sleep(1)": (3, "The module 'time' is not imported. Write 'import time' at the top."),
+    "robot.device(Base)": (3, "Write 'from learnblock.devices import Base' at the top."),
+    "[Literal for _ in [1]]": (3, "Write 'from typing import Literal' at the top."),
+    "if times:\n        prnt(times)": (4, "There is no function 'prnt'. Did you mean 'print'?"),
+    "print(tmes)": (3, "'tmes' has no value."),
+    "x = 3\n    print(lambda: y)": (4, "'y' has no value."),
+    "class A:\n        b = 1\n        def c(self): return b": (5, "'b' has no value."),
+    "try: dance()\n    except ValueError: pass": (3, "There is no function 'dance'."),
+}
+
+
+@pytest.mark.parametrize("line", NAMES)
+def test_a_name_that_nothing_sets_is_an_error(line):
+    checked = check(PLAIN + f"    {line}\n")
+    expected, words = NAMES[line]
+    [error] = checked.errors
+    assert error.diagnostic.line == expected
+    assert words in str(error.diagnostic.message)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "print(__name__, __file__, [n for n in range(times)], times := 3, times)",
+        "global steps\n    steps = 1\ndef tango(robot): print(steps, LATER)\nLATER = 3",
+        "class A:\n        b = 1\n        c = b\n        def d(self): return __class__, A",
+        "try: fast\n    except NameError: fast = 1",
+        "exec('fast = 1')\n    print(fast)",
+        "from math import *\nprint(sqrt(4))",
+        "import os.path as p, math\n    def f(*a, **b): return p, math, a, b\n    f()",
+        "match times:\n        case [a, *b]: print(a, b)\n        case {'c': c, **d}: print(c, d)",
+        "robot.tango(robot.clock.time())\ndef tango(robot, n): robot.count = robot.count + n",
+        "with open('x') as f: print(f)\n    except_ = f\n    del except_",
+    ],
+)
+def test_a_name_that_something_sets_is_valid(line):
+    checked = check(
+        (PLAIN + f"    {line}\n").replace("    from math import *", "from math import *")
+    )
+    assert () == checked.problems
+
+
+@pytest.mark.parametrize("skill", ["qqq", "waltz2", "turn_twice"])
+def test_a_skill_that_another_block_or_robot_may_have_is_a_warning(skill):
+    [problem] = check(PLAIN + f"    robot.{skill}()\n").problems
+    assert ("unknown-skill", "warning") == (problem.diagnostic.code, problem.diagnostic.severity)
+
+
+def test_the_skills_of_other_blocks_are_known():
+    save("dance", PLAIN)
+    assert () == check("def two(robot):\n    robot.waltz(2)\n").problems
+
+
 def test_a_function_without_a_robot_among_others_is_only_a_warning():
     checked = check(PLAIN + "def helper(): ...\n")
 
