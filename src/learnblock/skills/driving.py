@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from learnblock.devices import Base, Pose, number
 from learnblock.errors import DeviceValueError, StillDrivingError
+from learnblock.skills.progress import PATIENCE, Progress
 
 if TYPE_CHECKING:
     from learnblock.client import Client
@@ -33,7 +34,7 @@ def drive_distance(robot: "Client", distance: float, advSpeed: float = 80) -> No
 
     Raises:
         DeviceValueError: the speed is not more than 0.
-        StillDrivingError: the drive takes far too long; the robot may be stuck.
+        StillDrivingError: the robot does not get on for 3 seconds; it may be stuck.
     """
     distance, speed = number("distance", distance), number("advSpeed", advSpeed)
     if speed <= 0:
@@ -46,9 +47,13 @@ def drive_distance(robot: "Client", distance: float, advSpeed: float = 80) -> No
 def _drive(robot: "Client", base: Base, heading: float, distance: float, speed: float) -> None:
     start, magnitude = base.pose(), 0.0
     began = robot.clock.time()
-    deadline = began + 5 + abs(distance) / min(speed, _SLOWEST)
+    slowest = min(speed, _SLOWEST)
+    deadline = began + 5 + abs(distance) / slowest
+    progress = Progress(slowest * PATIENCE / 10)
     while abs(remaining := distance - _ahead(start, base.pose())) > _WITHIN:
-        if robot.clock.time() >= deadline:
+        now = robot.clock.time()
+        progress.note(now, remaining)
+        if progress.is_stuck or now >= deadline:
             base.stop()
             raise StillDrivingError(
                 "skill-still-driving",

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from learnblock.devices import Base
 from learnblock.errors import StillTurningError
+from learnblock.skills.progress import PATIENCE, Progress
 
 if TYPE_CHECKING:
     from learnblock.client import Client
@@ -48,6 +49,11 @@ class Manner:
         magnitude = min(magnitude, abs(before) + SPEEDING_UP)
         return math.copysign(magnitude, remaining)
 
+    @property
+    def least_progress(self) -> float:
+        """The fewest degrees that a robot that is not stuck turns within `PATIENCE`."""
+        return self.slowest * PATIENCE / 10
+
     def time_limit(self, angle: float) -> float:
         """The most seconds that a robot that is not stuck needs for a turn by `angle`."""
         return 5 + abs(angle) / self.slowest
@@ -57,7 +63,7 @@ def turn_by(robot: "Client", base: Base, angle: float, manner: Manner) -> None:
     """Turn by `angle` degrees, positive to the right, and stop.
 
     Raises:
-        StillTurningError: the turn exceeds the manner's time limit.
+        StillTurningError: the robot is stuck, or the turn exceeds the manner's time limit.
     """
     # A robot that still rolls turns less than its commands say.
     base.stop()
@@ -66,8 +72,9 @@ def turn_by(robot: "Client", base: Base, angle: float, manner: Manner) -> None:
     began = robot.clock.time()
     deadline = began + manner.time_limit(angle)
     remaining = angle
-    while robot.clock.time() < deadline:
-        _approach(robot, base, target, manner, deadline)
+    is_stuck = False
+    while not is_stuck and robot.clock.time() < deadline:
+        is_stuck = _approach(robot, base, target, manner, deadline)
         remaining = target - _heading(robot)
         if abs(remaining) <= manner.settled_within:
             return
@@ -79,14 +86,20 @@ def turn_by(robot: "Client", base: Base, angle: float, manner: Manner) -> None:
     )
 
 
-def _approach(robot: "Client", base: Base, target: float, manner: Manner, deadline: float) -> None:
-    speed = 0.0
-    while abs(remaining := target - _heading(robot)) > WITHIN and robot.clock.time() < deadline:
+def _approach(robot: "Client", base: Base, target: float, manner: Manner, deadline: float) -> bool:
+    """Turn until the target or the deadline; return whether the robot is stuck before."""
+    speed, progress = 0.0, Progress(manner.least_progress)
+    while abs(remaining := target - _heading(robot)) > WITHIN:
+        now = robot.clock.time()
+        progress.note(now, remaining)
+        if progress.is_stuck or now >= deadline:
+            break
         speed = manner.speed(remaining, speed)
         base.move(0, speed)
         robot.clock.sleep(PERIOD)
     base.stop()
     robot.clock.sleep(SETTLING)
+    return progress.is_stuck
 
 
 def _heading(robot: "Client") -> float:

@@ -83,7 +83,7 @@ def test_a_stuck_robot_raises_instead_of_waiting_forever(robot):
 
     with pytest.raises(StillTurningError) as caught:
         robot.turn(90)
-    assert caught.value.phrase == Phrase("skill-still-turning", turned=0, angle=90, seconds=14)
+    assert caught.value.phrase == Phrase("skill-still-turning", turned=0, angle=90, seconds=3)
     assert ("Base.move", 0, 0) == robot.commands[-1]
 
 

@@ -55,3 +55,20 @@ def test_the_shortest_way_is_the_same_direction_by_at_most_half_a_turn(angle):
 
 def test_half_a_turn_is_to_the_right():
     assert [180, 180, 180] == [shortest(angle) for angle in (180, -180, 540)]
+
+
+def test_a_robot_that_is_held_halfway_gives_up_three_seconds_later():
+    with FakeRobot(skills=["turn"]) as robot:
+        sleep = robot.clock.sleep
+
+        def hold(seconds):
+            sleep(seconds)
+            if not robot.wheels.stuck and robot.wheels.pose[2] > 40:
+                robot.wheels.stuck = True
+                held.append(robot.clock.time())
+
+        held: list[float] = []
+        robot.clock.sleep = hold
+        with pytest.raises(StillTurningError, match="turned only 4"):
+            robot.turn(90)
+        assert 3 <= robot.clock.time() - held[0] < 4
