@@ -8,11 +8,17 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from PIL import Image
 
+from learnblock import language, running
 from learnblock.cli import main
 from places import ROOT
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+DOCS = ROOT / "docs"
+PACKAGE = ROOT / "src/learnblock"
+#: Where the words in the picture come from.
+WORDS = ("i18n/en/**/*.ftl", "blocks/**/*.json", "simulator/worlds/*.toml")
 
 
 def blocks(language):
@@ -59,13 +65,72 @@ def test_its_python_is_the_one_shown_and_runs_by_itself(first):
 
 
 def test_continuous_integration_runs_the_same_test_command():
-    assert "pip install uv && uv run pytest" in blocks("")[1]
+    assert "pip install uv && uv run pytest\n" in blocks("")
     assert "pip install uv && uv run pytest" in (ROOT / ".ci" / "run").read_text()
 
 
-def test_every_linked_page_exists():
-    named = re.findall(r"\]\(([^)#:]+)\)", README)
-    assert [name for name in named if not (ROOT / name).exists()] == []
+@pytest.mark.parametrize(
+    "page", [ROOT / "README.md", *sorted(DOCS.glob("*.md"))], ids=lambda p: p.name
+)
+def test_every_linked_page_exists(page):
+    prose = re.sub(r"```.*?```|`[^`\n]*`", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    named = re.findall(r"\]\(([^)#:]+)[^):]*\)", prose)
+    assert [name for name in named if not (page.parent / name).exists()] == []
+
+
+def test_the_list_of_all_pages_and_that_of_all_commands_are_complete():
+    pages = (DOCS / "README.md").read_text(encoding="utf-8")
+    assert [page.name for page in DOCS.glob("[a-z]*.md") if f"({page.name})" not in pages] == []
+    commands = (DOCS / "commands.md").read_text(encoding="utf-8")
+    named = set(
+        re.findall(r"[a-z]+", " ".join(re.findall(r"^\| (.+?) \|", commands, re.MULTILINE)))
+    )
+    assert set(main.list_commands(None)) - named == set()
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/install.md", "docs/commands.md"])
+def test_a_command_for_users_installs_nothing_for_developers(page):
+    text = (ROOT / page).read_text(encoding="utf-8")
+    assert set(re.findall(r"uv run (?!pytest)([\w-]+)", text)) == {"--no-dev"}
+
+
+def test_the_first_screen_has_one_command_which_opens_the_page():
+    begin = README[: README.index("\n## ")]
+    assert re.findall(r"^```\n(.*?)^```", begin, re.MULTILINE | re.DOTALL) == [
+        "pip install uv && uv run --no-dev learnblock\n"
+    ]
+    assert len(begin.splitlines()) < 32
+
+
+def said(picture):
+    """Return what a picture of the page says, as `scripts/pictures` has written into it."""
+    with Image.open(picture) as opened:
+        opened.load()
+        return opened.text
+
+
+def test_the_picture_shows_the_program_as_it_is_today():
+    tree = running.read(ROOT / "examples/first/square.bt").tree
+    shown = said(DOCS / "images/page.png")["Program"]
+    # If this fails, run `scripts/pictures page`.
+    assert language.to_python(tree, "learnblock.robots.sim_ev3").text == shown
+
+
+def test_the_picture_shows_the_words_of_today():
+    today = " ".join(
+        path.read_text(encoding="utf-8") for pattern in WORDS for path in PACKAGE.glob(pattern)
+    )
+    shown = said(DOCS / "images/page.png")["Words"].splitlines()
+    assert "Run" in shown
+    # If this fails, run `scripts/pictures page`.
+    assert [words for words in shown if not re.search(rf"\b{re.escape(words)}(?!\w)", today)] == []
+
+
+def test_every_picture_of_the_readme_is_taken_by_a_script():
+    scripts = " ".join(path.read_text(encoding="utf-8") for path in (ROOT / "scripts").iterdir())
+    pictures = re.findall(r"!\[.*?\]\((.*?)\)", README)
+    assert pictures
+    assert [picture for picture in pictures if picture not in scripts] == []
 
 
 @pytest.mark.slow
