@@ -1,4 +1,7 @@
-"""axe finds nothing in any state of the page, whatever its impact, in any theme."""
+"""axe finds nothing in any state of the page, whatever its impact, in any theme.
+
+And no dialog is beyond the window, where it could not be scrolled to.
+"""
 
 import re
 
@@ -10,6 +13,13 @@ THEMES = ("light", "dark", "contrast")
 SIZES = {"wide": (1366, 768), "tablet": (820, 1180), "phone": (390, 844)}
 #: What else differs is their colours.
 COLOURS = ["color-contrast"]
+#: The names of the open dialogs that are partly outside the window.
+BEYOND = """() => [...document.querySelectorAll("dialog[open]")]
+    .filter((one) => {
+        const { left, top, right, bottom } = one.getBoundingClientRect();
+        return left < 0 || top < 0 || right > innerWidth || bottom > innerHeight;
+    })
+    .map((one) => one.querySelector("h2")?.textContent)"""
 RUN_AXE = """([theme, rules]) => {
     document.documentElement.dataset.theme = theme;
     const runOnly = rules ? { runOnly: rules } : {};
@@ -35,6 +45,7 @@ def visit(sit_down, axe):
         found = []
         for state in walk(states.Visitor(pupil, language)):
             pupil.picture(f"{language}-{size}-{state}")
+            found += [(state, "beyond the window", one) for one in pupil.page.evaluate(BEYOND)]
             found += [(state, *fault) for fault in faults(pupil.page, axe, THEMES)]
         return found
 
@@ -50,6 +61,11 @@ def test_no_state_of_the_working_page_has_a_violation(visit, server, walk):
 @pytest.mark.parametrize("walk", [states.views, states.menus, states.mistakes, states.connecting])
 def test_no_state_on_a_small_screen_has_a_violation(visit, server, walk, size):
     assert visit(walk, server, size, empty=True, stage="starter") == []
+
+
+@pytest.mark.parametrize("walk", [states.filled_dialogs, states.world_editor])
+def test_no_large_dialog_on_a_tablet_has_a_violation(visit, server, walk):
+    assert visit(walk, server, "tablet", empty=True, stage="starter") == []
 
 
 @pytest.mark.parametrize("walk", [states.runs, states.extras])
