@@ -8,6 +8,7 @@ import click
 from learnblock.cli.console import ExitCode, print_diagnostics, say, text
 from learnblock.cli.help_texts import Context, translated
 from learnblock.cli.language import LANGUAGES, language
+from learnblock.cli.usage_errors import reported_in_own_language
 
 
 class Place(NamedTuple):
@@ -74,8 +75,13 @@ class Commands(click.Group):
         return translated(command, (name,))
 
     def format_help(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        shown = self if language() == LANGUAGES[0] else translated(self, ())
-        click.Group.format_help(shown, ctx, formatter)
+        click.Group.format_help(self._shown(), ctx, formatter)
+
+    def get_usage(self, ctx: click.Context) -> str:
+        return click.Group.get_usage(self._shown(), ctx)
+
+    def _shown(self) -> click.Command:
+        return self if language() == LANGUAGES[0] else translated(self, ())
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         if language() != LANGUAGES[0]:
@@ -84,11 +90,16 @@ class Commands(click.Group):
         with formatter.section("Commands"):
             formatter.write_dl([(name, COMMANDS[name].summary) for name in sorted(COMMANDS)])
 
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        with reported_in_own_language():
+            return super().parse_args(ctx, args)
+
     def invoke(self, ctx: click.Context) -> Any:
         from learnblock.errors import FileError, LearnBlockError  # noqa: PLC0415 - `--help`
 
         try:
-            return super().invoke(ctx)
+            with reported_in_own_language():
+                return super().invoke(ctx)
         except FileError as error:
             print_diagnostics(error.filename, error.diagnostics, error.source, err=True)
             ctx.exit(ExitCode.MISTAKES)

@@ -78,13 +78,13 @@ class Context(click.Context):
 def _help(english: str, code: str) -> str:
     """The help of a command: its words in the reader's language, and its examples."""
     _, mark, examples = inspect.cleandoc(english).partition(_EXAMPLES)
-    return _words(code) + (f"\n\n{mark}{examples}" if mark else "")
+    return words(code) + (f"\n\n{mark}{examples}" if mark else "")
 
 
 def _parameter(parameter: click.Parameter, path: tuple[str, ...]) -> click.Parameter:
     found = copy.copy(parameter)
     if isinstance(found, click.Option):
-        found.help = _words(_option_code(path, found))
+        found.help = words(_option_code(path, found))
     return found
 
 
@@ -117,10 +117,11 @@ def _option_code(path: tuple[str, ...], option: click.Option) -> str:
 
 
 def _common(english: str) -> str:
-    return _words(COMMON_CODES[english])
+    return words(COMMON_CODES[english])
 
 
-def _words(code: str) -> str:
+def words(code: str, **values: str) -> str:
+    """The words of a code of ``help.ftl`` in the reader's language."""
     from learnblock.i18n import Phrase, translate  # noqa: PLC0415 - English `--help` needs none
 
-    return translate(Phrase(code), language())
+    return translate(Phrase(code, **values), language())

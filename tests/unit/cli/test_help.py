@@ -1,5 +1,6 @@
 """Help: fast in English, complete in every other language."""
 
+import re
 import subprocess
 import sys
 
@@ -11,6 +12,7 @@ from learnblock.cli import main
 from learnblock.cli.commands import COMMANDS, load
 from learnblock.cli.help_texts import COMMON_CODES, codes
 from learnblock.cli.language import LANGUAGES
+from learnblock.cli.usage_errors import AROUND, CODES, translated
 from learnblock.i18n import languages
 from places import ROOT
 
@@ -24,7 +26,7 @@ def help_codes(language):
 
 @pytest.mark.parametrize("language", LANGUAGES[1:])
 def test_each_command_and_option_has_help_in_each_language_and_no_entry_is_left_over(language):
-    asked = {*COMMON_CODES.values(), *codes(main, ())}
+    asked = {*COMMON_CODES.values(), *CODES.values(), *AROUND.values(), *codes(main, ())}
     for name in COMMANDS:
         asked |= {*codes(load(name), (name,))}
     written = help_codes(language)
@@ -92,6 +94,45 @@ def test_errors_are_in_the_reader_s_language():
     shown = CliRunner().invoke(main, command)
     assert shown.exit_code == 2
     assert "--default lleva el nombre de un ajuste" in shown.output
+
+
+CALLED = {
+    "check no.bt": "El valor de 'FILE...' no es válido: No existe el archivo 'no.bt'.",
+    "check .": "El valor de 'FILE...' no es válido: '.' es una carpeta, no un archivo.",
+    "run": "Falta 'FILE[@ROBOT[:COUNT]]...'.",
+    "run --robt x": "No hay ninguna opción '--robt'. ¿Quieres decir '--robot'?",
+    "run --robot": "La opción '--robot' necesita un valor.",
+    "run --seed x": "El valor de '--seed' no es válido: 'x' no es un número entero.",
+    "run --for x": "El valor de '--for' no es válido: 'x' no es un número.",
+    "run --for 0": "El valor de '--for' no es válido: 0.0 está fuera del intervalo x>0.",
+    "convert setup.py": "El valor de 'FILE' no es válido: No existe el archivo 'setup.py'.",
+    "demo x": "Sobra un argumento: x.",
+    "foo": "No hay ninguna orden 'foo'.",
+    "robots foo": "No hay ninguna orden 'foo'.",
+}
+
+
+@pytest.mark.parametrize("command", CALLED)
+def test_a_wrong_call_is_reported_in_the_reader_s_language_alone(command, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    shown = CliRunner().invoke(main, ["--language", "es", *command.split()])
+    assert shown.exit_code == 2
+    *usage, error = shown.stderr.splitlines()
+    assert error == f"Error: {CALLED[command]}"
+    assert not re.search(r"Usage|OPTIONS|COMMAND|for help", " ".join(usage))
+
+
+def test_a_wrong_call_of_the_whole_is_in_the_language_of_the_system():
+    shown = CliRunner().invoke(main, ["--nix"], env={"LEARNBLOCK_LANGUAGE": "es"})
+    assert shown.exit_code == 2
+    assert shown.stderr.startswith("Uso: ")
+    assert "No hay ninguna opción '--nix'." in shown.stderr
+
+
+def test_a_message_that_is_ours_or_not_known_is_left_as_it_is():
+    with main.make_context("learnblock", ["--language", "es", "worlds"]):
+        assert translated("Elige un valor.") == "Elige un valor."
+        assert translated("Invalid value: Elige.") == "El valor no es válido: Elige."
 
 
 def test_help_does_not_change_the_commands_that_english_uses():

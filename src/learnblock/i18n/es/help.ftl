@@ -9,6 +9,39 @@ help-word-command-metavar = ORDEN [ARGUMENTOS]...
 help-word-epilog = Empieza con: learnblock. O mira lo que hace sin la página: learnblock demo
 help-word-help = Muestra esta ayuda y termina.
 
+# Lo que dice click de una llamada con errores; los nombres llegan entre comillas.
+help-error = Error: { $message }
+help-error-try = Prueba { $command } para ver la ayuda.
+help-error-aborted = Cancelado.
+help-error-did-you-mean = { $message } ¿Quieres decir { $names }?
+help-error-did-you-mean-one-of = { $message } ¿Quieres decir una de estas: { $names }?
+help-error-value-for = El valor de { $name } no es válido: { $message }
+help-error-value = El valor no es válido: { $message }
+help-error-missing = Falta { $name }.
+help-error-missing-choice = Falta { $name }. Elige entre:{ $choices }
+help-error-missing-option = Falta la opción { $name }.
+help-error-missing-option-choice = Falta la opción { $name }. Elige entre:{ $choices }
+help-error-missing-command = Falta la orden.
+help-error-no-option = No hay ninguna opción { $name }.
+help-error-no-command = No hay ninguna orden { $name }.
+help-error-option-needs-value = La opción { $name } necesita un valor.
+help-error-option-takes-no-value = La opción { $name } no lleva ningún valor.
+help-error-count = { $name } necesita { $count } valores.
+help-error-extra = Sobra un argumento: { $values }.
+help-error-extra-several = Sobran argumentos: { $values }.
+help-error-not = { $value } no es { $choice }.
+help-error-not-one-of = { $value } no es ninguno de estos: { $choices }.
+help-error-not-integer = { $value } no es un número entero.
+help-error-not-number = { $value } no es un número.
+help-error-not-in-range = { $value } está fuera del intervalo { $range }.
+help-error-no-file = No existe el archivo { $name }.
+help-error-no-folder = No existe la carpeta { $name }.
+help-error-no-path = No existe { $name }.
+help-error-is-folder = { $name } es una carpeta, no un archivo.
+help-error-is-file = { $name } es un archivo, no una carpeta.
+help-error-not-readable = No se puede leer { $name }.
+help-error-not-writable = No se puede escribir en { $name }.
+
 help-learnblock =
     Programa cualquier robot con bloques, Block-Text o Python, y pruébalo en un mundo simulado.
 
