@@ -1,7 +1,9 @@
 # Thymio. $place is an address with a port, or a serial port.
 
 thymio-not-plugged-in = No Thymio is plugged in. Connect its cable or its dongle and switch it on, or choose its port in the robot settings.
-thymio-no-listener = No program for a Thymio answers at { $place }. Is it running, and are the address and the port correct?
+thymio-no-listener = No program for a Thymio answers at { $place }. Start asebaswitch or Aseba's playground there, or correct the address and the port in the robot settings.
+thymio-no-suite = Thymio Suite does not answer at { $place }. Start it, or choose another connection in the robot settings.
+thymio-not-found = There is no Thymio at this computer. Switch it on and connect its cable or its dongle, or start Thymio Suite. At { $place }, where asebaswitch would be, nothing answers either.
 # $reason is a message of the operating system.
 thymio-port-closed = The Thymio at { $place } can't be opened ({ $reason }). Is it plugged in, and not in use by another program such as Thymio Suite?
 thymio-no-answer = No Thymio answers at { $place }. Check that it is switched on and that no other program is using it.

@@ -1,7 +1,9 @@
 # Thymio. $place es una dirección con un puerto, o un puerto serie.
 
 thymio-not-plugged-in = No hay ningún Thymio conectado. Conecta su cable o su adaptador y enciéndelo, o elige su puerto en los ajustes del robot.
-thymio-no-listener = Ningún programa para un Thymio responde en { $place }. ¿Está en marcha y son correctos la dirección y el puerto?
+thymio-no-listener = Ningún programa para un Thymio responde en { $place }. Inicia allí asebaswitch o el playground de Aseba, o corrige la dirección y el puerto en los ajustes del robot.
+thymio-no-suite = Thymio Suite no responde en { $place }. Inícialo, o elige otra conexión en los ajustes del robot.
+thymio-not-found = No hay ningún Thymio en este ordenador. Enciéndelo y conecta su cable o su adaptador, o inicia Thymio Suite. En { $place }, donde estaría asebaswitch, tampoco responde nada.
 thymio-port-closed = No se puede abrir el Thymio en { $place } ({ $reason }). ¿Está conectado y no lo usa otro programa, como Thymio Suite?
 thymio-no-answer = Ningún Thymio responde en { $place }. ¿Está encendido y no lo usa otro programa?
 thymio-not-ready = El Thymio en { $place } ha respondido, pero no estaba listo a tiempo. Apágalo y enciéndelo, y cierra los programas que lo usen.

@@ -23,10 +23,11 @@ def open_link(settings: ThymioSettings) -> Link:
 
 def _wire(chosen: str, settings: ThymioSettings) -> Wire:
     if chosen == "suite":
-        return TcpWire("127.0.0.1", settings.suite_port, settings.patience)
+        return TcpWire("127.0.0.1", settings.suite_port, settings.patience, "thymio-no-suite")
     if chosen == "serial":
         return SerialWire(settings.device or _first_device())
-    return TcpWire(settings.address, settings.port, settings.patience)
+    missing = "thymio-not-found" if settings.connection == "auto" else "thymio-no-listener"
+    return TcpWire(settings.address, settings.port, settings.patience, missing)
 
 
 def _first_device() -> str:

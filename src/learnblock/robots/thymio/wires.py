@@ -48,17 +48,20 @@ class TcpWire:
         address: the name or IP address of the other end.
         port: the port of the other end.
         timeout: how long to wait for the connection, in seconds.
+        missing: the code of the message if no program answers: what to start.
 
     Raises:
         RobotConnectionError: no program answers there.
     """
 
-    def __init__(self, address: str, port: int, timeout: float) -> None:
+    def __init__(
+        self, address: str, port: int, timeout: float, missing: str = "thymio-no-listener"
+    ) -> None:
         self.name = f"{address}:{port}"
         try:
             self._socket = socket.create_connection((address, port), timeout=timeout)
         except OSError as error:
-            raise RobotConnectionError("thymio-no-listener", place=self.name) from error
+            raise RobotConnectionError(missing, place=self.name) from error
         # A command is only a few bytes, which should be sent at once.
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._socket.settimeout(MOMENT)
