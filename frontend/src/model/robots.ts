@@ -32,6 +32,11 @@ export function plainTitle({ name, title }: RobotChoice): string {
   return translated(`page-catalog-robot-${name}`, title);
 }
 
+/** The real robot that a robot is or whose twin it is. */
+export function realOf(name: string, real: readonly RobotChoice[]): RobotChoice | undefined {
+  return real.find((one) => one.name === name) ?? real.find((one) => `sim-${one.name}` === name);
+}
+
 /** What a block needs, a sense or a device, as a noun phrase. */
 export function deviceWord(need: string): string {
   const [kind = "", key = ""] = need.split(":");

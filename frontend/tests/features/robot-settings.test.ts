@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { changes, formatValue, parseValue, valuesOf } from "../../src/features/robot-settings/robot-settings";
+import { beyond, changes, formatValue, parseValue, valuesOf } from "../../src/features/robot-settings/robot-settings";
 import type { Setting } from "../../src/protocol/messages";
 
 function setting(values: Partial<Setting>): Setting {
@@ -25,6 +25,16 @@ test("text that is not a number is left for the server to refuse", () => {
 
 test("an empty number is the setting's word for none", () => {
   expect(parseValue(setting({ sort: "number", choices: ["none"] }), " ")).toBe("none");
+});
+
+test.each([
+  ["Recognise emotions", "recognise emotions; the law may forbid it", "the law may forbid it"],
+  ["Timeout", "timeout in seconds", "in seconds"],
+  ["Port", "port", ""],
+  ["Port", "ports, from left to right", "ports, from left to right"],
+  ["Front", "distance sensors", "distance sensors"],
+])("below the label %s, the description %s says %s", (label, description, said) => {
+  expect(beyond(label, description)).toBe(said);
 });
 
 test("only values that differ are changes", () => {

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { robotGroups, robotTitle, servingWords } from "../../src/model/robots";
+import { realOf, robotGroups, robotTitle, servingWords } from "../../src/model/robots";
 
 const ROBOTS = [
   { name: "sim-cozmo", title: "Cozmo", simulated: true },
@@ -19,6 +19,15 @@ test("robots are grouped into simulated and real ones", () => {
 
 test("a robot is shown by the name that the user has given it", () => {
   expect(robotTitle({ ...ROBOTS[2]!, given: "Ada" })).toBe("page-bar-named-robot");
+});
+
+test.each([
+  ["cozmo", "cozmo"],
+  ["sim-cozmo", "cozmo"],
+  ["sim-thymio", undefined],
+])("the real robot of %s is %s", (name, expected) => {
+  const real = ROBOTS.filter((one) => !one.simulated);
+  expect(realOf(name, real)?.name).toBe(expected);
 });
 
 test("a group without robots is left out", () => {

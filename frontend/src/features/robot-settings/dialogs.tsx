@@ -6,7 +6,7 @@ import { useLayoutEffect } from "preact/hooks";
 
 import { say, t } from "../../i18n";
 import { usePage } from "../../model/page";
-import { plainTitle } from "../../model/robots";
+import { plainTitle, realOf } from "../../model/robots";
 import type { SettingsTable } from "../../protocol/messages";
 import { Actions, Dialog } from "../../ui/dialog";
 import { SettingField } from "./field";
@@ -18,7 +18,7 @@ const EMOTIONS = "emotions_on_cameras";
 export function RobotSettingsDialog() {
   const { context, dialogs, project } = usePage();
   const real = project.welcome.value?.robots.filter((one) => !one.simulated) ?? [];
-  const chosen = real.find((one) => one.name === context.running.robot.peek()) ?? real[0];
+  const chosen = realOf(context.running.robot.peek(), real) ?? real[0];
   const robot = useSignal(chosen?.name ?? "");
   return (
     <Dialog title={t("page-robots-robots")} close={() => dialogs.close()}>
@@ -74,6 +74,7 @@ function Form({ table, robot, cancel }: SettingsFormProps & { readonly table: Se
   const { settings = [], wrong = {} } = table;
   const values = useSignal<Values>(valuesOf(settings));
   const agreed = useSignal(false);
+  const saves = useSignal(false);
   // The server may change a saved value, such as a video's path into an absolute one. Before the
   // browser shows the answer, so that nothing is lost that a user has typed into it.
   useLayoutEffect(() => {
@@ -83,6 +84,7 @@ function Form({ table, robot, cancel }: SettingsFormProps & { readonly table: Se
   const asks = changed[EMOTIONS] === true;
   const save = (event: SubmitEvent) => {
     event.preventDefault();
+    saves.value = true;
     machine.change(robot, changed, agreed.value);
   };
   const isChanged = Object.keys(changed).length > 0;
@@ -100,7 +102,7 @@ function Form({ table, robot, cancel }: SettingsFormProps & { readonly table: Se
         </Fragment>
       ))}
       <p role="status" class="dim">
-        {t(isChanged ? "page-robots-unsaved" : "page-robots-saved")}
+        {isChanged ? t("page-robots-unsaved") : saves.value && t("page-robots-saved")}
       </p>
       <Actions cancel={cancel}>
         <button type="submit" class="button filled" disabled={!isChanged || (asks && !agreed.value)}>

@@ -4,7 +4,7 @@ import { useId } from "preact/hooks";
 
 import { type Phrase, say, t, translated } from "../../i18n";
 import type { Setting } from "../../protocol/messages";
-import { formatValue, parseValue } from "./robot-settings";
+import { beyond, formatValue, parseValue } from "./robot-settings";
 
 interface Props {
   readonly setting: Setting;
@@ -22,10 +22,11 @@ interface InputProps extends Props {
 export function SettingField(props: Props) {
   const { setting, value, wrong, change } = props;
   const [id, about] = [useId(), useId()];
+  const label = translated(`page-robots-setting-${setting.name.replaceAll("_", "-")}`, setting.name);
   const isUsual = JSON.stringify(value) === JSON.stringify(setting.default);
   return (
     <div class="setting">
-      <label for={id}>{translated(`page-robots-setting-${setting.name.replaceAll("_", "-")}`, setting.name)}</label>
+      <label for={id}>{label}</label>
       <div class="setting-input">
         <Input {...props} id={id} describedBy={about} />
         {!isUsual && (
@@ -40,7 +41,7 @@ export function SettingField(props: Props) {
         )}
       </div>
       <div id={about}>
-        <span class="dim">{aboutIt(setting)}</span>
+        <span class="dim">{aboutIt(setting, label)}</span>
         {wrong && <span class="refused">{say(wrong)}</span>}
       </div>
     </div>
@@ -95,8 +96,8 @@ function boundsOf({ sort, least, most }: Setting) {
 }
 
 /** The setting's help, with the limits that its field does not show. */
-function aboutIt({ sort, allowed, description }: Setting): string {
+function aboutIt({ sort, allowed, description }: Setting, label: string): string {
   const shown = sort === "boolean" || sort === "choice" || sort === "text";
-  const parts = [description, shown ? null : allowed];
-  return parts.flatMap((part) => (part ? [say(part)] : [])).join(" · ");
+  const parts = [description ? beyond(label, say(description)) : "", shown || !allowed ? "" : say(allowed)];
+  return parts.filter(Boolean).join(" · ");
 }

@@ -76,3 +76,11 @@ export function formatValue({ sort, choices = [] }: Setting, value: unknown): st
   if (sort === "list") return Array.isArray(value) ? value.join("\n") : "";
   return (sort === "number" || sort === "whole") && value === choices[0] ? "" : String(value ?? "");
 }
+
+/** What a description says beyond its label, which the command line lacks. */
+export function beyond(label: string, description: string): string {
+  const begins = description.toLowerCase().startsWith(label.toLowerCase());
+  const rest = begins ? description.slice(label.length) : "";
+  if (begins && rest === "") return "";
+  return /^[\s,;:]/.test(rest) ? rest.replace(/^[\s,;:]+/, "") : description;
+}

@@ -38,6 +38,7 @@ export function TagsDialog() {
   useSignalEffect(() => {
     if (tags.read.value) rows.value = merged(rows.peek(), tags.read.value);
   });
+  const saves = useSignal(false);
   const seen = useRef(tags.names.peek());
   useSignalEffect(() => {
     // Show what another page has saved, unless there are unsaved edits here.
@@ -48,6 +49,7 @@ export function TagsDialog() {
   const changed = !sameNames(names, tags.names.value);
   const save = (event: SubmitEvent) => {
     event.preventDefault();
+    saves.value = true;
     if (names) tags.save(names);
   };
   // The dialog keeps the first closure, so this reads the current values.
@@ -83,7 +85,7 @@ export function TagsDialog() {
           {problem && say(problem)}
         </p>
         <p role="status" class="dim">
-          {t(changed ? "page-tags-unsaved" : "page-tags-saved")}
+          {changed ? t("page-tags-unsaved") : saves.value && t("page-tags-saved")}
         </p>
         <Actions cancel={() => dialogs.close()}>
           <button type="submit" class="button filled" disabled={!changed || !names}>

@@ -8,10 +8,13 @@ import { t } from "../../i18n";
 import type { Block } from "../../protocol/messages";
 import { icon } from "../../ui/icons";
 import { actionsOf } from "./actions";
+import { wordsFor } from "./meanings";
 import { found } from "./offers";
 import { paletteWords } from "./palette-words";
 
 type FlyoutItem = Blockly.utils.toolbox.FlyoutItemInfo;
+type Item = Blockly.utils.toolbox.ToolboxItemInfo;
+type Offered = Blockly.utils.toolbox.BlockInfo;
 const KIND = "search";
 /** Shorter searches only find words of the same length. */
 const SHORTEST = 3;
@@ -25,7 +28,11 @@ export function searchTab(): Blockly.utils.toolbox.ToolboxItemInfo {
 /** The plugin's private members that are used here. */
 interface Searching {
   readonly searchField?: HTMLInputElement;
-  readonly blockSearcher: { blockTypesMatching(words: string): FlyoutItem[] };
+  readonly blockSearcher: {
+    blockTypesMatching(words: string): FlyoutItem[];
+    indexBlockText(words: string, block: Offered): void;
+  };
+  getAvailableBlocks(item: Item, found: Set<Offered>): void;
 }
 
 /** Translate the palette's search and include the last typed letter. */
@@ -39,13 +46,13 @@ export function registerSearchTab(): void {
 
     protected override createDom_(): HTMLDivElement {
       const dom = super.createDom_();
+      indexMeanings(this as unknown as Searching, this.workspace_);
       fillHead(this.head, dom.querySelector("input")!);
       // The plugin searches on keydown, before the input has the new letter.
       this.head.addEventListener("input", () => this.matchBlocks());
-      nameTab(dom);
+      nameTab(dom, this.rowContents_);
       // The head is only shown with a flyout, which needs an item.
       this.flyoutItems_ = [nothing("")];
-      this.rowContents_?.replaceChildren(icon("find"), nameInStrip());
       return dom;
     }
 
@@ -83,6 +90,15 @@ export function registerSearchTab(): void {
   Blockly.registry.register(TOOLBOX_ITEM, KIND, SearchTab, true);
 }
 
+/** Let blocks be found by words that they do not show. */
+function indexMeanings(plugin: Searching, workspace: Blockly.WorkspaceSvg): void {
+  const offered = new Set<Offered>();
+  for (const item of workspace.options.languageTree?.contents ?? []) plugin.getAvailableBlocks(item, offered);
+  for (const block of offered) {
+    for (const words of wordsFor(block.type ?? "", t)) plugin.blockSearcher.indexBlockText(words, block);
+  }
+}
+
 function fillHead(head: HTMLElement, input: HTMLInputElement): void {
   input.placeholder = t("page-blocks-search");
   input.ariaLabel = t("page-blocks-search-blocks");
@@ -98,7 +114,8 @@ function nameInStrip(): HTMLElement {
   return name;
 }
 
-function nameTab(dom: HTMLElement): void {
+function nameTab(dom: HTMLElement, row: HTMLElement | null): void {
+  row?.replaceChildren(icon("find"), nameInStrip());
   dom.classList.add("lbSearch");
   dom.ariaLabel = dom.title = t("page-blocks-search-blocks");
   dom.removeAttribute("aria-labelledby");

@@ -81,3 +81,19 @@ page-blocks-all-own = Manage my blocks…
 page-blocks-edit-own = Edit this block's code…
 page-blocks-call = function call
 page-blocks-call-value = function result
+
+# What children call things that the blocks name otherwise: words to search for, lower case.
+page-blocks-meaning-loop = loop, again, cycle, iterate
+page-blocks-meaning-condition = condition, choose, decide
+page-blocks-meaning-pause = pause, delay, sleep
+page-blocks-meaning-speed = speed, velocity, fast, slow
+page-blocks-meaning-go = go, move, forward, motor, engine, wheels
+page-blocks-meaning-rotate = rotate, spin, corner
+page-blocks-meaning-halt = halt, brake
+page-blocks-meaning-lamp = lamp, light, bulb, colour, color
+page-blocks-meaning-sensor = sensor, sonar, ultrasonic, wall, distance
+page-blocks-meaning-face = face, feeling, emotion, smile
+page-blocks-meaning-sound = sound, music, speak, talk, tone, beep
+page-blocks-meaning-photo = photo, image
+page-blocks-meaning-random = dice, chance, luck
+page-blocks-meaning-show = write, display, text

@@ -81,3 +81,20 @@ page-blocks-all-own = Gestionar mis bloques…
 page-blocks-edit-own = Editar el código de este bloque…
 page-blocks-call = llamada a una función
 page-blocks-call-value = resultado de una función
+
+# Cómo llaman los niños a lo que los bloques llaman de otro modo: palabras en minúsculas; las que
+# llevan tilde, también sin ella.
+page-blocks-meaning-loop = bucle, ciclo, otra vez, repetición, repeticion
+page-blocks-meaning-condition = condición, condicion, elegir, decidir
+page-blocks-meaning-pause = pausa, dormir, retraso
+page-blocks-meaning-speed = velocidad, rápido, rapido, despacio, lento
+page-blocks-meaning-go = ir, mover, adelante, motor, ruedas
+page-blocks-meaning-rotate = rotar, giro, esquina
+page-blocks-meaning-halt = detener, frenar
+page-blocks-meaning-lamp = lámpara, lampara, luz, bombilla, color
+page-blocks-meaning-sensor = sensor, sonar, ultrasonidos, pared, distancia
+page-blocks-meaning-face = cara, sentimiento, emoción, emocion, sonrisa
+page-blocks-meaning-sound = sonido, música, musica, hablar, tono, pitido
+page-blocks-meaning-photo = foto, imagen
+page-blocks-meaning-random = dado, azar, suerte
+page-blocks-meaning-show = escribir, pantalla, texto
