@@ -5,6 +5,7 @@
 check-unknown-name = '{ $name }' has no value. Set it first: '{ $name } = ...'. If it is text, write it in quotes.
 check-unknown-name-near = '{ $name }' has no value. Did you mean '{ $near }'?
 check-read-before-set = '{ $name }' is used here before it is set. Write '{ $name } = ...' above.
+check-defined-below = '{ $name }' is used here, but defined only on line { $line }. Move its definition above this line.
 check-when-as-variable = '{ $name }' is a 'when'. Write 'state_{ $name }' to check whether it is active.
 check-function-as-variable = '{ $name }' is a function. Write '{ $name }(...)' to call it.
 check-skill-as-name = '{ $name }' is a skill of the robot. Write '{ $skill }(...)' to use it.

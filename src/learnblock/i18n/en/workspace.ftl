@@ -53,6 +53,7 @@ workspace-only-functions = '{ $name }' is never called, so the program does noth
 workspace-unknown-name = '{ $name }' has no value. Put a block 'set { $name } to' from 'Variables' above.
 workspace-unknown-name-near = '{ $name }' has no value. Did you mean '{ $near }'? Choose it in this block.
 workspace-read-before-set = '{ $name }' has no value yet when the program gets here. Move the block 'set { $name } to' up to the beginning of the program.
+workspace-defined-below = The Python of this program uses '{ $name }' here, above its definition. Move 'def { $name }' up in the Python view.
 workspace-unknown-function = There is no function '{ $name }'. Make it with a 'define' block from 'My blocks', or remove this block.
 workspace-no-such-skill = The robot has no skill '{ $name }'. Remove this block, and take another one from the palette.
 workspace-unknown-when = There is no event '{ $name }'. Make it with 'New event…' in 'Events', or choose another one in this block.

@@ -5,6 +5,7 @@
 check-unknown-name = '{ $name }' no tiene valor. Dale uno antes: '{ $name } = ...'. Si es un texto, escríbelo entre comillas.
 check-unknown-name-near = '{ $name }' no tiene valor. ¿Querías decir '{ $near }'?
 check-read-before-set = '{ $name }' se usa aquí antes de tener valor. Escribe '{ $name } = ...' más arriba.
+check-defined-below = '{ $name }' se usa aquí, pero no se define hasta la línea { $line }. Pon su definición encima de esta línea.
 check-when-as-variable = '{ $name }' es un 'when'. Escribe 'state_{ $name }' para saber si está activo.
 check-function-as-variable = '{ $name }' es una función. Escribe '{ $name }(...)' para llamarla.
 check-skill-as-name = '{ $name }' es una habilidad del robot. Escribe '{ $skill }(...)' para usarla.

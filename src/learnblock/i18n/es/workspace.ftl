@@ -53,6 +53,7 @@ workspace-only-functions = Nadie llama a '{ $name }', así que el programa no ha
 workspace-unknown-name = '{ $name }' no tiene valor. Pon más arriba un bloque 'establecer { $name } a' de 'Variables'.
 workspace-unknown-name-near = '{ $name }' no tiene valor. ¿Querías decir '{ $near }'? Elígela en este bloque.
 workspace-read-before-set = '{ $name }' aún no tiene valor cuando el programa llega aquí. Sube el bloque 'establecer { $name } a' al principio del programa.
+workspace-defined-below = El Python de este programa usa '{ $name }' aquí, por encima de su definición. Sube 'def { $name }' en la vista de Python.
 workspace-unknown-function = No hay ninguna función '{ $name }'. Créala con un bloque 'definir' de 'Mis bloques', o quita este bloque.
 workspace-no-such-skill = El robot no tiene ninguna habilidad '{ $name }'. Quita este bloque y toma otro de la paleta.
 workspace-unknown-when = No hay ningún evento '{ $name }'. Créalo con 'Nuevo evento…' en 'Eventos', o elige otro en este bloque.

@@ -29,6 +29,7 @@ from learnblock.language.tree.nodes import (
     Span,
     When,
 )
+from learnblock.language.tree.order import definitions_first
 
 MAX_DIAGNOSTICS = 100
 
@@ -178,10 +179,15 @@ _TOPS: dict[str, Callable[[_Parser, Token], Item | Main | None]] = {
 
 
 def _arranged(items: list[Item | Main], span: Span) -> Program:
-    """The program with `main` last, and the comments directly above `main` still above it."""
+    """The program with definitions before their uses and `main` last.
+
+    The comments directly above `main` stay above it.
+    """
     kinds = [type(item) for item in items]
     if Setup in kinds:
         items = _without_plain_setup(items)
+    if Def in kinds or When in kinds:
+        items = definitions_first(items)
     if Main in kinds:
         items = _main_last(items)
     if Blank in map(type, items):

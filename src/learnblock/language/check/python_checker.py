@@ -12,6 +12,7 @@ from learnblock.language.blocktext.slips import write_instead
 from learnblock.language.check.findings import Findings
 from learnblock.language.check.other_names import FUNCTIONS, VALUES
 from learnblock.language.check.python_event_checker import event_slips
+from learnblock.language.check.python_order_checker import early_uses
 from learnblock.language.python.generation import DEFAULT_ROBOT
 from learnblock.language.tree.nodes import Span
 
@@ -34,7 +35,7 @@ def check_python(text: str, findings: Findings) -> None:
 
 class _PythonChecker:
     def __init__(self, text: str, tree: ast.Module, findings: Findings) -> None:
-        self.text, self.findings = text, findings
+        self.text, self.tree, self.findings = text, tree, findings
         self.nodes = list(ast.walk(tree))
         self.bound = set(_bound_names(self.nodes))
         self.told = {(one.line, one.column) for one in findings.diagnostics}
@@ -56,6 +57,8 @@ class _PythonChecker:
                     self.robot_class(node, skill)
         for slip in event_slips(self.nodes):
             self.report(slip.message, slip.node, slip.severity)
+        for use in early_uses(self.tree):
+            self.report(use.message, use.node)
         if not self.makes_names():
             self.names()
             self.skills()

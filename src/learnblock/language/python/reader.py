@@ -48,6 +48,7 @@ from learnblock.language.tree.nodes import (
     When,
     is_only_raw,
 )
+from learnblock.language.tree.order import definitions_first
 from learnblock.language.tree.traversal import statements
 
 #: The most known slips that are reported at once.
@@ -191,7 +192,7 @@ class _Reader(StatementReader):
         items = self.block(top, 0, main_line or len(self.lines) + 1, top_level=True)
         main, late = self.main(rest, main_line, end_line)
         whole = self.with_imports((*head, *items, *late), main)
-        arranged = normalized([*whole, *([main] if main else [])])
+        arranged = normalized(definitions_first([*whole, *([main] if main else [])]))
         kept = tuple(item for item in arranged if not isinstance(item, Main))
         if main is None and is_only_raw(kept):
             # Without its setup the block would be a whole file, and the robot would be lost.

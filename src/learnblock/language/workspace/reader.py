@@ -20,6 +20,7 @@ from learnblock.language.tree.nodes import (
     Setup,
     When,
 )
+from learnblock.language.tree.order import definitions_first
 from learnblock.language.workspace.block_reader import extra, extra_list, is_disabled, plugged
 from learnblock.language.workspace.blocks import Block, Workspace
 from learnblock.language.workspace.notes import Ends, Notes
@@ -158,11 +159,11 @@ class WorkspaceReader(StatementReader):
         return groups
 
     def arranged(self) -> Program:
-        """The program, `main` last, without the blank lines that the layout adds anyway."""
+        """The program in the order in which it runs, without blank lines that the layout adds."""
         groups = self.separated()
         mains = [group for group in groups if type(group.statement) is Main]
         if not mains:
-            items = normalized(spaced(groups))
+            items = normalized(definitions_first(spaced(groups)))
             return Program(_finished(items))
         place = groups.index(mains[0])
         behind = groups[place + 1 :]
@@ -172,7 +173,7 @@ class WorkspaceReader(StatementReader):
         # Comments at the end stay below `main` only if nothing else is below it.
         ending = behind if notes == 0 else []
         before = [*groups[:place], *(() if notes == 0 else behind)]
-        items = normalized(spaced([*before, mains[0], *ending]))
+        items = normalized(definitions_first(spaced([*before, mains[0], *ending])))
         at = next(index for index, item in enumerate(items) if isinstance(item, Main))
         main = items[at]
         below = tuple(item for item in items[at + 1 :] if isinstance(item, Comment | Blank))

@@ -11,6 +11,7 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-unknown-name": "workspace-unknown-name",
         "check-unknown-name-near": "workspace-unknown-name-near",
         "check-read-before-set": "workspace-read-before-set",
+        "check-defined-below": "workspace-defined-below",
         **dict.fromkeys(
             (
                 "check-unknown-function",

@@ -19,6 +19,7 @@ from learnblock.language.tree.nodes import (
     When,
     While,
 )
+from learnblock.language.tree.order import drawn
 from learnblock.language.tree.traversal import bodies, expressions, statements
 from learnblock.language.workspace.alignment import Match, aligned
 from learnblock.language.workspace.blocks import Block, Input, Variable, Workspace
@@ -72,9 +73,9 @@ class WorkspaceWriter(ValueWriter):
 
     def top(self, program: Program) -> None:
         main = () if program.main is None else (program.main,)
-        groups = grouped((*program.items, *main, *program.ending))
+        groups = grouped((*drawn(program.items), *main, *program.ending))
         old = self.before.entries
-        places = _with_moved(groups, old, aligned(groups, [group for group, _, _ in old]))
+        places = _with_moved(groups, old, _matches(groups, [group for group, _, _ in old]))
         run: list[tuple[Block, Block | None]] = []
         for group, match in zip(groups, places, strict=True):
             _, old_block, hat = (None, None, None) if match is None else old[match.place]
@@ -298,6 +299,21 @@ def _alone(lead: Sequence[Blank | Comment]) -> list[Group]:
     comments = [one for one in lead if isinstance(one, Comment)]
     blank = tuple(one for one in lead if isinstance(one, Blank))
     return [Group(() if place else blank, one) for place, one in enumerate(comments)]
+
+
+def _matches(groups: Sequence[Group], old: Sequence[Group]) -> list[Match | None]:
+    """The matches of definitions and of statements, which may have moved past one another."""
+    matches: list[Match | None] = [None] * len(groups)
+    for hatted in (True, False):
+        new_places, old_places = (
+            [i for i, one in enumerate(some) if isinstance(one.statement, _HATTED) is hatted]
+            for some in (groups, old)
+        )
+        found = aligned([groups[i] for i in new_places], [old[i] for i in old_places])
+        for place, match in zip(new_places, found, strict=True):
+            if match is not None:
+                matches[place] = match._replace(place=old_places[match.place])
+    return matches
 
 
 def _with_moved(

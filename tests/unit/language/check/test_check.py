@@ -308,3 +308,29 @@ def test_a_program_may_be_too_deep_for_python_alone(found):
 def test_raw_python_must_be_valid(found):
     assert [(3, "error", "invalid-python")] == found("x = 1\npython:\n    y = = 1\nend\n")
     assert [(2, "error", "invalid-python")] == found("python:\n    y = = 1\nend\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("def show():\n    print(x)\nend\nshow()\nx = 1\n", 2),
+        ("def show():\n    print(i)\nend\nfor i from 1 to 2:\n    pass\nend\nshow()\n", None),
+        (
+            "def count():\n    for i from 1 to 2:\n        pass\n    end\nend\ncount()\nprint(i)\n",
+            7,
+        ),
+        ("when a = x > 1:\n    print(1)\nend\nwhen b = True:\n    x = 1\nend\n", 1),
+        ("when a = x > 1:\n    print(1)\nend\nwhen start:\n    x = 1\nend\n", None),
+        ("when a = True:\n    print(x)\nend\nwhen b = True:\n    x = 1\nend\n", None),
+        ("def set_x():\n    x = 1\nend\nset_x()\nprint(x)\n", None),
+        ("def set_x():\n    x = 1\nend\nprint(x)\nset_x()\n", 4),
+        (
+            "state = 0\ndef show():\n    print(x)\nend\nforever:\n    if state == 1:\n"
+            "        show()\n    end\n    x = 2\n    state = 1\nend\n",
+            None,
+        ),
+    ],
+)
+def test_a_variable_is_followed_into_functions_and_events(text, line, found):
+    unset = [where for where, _, code in found(text) if code == "unset-variable"]
+    assert unset == ([] if line is None else [line])

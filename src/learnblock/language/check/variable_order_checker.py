@@ -1,0 +1,197 @@
+"""Find variables that are read before they are set, also in the functions that are called."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+
+from learnblock.i18n import Phrase
+from learnblock.language.check.findings import Findings
+from learnblock.language.check.flow_checker import LOOPS
+from learnblock.language.tree.markers import raw_names
+from learnblock.language.tree.nodes import (
+    Assign,
+    Binary,
+    Body,
+    Call,
+    Conditional,
+    Def,
+    Expression,
+    ForEach,
+    ForRange,
+    If,
+    Item,
+    Name,
+    RawExpression,
+    When,
+)
+from learnblock.language.tree.traversal import bodies, expressions, set_by, statements, within
+
+
+def check_order(findings: Findings) -> None:
+    _Order(findings).run()
+
+
+@dataclass(frozen=True, slots=True)
+class _Scope:
+    """The variables that may be set where a statement runs.
+
+    Args:
+        known: the shared variables that may be set.
+        own: the parameters and loop variables of the function.
+        bound: those of them that may be set.
+        in_loop: what the loops around set.
+        maybe: what an earlier round of these loops may have set.
+    """
+
+    known: set[str]
+    own: frozenset[str] = frozenset()
+    bound: set[str] = field(default_factory=set)
+    in_loop: frozenset[str] = frozenset()
+    maybe: frozenset[str] = frozenset()
+
+    def has(self, name: str) -> bool:
+        return name in (self.bound if name in self.own else self.known) or name in self.maybe
+
+    def set(self, name: str) -> None:
+        (self.bound if name in self.own else self.known).add(name)
+
+
+class _Order:
+    """Follows a program in the order in which it runs.
+
+    A variable set in one branch counts as set: only definite errors are reported.
+    """
+
+    def __init__(self, findings: Findings) -> None:
+        self.findings = findings
+        self.functions = findings.functions
+        self.reported: set[str] = set()
+        self.followed: set[tuple[str, bool]] = set()
+
+    def run(self) -> None:
+        program, whens = self.findings.program, self.findings.whens
+        known = set(self.findings.raw_names)
+        known |= self.sets(self.functions[name].body for name in self.called_in_raw())
+        runs = [one for one in program.items if not isinstance(one, Def | When)]
+        if self.findings.in_python:
+            # The text runs from top to bottom; the tree has definitions first.
+            runs.sort(key=lambda one: one.span.line)
+        self.block((*runs, *self.findings.main), _Scope(known))
+        self.events(list(whens.values()), known)
+
+    def events(self, whens: list[When], known: set[str]) -> None:
+        start = [one for one in whens if one.name == "start" and one.condition is None]
+        for when in start:
+            self.event(when, known)
+        for when in whens:
+            # The first cycle evaluates every condition before it runs an event.
+            self.expressions(_certain(when.condition), _Scope(known))
+        known |= self.sets(when.body for when in whens)
+        for when in whens:
+            self.event(when, known)
+
+    def event(self, when: When, known: set[str]) -> None:
+        self.block(when.body, _Scope(known, _counted(when.body)))
+
+    def called_in_raw(self) -> set[str]:
+        """The functions that parts in raw Python may call at any time."""
+        names = set(self.findings.raw_names)
+        for item in self.findings.everything:
+            for expression in expressions(item):
+                for node in within(expression):
+                    if isinstance(node, RawExpression):
+                        names |= raw_names(node.text.strip())
+        return names & self.functions.keys()
+
+    def sets(self, found: Iterable[Body]) -> set[str]:
+        """The shared variables that statements set, also through the functions that they call."""
+        names: set[str] = set()
+        called: set[str] = set()
+        ahead = list(found)
+        while ahead:
+            body = ahead.pop()
+            names.update(filter(None, map(set_by, statements(body))))
+            new = set(self.called_in(body)) - called
+            called |= new
+            ahead += (self.functions[name].body for name in new)
+        return names
+
+    def called_in(self, body: Body) -> Iterator[str]:
+        for item in statements(body):
+            for expression in expressions(item):
+                for node in within(expression):
+                    if isinstance(node, Call) and node.name in self.functions:
+                        yield node.name
+
+    def block(self, body: Iterable[Item], scope: _Scope) -> None:
+        for item in body:
+            self.statement(item, scope)
+
+    def statement(self, item: Item, scope: _Scope) -> None:
+        self.expressions(evaluated(item), scope)
+        if (name := set_by(item)) is not None:
+            scope.set(name)
+        for body in bodies(item):
+            self.block(body, self.inner(item, scope))
+
+    def inner(self, item: Item, scope: _Scope) -> _Scope:
+        """The scope of the bodies of a statement."""
+        if isinstance(item, LOOPS):
+            return replace(scope, in_loop=scope.in_loop | self.sets([item.body]))
+        return replace(scope, maybe=scope.maybe | scope.in_loop) if isinstance(item, If) else scope
+
+    def expressions(self, found: Iterable[Expression], scope: _Scope) -> None:
+        nodes = list(found)
+        for node in nodes:
+            if isinstance(node, Call) and node.name in self.functions:
+                self.call(self.functions[node.name], scope)
+        for node in nodes:
+            if isinstance(node, Name):
+                self.read(node, scope)
+
+    def call(self, function: Def, scope: _Scope) -> None:
+        """Follow the first call of a function: later, the same variables are set and more."""
+        key = (function.name, bool(scope.maybe))
+        if key in self.followed:
+            return
+        self.followed.add(key)
+        own = _counted(function.body) | frozenset(function.parameters)
+        bound = set(function.parameters)
+        self.block(function.body, _Scope(scope.known, own, bound, maybe=scope.maybe))
+
+    def read(self, node: Name, scope: _Scope) -> None:
+        name = node.name
+        if scope.has(name) or name in self.reported or name not in self.findings.assigned:
+            return
+        self.reported.add(name)
+        self.findings.report(
+            "unset-variable", Phrase("check-read-before-set", name=name), node.span
+        )
+
+
+def _counted(body: Body) -> frozenset[str]:
+    """The variables of loops, which each function has for itself."""
+    loops = (one for one in statements(body) if isinstance(one, ForEach | ForRange))
+    return frozenset(one.target.name for one in loops)
+
+
+def evaluated(item: Item) -> Iterator[Expression]:
+    """The expressions that a statement evaluates, without its target and the bodies inside it."""
+    target: object = None
+    if (isinstance(item, Assign) and item.operator == "=") or isinstance(item, ForEach | ForRange):
+        target = item.target
+    for expression in expressions(item):
+        if expression is not target or not isinstance(target, Name):
+            yield from within(expression)
+
+
+def _certain(condition: Expression | None) -> Iterator[Expression]:
+    """The parts of a condition that are evaluated whatever the others are."""
+    ahead = [] if condition is None else [condition]
+    while ahead:
+        node = ahead.pop()
+        if isinstance(node, Binary) and node.operator in {"and", "or"}:
+            ahead.append(node.left)
+        elif isinstance(node, Conditional):
+            ahead.append(node.condition)
+        else:
+            yield from within(node)

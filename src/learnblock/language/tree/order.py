@@ -1,0 +1,190 @@
+"""Put definitions and events above the statements that use them.
+
+In Block-Text and in blocks a definition counts wherever it is, as `main` does; Python runs a file
+from top to bottom. A program whose order already works keeps it.
+"""
+
+import ast
+from collections.abc import Iterable, Iterator, Sequence
+
+from learnblock.language.blocktext.names import from_python, state_of, stem
+from learnblock.language.tree.layout import normalized, prologue_length
+from learnblock.language.tree.loads import Function, loaded_names, parsed
+from learnblock.language.tree.nodes import (
+    Activate,
+    Blank,
+    Call,
+    Comment,
+    Deactivate,
+    Def,
+    Expression,
+    Import,
+    Item,
+    Main,
+    Name,
+    Raw,
+    RawExpression,
+    Setup,
+    When,
+)
+from learnblock.language.tree.traversal import expressions, statements, within
+
+#: What identifies a definition.
+Key = tuple[type[Def | When], str]
+
+
+def definitions_first(items: Sequence[Item | Main]) -> list[Item | Main]:
+    """The items of the top level, with definitions above the statements that use them.
+
+    If a statement uses a definition below it, all definitions below move above it, in their order,
+    each with the comments directly above it. They move past the whole run of statements, so that
+    this stays one stack of blocks.
+    """
+    place = _first_early_use(items)
+    if place is None:
+        return list(items)
+    top = _top(items, place)
+    moved: list[Item | Main] = []
+    kept: list[Item | Main] = []
+    for item in items[top:]:
+        if isinstance(item, Def | When):
+            lead = _comments_at_end(kept)
+            moved += kept[len(kept) - lead :]
+            del kept[len(kept) - lead :]
+            moved.append(item)
+        else:
+            kept.append(item)
+    return [*items[:top], *moved, *kept]
+
+
+def drawn(items: tuple[Item, ...]) -> tuple[Item, ...]:
+    """The items as stacks of blocks show them: a program's first run of statements stays one stack.
+
+    Imports and the robot's settings come first in Python. Where only the definitions that the
+    statements below need separate the two, the definitions follow both.
+    """
+    top = next((i for i, item in enumerate(items) if isinstance(item, Def | When)), len(items))
+    top -= _comments_at_end(items[:top])
+    if not any(isinstance(item, Import | Setup) for item in items[top - 1 : top]):
+        return items
+    run = top
+    for place, item in enumerate(items[top:], top):
+        if isinstance(item, Def | When):
+            run = place + 1
+        elif not isinstance(item, Comment):
+            break
+    rest = items[run:]
+    end = next((i for i, item in enumerate(rest) if isinstance(item, Def | When)), len(rest))
+    end -= _comments_at_end(rest[:end])
+    found = (*items[:top], *rest[:end], *items[top:run], *rest[end:])
+    same = end and tuple(normalized(definitions_first(found))) == items
+    return found if same else items
+
+
+def _first_early_use(items: Sequence[Item | Main]) -> int | None:
+    """The place of the first statement that uses a definition below it."""
+    places = {_key(item): place for place, item in enumerate(items) if isinstance(item, Def | When)}
+    if not places:
+        return None
+    last = max(places.values())
+    uses = _Uses(items)
+    known: set[Key] = set()
+    for place, item in enumerate(items[:last]):
+        if isinstance(item, Def | When):
+            known.add(_key(item))
+        elif not isinstance(item, Main | Setup) and uses.of(item) - known:
+            return place
+    return None
+
+
+def _top(items: Sequence[Item | Main], place: int) -> int:
+    """Where a run of statements begins: below the definition or the setup above it."""
+    above = (i + 1 for i in range(place) if isinstance(items[i], Def | When | Setup))
+    heading = [item for item in items if not isinstance(item, Main)]
+    top = max([prologue_length(heading), *above])
+    while top < place and isinstance(items[top], Blank):
+        top += 1
+    return top
+
+
+def _comments_at_end(items: Sequence[Item | Main]) -> int:
+    count = 0
+    while count < len(items) and isinstance(items[-1 - count], Comment):
+        count += 1
+    return count
+
+
+def _key(item: Def | When) -> Key:
+    return type(item), item.name
+
+
+class _Uses:
+    """Finds the definitions that statements use, also through the functions that they call."""
+
+    def __init__(self, items: Sequence[Item | Main]) -> None:
+        found = [item for item in items if isinstance(item, Def | When)]
+        self.definitions = {_key(item): item for item in found}
+        self.whens = {item.name for item in found if isinstance(item, When)}
+        self.in_raw = _raw_functions(item for item in items if isinstance(item, Raw))
+
+    def of(self, item: Item) -> set[Key]:
+        """The definitions that must exist when a statement runs."""
+        found: set[Key] = set()
+        ahead = set(self.named((item,)))
+        while ahead:
+            key = ahead.pop()
+            if key not in found:
+                found.add(key)
+                ahead.update(self.within(key))
+        return found & self.definitions.keys()
+
+    def within(self, key: Key) -> Iterator[Key]:
+        """What a call of a function uses; an event only runs at the end of the program."""
+        definition = self.definitions.get(key)
+        if isinstance(definition, Def):
+            yield from self.named(definition.body)
+        elif definition is None and key[0] is Def and key[1] in self.in_raw:
+            for statement in self.in_raw[key[1]]:
+                yield from _keys(statement)
+
+    def named(self, body: tuple[Item, ...]) -> Iterator[Key]:
+        for one in statements(body):
+            if isinstance(one, Activate | Deactivate):
+                yield When, one.name
+            elif isinstance(one, Raw):
+                yield from _keys_in(one.text)
+            for expression in expressions(one):
+                for node in within(expression):
+                    yield from self.named_in(node)
+
+    def named_in(self, node: Expression) -> Iterator[Key]:
+        if isinstance(node, Call):
+            yield Def, node.name
+        elif isinstance(node, Name) and self.whens:
+            state = state_of(node.name, self.whens)
+            if state is not None:
+                yield When, state[0]
+        elif isinstance(node, RawExpression):
+            yield from _keys_in(node.text)
+
+
+def _raw_functions(raw: Iterable[Raw]) -> dict[str, list[ast.stmt]]:
+    """The bodies of the functions that parts in raw Python define, by their names in Block-Text."""
+    return {
+        name: node.body
+        for one in raw
+        for node in ast.walk(parsed(one.text))
+        if isinstance(node, Function) and (name := from_python(node.name)) is not None
+    }
+
+
+def _keys_in(text: str) -> Iterator[Key]:
+    yield from _keys(parsed(text.strip()))
+
+
+def _keys(node: ast.AST) -> Iterator[Key]:
+    for name in loaded_names(node):
+        plain = from_python(name)
+        if plain is not None:
+            yield Def, plain
+            yield When, stem(plain)
