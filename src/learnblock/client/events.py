@@ -104,7 +104,7 @@ class Events:
 
     def __init__(self) -> None:
         self._whens: list[When] = []
-        self._start: When | None = None
+        self._starts: list[When] = []
 
     @property
     def stopped(self) -> bool:
@@ -126,9 +126,10 @@ class Events:
         return when
 
     def when_start(self, body: Body) -> When:
-        """Decorate the function that runs once, before the first cycle."""
-        self._start = When(self.clock, body)
-        return self._start
+        """Decorate a function that runs once, before the first cycle; several run in order."""
+        start = When(self.clock, body)
+        self._starts.append(start)
+        return start
 
     def wait_until(self, condition: Condition) -> None:
         """Wait until a condition is true; meanwhile the robot keeps moving.
@@ -142,10 +143,10 @@ class Events:
 
     def run(self) -> None:
         """Run cycles until the robot is stopped."""
-        if self._start:
-            self._start.activate()
-            self._start.run()
-            self._start.deactivate()
+        for start in self._starts:
+            start.activate()
+            start.run()
+            start.deactivate()
         while self._whens and not self.stopped:
             self._cycle()
 

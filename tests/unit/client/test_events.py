@@ -439,3 +439,12 @@ def test_an_event_that_waits_holds_the_others():
     robot.run()
 
     assert robot.seen == [("first", 0.06), ("second", 0.06)]
+
+
+def test_several_starts_run_in_order_before_the_first_cycle():
+    robot = Stage(cycles=1)
+    robot.when_start(lambda: robot.seen.append("first"))
+    robot.when_start(lambda: robot.seen.append("second"))
+    robot.when(lambda: robot.seen.append("when")).activate()
+    robot.run()
+    assert robot.seen == ["first", "second", "when"]

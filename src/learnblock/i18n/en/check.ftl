@@ -33,6 +33,14 @@ check-unknown-when-near = There is no 'when { $name }'. Did you mean '{ $near }'
 # $word: def or when
 check-defined-twice = There is another '{ $word } { $name }' on line { $line }. Rename one or combine them.
 check-function-and-variable = '{ $name }' is both a function and a variable. Rename one.
+check-value-of-event = '{ $name }' belongs to 'when { $event }', so nothing else can have this name. { $value ->
+    [time] Choose another name, or write 'deactivate { $event }' and 'activate { $event }' to start its time again.
+   *[active] Choose another name, or write 'activate { $event }' or 'deactivate { $event }' to change its state.
+}
+check-value-of-event-python = '{ $event }.{ $value }' belongs to the event and can't be set. { $value ->
+    [time] Write '{ $event }.deactivate()' and '{ $event }.activate()' to start its time again.
+   *[active] Write '{ $event }.activate()' or '{ $event }.deactivate()' to change it.
+}
 
 ## Libraries
 
@@ -234,7 +242,7 @@ check-too-many-blocks = More than { $limit } blocks are nested here, which is to
 check-too-many-loops = More than { $limit } loops are nested here, which is too deep for Python. Move some of them into a function.
 # $word: break or continue
 check-outside-loop = '{ $word }' only works inside a loop. Move it into one, or remove it.
-check-outside-function = 'return' only works inside a 'def'. Move it into one, or remove it.
+check-outside-function = 'return' only works inside a 'def' or 'when'. Move it into one, or remove it.
 check-calls-itself = '{ $name }' calls itself here again and again, without end. Remove this line. Write 'forever:' above the other lines of '{ $name }' and 'end' below them.
 check-calls-itself-python = '{ $name }' calls itself here again and again, without end. Remove this line. Write 'while True:' above the other lines of '{ $name }', and indent them by 4 more spaces.
 # $word: break, continue or return

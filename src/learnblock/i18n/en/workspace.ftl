@@ -65,6 +65,10 @@ workspace-defined-twice = { $word ->
     [def] There are two functions '{ $name }'.
    *[other] There are two events '{ $name }'.
 } Rename this one, or move its blocks to the other one and delete this one.
+workspace-value-of-event = '{ $name }' is the { $value ->
+    [time] time
+   *[active] state
+} of the event '{ $event }', so nothing else can have this name. Choose another name in this block.
 workspace-not-imported = This block belongs to the library '{ $library }'. Put a block 'import { $library }' from 'Control' under 'at the start'.
 # $names: of the parameters without a value
 workspace-missing-argument = This block needs a value for: { $names }. Remove it, and take '{ $call }' from the palette again: that one has all its slots.
@@ -122,7 +126,7 @@ workspace-skill-impossible = This robot has no { $devices }, so it can't do this
 workspace-skill-without-effect = This robot has no { $devices }, so this block does nothing. Remove it, or choose another robot.
 workspace-no-device-of-name = This robot has no { $device } '{ $key }', so this block does nothing. Choose one of: { $known }.
 workspace-outside-loop = This block only works inside a loop. Move it into a 'repeat', 'count with' or 'for each item' block, or remove it.
-workspace-outside-function = This block only works inside a function. Move it into a 'define' block, or remove it.
+workspace-outside-function = This block only works inside a function or an event. Move it into a 'define' or 'when' block, or remove it.
 workspace-unreachable-after-jump = This block never runs: the block above it leaves { $word ->
     [return] the function
    *[other] this round of the loop

@@ -33,6 +33,14 @@ check-unknown-when-near = No hay ningún 'when { $name }'. ¿Querías decir '{ $
 # $word: def or when
 check-defined-twice = Ya hay otro '{ $word } { $name }' en la línea { $line }. Cambia el nombre de uno o únelos.
 check-function-and-variable = '{ $name }' es a la vez una función y una variable. Cambia uno de los nombres.
+check-value-of-event = '{ $name }' es de 'when { $event }', así que nada más puede llamarse así. { $value ->
+    [time] Elige otro nombre, o escribe 'deactivate { $event }' y 'activate { $event }' para que su tiempo empiece otra vez.
+   *[active] Elige otro nombre, o escribe 'activate { $event }' o 'deactivate { $event }' para cambiar su estado.
+}
+check-value-of-event-python = '{ $event }.{ $value }' es del evento y no se puede cambiar así. { $value ->
+    [time] Escribe '{ $event }.deactivate()' y '{ $event }.activate()' para que su tiempo empiece otra vez.
+   *[active] Escribe '{ $event }.activate()' o '{ $event }.deactivate()' para cambiarlo.
+}
 
 ## Libraries
 
@@ -232,7 +240,7 @@ check-too-many-blocks = Aquí hay más de { $limit } bloques unos dentro de otro
 check-too-many-loops = Aquí hay más de { $limit } bucles unos dentro de otros, y son demasiados para Python. Mueve algunos a una función.
 # $word: break or continue
 check-outside-loop = '{ $word }' solo funciona dentro de un bucle. Ponlo dentro de uno, o quítalo.
-check-outside-function = 'return' solo funciona dentro de un 'def'. Ponlo dentro de uno, o quítalo.
+check-outside-function = 'return' solo funciona dentro de un 'def' o un 'when'. Ponlo dentro de uno, o quítalo.
 check-calls-itself = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita esta línea. Escribe 'forever:' encima de las demás líneas de '{ $name }' y 'end' debajo.
 check-calls-itself-python = '{ $name }' se llama aquí a sí misma una y otra vez, sin fin. Quita esta línea. Escribe 'while True:' encima de las demás líneas de '{ $name }' y ponles 4 espacios más delante.
 # $word: break, continue or return

@@ -65,6 +65,10 @@ workspace-defined-twice = { $word ->
     [def] Hay dos funciones '{ $name }'.
    *[other] Hay dos eventos '{ $name }'.
 } Cambia el nombre de este bloque, o pasa sus bloques al otro y borra este.
+workspace-value-of-event = '{ $name }' es el { $value ->
+    [time] tiempo
+   *[active] estado
+} del evento '{ $event }', así que nada más puede llamarse así. Elige otro nombre en este bloque.
 workspace-not-imported = Este bloque es de la biblioteca '{ $library }'. Pon un bloque 'importar { $library }' de 'Control' bajo 'al empezar'.
 # $names: of the parameters without a value
 workspace-missing-argument = A este bloque le falta un valor para: { $names }. Quítalo y toma '{ $call }' otra vez de la paleta: ese tiene todos sus huecos.
@@ -126,7 +130,7 @@ workspace-skill-impossible = Este robot no tiene { $devices }, así que no puede
 workspace-skill-without-effect = Este robot no tiene { $devices }, así que este bloque no hace nada. Quítalo o elige otro robot.
 workspace-no-device-of-name = Este robot no tiene { $device } '{ $key }', así que este bloque no hace nada. Elige: { $known }.
 workspace-outside-loop = Este bloque solo funciona dentro de un bucle. Ponlo dentro de un bloque 'repetir', 'contar con' o 'para cada elemento', o quítalo.
-workspace-outside-function = Este bloque solo funciona dentro de una función. Ponlo dentro de un bloque 'definir', o quítalo.
+workspace-outside-function = Este bloque solo funciona dentro de una función o un evento. Ponlo dentro de un bloque 'definir' o 'cuando', o quítalo.
 workspace-unreachable-after-jump = Este bloque no se ejecuta nunca: el de encima sale antes de { $word ->
     [return] la función
    *[other] esta vuelta del bucle

@@ -22,7 +22,6 @@ from learnblock.language.tree.nodes import (
     Item,
     Name,
     Number,
-    Raw,
     RawExpression,
     SkillCall,
     Span,
@@ -105,21 +104,12 @@ class CallChecker:
         self.report("not-imported", message, node.span)
 
     def unknown_skill(self, node: SkillCall) -> None:
-        if node.name == "run" and self.runs_events():
-            return
         if node.name == "wait_until":
             # In Python it is a method of the robot that takes a function.
             if not self.findings.in_python:
                 self.report("unknown-skill", Phrase("check-wait-until"), node.span)
             return
         self.report("unknown-skill", self.unknown_skill_message(node.name), node.span)
-
-    def runs_events(self) -> bool:
-        """Whether ``robot.run()`` may belong to events in parts that stay Python."""
-        raw = (one for one in self.findings.everything if isinstance(one, Raw))
-        return self.findings.in_python and any(
-            "@" in one.text or "robot.when" in one.text for one in raw
-        )
 
     def unknown_skill_message(self, name: str) -> Phrase:
         if name in self.findings.functions:

@@ -7,6 +7,7 @@ from learnblock.blocks import BlockConfiguration
 from learnblock.blocks.importable import Importable
 from learnblock.errors import Diagnostic
 from learnblock.i18n import Phrase
+from learnblock.language.blocktext.names import state_of
 from learnblock.language.check.call_checker import CallChecker
 from learnblock.language.check.findings import Findings, python_error
 from learnblock.language.check.flow_checker import LOOPS, FlowChecker
@@ -17,12 +18,14 @@ from learnblock.language.check.variable_order_checker import check_order
 from learnblock.language.python.syntax_errors import syntax_message
 from learnblock.language.tree.nodes import (
     Activate,
+    Assign,
     Blank,
     Break,
     Comment,
     Continue,
     Deactivate,
     Def,
+    ForEach,
     ForRange,
     If,
     Import,
@@ -33,12 +36,13 @@ from learnblock.language.tree.nodes import (
     Raw,
     Return,
     SkillCall,
+    Span,
     String,
     Unary,
     When,
     is_only_raw,
 )
-from learnblock.language.tree.traversal import bodies, within
+from learnblock.language.tree.traversal import bodies, set_by, within
 
 # CPython allows fewer than 100 levels of indentation, and 20 loops inside each other.
 MAX_INDENTATION = 99
@@ -105,6 +109,7 @@ class _Checker:
 
     def run(self) -> None:
         self.duplicates()
+        self.values_of_events()
         for item in self.findings.program.items:
             if isinstance(item, Def):
                 self.calls.parameters = frozenset(item.parameters)
@@ -112,7 +117,7 @@ class _Checker:
                 self.calls.parameters = frozenset()
             elif isinstance(item, When):
                 self.calls.own_expressions(item)
-                self.block(item.body, 1, 0, within_def=False)
+                self.block(item.body, 1, 0, within_def=True)
             elif isinstance(item, Import):
                 self.calls.imported(item)
         self.block(self.findings.top, 0, 0, within_def=False)
@@ -140,6 +145,21 @@ class _Checker:
             if isinstance(item, Def) and item.name in variables:
                 message = Phrase("check-function-and-variable", name=item.name)
                 self.report("duplicate-name", message, item.span)
+
+    def values_of_events(self) -> None:
+        """Report variables and parameters that have the name of an event's state or time."""
+        for item in self.findings.everything:
+            names = item.parameters if isinstance(item, Def) else (set_by(item),)
+            where = item.target if isinstance(item, Assign | ForEach | ForRange) else item
+            for name in filter(None, names):
+                found = state_of(name, self.findings.whens.keys())
+                if found is not None:
+                    self.value_of_event(name, *found, where.span)
+
+    def value_of_event(self, name: str, event: str, value: str, span: Span) -> None:
+        code = self.findings.worded("check-value-of-event", "check-value-of-event-python")
+        message = Phrase(code, name=name, event=event, value=value)
+        self.report("value-of-event", message, span)
 
     def block(self, body: tuple[Item, ...], depth: int, loops: int, *, within_def: bool) -> None:
         self.flow.unreachable(body)

@@ -309,7 +309,7 @@ class _TypeChecker:
         return Phrase(code, name=node.name, value=value)
 
     def words_as_number(self, value: Expression) -> None:
-        if isinstance(value, String) and not _is_whole(value.value.strip()):
+        if isinstance(value, String) and not _reads_as_whole(value.value):
             self.report(Phrase("check-not-whole", text=value.value), value)
 
     def arguments(self, node: Call, takes: tuple[frozenset[Type], ...]) -> None:
@@ -416,6 +416,15 @@ def _is_number(node: Expression) -> bool:
         return False
     plain = node.value.strip().removeprefix("-").replace(".", "", 1)
     return plain.isascii() and plain.isdecimal()
+
+
+def _reads_as_whole(text: str) -> bool:
+    """Whether ``int`` can read a text, which allows more than the spelling of a number."""
+    try:
+        int(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _is_whole(text: str) -> bool:

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
 from learnblock.i18n import Phrase
+from learnblock.language.blocktext.names import state_of
 from learnblock.language.check.findings import Findings
 from learnblock.language.check.flow_checker import LOOPS
 from learnblock.language.tree.markers import raw_names
@@ -160,6 +161,8 @@ class _Order:
 
     def read(self, node: Name, scope: _Scope) -> None:
         name = node.name
+        if state_of(name, self.findings.whens.keys()) is not None:
+            return
         if scope.has(name) or name in self.reported or name not in self.findings.assigned:
             return
         self.reported.add(name)

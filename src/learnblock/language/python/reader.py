@@ -7,6 +7,7 @@ import ast
 import bisect
 import re
 import warnings
+from collections import Counter
 from dataclasses import replace
 
 from learnblock.errors import Diagnostic, ProgramError
@@ -137,9 +138,7 @@ def _read(text: str, tree: ast.Module) -> Program | None:
     notes = markers.notes(plain)
     if line != skeleton.importing.lineno or notes is None:
         return None
-    whens = frozenset(
-        node.name for node in skeleton.rest if isinstance(node, ast.FunctionDef) and is_when(node)
-    )
+    whens = _distinct_whens(skeleton)
     while True:
         reader = _Reader(plain, tree, skeleton, notes, whens)
         program = reader.program()
@@ -148,6 +147,13 @@ def _read(text: str, tree: ast.Module) -> Program | None:
             return program
         # If a `when` stays raw Python, the rest of the program must not use it as a `when`.
         whens = kept
+
+
+def _distinct_whens(skeleton: Skeleton) -> frozenset[str]:
+    """The names of the ``when``s; in Block-Text, two of one name are none."""
+    functions = [node for node in skeleton.rest if isinstance(node, ast.FunctionDef)]
+    times = Counter(node.name for node in functions)
+    return frozenset(node.name for node in functions if is_when(node) and times[node.name] == 1)
 
 
 class _Reader(StatementReader):
@@ -362,7 +368,7 @@ class _Reader(StatementReader):
         if node.decorator_list:
             return self.when(node, comment)
         name = names.from_python(node.name)
-        parameters = tuple(self.called(argument.arg) for argument in arguments.args)
+        parameters = tuple(self.identifier(argument.arg) for argument in arguments.args)
         if name is None:
             raise Unlike
         body = self.function_body(node, parameters)

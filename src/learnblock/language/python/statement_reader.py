@@ -289,6 +289,9 @@ class StatementReader(CommentReader):
                 plain = self.whens.get(name) or self.called(name)
                 node = Activate if method == "activate" else Deactivate
                 return node(plain, comment, span)
+            case ast.Call(func=ast.Attribute(value=ast.Name(id="robot"), attr="run"), args=[]):
+                # Block-Text implies it at the end; elsewhere, it stays Python.
+                raise Unlike
         value = self.exact(call)
         if not isinstance(value, Call | SkillCall):
             raise Unlike

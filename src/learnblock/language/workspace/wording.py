@@ -33,6 +33,9 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         "check-never-started": "workspace-never-started",
         "check-events-never-run": "workspace-events-never-run",
         "check-defined-twice": "workspace-defined-twice",
+        **dict.fromkeys(
+            ("check-value-of-event", "check-value-of-event-python"), "workspace-value-of-event"
+        ),
         "check-not-imported": "workspace-not-imported",
         "check-missing-argument": "workspace-missing-argument",
         "check-too-many-arguments": "workspace-too-many-arguments",

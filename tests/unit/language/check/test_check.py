@@ -334,3 +334,50 @@ def test_raw_python_must_be_valid(found):
 def test_a_variable_is_followed_into_functions_and_events(text, line, found):
     unset = [where for where, _, code in found(text) if code == "unset-variable"]
     assert unset == ([] if line is None else [line])
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("def show(time_go):\n    print(1)\nend\n", "time_go"),
+        ("def show(state_go):\n    print(1)\nend\n", "state_go"),
+        ("time_go = 0\n", "time_go"),
+        ("state_go = False\n", "state_go"),
+        ("time_go += 1\n", "time_go"),
+        ("for time_go in [1]:\n    print(1)\nend\n", "time_go"),
+        ("for state_go from 1 to 2:\n    print(1)\nend\n", "state_go"),
+    ],
+)
+def test_the_names_of_an_events_values_are_its_own(text, name):
+    diagnostics = check(parse(f"{text}when go = True:\n    print(1)\nend\n"), builtin())
+    assert [(1, "value-of-event", name)] == [
+        (one.line, one.code, one.message.values["name"]) for one in diagnostics
+    ]
+    assert [] == check(parse(text.replace("_go", "_gone")), builtin()) or "+=" in text
+
+
+def test_an_author_of_python_learns_how_to_restart_the_time_of_an_event():
+    python = (
+        "from learnblock.robots.sim_ebo import Robot\n\nrobot = Robot()\n\n\n"
+        "@robot.when(lambda: True)\ndef go():\n    go.time = 0\n\n\nrobot.run()\n"
+    )
+    [found] = check(from_python(python), builtin(), python=python)
+    assert (8, "error") == (found.line, found.severity)
+    assert "'go.deactivate()' and 'go.activate()'" in str(found.message)
+
+
+@pytest.mark.parametrize("text", ["07", " 7 ", "-07", "+7", "1_000", "٣"])
+def test_int_may_read_whatever_python_reads(text):
+    assert [] == check(parse(f'x = int("{text}")\nprint(x)\n'), builtin())
+
+
+@pytest.mark.parametrize("text", ["seven", "3.5", "0x10", "", "1__0"])
+def test_int_of_other_text_is_a_mistake(text):
+    codes = [one.code for one in check(parse(f'x = int("{text}")\nprint(x)\n'), builtin())]
+    assert ["wrong-type"] == codes
+
+
+@pytest.mark.parametrize("event", ["start", "go = True"])
+def test_a_return_leaves_an_event(event):
+    text = f"when {event}:\n    if 1 > 0:\n        return\n    end\n    print(1)\nend\n"
+    assert [] == check(parse(text), builtin())
