@@ -38,8 +38,8 @@ class Program:
 
     @cached_property
     def identity(self) -> str:
-        """A hash of the program itself, independent of its name, notation and robot."""
-        neutral = _ROBOT_IMPORT.sub("from robot import Robot", self.python)
+        """A hash of the program as Python reads it, independent of its name, notation and robot."""
+        neutral = _ROBOT_IMPORT.sub("from robot import Robot", _as_read(self.python))
         return hashlib.sha256(neutral.encode("utf-8", "surrogatepass")).hexdigest()
 
     @cached_property
@@ -82,6 +82,12 @@ class Program:
 
 def _is_for_key(call: ast.Call) -> bool:
     return isinstance(call.func, ast.Attribute) and call.func.attr == KEY_SKILL
+
+
+def _as_read(text: str) -> str:
+    """A program without differences that Python does not see: line ends and those of the file."""
+    lines = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+    return lines.rstrip("\n") + "\n"
 
 
 def _asked_key(call: ast.Call) -> object:

@@ -1,3 +1,5 @@
+import pytest
+
 from learnblock.language.python.source_map import SourceMap
 from learnblock.runtime.program import Program
 
@@ -15,6 +17,22 @@ def test_a_program_is_the_same_on_every_robot_and_under_every_name():
 
 def test_another_program_has_another_identity():
     assert program("x = 1").identity != program("x = 2").identity
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        SQUARE.format("ebo").replace("\n", "\r\n"),
+        SQUARE.format("ebo").replace("\n", "\r"),
+        SQUARE.format("ebo").replace("\n", "\r\n", 2),
+        SQUARE.format("ebo").removesuffix("\n"),
+        SQUARE.format("ebo") + "\n\n",
+        SQUARE.format("ebo").replace("\n", "\r\n").removesuffix("\r\n"),
+        "\ufeff" + SQUARE.format("ebo"),
+    ],
+)
+def test_the_ends_of_lines_and_of_the_file_make_no_other_program(text):
+    assert program(SQUARE.format("ebo")).identity == program(text).identity
 
 
 def test_the_names_of_a_program_are_its_attributes():
