@@ -93,7 +93,8 @@ _BRACES = frozenset("{}")
 _RAW_START = re.compile(r"^([ \t]*)python[ \t]*:[ \t]*(#[^\n]*?)?\r?$", re.MULTILINE)
 _RAW_END = re.compile(r"^[ \t]*end\b[ \t]*(?:#[^\n]*)?\r?$", re.MULTILINE)
 _AT_LINE_END = re.compile(r"[ \t]*(?:#[^\n]*)?$", re.MULTILINE)
-_HEADER = re.compile(r"[^\n\r]*:")
+#: A line with a colon, except in its strings and comment.
+_HEADER = re.compile(r"""(?:[^\n\r"'#:]|"(?:[^"\\\n\r]|\\.)*"|'(?:[^'\\\n\r]|\\.)*')*:""")
 _ARGUMENT = re.compile(r"[ \t]*=(?!=)")
 LINE_END = re.compile(r"\r?\n|\r")
 #: The kinds of the tokens that end a line.

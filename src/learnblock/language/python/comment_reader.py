@@ -4,10 +4,14 @@ Python's syntax tree contains none of them, so they are read line by line, up to
 """
 
 import ast
+import bisect
 
 from learnblock.language.python.expression_reader import ExpressionReader, end_of, start_of
 from learnblock.language.tree import markers
 from learnblock.language.tree.nodes import Blank, Comment, Item, Raw, Span
+
+#: What may be between a statement and the comment at the end of its line.
+_SEPARATORS = " \t\f;"
 
 
 class CommentReader(ExpressionReader):
@@ -21,7 +25,7 @@ class CommentReader(ExpressionReader):
         functions: set[str],
     ) -> None:
         super().__init__(lines, whens, functions)
-        self.comments, self.in_string = notes
+        self.comments, self.in_string, self.line_ends = dict(notes.comments), *notes[1:]
         self.raw_ends = self.found_raw_ends()
         self.line = 1
 
@@ -84,30 +88,63 @@ class CommentReader(ExpressionReader):
         return found
 
     def inner_comments(self, node: ast.stmt) -> list[Item]:
-        """The comments inside the brackets of a statement, which move above it in Block-Text."""
-        found: list[Item] = []
-        body = getattr(node, "body", None)
-        end = start_of(body[0]) - 1 if isinstance(body, list) and body else end_of(node) - 1
-        for number in range(node.lineno, end + 1):
-            comment = self.comments.get(number)
-            if comment is not None and (comment.inside or not isinstance(body, list)):
-                found.append(Comment(comment.text, Span(number, comment.column + 1)))
-        return found
+        """The comments in a statement that has no place for them, which move above it.
 
-    def comment_of(self, line: int) -> str | None:
-        """The comment at the end of a line."""
+        They are inside its brackets, or at its decorators.
+        """
+        body = getattr(node, "body", None)
+        last = self.header_end(node.lineno, body) if isinstance(body, list) else end_of(node)
+        return self.comments_in(start_of(node), last)
+
+    def comments_in(self, first: int, end: int) -> list[Item]:
+        """Every comment on the lines from `first` up to, but not including, `end`."""
+        return [self.own_comment(line) for line in range(first, end) if line in self.comments]
+
+    def own_comment(self, line: int) -> Comment:
+        """The comment of a line, moved to a line of its own."""
+        comment = self.comments[line]
+        return Comment(comment.text, Span(line, comment.column + 1))
+
+    def comment_after(self, node: ast.stmt) -> str | None:
+        """The comment at the end of a statement, if no other statement is between them."""
+        line = end_of(node)
         comment = self.comments.get(line)
         if comment is None or comment.own_line or comment.inside:
             return None
-        return comment.text
+        between = self.lines[line - 1][self.character(line, node.end_col_offset) : comment.column]
+        return None if between.strip(_SEPARATORS) else comment.text
 
     def header_comment(self, start: int, body: list[ast.stmt]) -> str | None:
         """The comment after the colon of a block that begins on line `start`."""
-        for line in range(start, max(start_of(body[0]), start + 1)):
-            comment = self.comment_of(line)
-            if comment is not None and start_of(body[0]) > line:
-                return comment
-        return None
+        line = self.header_end(start, body)
+        comment = self.comments.get(line)
+        return None if comment is None or line == start_of(body[0]) else comment.text
+
+    def header_end(self, start: int, body: list[ast.stmt]) -> int:
+        """The line of the colon of a block that begins on line `start`, or of its body above it."""
+        colon = self.line_ends[bisect.bisect_left(self.line_ends, start)]
+        return min(colon, start_of(body[0]))
+
+    def character(self, line: int, column: int | None) -> int:
+        """The position in a line for a column of Python's tree, which counts bytes."""
+        text = self.lines[line - 1]
+        return (column or 0) if text.isascii() else len(text.encode()[:column].decode())
+
+    def erase(self, node: ast.stmt) -> None:
+        """Remove a statement that Block-Text implies; its comments get lines of their own."""
+        for line in range(node.lineno, end_of(node) + 1):
+            comment = self.comments.get(line)
+            text = self.lines[line - 1]
+            start = self.character(line, node.col_offset) if line == node.lineno else 0
+            end = len(text) if comment is None else comment.column
+            if line == end_of(node):
+                end = self.character(line, node.end_col_offset)
+            text = text[:start] + " " * (end - start) + text[end:]
+            self.lines[line - 1] = text if text.strip(_SEPARATORS) else ""
+            if comment is not None:
+                self.comments[line] = comment._replace(inside=False)
+                if not text[: comment.column].strip(_SEPARATORS):
+                    self.comments[line] = _own_line(comment, node.col_offset)
 
     def notes_of_body(self, items: list[Item], column: int) -> None:
         """Read the comments below a body that are indented like the body."""
@@ -120,14 +157,7 @@ class CommentReader(ExpressionReader):
                 return
             self.notes(items, ahead + 1, column, leave=True)
 
-    def after_header(self, owner: int, first: int) -> int:
-        """The line below the header of a block, which may span several lines."""
-        line = first
-        while line - 1 > owner and not self.lines[line - 2].strip():
-            line -= 1
-        while line - 1 > owner and (
-            not self.lines[line - 2].strip()
-            or ((c := self.comments.get(line - 1)) is not None and c.own_line and not c.inside)
-        ):
-            line -= 1
-        return line
+
+def _own_line(comment: markers.NotedComment, column: int) -> markers.NotedComment:
+    """A comment on a line of its own, where it is no marker."""
+    return markers.NotedComment(column, markers.escaped(comment.text), own_line=True, inside=False)

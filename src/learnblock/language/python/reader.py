@@ -227,6 +227,7 @@ class _Reader(StatementReader):
         if not end_line:
             return ()
         self.line = end_line + 1
+        self.raw_ends = {}  # below `main` are only comments, so that a marker is one, too
         read = normalized(self.block([], 0, len(self.lines) + 1))
         return tuple(item for item in read if isinstance(item, Comment | Blank))
 
@@ -243,12 +244,8 @@ class _Reader(StatementReader):
                         )
                     ) as run
                 ):
-                    self.blank_lines(run)
+                    self.erase(run)
                     rest.pop()
-
-    def blank_lines(self, node: ast.stmt) -> None:
-        for number in range(node.lineno, end_of(node) + 1):
-            self.lines[number - 1] = ""
 
     def main_marker(self) -> int:
         """The line of the comment that marks `main`, or 0."""
@@ -286,16 +283,25 @@ class _Reader(StatementReader):
     def head(self) -> list[Item]:
         """The items above the line that creates the robot, and a `Setup` if that needs one."""
         skeleton = self.skeleton
+        self.check_lines()
         others = [node for node in skeleton.head if not self.is_own_import(node)]
         line = skeleton.importing.lineno
         above = self.head_part([node for node in others if node.lineno < line], line)
         if above and not isinstance(above[-1], Import):
             above.append(Blank())
-        self.line = end_of(skeleton.importing) + 1
+        self.erase(skeleton.importing)
+        self.line = line
         below = [node for node in others if node.lineno > line]
         below_items = self.head_part(below, skeleton.creating.lineno)
         self.line = end_of(skeleton.creating) + 1
-        return self.with_setup([*above, *below_items])
+        return self.with_setup([*above, *below_items, *self.inner_comments(skeleton.creating)])
+
+    def check_lines(self) -> None:
+        """Leave a file as it is whose other statements share a line with the robot's."""
+        skeleton = self.skeleton
+        own = (skeleton.importing.lineno, skeleton.creating.lineno)
+        if any(node.lineno in own or end_of(node) in own for node in skeleton.head):
+            raise Unlike
 
     def is_own_import(self, node: ast.stmt) -> bool:
         """Whether a statement is an import that generated Python adds; if so, record it."""
@@ -326,7 +332,7 @@ class _Reader(StatementReader):
         node = self.skeleton.creation
         arguments, keywords = self.arguments(node, names.attribute_from_python)
         creating = self.skeleton.creating
-        return Setup(arguments, keywords, self.comment_of(end_of(creating)), span_of(creating))
+        return Setup(arguments, keywords, self.comment_after(creating), span_of(creating))
 
     def with_imports(self, items: tuple[Item, ...], main: Main | None) -> tuple[Item, ...]:
         """The items, with imports that only raw Python can need as raw Python."""
@@ -358,7 +364,7 @@ class _Reader(StatementReader):
         module = imports.from_python(node.module or "")
         if module is None:
             raise Unlike
-        return Import(module, self.comment_of(end_of(node)), span_of(node))
+        return Import(module, self.comment_after(node), span_of(node))
 
     def function(self, node: ast.FunctionDef) -> Def | When:
         arguments = node.args

@@ -1,6 +1,7 @@
 """Read statements of Python as a tree, with the comments and blank lines between them."""
 
 import ast
+import re
 
 from learnblock.language.python.comment_reader import CommentReader
 from learnblock.language.python.expression_reader import (
@@ -47,6 +48,8 @@ from learnblock.language.tree.nodes import (
     When,
     While,
 )
+
+_ELSE = re.compile(r"\s*else\s*[:\\]")
 
 
 class StatementReader(CommentReader):
@@ -107,6 +110,8 @@ class StatementReader(CommentReader):
         node = nodes[index]
         saved = self.line
         if not top_level and all(isinstance(one, ast.Global) for one in nodes[: index + 1]):
+            if self.comment_after(node) is not None:
+                items.append(self.own_comment(end_of(node)))
             self.line = end_of(node) + 1
             return index + 1
         try:
@@ -121,11 +126,7 @@ class StatementReader(CommentReader):
         return index + 1
 
     def body(self, owner: int, nodes: list[ast.stmt], limit: int) -> Body:
-        first = start_of(nodes[0])
-        if first == owner:
-            self.line = first
-        else:
-            self.line = self.after_header(owner, first)
+        self.line = min(self.header_end(owner, nodes) + 1, start_of(nodes[0]))
         return stripped(
             tuple(_statement(item) for item in self.block(nodes, nodes[0].col_offset, limit))
         )
@@ -135,9 +136,23 @@ class StatementReader(CommentReader):
         read = self.trailing(self.body(node.lineno, body, end_of(node) + 1), node)
         return (read if any(map(acts, read)) else (*read, Pass())), comment
 
-    def part_body(self, line: int, nodes: list[ast.stmt]) -> Body:
+    def part_body(self, line: int, nodes: list[ast.stmt], below: tuple[int, int] | None) -> Body:
+        """Read the body of a part of an ``if``.
+
+        Args:
+            line: the line of its header.
+            nodes: its statements.
+            below: the first line of the header of the next part, and that of its colon. Comments
+                above the colon, however they are indented, have no other place than this body.
+        """
         read: list[Item] = list(self.body(line, nodes, end_of(nodes[-1]) + 1))
-        self.notes_of_body(read, nodes[0].col_offset)
+        column = nodes[0].col_offset
+        if below is None:
+            self.notes_of_body(read, column)
+        else:
+            while self.notes(read, below[0], column):
+                pass
+            read += self.comments_in(*below)
         body = stripped(tuple(_statement(item) for item in read))
         return body if any(map(acts, body)) else (*body, Pass())
 
@@ -148,7 +163,7 @@ class StatementReader(CommentReader):
         raise NotImplementedError
 
     def statement(self, node: ast.stmt) -> Statement:  # noqa: PLR0911 - one for each kind
-        comment = self.comment_of(end_of(node))
+        comment = self.comment_after(node)
         span = span_of(node)
         match node:
             case ast.Expr(value=value):
@@ -245,7 +260,7 @@ class StatementReader(CommentReader):
             condition = self.expression(part.test)
             first = part is node
             comment = self.header_comment(part.lineno, part.body)
-            body = self.part_body(part.lineno, part.body)
+            body = self.part_body(part.lineno, part.body, self.next_header(part))
             span = span_of(part) if first else Span(part.lineno, node.col_offset + 1)
             branches.append(Branch(condition, body, comment, span._replace(end_line=part.lineno)))
             if not part.orelse:
@@ -256,18 +271,28 @@ class StatementReader(CommentReader):
                 continue
             return If(tuple(branches), self.otherwise(part, node), span_of(node))
 
+    def next_header(self, part: ast.If) -> tuple[int, int] | None:
+        """The first line of the ``elif`` or ``else`` below a part, and the line of its colon."""
+        if not part.orelse:
+            return None
+        following = part.orelse[0]
+        if isinstance(following, ast.If) and self.is_elif(following):
+            return following.lineno, self.header_end(following.lineno, following.body)
+        line = self.else_line(start_of(following))
+        return line, self.header_end(line, part.orelse)
+
     def is_elif(self, node: ast.If) -> bool:
         return self.lines[node.lineno - 1][node.col_offset :].startswith("elif")
 
     def otherwise(self, part: ast.If, node: ast.If) -> Else:
         line = self.else_line(start_of(part.orelse[0]))
         comment = self.header_comment(line, part.orelse)
-        body = self.part_body(line, part.orelse)
+        body = self.part_body(line, part.orelse, None)
         return Else(body, comment, Span(line, node.col_offset + 1, line, node.col_offset + 6))
 
     def else_line(self, first: int) -> int:
         line = first
-        while line > 1 and not self.lines[line - 1].lstrip().startswith("else"):
+        while line > 1 and not _ELSE.match(self.lines[line - 1]):
             line -= 1
         return line
 

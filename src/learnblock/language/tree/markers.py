@@ -40,15 +40,17 @@ class Notes(NamedTuple):
     Args:
         comments: the comment of each line that has one.
         in_string: the lines that begin inside a string.
+        ends: the last line of each logical line, in order.
     """
 
     comments: dict[int, NotedComment]
     in_string: set[int]
+    ends: list[int]
 
 
 def notes(text: str) -> Notes | None:
     """The comments of Python source and its lines inside strings; None if it cannot be parsed."""
-    found = Notes({}, set())
+    found = Notes({}, set(), [])
     depth = 0
     opened: list[int] = []
     try:
@@ -58,6 +60,8 @@ def notes(text: str) -> Notes | None:
                 comment = token.string[1:].strip()
                 noted = NotedComment(token.start[1], comment, own_line, depth > 0)
                 found.comments[token.start[0]] = noted
+            elif token.type == tokenize.NEWLINE:
+                found.ends.append(token.start[0])
             elif token.type == tokenize.STRING:
                 found.in_string.update(range(token.start[0] + 1, token.end[0] + 1))
             elif token.type in _STRING_STARTS:
