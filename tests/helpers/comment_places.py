@@ -31,7 +31,7 @@ _FOUND = re.compile(r"z(\d+)z([^\n]*)")
 _MARKER = re.compile(r"#[# ]*(?:main|end|python)\s*")
 _OPENING, _CLOSING = frozenset("([{"), frozenset(")]}")
 #: A bracket that is never closed ends where one of these begins a line.
-_OPENS_LINE = frozenset(("if", "else", "end", "for", "while", "return", "import", "def", "when"))
+_OPENS_LINE = frozenset(("if", "else", "end", "for", "while", "def", "import", "when", "python"))
 _RAW_HEADER = re.compile(r"^[ \t]*python[ \t]*:[ \t]*$", re.MULTILINE)
 
 
@@ -125,7 +125,7 @@ def block_text_places(text):
         in_f_string = (in_f_string or token.kind == "f-string") and token.kind != "newline"
         depth += (token.kind in _OPENING) - (token.kind in _CLOSING)
         # At the end of a line, a brace may also be one of C's.
-        breaks = token.kind != "{" and following.kind not in _OPENS_LINE | {"newline"}
+        breaks = token.kind != "{" and following.text not in _OPENS_LINE | {"\n"}
         if depth and not in_f_string and breaks:
             places.append(Place(start + len(token.text), "  ", "\n"))
         last = token.kind

@@ -25,7 +25,8 @@ class CommentReader(ExpressionReader):
         functions: set[str],
     ) -> None:
         super().__init__(lines, whens, functions)
-        self.comments, self.in_string, self.line_ends = dict(notes.comments), *notes[1:]
+        self.comments = dict(notes.comments)
+        self.in_string, self.line_ends = notes.in_string, notes.ends
         self.raw_ends = self.found_raw_ends()
         self.line = 1
 

@@ -1,7 +1,7 @@
 """Write a program as a workspace, and keep the rest of the earlier workspace."""
 
 from collections.abc import Mapping, Sequence
-from itertools import groupby
+from itertools import groupby, pairwise
 
 import msgspec
 
@@ -76,7 +76,7 @@ class WorkspaceWriter(ValueWriter):
         groups = grouped((*drawn(program.items), *main, *program.ending))
         old = self.before.entries
         places = _with_moved(groups, old, _matches(groups, [group for group, _, _ in old]))
-        run: list[tuple[Block, Block | None]] = []
+        run: list[tuple[Group, Block, Block | None]] = []
         for group, match in zip(groups, places, strict=True):
             _, old_block, hat = (None, None, None) if match is None else old[match.place]
             block = self.statement(group, old_block, equal=match is not None and match.equal)
@@ -85,22 +85,39 @@ class WorkspaceWriter(ValueWriter):
                 run = []
                 self.definition(block)
             else:
-                run.append((block, hat))
+                run.append((group, block, hat))
         self.run(run)
 
     def definition(self, block: Block) -> None:
         self.hats.add(block.id)
         self.stacks.append([block, *self.tails.get(block.id, [])])
 
-    def run(self, run: Sequence[tuple[Block, Block | None]]) -> None:
+    def run(self, run: Sequence[tuple[Group, Block, Block | None]]) -> None:
         """Write consecutive statements; comments outside of any hat stay there."""
-        for note, part in groupby(run, lambda pair: self.notes.get(pair[0].id)):
-            blocks = list(part)
+        notes = self.notes_of_run([(group, block) for group, block, _ in run])
+        for note, part in groupby(zip(notes, run, strict=True), lambda pair: pair[0]):
+            blocks = [(block, hat) for _, (_, block, hat) in part]
             is_only_comments = all(one.type == COMMENT and hat is None for one, hat in blocks)
             if note is not None or is_only_comments:
                 self.stacks.append([block for block, _ in blocks])
             else:
                 self.starts(blocks)
+
+    def notes_of_run(self, run: Sequence[tuple[Group, Block]]) -> list[str | None]:
+        """The stack outside of any hat for each statement that belongs into one.
+
+        Without a blank line between them, new comments go where the comments next to them are,
+        because a hat below a comment begins with a blank line.
+        """
+        notes = [self.notes.get(block.id) for _, block in run]
+        joined = [_continues(one, other) for (one, _), (other, _) in pairwise(run)]
+        for place, joins in enumerate(joined, 1):
+            if joins and notes[place] is None:
+                notes[place] = notes[place - 1]
+        for place in reversed(range(len(joined))):
+            if joined[place] and notes[place] is None:
+                notes[place] = notes[place + 1]
+        return notes
 
     def starts(self, run: Sequence[tuple[Block, Block | None]]) -> None:
         """Write consecutive statements as stacks, each under the hat block it was under before."""
@@ -287,6 +304,11 @@ def grouped(items: Sequence[Item | Main]) -> list[Group]:
             groups.append(Group(tuple(lead), item))
             lead = []
     return groups + _alone(lead)
+
+
+def _continues(one: Group, other: Group) -> bool:
+    """Whether two comments have neither a statement nor a blank line between them."""
+    return type(one.statement) is type(other.statement) is Comment and not other.lead
 
 
 def _may_follow(old: str, new: str) -> bool:
