@@ -1,11 +1,20 @@
 """The rules for every robot, checked on good clients and on ones that break each rule."""
 
+from itertools import cycle
+
 import pytest
 
 from learnblock import robots
 from learnblock.client import Client
 from learnblock.devices import Base, DistanceSensors, Gyroscope
-from learnblock.testing import CLAIMS, FakeRobot, NotConformingError, check_robot
+from learnblock.testing import (
+    CLAIMS,
+    FakeRobot,
+    NotConformingError,
+    VirtualClock,
+    check_robot,
+    device_claims,
+)
 
 #: A fake robot's camera sees what a test gives it, by default nothing.
 NO_FRAME = {"its readings have the form and range of their device": "no frame is set"}
@@ -85,3 +94,29 @@ class Careless(Client):
 def test_a_client_that_breaks_a_rule_is_told_which_rule(robot, claim):
     with pytest.raises(NotConformingError, match=f"broken   {claim}"):
         check_robot(robot)
+
+
+def delayed(monkeypatch, seconds):
+    """Return a class of robots whose sensor takes these times by turns."""
+    clock = VirtualClock()
+    monkeypatch.setattr(device_claims, "monotonic", clock.time)
+    delays = cycle(seconds)
+
+    class Delayed(Broken):
+        def connect(self):
+            super().connect()
+            sensor = self.device(DistanceSensors)
+            read = sensor.read
+            sensor.read = lambda: clock.sleep(next(delays)) or read()
+
+    return Delayed
+
+
+def test_a_sensor_that_is_delayed_now_and_then_can_be_read_often_enough(monkeypatch):
+    assert check_robot(delayed(monkeypatch, [2.0, 0.1, 0.1])).passed
+
+
+def test_a_sensor_that_is_usually_slow_is_told(monkeypatch):
+    sentence = "less than 5 readings a second: DistanceSensors:ROBOT"
+    with pytest.raises(NotConformingError, match=sentence):
+        check_robot(delayed(monkeypatch, [0.3, 0.3, 0.1]))
