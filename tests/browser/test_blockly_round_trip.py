@@ -15,6 +15,8 @@ from learnblock.language.workspace.blocks import Block
 from places import ROOT
 from workspaces import CONFIGURATIONS, BlockTrees, as_json, blocks
 
+pytestmark = pytest.mark.certain
+
 HARNESS = Path(__file__).parent / "roundtrip"
 PROGRAMS = sorted([*ROOT.glob("examples/*.bt"), *ROOT.glob("tests/cases/*/program.bt")])
 RANDOM = 2000

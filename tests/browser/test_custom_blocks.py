@@ -178,6 +178,7 @@ def test_a_block_shows_its_translated_text_in_each_language(bench, pupil):
     pupil.picture("slalom")
 
 
+@pytest.mark.certain
 def test_unsaved_changes_are_restored_and_can_be_discarded(bench, pupil):
     bench.new()
     bench.write(ZIGZAG.replace("zigzag", "later"))

@@ -98,6 +98,7 @@ def saved(pupil, server):
     return "\n".join(json.loads(file.read_text())["blocktext"])
 
 
+@pytest.mark.certain
 def test_the_text_of_a_long_program_is_shown_before_its_blocks_and_an_edit_meanwhile_is_kept(pupil):
     pupil.write("blocktext", MANY)
     expect_functions(pupil, 4 * FUNCTIONS)

@@ -267,6 +267,7 @@ def test_a_lesson_is_written_in_two_languages(teacher, own_server):
     assert 'es = "Mi viaje"' in lesson
 
 
+@pytest.mark.certain
 def test_what_is_not_saved_is_still_there_after_closing(teacher):
     begin(teacher)
     teacher.page.keyboard.press("Escape")
@@ -275,6 +276,7 @@ def test_what_is_not_saved_is_still_there_after_closing(teacher):
     expect(teacher.dialog().get_by_label("Title")).to_have_value("My drive")
 
 
+@pytest.mark.certain
 def test_what_is_not_saved_survives_a_reload_until_it_is_discarded(teacher):
     begin(teacher)
     teacher.page.reload()

@@ -115,6 +115,7 @@ def test_what_was_typed_without_a_server_survives_closing_the_page(own_server, s
     wait_for(lambda: pupil.page.evaluate(DRAFTS) == "[]", "no drafts")
 
 
+@pytest.mark.certain
 def test_the_browser_asks_before_it_closes_a_page_with_unsaved_changes(own_server, sit_down):
     pupil = sit_down(own_server, empty=True)
     own_server.kill()
@@ -126,6 +127,7 @@ def test_the_browser_asks_before_it_closes_a_page_with_unsaved_changes(own_serve
     asked.value.dismiss()
 
 
+@pytest.mark.certain
 def test_where_a_page_and_another_program_change_the_same_line_the_page_asks(own_server, sit_down):
     pupil = sit_down(own_server, empty=True)
     wave(pupil)
@@ -142,6 +144,7 @@ def test_where_a_page_and_another_program_change_the_same_line_the_page_asks(own
     pupil.sees("blocktext", "expressFear")
 
 
+@pytest.mark.certain
 def test_a_new_tab_finds_the_program_still_running_when_the_page_was_closed(pupil):
     pupil.begin()
     turn_forever(pupil)
@@ -195,6 +198,7 @@ def test_the_back_button_returns_to_the_previous_project(pupil):
     pupil.sees("blocktext", "expressJoy")
 
 
+@pytest.mark.certain
 def test_the_version_of_an_earlier_run_is_restored(pupil):
     pupil.begin()
     pupil.write("blocktext", WAVE)

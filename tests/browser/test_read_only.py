@@ -6,6 +6,8 @@ from playwright.sync_api import expect
 from browser.conftest import Server
 from browser.pupil import WORKSPACE
 
+pytestmark = pytest.mark.certain
+
 PROGRAM = 'main:\n    print("hello")\nend\n'
 
 

@@ -76,6 +76,7 @@ def test_a_video_must_be_in_its_folder(pupil, own_server):
     assert "webcam" not in saved(own_server)["perception"]
 
 
+@pytest.mark.certain
 def test_what_is_typed_as_soon_as_a_field_appears_is_kept(pupil, own_server):
     videos = own_server.home / "videos"
     videos.mkdir()

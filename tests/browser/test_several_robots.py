@@ -2,6 +2,7 @@
 
 import re
 
+import pytest
 from playwright.sync_api import expect
 
 CALLING = 'main:\n    function.sleep(0.2)\n    function.send("go", 7)\nend\n'
@@ -111,6 +112,7 @@ def test_the_tabs_are_used_with_the_keyboard(own_server, sit_down):
     pupil.sees("blocktext", "Wait for the baton")
 
 
+@pytest.mark.certain
 def test_a_closed_robot_comes_back_with_its_program(own_server, sit_down):
     pupil = sit_down(own_server, empty=True)
     pupil.add_robot("Thymio II")

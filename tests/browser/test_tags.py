@@ -61,6 +61,7 @@ def test_an_invalid_file_of_names_is_reported_in_the_dialog(pupil, tmp_path):
     expect(pupil.dialog().get_by_role("alert")).to_contain_text("from 0 to 586")
 
 
+@pytest.mark.certain
 def test_escape_saves_unsaved_names(pupil, own_server):
     add(pupil, "goal", "3")
     pupil.page.keyboard.press("Escape")

@@ -349,6 +349,7 @@ def test_a_goal_behind_a_wall_is_told_while_editing(pupil):
     expect(goal).to_have_count(0)
 
 
+@pytest.mark.certain
 def test_the_same_template_size_and_number_make_the_same_world(pupil):
     pupil.press("Edit world")
     editor = pupil.dialog()

@@ -21,6 +21,8 @@ from learnblock.runtime.limits import Limits
 from learnblock.runtime.program import Program
 
 pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.certain,
     pytest.mark.slow,
     pytest.mark.skipif(sys.platform != "linux", reason="only Linux forks"),
 ]

@@ -14,7 +14,7 @@ from learnblock.runtime.containment.landlock import version as landlock_version
 from learnblock.server.projects.folder import ProjectFolder
 from pages import TIMEOUT
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.realtime, pytest.mark.certain, pytest.mark.slow]
 
 SECRET = "ana-wrote-this"
 PROGRAM = f'main:\n    print("{SECRET}")\nend\n'

@@ -13,7 +13,7 @@ from websockets.exceptions import ConnectionClosed
 
 from learnblock.server.projects.folder import ProjectFolder
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.realtime, pytest.mark.slow]
 
 DRIVE = "main:\n    function.drive_distance(100)\nend\n"
 NAMES = (f"Ana {number}" for number in itertools.count())
@@ -245,6 +245,7 @@ def test_the_projector_shows_how_to_join_or_a_world_without_the_name(room, ana):
             pass
 
 
+@pytest.mark.certain
 def test_a_closed_class_lets_only_known_pupils_in(room, ana):
     with room.wall() as wall:
         wall.say("LetJoin", on=False)
@@ -266,6 +267,7 @@ def test_everything_is_there_when_the_class_opens_again(own_room):
         assert [one["name"] for one in page.pulse()["projects"]] == ["mine"]
 
 
+@pytest.mark.certain
 def test_a_killed_class_goes_on_after_a_restart_and_nothing_saved_is_lost(own_room):
     ana = own_room.pupil("Ana")
     with ana.page() as page:

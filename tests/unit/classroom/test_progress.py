@@ -12,6 +12,8 @@ from learnblock.classroom.progress import Progress
 from learnblock.classroom.roster import Pupil
 from learnblock.server import messages
 
+pytestmark = pytest.mark.realtime
+
 PUPIL = Pupil("a" * 10, "Ana", Pin.of(new_pictures()), 0.0)
 
 

@@ -9,6 +9,8 @@ from learnblock.classroom.rights import PACES, RIGHTS, Role, may
 from learnblock.server import messages
 from learnblock.server.pages.reading import READING
 
+pytestmark = [pytest.mark.certain, pytest.mark.realtime]
+
 KINDS = [*typing.get_args(messages.FromPage), *typing.get_args(ours.FromPupil)]
 
 #: What the teacher's computer, robots and lessons are changed with: nobody's in a class.

@@ -20,6 +20,8 @@ from learnblock.errors import (
 from learnblock.i18n import Phrase
 from learnblock.testing import FakeRobot, VirtualClock
 
+pytestmark = pytest.mark.realtime
+
 needs_posix = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 
 

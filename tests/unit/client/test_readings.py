@@ -6,6 +6,8 @@ from learnblock.client.clock import WallClock
 from learnblock.client.readings import SENSORS, WATCHED, Glance, PolledReadings, Readings
 from learnblock.testing import VirtualClock
 
+pytestmark = pytest.mark.realtime
+
 
 class Counter:
     """A sensor that returns how often it was read."""

@@ -248,6 +248,7 @@ def test_a_sound_is_reported_once():
         assert list(monitor.sounds()) == []
 
 
+@pytest.mark.certain
 def test_a_run_starts_at_the_given_pose_and_its_trace_records_it():
     there = run_example("square.bt", "sim-ebo", start=(100, 200, 90), seconds=1)
     default = run_example("square.bt", "sim-ebo", seconds=1)
@@ -263,6 +264,7 @@ def test_an_invalid_start_is_refused(start):
     assert refused.value.phrase == Phrase("world-bad-start", start=str(start))
 
 
+@pytest.mark.certain
 def test_placing_the_robot_during_a_run_is_recorded_in_the_trace():
     with Ebo(world="empty") as robot:
         told = []

@@ -4,6 +4,8 @@ import pytest
 
 from learnblock.runtime.pacing import SLIP, Pacing
 
+pytestmark = pytest.mark.realtime
+
 
 class WallTime:
     """A wall clock set by the test; waiting advances it."""

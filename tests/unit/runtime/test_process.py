@@ -96,6 +96,7 @@ def test_output_of_a_thread_do_not_reach_the_hosts_output(capsys):
     assert capsys.readouterr().out == ""
 
 
+@pytest.mark.certain
 def test_a_set_of_words_has_the_same_order_in_every_process():
     orders = set()
     for _ in range(3):

@@ -2,6 +2,8 @@
 
 import pytest
 
+pytestmark = pytest.mark.realtime
+
 PROGRAM = """from learnblock.robots.sim_ebo import Robot
 import socket
 

@@ -89,6 +89,7 @@ def test_a_page_opens_a_project_and_runs_it(alice):
         assert page.run()["ended"] == "finished"
 
 
+@pytest.mark.certain
 def test_neither_user_sees_the_projects_of_the_other(alice, bob):
     with bob.visit() as page:
         page.open("hers", DRIVES)
@@ -98,22 +99,26 @@ def test_neither_user_sees_the_projects_of_the_other(alice, bob):
     assert "hers" not in projects(alice)
 
 
+@pytest.mark.certain
 @pytest.mark.parametrize("path", REQUESTS)
 def test_a_user_is_refused_the_server_of_another(alice, bob, path):
     assert bob.get(path, of="alice").status_code == 403
 
 
+@pytest.mark.certain
 @pytest.mark.parametrize("path", REQUESTS)
 def test_who_has_not_logged_in_is_led_to_the_login(alice, stranger, path):
     assert stranger.get(path, of="alice").url.path == "/hub/login"
 
 
+@pytest.mark.certain
 @pytest.mark.parametrize("who", ["bob", "stranger"])
 def test_nobody_else_sends_a_file_to_a_user(alice, request, who):
     answer = request.getfixturevalue(who).post("projects/mine/runs", b"x", of="alice")
     assert answer.status_code in {403, 405}
 
 
+@pytest.mark.certain
 @pytest.mark.parametrize("who", ["bob", "stranger"])
 def test_nobody_else_opens_the_websocket_of_a_user(alice, request, who):
     user = request.getfixturevalue(who)
@@ -121,11 +126,13 @@ def test_nobody_else_opens_the_websocket_of_a_user(alice, request, who):
         pass
 
 
+@pytest.mark.certain
 def test_a_page_of_another_site_does_not_open_the_websocket(alice):
     with pytest.raises(InvalidStatus, match="403"), alice.visit(origin="https://evil.example"):
         pass
 
 
+@pytest.mark.certain
 def test_only_a_page_of_the_hub_sends_a_file(hub, alice):
     sent = "projects/mine/runs", b"x"
     # It is read, and is no file of a run.
@@ -146,6 +153,7 @@ def test_the_teacher_of_a_group_sees_a_project_of_it(alice, teacher):
             pass
 
 
+@pytest.mark.certain
 def test_the_teacher_of_a_group_sees_nobody_outside_it(carol, teacher):
     assert teacher.get("", of=carol.name).status_code == 403
     with pytest.raises(InvalidStatus, match="403"), teacher.visit(of=carol.name):
@@ -159,10 +167,12 @@ def test_only_simulated_robots_are_offered(alice):
     assert all(robot["simulated"] for robot in robots)
 
 
+@pytest.mark.certain
 def test_a_pupil_has_no_terminal(alice):
     assert alice.client.post("/user/alice/api/terminals").status_code in {403, 404}
 
 
+@pytest.mark.certain
 def test_the_token_stays_between_the_proxy_and_learnblock(hub, alice):
     token = hubs.token(hub.server("alice"))
     assert token not in hub.log
@@ -171,6 +181,7 @@ def test_the_token_stays_between_the_proxy_and_learnblock(hub, alice):
     assert "learnblock_token" not in str([one.headers for one in alice.page.history])
 
 
+@pytest.mark.certain
 def test_past_the_proxy_nothing_is_answered_without_the_token(hub, alice):
     process = hub.server("alice")
     transport = httpx.HTTPTransport(uds=hubs.unix_socket(process))
@@ -184,6 +195,7 @@ def test_past_the_proxy_nothing_is_answered_without_the_token(hub, alice):
         assert page.next()["kind"] == "Welcome"
 
 
+@pytest.mark.certain
 def test_two_users_have_two_tokens_and_two_folders(hub, alice, bob):
     assert hubs.token(hub.server("alice")) != hubs.token(hub.server("bob"))
     folders = [[*hub.home(name).rglob("*.learnblock")] for name in ("alice", "bob")]
@@ -198,6 +210,7 @@ def test_a_launcher_shows_learnblock_with_its_icon(alice):
     assert b"<svg" in icon.content
 
 
+@pytest.mark.certain
 def test_a_killed_learnblock_starts_again_with_its_projects(hub, alice):
     killed = hub.server("alice")
     os.kill(killed, signal.SIGKILL)
@@ -206,6 +219,7 @@ def test_a_killed_learnblock_starts_again_with_its_projects(hub, alice):
     assert "mine" in projects(alice)
 
 
+@pytest.mark.certain
 def test_a_stopped_server_ends_learnblock_which_saves_everything(hub, carol):
     with carol.visit() as page:
         page.open("kept", "main:\nend\n")

@@ -17,6 +17,8 @@ from learnblock.running.job import Job
 from learnblock.runtime.program import Program
 
 pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.certain,
     pytest.mark.slow,
     pytest.mark.skipif(not COMPLETE, reason="needs Landlock and seccomp"),
 ]

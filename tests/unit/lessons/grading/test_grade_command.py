@@ -12,7 +12,7 @@ from gradings import GOOD, LESSON, SHORT, START
 from learnblock.lessons.grading.journal import NAME
 from waiting import wait_for
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.realtime, pytest.mark.slow]
 
 
 @pytest.fixture
@@ -66,6 +66,7 @@ def test_every_pupil_has_a_row_also_if_the_program_cannot_be_read(folder):
     assert "There is no program (.bt, .py or .learnblock) in the folder." in page
 
 
+@pytest.mark.certain
 def test_a_grading_that_was_killed_goes_on_to_the_same_table(folder):
     process = start(folder, "--variants", "20")
     journal = folder / "out" / NAME

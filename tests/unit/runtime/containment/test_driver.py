@@ -22,7 +22,11 @@ from learnblock.runtime.containment.driver import give_up, in_own_thread
 from learnblock.runtime.limits import Limits
 from tempted import CONNECTING, COPYING, STARTING, WRITING, tempt
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="Landlock and seccomp are Linux's")
+pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.certain,
+    pytest.mark.skipif(sys.platform != "linux", reason="Landlock and seccomp are Linux's"),
+]
 complete = pytest.mark.skipif(not COMPLETE, reason="needs Linux 6.12 on x86-64")
 
 NOTHING = Rights()

@@ -23,6 +23,8 @@ from learnblock.why.questions import questions
 from learnblock.why.recorded import Recorded
 from logged_runs import logged_text
 
+pytestmark = [pytest.mark.realtime, pytest.mark.certain]
+
 DRIVING = (
     "values = [1]\nwhen near = function.is_front_obstacle(300):\n    function.turn(20)\n"
     "    append(values, len(values))\nend\n"

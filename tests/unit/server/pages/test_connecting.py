@@ -9,6 +9,8 @@ from learnblock.server.runs import nearby
 from pages import serving
 from waiting import wait_for
 
+pytestmark = pytest.mark.realtime
+
 #: A user's robot: wheels, a face and a speaker, which note their commands in a file.
 ROBOT = """
 from pathlib import Path

@@ -6,6 +6,8 @@ import pytest
 
 from pages import TOKEN, english
 
+pytestmark = pytest.mark.realtime
+
 WALTZ = '''\
 from learnblock.devices import Base
 
@@ -215,6 +217,7 @@ def test_a_broken_file_in_the_folder_does_not_affect_others(page, own_home, serv
     assert ("raising", 2) == (ended["custom_block"], ended["custom_line"])
 
 
+@pytest.mark.certain
 def test_a_block_is_renamed_copied_deleted_and_restored(page, own_home):
     page.open()
     save(page, configuration=COLOUR)

@@ -9,7 +9,7 @@ from learnblock.i18n import Phrase
 from learnblock.server.http import runs
 from pages import TOKEN, english, serving
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.realtime, pytest.mark.certain, pytest.mark.slow]
 
 DRIVING = """\
 main:

@@ -17,6 +17,8 @@ from learnblock.lessons.reading import open_lesson
 from learnblock.server.sessions import run_judge
 from pages import TOKEN, phrase, serving
 
+pytestmark = pytest.mark.realtime
+
 
 @pytest.fixture(autouse=True)
 def lesson(tmp_path, monkeypatch):
@@ -151,6 +153,7 @@ def test_a_step_with_partners_is_judged_when_all_robots_are_done(page, tmp_path)
     assert states(judged(page)) == ["met", "failed", "met", "met"]
 
 
+@pytest.mark.certain
 def test_progress_is_kept_beside_the_project_and_found_again(page, server, projects):
     start(page)
     page.say("AnswerQuiz", choices=[0])

@@ -13,6 +13,8 @@ from learnblock.server.pages.lobby import HANDLERS
 from learnblock.server.pages.page import LARGEST_MESSAGE, MessageError, decode
 from pages import english
 
+pytestmark = pytest.mark.realtime
+
 PROGRAM = "main:\n    function.move_straight(50)\nend\n"
 
 json_values = st.recursive(

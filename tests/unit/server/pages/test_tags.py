@@ -4,6 +4,8 @@ import pytest
 
 from pages import english
 
+pytestmark = pytest.mark.realtime
+
 
 @pytest.fixture(autouse=True)
 def own_home(tmp_path, monkeypatch):

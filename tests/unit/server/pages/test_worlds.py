@@ -10,6 +10,8 @@ from learnblock.robots.simulated import own_worlds
 from pages import english
 from shared_worlds import MAT, OTHER_ROOM, ROOM, png
 
+pytestmark = pytest.mark.realtime
+
 RUNS = "main:\n    function.move_straight(50)\nend\n"
 
 
@@ -80,6 +82,7 @@ def test_a_renamed_world_has_its_new_title_in_the_list(open_page):
     assert own(open_page) == {"room": "Ana's room"}
 
 
+@pytest.mark.certain
 def test_a_deleted_world_is_left_by_every_project_and_can_be_restored(server, open_page):
     assert imported(open_page, "room.toml", ROOM.encode()) == "room"
     with server.visit() as other:

@@ -43,6 +43,7 @@ def place(document, statement):
     return next(block for block, line, *_ in document["places"] if line == statement)
 
 
+@pytest.mark.certain
 @pytest.mark.parametrize("name", ["square", "dance", "polygons"])
 def test_a_run_leaves_the_trace_of_the_command_line(page, tmp_path, name):
     example = catalog.example(name)
@@ -63,6 +64,7 @@ def test_watching_the_camera_does_not_affect_the_run(page, tmp_path):
     assert watched == run_on_the_command_line(text, tmp_path, "--world", "tags")
 
 
+@pytest.mark.certain
 def test_all_three_views_leave_the_same_trace(page, tmp_path):
     page.open()
     page.say("SetSpeed", factor=None)
@@ -455,6 +457,7 @@ def test_a_world_is_edited_and_saved_under_a_new_name(page):
     assert page.hear("Settings")["world"] == "mine"
 
 
+@pytest.mark.certain
 def test_a_saved_world_is_not_replaced_by_accident(page):
     page.open()
     edited = world(page)

@@ -2,8 +2,12 @@
 
 import json
 
+import pytest
+
 from learnblock.running import MOST_ROBOTS
 from pages import english, serving
+
+pytestmark = pytest.mark.realtime
 
 DRIVING = "main:\n    function.move_straight(50)\n    function.sleep(1)\nend\n"
 PRINTING = 'main:\n    print("hello")\nend\n'
@@ -189,6 +193,7 @@ def test_robots_are_renamed_together(page):
     assert names(page.hear("Tabs", open="ant")["tabs"][0]) == ["ant-1", "ant-2"]
 
 
+@pytest.mark.certain
 def test_a_closed_tab_comes_back_with_all_its_robots(page):
     swarm(page, count=2)
     page.say("AddTab", robot="sim-thymio", count=3)

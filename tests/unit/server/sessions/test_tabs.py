@@ -7,6 +7,8 @@ import pytest
 from learnblock.running import MOST_ROBOTS
 from pages import english, serving
 
+pytestmark = pytest.mark.realtime
+
 DRIVING = "main:\n    function.move_straight(50)\n    function.sleep(1)\nend\n"
 CALLING = 'main:\n    function.sleep(0.1)\n    function.send("go", 7)\nend\n'
 WAITING = """\
@@ -105,6 +107,7 @@ def test_one_start_runs_all_programs_in_one_world(page):
     assert robots.keys() == {"program", "sim-thymio"}
 
 
+@pytest.mark.certain
 def test_the_same_programs_leave_the_same_trace(page):
     duo(page, DRIVING, WAITING.replace("not function", "False and function"))
     first = run_all(page)["trace_sha256"]
@@ -259,6 +262,7 @@ def test_an_error_in_any_program_keeps_all_from_running(page):
     assert "'program'" in english(page.hear("Failed")["message"])
 
 
+@pytest.mark.certain
 def test_all_robots_are_saved_and_opened_again(projects, page):
     duo(page, DRIVING, WAITING)
     page.hear("Saved", edit=1)
@@ -270,6 +274,7 @@ def test_all_robots_are_saved_and_opened_again(projects, page):
     assert page.hear("Document")["blocktext"] == WAITING
 
 
+@pytest.mark.certain
 def test_a_project_survives_the_server_with_all_robots(projects, tmp_path):
     with serving(projects, static=tmp_path / "static") as server, server.visit() as page:
         duo(page, DRIVING, WAITING)
@@ -280,6 +285,7 @@ def test_a_project_survives_the_server_with_all_robots(projects, tmp_path):
         assert show(page, "sim-thymio")["blocktext"] == WAITING
 
 
+@pytest.mark.certain
 def test_a_closed_robot_can_be_reopened_with_its_program(page):
     name = duo(page, DRIVING, WAITING)
     page.say("CloseTab", name=name)
@@ -300,6 +306,7 @@ def test_a_robot_that_another_page_shows_can_be_closed(server, page):
         assert other.hear("Document")["blocktext"] == DRIVING
 
 
+@pytest.mark.certain
 def test_an_edit_of_a_robot_that_another_page_has_just_closed_changes_no_other(server, page):
     name = duo(page, DRIVING, WAITING)
     with server.visit() as other:
@@ -392,6 +399,7 @@ def test_what_another_program_changes_is_taken_in_for_each_robot(projects, page)
     assert "tabs" not in page.last["Tabs"]
 
 
+@pytest.mark.certain
 def test_an_earlier_version_brings_a_closed_robot_back(page):
     name = duo(page, CALLING, WAITING)
     run_all(page)
