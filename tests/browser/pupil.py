@@ -7,8 +7,8 @@ from urllib.parse import urlsplit
 
 from playwright.sync_api import expect
 
-#: The timeout of a test in ms, long enough for a busy computer.
-TIMEOUT = 20_000
+#: Ms to wait for a condition, long enough for a busy computer, and for a program to end.
+TIMEOUT = 60_000
 LONGEST_RUN = 90_000
 WORKSPACE = "[data-region=blocks] .blocklySvg > .blocklyWorkspace"
 #: Notes the classes of each block that begins to run, however briefly it does.

@@ -97,7 +97,7 @@ def test_a_breakpoint_is_set_with_one_click_on_a_line_number(pupil):
     pupil.state("Ended")
 
 
-def test_a_world_with_a_wall_a_line_and_a_tag_is_made_in_half_a_minute(
+def test_a_world_with_a_wall_a_line_and_a_tag_is_made_in_eleven_steps(
     sit_down, own_server, request
 ):
     pupil = sit_down(own_server, stage="starter", empty=True)
@@ -115,7 +115,6 @@ def test_a_world_with_a_wall_a_line_and_a_tag_is_made_in_half_a_minute(
     pupil.expect_chosen("World", "My first world")
     seconds = time.monotonic() - began
     pupil.picture("own world")
-    assert seconds < 30
     print(f"{request.node.name.removeprefix('test_')}: 11 steps, {seconds:.1f} s")  # noqa: T201 - what the trial measured
 
 

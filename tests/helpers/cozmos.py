@@ -7,11 +7,12 @@ from typing import Any
 
 import pytest
 
+import twins
+from emulated import LONG
 from learnblock.client.clock import WallClock
 from learnblock.emulators.twin import Twin
 from learnblock.robots import connect, settings
 from learnblock.testing import Relay
-from waiting import wait_for
 
 pytest.importorskip("pycozmo", reason="pip install 'learnblock-studio[cozmo]'")
 
@@ -33,23 +34,22 @@ class Cozmo:
 
     def robot(self, **chosen: Any) -> Any:
         """Connect the driver over the wire."""
-        return connect("cozmo", **{"address": "127.0.0.1", "port": self.port, **chosen})
+        return connect("cozmo", **{**self._place, **chosen})
 
     def is_default(self) -> None:
         """Write the settings for reaching it."""
-        for name, text in (("address", "127.0.0.1"), ("port", str(self.port))):
-            settings.change("cozmo", CozmoSettings, name, text)
+        for name, value in self._place.items():
+            settings.change("cozmo", CozmoSettings, name, str(value))
 
     def pose(self) -> tuple[float, float, float]:
-        with self.twin.body() as body:
-            return body.pose
+        return twins.pose(self.twin)
 
     def speed(self) -> float:
-        """Return the speed in mm/s over a tenth of a second."""
-        began, (x, y, _) = self.twin.time, self.pose()
-        wait_for(lambda: self.twin.time >= began + 0.1, "time passes")
-        later_x, later_y, _ = self.pose()
-        return ((later_x - x) ** 2 + (later_y - y) ** 2) ** 0.5 / (self.twin.time - began)
+        return twins.speed(self.twin)
+
+    @property
+    def _place(self) -> dict[str, Any]:
+        return {"address": "127.0.0.1", "port": self.port, "patience": LONG}
 
 
 @contextmanager

@@ -1,13 +1,10 @@
 """Compare a real driver and its wire with the twin's own run, also on wires that fail."""
 
-import math
 import threading
-from itertools import pairwise
-from time import monotonic
 
 import pytest
 
-from emulated import settle
+from emulated import LONG, settle
 from learnblock import running
 from learnblock.errors import RobotConnectionError
 from learnblock.robots import find
@@ -15,8 +12,10 @@ from learnblock.running import Options, ProgramRun
 from learnblock.runtime.process import ThreadWorker
 from learnblock.testing import Fault, Relay
 from runs import EXAMPLES, run_example
+from twins import off
 from twins_time import follow
 
+#: Seconds, short because the wire will fail.
 TIMEOUT = 0.8
 
 
@@ -28,7 +27,7 @@ def assert_drives_like_its_twin(name, emulator, twin, example, monkeypatch, *, u
     follow(twin, monkeypatch)
     emulated = emulator(twin)
     try:
-        settle(name, emulated.settings)
+        settle(name, {**emulated.settings, "patience": LONG})
         report = run_until(lambda: until(twin), name, example)
     finally:
         emulated.close()
@@ -36,7 +35,8 @@ def assert_drives_like_its_twin(name, emulator, twin, example, monkeypatch, *, u
     assert until(twin), f"it {report.ended} before: {report.error}"
     world = twin._simulation.world.description.name
     own = run_example(example, "sim-ebo", world=world, seconds=twin.time)
-    assert off(twin.path, own.recorder.path) < tolerance
+    driven = [pose for _, pose in twin.path[::3]]
+    assert off(driven, [pose for _, pose in own.recorder.path]) < tolerance
     assert set(report.emotions) <= set(own.report.emotions)
     return report.emotions
 
@@ -63,34 +63,6 @@ def run_until(happened, name, example):
         watching.join()
 
 
-def pose(twin):
-    """Return the position of the twin."""
-    with twin.body() as body:
-        return body.pose
-
-
-def emotion(twin):
-    """Return the emotion on the twin's face."""
-    with twin.body() as body:
-        return body.emotion
-
-
-def off(driven, own):
-    """Return the largest distance between two paths."""
-    own = [pose[:2] for _, pose in own]
-    legs = [leg for leg in pairwise(own) if leg[0] != leg[1]]
-    return max(min(away(pose[:2], leg) for leg in legs) for _, pose in driven[::3])
-
-
-def away(point, leg):
-    """Return the distance of a point from a straight line."""
-    (x, y), (to_x, to_y) = leg
-    along_x, along_y = to_x - x, to_y - y
-    part = ((point[0] - x) * along_x + (point[1] - y) * along_y) / (along_x**2 + along_y**2)
-    part = min(max(part, 0), 1)
-    return math.dist(point, (x + part * along_x, y + part * along_y))
-
-
 def assert_told_when_gone(kind, chosen, setting, *, sentence, fault, use):
     """Return the error of a component whose wire fails, even at the start; it works afterwards."""
     with Relay(("127.0.0.1", port_of(chosen, setting))) as relay:
@@ -107,11 +79,8 @@ def assert_told_when_gone(kind, chosen, setting, *, sentence, fault, use):
 
 
 def assert_told(sentence, call):
-    began = monotonic()
     with pytest.raises(RobotConnectionError, match=f"{sentence} 127"):
         call()
-    # Twice its timeout, because it may have to reconnect.
-    assert monotonic() - began < 2 * TIMEOUT + 2
 
 
 def port_of(chosen, setting):

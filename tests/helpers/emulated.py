@@ -5,12 +5,16 @@ from contextlib import contextmanager
 from learnblock.emulators import emulate
 from learnblock.robots import find, settings
 
+#: The timeout in seconds of a driver whose robot answers. A busy machine may stop an emulator for
+#: seconds.
+LONG = 20.0
+
 
 @contextmanager
 def reachable(name, world="empty"):
     """Emulate a robot, and write the settings for reaching it; yield the twin."""
     with emulate(name, world) as emulation:
-        settle(name, emulation.settings)
+        settle(name, {**emulation.settings, "patience": LONG})
         yield emulation.twin
 
 

@@ -6,7 +6,6 @@ import re
 import secrets
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -19,6 +18,7 @@ from websockets.sync.client import connect, unix_connect
 
 from pages import Visitor
 from places import ROOT
+from ports import free_ports
 from waiting import wait_for
 
 #: The hub's proxy. `.ci/run` installs it there.
@@ -320,12 +320,3 @@ def _read(process, name):
         return Path(f"/proc/{process}/{name}").read_bytes()
     except (FileNotFoundError, ProcessLookupError):
         return b""
-
-
-def free_ports(count):
-    """Return ports that nobody listens on now."""
-    sockets = [socket.create_server(("127.0.0.1", 0)) for _ in range(count)]
-    ports = [one.getsockname()[1] for one in sockets]
-    for one in sockets:
-        one.close()
-    return ports

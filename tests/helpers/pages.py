@@ -13,9 +13,10 @@ from websockets.sync.client import connect
 from learnblock.i18n import Phrase
 from learnblock.server.app import create_app
 from learnblock.server.serve import configured
+from waiting import SECONDS
 
 TOKEN = "the-token-of-the-tests"
-TIMEOUT = 20
+TIMEOUT = SECONDS
 
 
 class Server:

@@ -15,6 +15,7 @@ import pytest
 
 from learnblock.emulators import thymio
 from learnblock.emulators.playground import place, pose
+from waiting import wait_for
 
 #: The Debian package of each program that is needed.
 PACKAGES = {
@@ -96,15 +97,18 @@ class Playground(thymio.Emulator):
 
     def _call(self, path, method, *arguments):
         command = ["gdbus", "call", *SERVICE, path, "--method", method, *arguments]
-        until = monotonic() + 10
-        while True:
+        answers = []
+
+        def answered():
             done = subprocess.run(
                 command, env=self._environment, capture_output=True, text=True, check=False
             )
-            if done.returncode == 0:
-                return done.stdout
-            # It listens slightly earlier than it appears on the bus.
-            assert monotonic() < until, done.stderr
+            answers.append(done.stdout)
+            return done.returncode == 0
+
+        # It listens slightly earlier than it appears on the bus.
+        wait_for(answered, "the playground on the bus")
+        return answers[-1]
 
 
 def begin_bus(folder):

@@ -2,10 +2,14 @@
 
 import time
 
+#: The limit of a wait. It is long, because it costs time only where something fails.
+SECONDS = 60
 
-def wait_for(condition, what, seconds=5.0):
+
+def wait_for(condition, what, seconds=SECONDS):
     """Wait until the condition is true."""
     deadline = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < deadline, f"in vain: {what}"
+        # Leaves the processor to what the test waits for.
         time.sleep(0.002)

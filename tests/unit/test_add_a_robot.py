@@ -4,7 +4,6 @@ import os
 import re
 import subprocess
 import sys
-from time import monotonic
 from types import SimpleNamespace
 
 import pytest
@@ -14,6 +13,7 @@ from learnblock.devices import Base, DistanceSensors, GroundSensors, Led
 from learnblock.errors import RobotConnectionError, SettingsError
 from places import ROOT
 from runs import EXAMPLES, run_example
+from waiting import wait_for
 
 gpiozero = pytest.importorskip("gpiozero", reason="pip install gpiozero: the guide's robot has it")
 
@@ -132,21 +132,14 @@ def test_speeds_become_powers(rover, pins, speed, expected):
 def test_its_readings_are_in_our_units(rover, pins):
     pins.pin("GPIO5").drive_high()
     ground = rover.device(GroundSensors).read
-    assert until(lambda: ground() == {"left": 100, "central": None, "right": 0})
+    wait_for(lambda: ground() == {"left": 100, "central": None, "right": 0}, "the floor")
     distances = rover.device(DistanceSensors).read
     # The echo of these pins is more precise on an idle machine.
-    assert until(lambda: 0 < distances()["front"][0] < 2000)
+    wait_for(lambda: 0 < distances()["front"][0] < 2000, "a distance")
     rover._sonar = SimpleNamespace(distance=0.5)
     assert distances() == {"front": [500]}
     rover._sonar = SimpleNamespace(distance=0.0)
     assert distances() == {"front": [2000]}
-
-
-def until(condition):
-    deadline = monotonic() + 5
-    while not condition() and monotonic() < deadline:
-        pass
-    return condition()
 
 
 def test_its_lamp_shines(rover, pins):

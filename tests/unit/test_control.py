@@ -20,7 +20,7 @@ from learnblock.runtime.watcher import Watcher
 from learnblock.simulator.physics import DT
 from learnblock.testing import VirtualClock
 from runs import EXAMPLES, TWINS, WORLDS
-from waiting import wait_for
+from waiting import SECONDS, wait_for
 
 NAMES = sorted(path.name for path in EXAMPLES.glob("*.bt"))
 HEADER = "from learnblock.robots.sim_ebo import Robot\nrobot = Robot()\n"
@@ -46,15 +46,15 @@ class Observer(Watcher):
         self.told.put(variables)
 
     def input(self, prompt):
-        return self.inputs.get(timeout=10)
+        return self.inputs.get(timeout=SECONDS)
 
     def cancel_input(self):
         self.inputs.put(None)
 
     def wait_for(self, *wanted):
-        """Return the next of these notifications, within ten seconds."""
+        """Return the next of these notifications."""
         while True:
-            told = self.told.get(timeout=10)
+            told = self.told.get(timeout=SECONDS)
             if told in wanted or type(told) in wanted:
                 return told
 
@@ -73,7 +73,7 @@ class Playing:
 
     def end(self):
         """Wait until it ends, and return its report."""
-        self._thread.join(15)
+        self._thread.join(SECONDS)
         assert not self._thread.is_alive()
         return self.report
 
@@ -109,7 +109,6 @@ def begun(playing, time=0.04):
     wait_for(
         lambda: playing.run.monitor and playing.run.monitor.state().time > time - DT / 2,
         f"its world has run for {time} s",
-        10,
     )
 
 
@@ -153,7 +152,7 @@ def test_a_message_to_a_program_that_has_just_ended_does_not_change_its_ending(p
 
     def printed(text):
         assert text == "the last\n"
-        assert made[0].wait(10) == 0
+        assert made[0].wait(SECONDS) == 0
         playing.run.set_breakpoints({1})
 
     playing = play("print('the last')", debugger=Debugger(paused=True), worker=worker)
@@ -267,8 +266,8 @@ def test_the_states_of_a_run_are_reported_in_order(play):
     playing.observer.wait_for("held")
     playing.run.resume()
     playing.end()
-    assert playing.observer.told.get(timeout=1) == "running"
-    assert playing.observer.told.get(timeout=1) == "ended"
+    assert playing.observer.told.get(timeout=SECONDS) == "running"
+    assert playing.observer.told.get(timeout=SECONDS) == "ended"
 
 
 def test_variables_are_reported_while_a_program_sleeps_but_only_if_enabled(play, monkeypatch):
@@ -280,7 +279,7 @@ def test_variables_are_reported_while_a_program_sleeps_but_only_if_enabled(play,
     monkeypatch.setattr(variables, "monotonic", lambda: world.time)
     playing.observer.variables = lambda found: told.put((world.time, found.shared))
     playing.run.report_variables(enabled=True)
-    times, found = zip(*(told.get(timeout=10) for _ in range(3)), strict=True)
+    times, found = zip(*(told.get(timeout=SECONDS) for _ in range(3)), strict=True)
     assert found == 3 * ({"speed": "7"},)
     assert all(later - earlier > 0.1 for earlier, later in itertools.pairwise(times))
 
@@ -297,7 +296,7 @@ def test_variables_are_reported_while_a_program_is_busy(play):
     # The first notification may date from before the loop.
     counts = {None}
     while len(counts) < 3:
-        counts.add(playing.observer.told.get(timeout=5).shared.get("n"))
+        counts.add(playing.observer.told.get(timeout=SECONDS).shared.get("n"))
 
 
 WHENS = """
@@ -342,6 +341,7 @@ pass
 """
 
 
+@pytest.mark.certain
 @pytest.mark.parametrize("breakpoints", [(), (12,)])
 def test_inspecting_a_variable_neither_moves_the_robot_nor_prints(play, breakpoints):
     quiet = play(SHY, speed=None).end()
@@ -405,6 +405,7 @@ def session_of(name, *, seconds=1.0, **options):
 
 
 @pytest.mark.sample(6)
+@pytest.mark.certain
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_an_example_that_is_debugged_leaves_the_trace_of_one_that_is_not(name):
@@ -419,6 +420,7 @@ def test_an_example_that_is_debugged_leaves_the_trace_of_one_that_is_not(name):
 CAP = "n = 0\nwhile n < 3000:\n    n += 1\nrobot.sleep(0.1)\nn += 1\n"
 
 
+@pytest.mark.certain
 def test_the_limit_of_lines_at_one_time_applies_to_a_debugged_program_too(play):
     traces = []
     for debugger in (Debugger(), Debugger([6])):
@@ -465,6 +467,7 @@ def hammering(run):
         thread.join()
 
 
+@pytest.mark.certain
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["tags.bt", "line-ebo.bt"])
 def test_ten_runs_watched_paused_and_at_any_speed_leave_one_trace(name):

@@ -5,7 +5,6 @@ import select
 import subprocess
 import sys
 from contextlib import contextmanager
-from time import monotonic
 
 import pytest
 from click.testing import CliRunner
@@ -14,6 +13,9 @@ from learnblock.cli import main
 from learnblock.cli.keyboard import HOLD, TerminalKeyboard, TerminalKeys
 from learnblock.client.keyboard import KEYS
 from runs import EXAMPLES
+from waiting import SECONDS, wait_for
+
+pytestmark = pytest.mark.realtime
 
 termios = pytest.importorskip("termios", reason="Windows has no pseudo-terminals")
 
@@ -30,8 +32,6 @@ end
 """
 #: Makes the terminal on its standard input its own, and becomes the program in its arguments.
 LOGIN = "import os, sys; os.login_tty(0); os.execv(sys.argv[1], sys.argv[1:])"
-#: Seconds to wait for a text.
-PATIENCE = 30
 
 
 def call(*arguments):
@@ -52,12 +52,13 @@ class Terminal:
     def see(self, text):
         """Wait until the terminal shows a text."""
         # The state of the run is shown again and again, whatever else happens.
-        until = monotonic() + PATIENCE
-        while text not in self._shown:
-            left = max(0.0, until - monotonic())
-            assert select.select([self._ours], [], [], left)[0], (text, self._shown)
-            self._shown += os.read(self._ours, 4096).decode()
+        wait_for(lambda: self._shows(text), f"{text!r} on the terminal")
         _, _, self._shown = self._shown.partition(text)
+
+    def _shows(self, text):
+        if select.select([self._ours], [], [], 0)[0]:
+            self._shown += os.read(self._ours, 4096).decode()
+        return text in self._shown
 
     def type(self, text):
         os.write(self._ours, text.encode())
@@ -165,7 +166,7 @@ def test_a_terminal_reports_the_keys_typed_since_it_was_asked_last():
     terminal = PosixTerminal(theirs)
     with terminal.listening():
         os.write(ours, b"a\x1b[B")
-        select.select([theirs], [], [], PATIENCE)
+        select.select([theirs], [], [], SECONDS)
         assert terminal.typed() == ["a", "down"]
         assert terminal.typed() == []
     os.close(ours)

@@ -2,10 +2,8 @@
 
 import io
 import json
-import os
 import subprocess
 import threading
-import time
 from dataclasses import dataclass, field
 
 import pytest
@@ -21,6 +19,7 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.run import Run
 from learnblock.runtime.trace import Trace, record
 from listener import Listener
+from waiting import wait_for
 
 HEADER = "from learnblock.robots.tiny import Robot\nrobot = Robot()\n"
 
@@ -122,15 +121,12 @@ class Result:
     def events(self):
         return [json.loads(line) for line in self.trace.splitlines()]
 
-    def left_over(self):
-        """Return the process groups of the run in which a process is still alive.
+    def wait_until_gone(self):
+        """Wait until no process of the run is alive.
 
         A killed process must be scheduled once more before it disappears.
         """
-        deadline = time.monotonic() + 5
-        while (living := list(filter(alive, self.processes))) and time.monotonic() < deadline:
-            os.sched_yield()
-        return living
+        wait_for(lambda: not any(map(alive, self.processes)), "none of its processes is left")
 
 
 def alive(group):

@@ -16,7 +16,11 @@ from learnblock.runtime.containment.survey import survey
 from learnblock.runtime.ending import How
 from learnblock.runtime.limits import Limits
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="Landlock and seccomp are Linux's")
+pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.certain,
+    pytest.mark.skipif(sys.platform != "linux", reason="Landlock and seccomp are Linux's"),
+]
 complete = pytest.mark.skipif(not COMPLETE, reason="needs Linux 6.12 on x86-64")
 
 
@@ -87,7 +91,7 @@ def test_a_program_that_occupies_too_much_is_ended(run, name):
     source, code = FILLING[name]
     result = run(source + "import time\nwhile True: pass", limits=Limits(silence=30))
     assert (How.KILLED, code) == (result.how, result.ending.phrase.code)
-    assert result.left_over() == []
+    result.wait_until_gone()
 
 
 def test_the_temporary_folder_is_removed_however_deep_it_is(run):

@@ -3,7 +3,6 @@
 import signal
 import sys
 import threading
-import time
 
 import pytest
 
@@ -19,6 +18,7 @@ from learnblock.runtime.limits import MEGABYTE, Limits
 from learnblock.runtime.messages import ShowVariables, Stop
 from learnblock.runtime.process import ProcessWorker, ThreadWorker
 from learnblock.runtime.watcher import Watcher
+from waiting import SECONDS
 
 pytestmark = [pytest.mark.slow, pytest.mark.realtime]
 
@@ -172,7 +172,7 @@ def test_a_program_ends_with_a_phrase_with_its_robot_stopped_and_no_process_left
     assert str(result.ending.phrase).count("\n") <= 1
     assert (how, line) == (result.how, result.ending.line)
     assert result.log == STOPPED
-    assert result.left_over() == []
+    result.wait_until_gone()
 
 
 ENDLESS = {
@@ -209,31 +209,29 @@ def test_an_endless_program_is_ended(run, impatient, name):
     assert result.how in {How.NO_CALL, How.OUTPUT_LIMIT}
     assert result.ending.line in lines
     assert result.log == STOPPED
-    assert result.left_over() == []
+    result.wait_until_gone()
 
 
 @needs_posix
 @pytest.mark.parametrize("name", ENDLESS)
-def test_every_program_ends_within_a_second_of_being_stopped(stage, name):
+def test_every_program_ends_when_it_is_stopped(stage, name):
     source, _ = ENDLESS[name]
     run = stage.add(
         DRIVE + "print('go')\n" + source,
-        limits=Limits(silence=60, output=10**9),
+        # Nothing else ends it before the test is over.
+        limits=Limits(silence=1000, blocked=1000, output=10**12),
         watcher=(watcher := Begun()),
     )
     host = stage.host()
     thread = threading.Thread(target=host.run)
     thread.start()
-    assert watcher.begun.wait(20)
-    stopped = time.monotonic()
+    assert watcher.begun.wait(SECONDS)
     host.stop()
-    thread.join(5)
-    # It takes half a second at most; the other half is for busy machines.
-    assert time.monotonic() - stopped < 1
+    thread.join()
     assert run.ending.phrase == Phrase("run-stopped")
     assert run.ending.how == How.STOPPED
     assert run.client.log == STOPPED
-    assert stage.results()[0].left_over() == []
+    stage.results()[0].wait_until_gone()
 
 
 class Begun(Watcher):
@@ -446,6 +444,7 @@ def test_the_last_message_of_an_ended_process_is_received(run):
     assert result.how == How.FINISHED
 
 
+@pytest.mark.certain
 def test_programs_in_one_world_take_turns_in_order(stage):
     shared = Listener()
     for name, period in (("a", 0.2), ("b", 0.1)):
@@ -534,6 +533,7 @@ print(object(), time.time())
 """
 
 
+@pytest.mark.certain
 def test_a_trace_is_the_same_every_time_in_a_process_and_in_a_thread(stage):
     traces = []
     for worker in (None, None, ThreadWorker):
@@ -565,6 +565,7 @@ def test_third_party_robots_come_from_their_own_modules(run):
     assert result.output == "False\n"
 
 
+@pytest.mark.certain
 def test_lines_reach_the_watcher_and_the_trace_in_order(run):
     result = run("x = 1\nfor i in range(2):\n    x += i\nrobot.time()")
     assert [3, 4, 5, 4, 5, 4, 6] == result.lines
@@ -684,6 +685,7 @@ def test_a_watcher_has_a_turn_while_a_program_waits_for_its_world(stage):
     assert 0 < stage.world.steps < 1e8
 
 
+@pytest.mark.certain
 @pytest.mark.parametrize("worker", [InlineWorker, ThreadWorker])
 def test_a_watcher_has_its_turns_at_the_same_times_of_a_world_however_fast_it_is(stage, worker):
     class Ticking(Listener):

@@ -8,6 +8,8 @@ from learnblock.runtime.program import Program
 from learnblock.runtime.watcher import Watcher
 from waiting import wait_for
 
+pytestmark = pytest.mark.realtime
+
 #: A reaction game, whose robot drives while it waits.
 GAME = """from learnblock.robots.sim_ebo import Robot
 
@@ -32,7 +34,7 @@ class Person(Watcher):
     def input(self, prompt):
         # The world runs already, so it may have passed step 50.
         world = self.run.client.simulation
-        wait_for(lambda: world.steps >= self.step, "the world's time goes on", seconds=10)
+        wait_for(lambda: world.steps >= self.step, "the world's time goes on")
         return ""
 
     def printed(self, text):
@@ -66,6 +68,7 @@ def test_a_run_may_end_by_its_time_while_its_program_waits():
     assert report.time == pytest.approx(1.0)
 
 
+@pytest.mark.certain
 def test_at_free_pace_time_stands_still_and_the_same_answers_leave_the_same_trace():
     first, (reaction, has_moved) = played(0, "free")
     second, _ = played(0, "free")

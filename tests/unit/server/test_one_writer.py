@@ -7,17 +7,15 @@ import select
 import signal
 import subprocess
 import sys
-import time
 from contextlib import contextmanager
 
 import pytest
 from websockets.sync.client import connect
 
-from pages import TOKEN, Visitor
+from pages import TIMEOUT, TOKEN, Visitor
+from waiting import wait_for
 
-pytestmark = pytest.mark.slow
-
-TIMEOUT = 30
+pytestmark = [pytest.mark.certain, pytest.mark.slow, pytest.mark.realtime]
 
 
 @pytest.fixture
@@ -182,11 +180,14 @@ def on_terminal(folder):
 
     def read_until(words):
         nonlocal shown
-        ends = time.monotonic() + TIMEOUT
-        while words not in shown and time.monotonic() < ends:
-            if select.select([ours], [], [], 1.0)[0]:
+
+        def are_shown():
+            nonlocal shown
+            if select.select([ours], [], [], 0)[0]:
                 shown += os.read(ours, 10_000).decode()
-        assert words in shown
+            return words in shown
+
+        wait_for(are_shown, f"{words!r} on the terminal")
         return shown
 
     try:

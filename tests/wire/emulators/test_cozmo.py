@@ -1,10 +1,10 @@
 """Cozmo's end of the wire, tested in bytes."""
 
 import io
+import select
 import socket
 import struct
 import threading
-from time import monotonic
 from typing import Self
 
 import numpy as np
@@ -20,6 +20,7 @@ from pycozmo.tests.image_encoder_fixtures import FIXTURES
 from pycozmo.util import hex_load
 
 from cozmos import Cozmo, cozmo
+from emulated import LONG
 from learnblock.emulators.cozmo import face, frames, picture
 from learnblock.emulators.cozmo.frames import DatagramError, Frame, FrameKind, decoded, encoded
 from waiting import wait_for
@@ -154,7 +155,7 @@ class Client:
 
     def __init__(self, there: Cozmo) -> None:
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self.socket.settimeout(3)
+        self.socket.settimeout(LONG)
         self.socket.connect(there.wire.target)
         self.number = 1
         self.ack = 0
@@ -186,19 +187,18 @@ class Client:
 
     def hear_until(self, kind: type) -> object:
         """The next packet of a kind, its number and the frame's acknowledgement."""
-        deadline = monotonic() + 3
-        while monotonic() < deadline:
+        while True:
             frame = self.hear()
             for number, packet in frame.packets:
                 if isinstance(packet, kind):
                     return packet, number, frame.ack
-        raise AssertionError(f"no {kind.__name__} came")
 
-    def hear_on(self) -> None:
-        """Listen until nothing more comes."""
-        deadline = monotonic() + 3
-        while monotonic() < deadline:
-            self.hear()
+    def hear_all(self) -> list[bytes]:
+        """What has come and was not heard yet."""
+        found = []
+        while select.select((self.socket,), (), (), 0)[0]:
+            found.append(self.socket.recv(65536))
+        return found
 
 
 @pytest.fixture(scope="module")
@@ -261,18 +261,21 @@ def test_invalid_values_change_nothing(there):
 
 
 def test_it_stops_and_forgets_a_client_after_a_long_silence(there, monkeypatch):
-    monkeypatch.setattr("learnblock.emulators.cozmo.server.SILENCE", 0.3)
     with Client(there) as client:
         client.enable()
         client.command(packets.DriveWheels(lwheel_speed_mmps=80, rwheel_speed_mmps=80))
         wait_for(lambda: there.speed() > 50, "it drives")
+        monkeypatch.setattr("learnblock.emulators.cozmo.server.SILENCE", 0.3)
         wait_for(lambda: there.speed() < 1, "it stands")
+        monkeypatch.undo()
+        client.hear_all()
         before = there.machine.received["Enable"]
         client.command(packets.Enable())
-        client.socket.settimeout(0.2)
-        with pytest.raises(TimeoutError):
-            client.hear_on()
+        with Client(there) as other:
+            # Whatever was sent before has been handled then.
+            other.hear_until(packets.Connect)
         assert there.machine.received["Enable"] == before
+        assert client.hear_all() == []
 
 
 def test_slow_reports_do_not_delay_commands_ever_more(there, monkeypatch):
@@ -296,15 +299,28 @@ def test_slow_reports_do_not_delay_commands_ever_more(there, monkeypatch):
 
 
 def test_it_reports_thirty_three_times_per_second_and_sends_fifteen_pictures(there):
+    states, pictures = [], []
     with Client(there) as client:
         client.enable()
         client.command(packets.EnableCamera())
-        client.hear_until(packets.ImageChunk)
-        counts, until = {packets.RobotState: 0, packets.ImageChunk: 0}, monotonic() + 1
-        while monotonic() < until:
+        while len(states) < 60 or len(pictures) < 20:
             for _, packet in client.hear().packets:
-                first = getattr(packet, "chunk_id", 0) == 0
-                if type(packet) in counts and first:
-                    counts[type(packet)] += 1
-    assert 20 <= counts[packets.RobotState] <= 36
-    assert 8 <= counts[packets.ImageChunk] <= 17
+                if isinstance(packet, packets.RobotState):
+                    states.append(packet.timestamp)
+                elif isinstance(packet, packets.ImageChunk) and packet.chunk_id == 0:
+                    pictures.append(packet.frame_timestamp)
+    # A busy machine makes it skip some, but never send more.
+    assert usual_rate(states) < 37
+    assert best_rate(states) > 27
+    assert usual_rate(pictures) < 17
+    assert best_rate(pictures) > 12
+
+
+def usual_rate(times):
+    """How many come in a second of the robot's own time, which is in ms."""
+    return 1000 * (len(times) - 1) / max(times[-1] - times[0], 1)
+
+
+def best_rate(times, count=5):
+    """The rate where that many came fastest."""
+    return max(usual_rate(times[at : at + count + 1]) for at in range(len(times) - count))

@@ -16,6 +16,7 @@ from learnblock.errors import IceRefusedError, LearnBlockError
 from learnblock.i18n import Phrase
 from learnblock.ice import Proxy
 from learnblock.ice.robocomp import BaseState, Layout, MotorGoalPosition, MotorState, interfaces
+from twins import let_pass, pose
 
 PORTS = {
     "differentialrobot": "base_port",
@@ -47,15 +48,9 @@ def ask(emulation):
 
 def test_it_keeps_driving_without_its_client_like_the_real_one(emulation, ask):
     ask("differentialrobot", "setSpeedBase", 100.0, math.pi / 2)
-    time, (_, _, heading) = emulation.twin.time, pose(emulation.twin)
-    while emulation.twin.time < time + 0.7:
-        pass
+    _, _, heading = pose(emulation.twin)
+    let_pass(emulation.twin, 0.7)
     assert pose(emulation.twin)[2] > heading + 40
-
-
-def pose(twin):
-    with twin.body() as body:
-        return body.pose
 
 
 def test_it_knows_neither_its_pose_nor_the_angle_of_its_head(ask):

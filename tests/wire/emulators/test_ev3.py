@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from bricks import brick, x_of
+from bricks import brick
 from learnblock.devices import Base
 from learnblock.emulators import emulate
 from learnblock.emulators.ev3.bytecode import ByteCodeError, Code, Machine
@@ -17,13 +17,14 @@ from learnblock.emulators.ev3.ev3dev import RPYC
 from learnblock.emulators.ev3.sysfs import Attribute
 from learnblock.errors import UnknownNameError
 from learnblock.robots import connect
+from twins import x_of
 from waiting import wait_for
 
 #: python-ev3dev2 on the emulator's files, as over rpyc, without rpyc.
 EV3DEV2 = (
     RPYC.partition("server =")[0].replace("from rpyc", "# from rpyc")
     + """
-import json
+import json, time
 from ev3dev2.motor import LargeMotor, SpeedDPS
 from ev3dev2.sensor.lego import ColorSensor, GyroSensor, TouchSensor, UltrasonicSensor
 """
@@ -52,7 +53,7 @@ left, right = LargeMotor("outB"), LargeMotor("outD")
 for motor in (left, right):
     motor.on(SpeedDPS(200))
 while left.position < 100:
-    pass
+    time.sleep(0.002)
 assert left.is_running
 for motor in (left, right):
     motor.off()

@@ -5,6 +5,7 @@ import pytest
 from learnblock.emulators import emulate
 from learnblock.emulators.twin import Twin
 from learnblock.errors import LearnBlockError, UnknownNameError
+from twins import let_pass
 
 
 def test_a_twin_drives_without_further_calls():
@@ -12,8 +13,7 @@ def test_a_twin_drives_without_further_calls():
         with twin.body() as body:
             start = body.pose
             body.drive(50, 0)
-        while twin.time < 2:
-            pass
+        let_pass(twin, 2)
         with twin.body() as body:
             assert body.pose[0] > start[0] + 50
     assert [round(time, 1) for time, _ in twin.path[:3]] == [0.1, 0.2, 0.3]

@@ -54,7 +54,7 @@ def scheduler(tmp_path):
     file = tmp_path / "scheduler.json"
     command = ("dask_scheduler", *DASK, "--port", "0", "--scheduler-file", str(file))
     with started(*command):
-        wait_for(lambda: file.exists() and '"address"' in file.read_text(), "the scheduler", 60)
+        wait_for(lambda: file.exists() and '"address"' in file.read_text(), "the scheduler")
         yield str(file)
 
 
@@ -85,6 +85,7 @@ def graded(workers, folder, seeds=3, each=lambda progress: None):
     return hashlib.sha256((folder / TABLE).read_bytes()).hexdigest()
 
 
+@pytest.mark.certain
 def test_two_workers_make_the_same_table_also_if_one_of_them_is_killed(scheduler, tmp_path):
     here = graded(lambda: local(2), tmp_path / "here")
     with worker(scheduler) as doomed, worker(scheduler):

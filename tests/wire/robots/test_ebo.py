@@ -8,8 +8,8 @@ import numpy as np
 import paho.mqtt.client as mqtt
 import pytest
 
-from driven import assert_drives_like_its_twin, assert_told_when_gone, emotion, pose
-from emulated import settle
+from driven import assert_drives_like_its_twin, assert_told_when_gone
+from emulated import LONG, settle
 from ice_runtime import components
 from learnblock.devices import Base, Camera, Display, DistanceSensors, Emotion, JointMotor
 from learnblock.emulators import emulate
@@ -23,6 +23,8 @@ from learnblock.robots.ebo import Robot, Settings
 from learnblock.robots.ebo.camera import TOPIC, StreamedCamera
 from learnblock.robots.settings import change
 from learnblock.testing import CLAIMS, Fault, Relay, check_robot
+from twins import emotion, pose, x_of
+from waiting import wait_for
 
 OBJECTS = {
     "differentialrobot": {},
@@ -181,7 +183,7 @@ def test_a_base_with_failing_hardware_is_reported(tmp_path):
 
 
 def test_a_picture_arrives_in_red_green_and_blue(broker, publisher):
-    camera = StreamedCamera("127.0.0.1", broker.port, timeout=5)
+    camera = StreamedCamera("127.0.0.1", broker.port, timeout=LONG)
     camera.open()
     frame = camera.read()
     assert (frame.shape, frame.dtype) == ((240, 320, 3), np.uint8)
@@ -193,12 +195,11 @@ def test_a_picture_arrives_in_red_green_and_blue(broker, publisher):
 
 @pytest.mark.parametrize("nonsense", [b"", b"\xff\xd8 no picture"])
 def test_a_damaged_picture_is_skipped(broker, publisher, nonsense):
-    camera = StreamedCamera("127.0.0.1", broker.port, timeout=5)
+    camera = StreamedCamera("127.0.0.1", broker.port, timeout=LONG)
     camera.open()
     frame = camera.read()
     publisher.picture = nonsense
-    while camera._latest != nonsense:
-        camera.check()
+    wait_for(lambda: camera._latest == nonsense, "the damaged picture")
     assert camera.read() is frame
     camera.close()
 
@@ -225,14 +226,8 @@ def test_a_stream_that_ends_is_reported(broker, publisher, fault):
         camera.open()
         relay.fault = fault
         with pytest.raises(RobotConnectionError, match=r"has sent no picture for 0\.5 seconds"):
-            use_up(camera)
+            wait_for(camera.check, "an error")
         camera.close()
-
-
-def use_up(camera):
-    """Check it until it raises an error."""
-    while True:
-        camera.check()
 
 
 # The whole robot, through its wires.
@@ -243,6 +238,7 @@ def emulation():
     if find_broker() is None:
         pytest.skip("needs a broker of MQTT: apt-get install mosquitto")
     with emulate("ebo", "empty") as emulation:
+        emulation.settings = {**emulation.settings, "patience": LONG}
         yield emulation
 
 
@@ -266,8 +262,8 @@ def test_positive_speeds_are_forward_and_to_the_right(emulation):
     with Robot(**emulation.settings) as robot:
         start = pose(twin)
         robot.device(Base).move(50, 30)
-        while pose(twin)[2] < start[2] + 20:
-            robot.check_link()
+        wait_for(lambda: pose(twin)[2] > start[2] + 20, "it turns")
+        robot.check_link()
     x, y, _ = pose(twin)
     assert x > start[0] + 10
     assert y < start[1]
@@ -311,15 +307,15 @@ def test_two_programs_can_drive_it_and_the_last_command_applies(emulation):
     with Robot(**emulation.settings) as one, Robot(**emulation.settings) as another:
         one.device(Base).move(50, 0)
         another.device(Base).move(-50, 0)
-        start = pose(emulation.twin)[0]
-        while pose(emulation.twin)[0] > start - 20:
-            one.check_link()
-            another.check_link()
+        start = x_of(emulation.twin)
+        wait_for(lambda: x_of(emulation.twin) < start - 20, "it drives backwards")
+        one.check_link()
+        another.check_link()
 
 
 def test_a_robot_at_the_address_of_the_settings_is_found(emulation):
     settle("ebo", emulation.settings)
-    assert list(Robot.scan(1.0)) == [{"address": "127.0.0.1"}]
+    assert list(Robot.scan(LONG)) == [{"address": "127.0.0.1"}]
 
 
 def test_a_scan_without_robots_finds_nothing(own_home):

@@ -70,8 +70,8 @@ def test_motors_stop_without_messages_and_a_client_that_returns_late_gets_an_err
     brick, ended = FakeBrick(), []
     guard = agent.Guard(brick, lambda: ended.append(True))
     guard.answer('{"drive": [100, 100]}')
-    wait_for(lambda: brick.told == [[100, 100], [0, 0]], "the motors stop", 1)
-    wait_for(lambda: ended, "it is let go", 2)
+    wait_for(lambda: brick.told == [[100, 100], [0, 0]], "the motors stop")
+    wait_for(lambda: ended, "it is let go")
     assert json.loads(guard.answer("{}"))["error"] == "ev3-timed-out"
 
 

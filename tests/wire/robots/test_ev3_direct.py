@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from bricks import stands_after, x_of
+from emulated import LONG
 from ev3_wires import Bytes
 from learnblock.devices import LONGEST_TEXT, Base, Gyroscope
 from learnblock.emulators.ev3.firmware import Firmware
@@ -23,6 +23,7 @@ from learnblock.robots.ev3.brick import Look
 from learnblock.robots.ev3.direct_link import Motor
 from learnblock.robots.ev3.link import Link
 from learnblock.robots.ev3.screen import LARGE, NORMAL, laid_out
+from twins import stands_after, x_of
 from waiting import wait_for
 
 # Examples of LEGO's "EV3 Communication Developer Kit", chapter 4.
@@ -166,7 +167,7 @@ def test_a_brick_that_sends_beacons_is_found():
     with Twin("sim-ev3", "empty") as twin:
         firmware = Firmware(Vehicle(twin), beacon=("127.0.0.1", port))
         try:
-            found = next(scan.beacons(6.0, port))
+            found = next(scan.beacons(60.0, port))
         finally:
             firmware.close()
     expected = {"connection": "direct", "address": "127.0.0.1", "direct_port": firmware.port}
@@ -196,7 +197,7 @@ def cable(path, *, reports):
 @pytest.mark.parametrize(("name", "reports"), [("rfcomm0", False), ("hidraw0", True)])
 def test_a_brick_is_driven_over_bluetooth_and_usb(tmp_path, name, reports):
     with cable(tmp_path / name, reports=reports) as twin:
-        with connect("ev3", device=str(tmp_path / name), patience=2) as robot:
+        with connect("ev3", device=str(tmp_path / name), patience=LONG) as robot:
             begun = x_of(twin)
             robot.device(Base).move(100, 0)
             wait_for(lambda: x_of(twin) > begun + 20, "it drives")

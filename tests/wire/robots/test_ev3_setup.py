@@ -2,9 +2,7 @@
 
 import os
 import signal
-import socket
 import sys
-import time
 
 import msgspec
 import paramiko
@@ -16,6 +14,7 @@ from learnblock.errors import RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots import connect, settings
 from learnblock.robots.ev3 import Robot, Settings
+from ports import free_port
 from ssh_brick import SshBrick
 from waiting import wait_for
 
@@ -55,11 +54,6 @@ def chosen(server):
     return Settings(
         address="127.0.0.1", ssh_port=server.port, agent_port=free_port(), connection="agent"
     )
-
-
-def free_port():
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        return listener.getsockname()[1]
 
 
 def test_setup_installs_the_agent_and_a_program_reaches_it(server, chosen):
@@ -102,7 +96,7 @@ def test_the_motors_stop_when_the_agent_is_ended(server, chosen, emulation):
         motor = emulation.brick.tree.motors["B"]
         wait_for(lambda: motor.speed > 0, "it turns")
         os.kill(int((server.home / ".learnblock-pid").read_text()), signal.SIGTERM)
-        wait_for(lambda: motor.speed == 0, "it stands", 0.5)
+        wait_for(lambda: motor.speed == 0, "it stands")
         with pytest.raises(RobotConnectionError):
             robot.stop()
 
@@ -129,7 +123,5 @@ def test_another_brick_at_the_same_address_is_not_trusted(server, chosen):
 
 def test_an_agent_that_does_not_start_is_reported_with_its_output(server, chosen, emulation):
     (emulation.brick.folder / "bin" / "python3").write_text("#!/bin/sh\necho no memory\nexit 1\n")
-    began = time.monotonic()
     with pytest.raises(RobotConnectionError, match="did not start on the EV3: no memory"):
         Robot.set_up(chosen, str)
-    assert time.monotonic() - began < 10

@@ -4,16 +4,17 @@ import os
 import signal
 import subprocess
 import sys
+from contextlib import contextmanager
 from pathlib import Path
-from time import monotonic, sleep
 
 import pytest
 
-from emulated import reachable
+from emulated import LONG, reachable
 from learnblock.ice import Adapter, Servant
 from learnblock.ice.robocomp import Layout, interfaces
-from learnblock.robots.guardian import TRIES_FOR, Guardian
+from learnblock.robots.guardian import Guardian
 from learnblock.robots.rcis import Robot, Settings
+from twins import let_pass, x_of
 from waiting import wait_for
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
@@ -44,18 +45,8 @@ def runs(pid):
     return status.rpartition(")")[2].split()[0] != "Z"
 
 
-def gone_within(pid, seconds):
-    deadline = monotonic() + seconds
-    while runs(pid):
-        if monotonic() > deadline:
-            return False
-        sleep(0.002)
-    return True
-
-
-def x_of(twin):
-    with twin.body() as body:
-        return body.pose[0]
+def wait_until_gone(pid):
+    wait_for(lambda: not runs(pid), "its guardian ends")
 
 
 @pytest.fixture
@@ -77,12 +68,6 @@ def begin(tmp_path):
         process.stdout.close()
 
 
-def let_pass(twin, seconds):
-    """Wait for seconds of the twin's time, leaving the processor to its guardian."""
-    until = twin.time + seconds
-    wait_for(lambda: twin.time >= until, "its world advances")
-
-
 def test_a_killed_program_leaves_neither_a_driving_robot_nor_a_process(begin):
     with reachable("rcis") as twin:
         process, guardian = begin()
@@ -95,14 +80,14 @@ def test_a_killed_program_leaves_neither_a_driving_robot_nor_a_process(begin):
         there = x_of(twin)
         let_pass(twin, LIMIT)
         assert abs(x_of(twin) - there) < STILL
-        assert gone_within(guardian, 2)
+        wait_until_gone(guardian)
 
 
 def test_a_guardian_that_has_just_started_stops_the_robot(begin):
     with reachable("rcis") as twin:
         process, guardian = begin("--at-once")
         process.wait()
-        assert gone_within(guardian, 5)
+        wait_until_gone(guardian)
         # Wheels need some time to stop.
         let_pass(twin, 0.2)
         there = x_of(twin)
@@ -110,13 +95,15 @@ def test_a_guardian_that_has_just_started_stops_the_robot(begin):
         assert abs(x_of(twin) - there) < STILL
 
 
-def test_ctrl_c_does_not_end_a_guardian(tmp_path):
-    guardian = Guardian(Robot, Settings(base_port=1))
-    os.kill(guardian._process.pid, 0)
-    wait_until_it_ignores_ctrl_c(guardian._process.pid)
-    os.kill(guardian._process.pid, signal.SIGINT)
-    assert not gone_within(guardian._process.pid, 0.3)
-    guardian.dismiss()
+def test_ctrl_c_does_not_end_a_guardian():
+    wheels = Wheels()
+    with guarded(wheels) as guardian:
+        wait_until_it_ignores_ctrl_c(guardian._process.pid)
+        os.kill(guardian._process.pid, signal.SIGINT)
+        # Only a guardian that has survived stops the robot.
+        guardian.leave_in_charge()
+        wait_until_gone(guardian._process.pid)
+    assert wheels.told == [(0.0, 0.0)]
 
 
 def wait_until_it_ignores_ctrl_c(pid):
@@ -126,7 +113,7 @@ def wait_until_it_ignores_ctrl_c(pid):
         status = Path(f"/proc/{pid}/status").read_text().split("SigIgn:")[1]
         return int(status.split()[0], 16) & bit
 
-    wait_for(ignores, "it ignores Ctrl-C", 10)
+    wait_for(ignores, "it ignores Ctrl-C")
 
 
 class Wheels:
@@ -137,30 +124,33 @@ class Wheels:
         self.told.append((adv, rot))
 
 
-def test_a_guardian_that_is_dismissed_does_nothing():
-    wheels = Wheels()
+@contextmanager
+def guarded(wheels):
+    """Serve a robot's wheels; yield its guardian."""
     with Adapter() as adapter:
         known = interfaces(Layout.TOOL)["differentialrobot"]
         port = adapter.serve({"differentialrobot": Servant(known, wheels)})
-        guardian = Guardian(Robot, Settings(base_port=port))
+        yield Guardian(Robot, Settings(base_port=port, patience=LONG))
+
+
+def test_a_guardian_that_is_dismissed_does_nothing():
+    wheels = Wheels()
+    with guarded(wheels) as guardian:
         guardian.dismiss()
         guardian.dismiss()
         assert not runs(guardian._process.pid)
-        assert wheels.told == []
+    assert wheels.told == []
 
 
 def test_a_guardian_left_in_charge_stops_the_robot_and_ends():
     wheels = Wheels()
-    with Adapter() as adapter:
-        known = interfaces(Layout.TOOL)["differentialrobot"]
-        port = adapter.serve({"differentialrobot": Servant(known, wheels)})
-        guardian = Guardian(Robot, Settings(base_port=port))
+    with guarded(wheels) as guardian:
         guardian.leave_in_charge()
-        assert gone_within(guardian._process.pid, 5)
-        assert wheels.told == [(0.0, 0.0)]
+        wait_until_gone(guardian._process.pid)
+    assert wheels.told == [(0.0, 0.0)]
 
 
 def test_a_guardian_that_cannot_reach_its_robot_gives_up():
     guardian = Guardian(Robot, Settings(base_port=1))
     guardian.leave_in_charge()
-    assert gone_within(guardian._process.pid, TRIES_FOR + 3)
+    wait_until_gone(guardian._process.pid)

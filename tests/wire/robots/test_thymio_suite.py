@@ -12,22 +12,23 @@ import threading
 import urllib.request
 from contextlib import closing, contextmanager, suppress
 from pathlib import Path
-from time import monotonic
 from xml.etree import ElementTree as Xml
 
 import pytest
 from tdmclient import ThymioFB
 from tdmclient.server import ServerHandler, ServerNode
 
+from emulated import LONG
 from learnblock.devices import DistanceSensors, GroundSensors
-from learnblock.emulators.thymio import Emulator, _free_port
+from learnblock.emulators.thymio import Emulator
 from learnblock.errors import RobotConnectionError
 from learnblock.robots.thymio import Robot
 from learnblock.robots.thymio.node import READ
 from learnblock.robots.thymio.program import DRIVE, EVENTS, source
 from learnblock.testing import Fault, Relay
+from ports import free_port
+from waiting import wait_for
 
-TIMEOUT = 1.0
 #: The source of a locale.
 ENGLISH = Path("/usr/share/i18n/locales/en_US")
 
@@ -120,15 +121,7 @@ def thymio():
 
 
 def connect(port, **others):
-    return Robot(**{"connection": "suite", "suite_port": port, "patience": TIMEOUT, **others})
-
-
-def until(condition, seconds=3.0):
-    deadline = monotonic() + seconds
-    while not condition():
-        if monotonic() > deadline:
-            return False
-    return True
+    return Robot(**{"connection": "suite", "suite_port": port, "patience": LONG, **others})
 
 
 def test_our_program_is_loaded_and_its_variables_are_read(thymio):
@@ -138,7 +131,7 @@ def test_our_program_is_loaded_and_its_variables_are_read(thymio):
         thymio.variables["prox.ground.delta"] = [1000, 0]
         assert robot.device(GroundSensors).read()["right"] == 0.0
         assert thymio.status == ThymioFB.NODE_STATUS_READY
-    assert until(lambda: thymio.status == ThymioFB.NODE_STATUS_AVAILABLE)
+    wait_for(lambda: thymio.status == ThymioFB.NODE_STATUS_AVAILABLE, "it is released")
 
 
 @pytest.mark.parametrize(
@@ -163,12 +156,12 @@ def test_it_feels_that_it_is_tilted_and_shaken(thymio, acc, felt):
 def test_a_thymio_in_use_by_another_program_is_not_taken(thymio):
     refused = pytest.raises(RobotConnectionError, match="has no free Thymio")
     with suite(thymio) as opened, connect(opened.port), refused:
-        connect(opened.port)
+        connect(opened.port, patience=1.0)
 
 
 def test_a_suite_without_robots_is_reported():
     with suite() as opened, pytest.raises(RobotConnectionError, match="shows no Thymio"):
-        connect(opened.port)
+        connect(opened.port, patience=1.0)
 
 
 def test_auto_uses_the_suite_if_it_is_running(thymio):
@@ -188,7 +181,7 @@ def test_a_failing_link_is_reported_and_it_can_be_connected_again(thymio, fault,
         robot = connect(relay.port)
         relay.fault = fault
         with pytest.raises(RobotConnectionError, match=sentence):
-            until(robot.check_link)
+            wait_for(robot.check_link, "an error")
         robot.stop()
         relay.fault = Fault.NONE
         connect(relay.port).stop()
@@ -214,7 +207,7 @@ def bridge(tmp_path_factory):
 
 
 def bridged(robot):
-    port = _free_port()
+    port = free_port()
     process = subprocess.Popen(
         ["asebahttp", "-p", str(port), f"tcp:host=127.0.0.1;port={robot}"],
         stdout=subprocess.DEVNULL,
@@ -246,15 +239,16 @@ def aesl(text):
 
 
 def test_asebas_own_compiler_accepts_the_source_which_drives_and_has_a_watchdog(bridge):
-    assert until(lambda: "thymio-II" in (bridge("/nodes") or ""), 10)
+    wait_for(lambda: "thymio-II" in (bridge("/nodes") or ""), "its robot is listed")
     assert bridge("/nodes/thymio-II", aesl(source())) == ""
-    assert until(lambda: bridge("/nodes/thymio-II/life") == "[0]")
+    wait_for(lambda: bridge("/nodes/thymio-II/life") == "[0]", "the program runs")
     bridge(f"/nodes/thymio-II/{DRIVE.name}/100/50")
-    assert until(lambda: bridge("/nodes/thymio-II/motor.right.target") == "[50]")
-    assert until(lambda: bridge("/nodes/thymio-II/motor.right.target") == "[0]")
+    target = "/nodes/thymio-II/motor.right.target"
+    wait_for(lambda: bridge(target) == "[50]", "it drives")
+    wait_for(lambda: bridge(target) == "[0]", "it stands")
 
 
 def test_asebas_own_compiler_rejects_wrong_source(bridge):
-    assert until(lambda: "thymio-II" in (bridge("/nodes") or ""), 10)
+    wait_for(lambda: "thymio-II" in (bridge("/nodes") or ""), "its robot is listed")
     bridge("/nodes/thymio-II", aesl(source() + "\nlife = nonsense\n"))
     assert bridge("/nodes/thymio-II/life") is None

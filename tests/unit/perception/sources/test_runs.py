@@ -3,7 +3,6 @@
 import re
 import subprocess
 import sys
-from time import monotonic
 
 import pytest
 from click.testing import CliRunner
@@ -18,6 +17,7 @@ from learnblock.robots import connect
 from runs import run_file
 from shown_pictures import a_face
 from videos import record
+from waiting import wait_for
 
 pytestmark = pytest.mark.realtime
 
@@ -106,9 +106,7 @@ def test_a_component_searches_the_pictures_of_a_real_robot():
         with emulation.twin.body() as body:
             x, y, _ = body.pose
             body.place(x, y, 135)
-        deadline = monotonic() + 10
-        while not robot.is_tag(2):
-            assert monotonic() < deadline
+        wait_for(lambda: robot.is_tag(2), "it sees the tag")
         assert robot.detect("emotions") is None
 
 

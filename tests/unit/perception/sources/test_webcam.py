@@ -11,6 +11,9 @@ from learnblock.errors import RobotConnectionError
 from learnblock.i18n import Phrase
 from learnblock.perception.sources.webcam import Webcam
 from videos import record, shades
+from waiting import SECONDS
+
+pytestmark = pytest.mark.realtime
 
 
 class Held:
@@ -32,7 +35,7 @@ class Held:
     def wait(self):
         """Wait until all pictures are taken and the next one is awaited."""
         with self._read_again:
-            assert self._read_again.wait_for(lambda: self._reads > self._shown, timeout=5)
+            assert self._read_again.wait_for(lambda: self._reads > self._shown, timeout=SECONDS)
 
     def isOpened(self):  # noqa: N802 - OpenCV's name
         return True

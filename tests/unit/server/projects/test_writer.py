@@ -11,8 +11,10 @@ import pytest
 
 from learnblock.server.projects.writer import Access, Owner, Writer
 
+pytestmark = [pytest.mark.realtime, pytest.mark.certain]
+
 HOLDS = """
-import sys
+import sys, time
 from pathlib import Path
 from learnblock.server.projects.writer import Writer
 
@@ -21,7 +23,7 @@ assert writer.claim()
 writer.describe("http://127.0.0.1:8421/", "the-token")
 print("claimed", flush=True)
 while not writer.is_asked_to_end:
-    pass
+    time.sleep(0.002)
 writer.release()
 """
 

@@ -1,7 +1,5 @@
 """Third-party components instead of our detectors, built with the real Ice in another process."""
 
-import time
-
 import numpy as np
 import pytest
 
@@ -162,11 +160,9 @@ def test_the_wait_for_a_component_ends_at_the_timeout(tmp_path):
     with (
         components(tmp_path, Layout.TOOL, objects, quiet=True) as running,
         AskedTags("127.0.0.1", running.ports[0], timeout=0.5) as asked,
+        pytest.raises(RobotConnectionError, match="did not answer in time"),
     ):
-        began = time.monotonic()
-        with pytest.raises(RobotConnectionError, match="did not answer in time"):
-            asked.detect(Sight(blank()))
-        assert time.monotonic() - began < 2
+        asked.detect(Sight(blank()))
 
 
 def test_after_the_link_broke_the_next_request_succeeds():
