@@ -12,6 +12,7 @@ from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import slips
 from learnblock.language.blocktext.lexer import LINE_ENDS, Token, tokenize
+from learnblock.language.blocktext.order import definitions_first
 from learnblock.language.blocktext.slips import Slip
 from learnblock.language.blocktext.statement_parser import ASSIGNMENTS, StatementParser
 from learnblock.language.tree.layout import normalized
@@ -29,7 +30,6 @@ from learnblock.language.tree.nodes import (
     Span,
     When,
 )
-from learnblock.language.tree.order import definitions_first
 
 MAX_DIAGNOSTICS = 100
 

@@ -23,13 +23,14 @@ from learnblock.language.tree.nodes import (
     Number,
     Program,
     Raw,
+    RawExpression,
     SkillCall,
     Span,
     String,
     Unary,
     When,
 )
-from learnblock.language.tree.traversal import set_by, statements
+from learnblock.language.tree.traversal import expressions, set_by, statements, within
 from learnblock.language.workspace.literals import value_of
 
 
@@ -109,6 +110,10 @@ class Findings:
         for item in self.everything:
             if isinstance(item, Raw):
                 found |= markers.raw_names(item.text) | defined_names(item.text)
+            for expression in expressions(item):
+                for node in within(expression):
+                    if isinstance(node, RawExpression) and ":=" in node.text:
+                        found |= markers.raw_names(node.text.strip())
         return found
 
     def unknown_when(self, name: str) -> Phrase:

@@ -3,6 +3,7 @@
 import ast
 import builtins
 import re
+from collections import Counter
 from collections.abc import Iterator
 
 from learnblock.blocks.source.importable import missing_import
@@ -14,6 +15,7 @@ from learnblock.language.check.other_names import FUNCTIONS, VALUES
 from learnblock.language.check.python_event_checker import event_slips
 from learnblock.language.check.python_order_checker import early_uses
 from learnblock.language.python.generation import DEFAULT_ROBOT
+from learnblock.language.python.skeleton import unusual
 from learnblock.language.tree.nodes import Span
 
 _BUILTINS = frozenset((*dir(builtins), "__file__", "__doc__", "__spec__", "__annotations__"))
@@ -37,7 +39,8 @@ class _PythonChecker:
     def __init__(self, text: str, tree: ast.Module, findings: Findings) -> None:
         self.text, self.tree, self.findings = text, tree, findings
         self.nodes = list(ast.walk(tree))
-        self.bound = set(_bound_names(self.nodes))
+        self.times_bound = Counter(_bound_names(self.nodes))
+        self.bound = set(self.times_bound)
         self.told = {(one.line, one.column) for one in findings.diagnostics}
         self.callees = {id(one.func) for one in self.nodes if isinstance(one, ast.Call)}
         self.seen: set[str] = set()
@@ -57,11 +60,12 @@ class _PythonChecker:
                     self.robot_class(node, skill)
         for slip in event_slips(self.nodes):
             self.report(slip.message, slip.node, slip.severity)
-        for use in early_uses(self.tree):
-            self.report(use.message, use.node)
         if not self.makes_names():
+            for use in early_uses(self.tree, self.bound):
+                self.report(use.message, use.node)
             self.names()
             self.skills()
+            self.calls()
 
     def makes_names(self) -> bool:
         """Whether the program may define names that cannot be found by reading it."""
@@ -115,6 +119,38 @@ class _PythonChecker:
         near = nearest(skill, known)
         if near is not None:
             self.report(Phrase("check-unknown-skill-near", name=skill, near=near), node)
+
+    def calls(self) -> None:
+        """Report calls with other arguments than the function takes, in parts that stay Python."""
+        known = {
+            node.name: [argument.arg for argument in node.args.args]
+            for node in self.tree.body
+            if isinstance(node, ast.FunctionDef)
+            and not (node.decorator_list or unusual(node.args))
+            and self.times_bound[node.name] == 1
+        }
+        for node in self.nodes:
+            match node:
+                case ast.Call(func=ast.Name(id=name)) if name in known and not _unpacks(node):
+                    self.arguments(node, name, known[name])
+
+    def arguments(self, node: ast.Call, name: str, parameters: list[str]) -> None:
+        given = {*parameters[: len(node.args)], *(keyword.arg for keyword in node.keywords)}
+        missing = tuple(one for one in parameters if one not in given)
+        if missing:
+            message = Phrase("check-missing-argument", call=name, count=len(missing), names=missing)
+            self.report(message, node)
+        elif len(node.args) > len(parameters):
+            first = node.args[: len(parameters)]
+            message = Phrase(
+                "check-too-many-arguments",
+                call=name,
+                most=len(parameters),
+                parameters=tuple(parameters),
+                given=len(node.args),
+                instead=f"{name}({', '.join(map(ast.unparse, first))})",
+            )
+            self.report(message, node.args[len(parameters)])
 
     def names(self) -> None:
         owners = {
@@ -170,6 +206,13 @@ class _PythonChecker:
 
 
 _MODULE = DEFAULT_ROBOT.rpartition(".")[2]
+
+
+def _unpacks(node: ast.Call) -> bool:
+    """Whether the number of a call's arguments is only known when it runs."""
+    return any(isinstance(one, ast.Starred) for one in node.args) or any(
+        keyword.arg is None for keyword in node.keywords
+    )
 
 
 def _bound_names(nodes: list[ast.AST]) -> Iterator[str]:

@@ -1,29 +1,33 @@
-"""Find what a Python program uses above the line that defines it."""
+"""Find what a Python program uses before the line that defines or sets it has run."""
 
 import ast
 import builtins
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from typing import NamedTuple
 
 from learnblock.i18n import Phrase
 from learnblock.language.tree.loads import Function, at_once
 
-_BUILTINS = frozenset(dir(builtins))
-_BLOCKS = (ast.If, ast.For, ast.While, ast.With)
+_BUILTINS = frozenset((*dir(builtins), "__file__"))
 #: Statements of which only a part runs.
 _CHOICES = (ast.Try, ast.TryStar, ast.Match)
+#: What sets names for a part of a statement only, or for its rest.
+_COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+_OWN_NAMES = (*_COMPREHENSIONS, ast.ClassDef, ast.NamedExpr)
 
 
 class EarlyUse(NamedTuple):
-    """A use of a name above its definition, and the message about it."""
+    """A use of a name that has no value yet, and the message about it."""
 
     node: ast.expr
     message: Phrase
 
 
-def early_uses(tree: ast.Module) -> Iterator[EarlyUse]:
-    """Find the first use of each name that is defined only further below."""
-    yield from _Order(tree).block(tree.body)
+def early_uses(tree: ast.Module, bound: Iterable[str]) -> Iterator[EarlyUse]:
+    """Find the first early use of each of the names that are `bound` somewhere in a program."""
+    yield from _Order(tree, frozenset(bound) - _BUILTINS).block(tree.body)
 
 
 class _Order:
@@ -32,78 +36,177 @@ class _Order:
     A name that is set in a branch counts as set: only what fails whenever it runs is found.
     """
 
-    def __init__(self, tree: ast.Module) -> None:
-        self.lines = dict(_definitions(tree.body))
-        self.functions: dict[str, ast.FunctionDef] = {}
+    def __init__(self, tree: ast.Module, bound: frozenset[str]) -> None:
+        self.names = bound
+        defined = [node for node in tree.body if isinstance(node, Function | ast.ClassDef)]
+        self.lines = {node.name: node.lineno for node in defined}
+        functions = [node for node in defined if isinstance(node, ast.FunctionDef)]
+        self.functions = {
+            node.name: node for node in functions if not any(map(_is_event, node.decorator_list))
+        }
         self.known: set[str] = set()
-        self.called: set[str] = set()
+        self.own: frozenset[str] = frozenset()  # the local names of the function that runs
+        self.set_here: set[str] = set()  # those of them that are set
+        self.in_loops: Counter[str] = Counter()  # as often as statements set them
+        self.maybe: frozenset[str] = frozenset()  # what another branch may have set
+        self.followed: set[tuple[str, bool]] = set()
         self.whens: list[ast.FunctionDef] = []
 
-    def block(self, body: list[ast.stmt]) -> Iterator[EarlyUse]:
+    # Statements.
+
+    def block(self, body: Iterable[ast.stmt]) -> Iterator[EarlyUse]:
         for statement in body:
             yield from self.statement(statement)
 
     def statement(self, node: ast.stmt) -> Iterator[EarlyUse]:
         if isinstance(node, _CHOICES):
-            self.known.update(_bound(node))
-        elif isinstance(node, _BLOCKS):
-            for inner in ast.iter_child_nodes(node):
-                yield from self.part(inner)
+            self.bind(_bound(node))
+        elif isinstance(node, ast.If):
+            yield from self.uses(node.test)
+            self.bind(_bound(node.test))
+            for body in (node.body, node.orelse):
+                yield from self.branch(body)
+        elif isinstance(node, ast.For | ast.While):
+            outer, self.in_loops = self.in_loops, self.in_loops + Counter(_bound(node))
+            yield from self.parts(node)
+            self.in_loops = outer
+        elif isinstance(node, ast.With):
+            yield from self.parts(node)
         else:
             yield from self.whole(node)
 
-    def part(self, node: ast.AST) -> Iterator[EarlyUse]:
-        """Follow a statement in a block, or what its first line evaluates and sets."""
-        if isinstance(node, ast.stmt):
-            yield from self.statement(node)
-        else:
-            yield from self.whole(node)
+    def branch(self, body: list[ast.stmt]) -> Iterator[EarlyUse]:
+        """Follow one of several bodies: the others may have run in an earlier round of the loop."""
+        outer, others = self.maybe, self.in_loops - Counter(_bound_in(body))
+        self.maybe = outer | others.keys()
+        yield from self.block(body)
+        self.maybe = outer
+
+    def parts(self, node: ast.stmt) -> Iterator[EarlyUse]:
+        """Follow the first line of a block, and the statements in it."""
+        for inner in ast.iter_child_nodes(node):
+            if isinstance(inner, ast.stmt):
+                yield from self.statement(inner)
+            else:
+                yield from self.whole(inner)
 
     def whole(self, node: ast.AST) -> Iterator[EarlyUse]:
         yield from self.uses(node)
-        self.known.update(_bound(node))
-        if isinstance(node, ast.FunctionDef):
-            self.define(node)
+        self.bind(_bound(node))
+        match node:
+            case ast.FunctionDef(decorator_list=[decorator]) if _is_event(decorator):
+                self.whens.append(node)
+            case ast.FunctionDef(decorator_list=[_, *_]) | ast.ClassDef():
+                # Something else may call it.
+                self.known.update(_shared(node))
 
-    def define(self, node: ast.FunctionDef) -> None:
-        if any("robot.when" in ast.unparse(one) for one in node.decorator_list):
-            self.whens.append(node)
-        else:
-            self.functions[node.name] = node
+    def bind(self, names: Iterable[str]) -> None:
+        for name in names:
+            (self.set_here if name in self.own else self.known).add(name)
 
-    def uses(self, node: ast.AST, own: frozenset[str] = frozenset()) -> Iterator[EarlyUse]:
+    # Uses.
+
+    def uses(self, node: ast.AST) -> Iterator[EarlyUse]:
         """Find early uses in what runs at once, also through the functions that it calls."""
-        for inner in at_once(node):
-            match inner:
-                case ast.Name(id=name, ctx=ast.Load()) if self.is_early(name) and name not in own:
-                    self.known.add(name)
-                    yield EarlyUse(inner, self.message(inner))
+        nodes = list(at_once(node))
+        inner_names = frozenset(_names_inside(nodes))
+        called = {id(one.func) for one in nodes if isinstance(one, ast.Call)}
+        for one in nodes:
+            match one:
                 case ast.Call(func=ast.Name(id=name)) if name in self.functions:
-                    yield from self.call(self.functions[name])
+                    if name in self.known:
+                        yield from self.call(self.functions[name])
                 case ast.Call(func=ast.Attribute(value=ast.Name(id="robot"), attr="run")):
-                    for when in self.whens:
-                        yield from self.call(when)
+                    yield from self.events()
+                case ast.Name(id=name, ctx=ast.Load()) if name in self.functions:
+                    if id(one) not in called:
+                        self.known.update(_shared(self.functions[name]))
+        for one in nodes:
+            match one:
+                case ast.Name(ctx=ast.Load()) | ast.AugAssign(target=ast.Name()):
+                    read = one.target if isinstance(one, ast.AugAssign) else one
+                    if isinstance(read, ast.Name) and read.id not in inner_names:
+                        yield from self.read(read)
 
-    def call(self, function: ast.FunctionDef) -> Iterator[EarlyUse]:
-        if function.name in self.called:
+    def read(self, node: ast.Name) -> Iterator[EarlyUse]:
+        name = node.id
+        is_known = name in (self.set_here if name in self.own else self.known)
+        if is_known or name in self.maybe or name not in self.names:
             return
-        self.called.add(function.name)
-        own = frozenset(_own_names(function))
-        for statement in function.body:
-            yield from self.uses(statement, own)
+        self.bind([name])
+        if name in self.lines and name not in self.own:
+            line = str(self.lines[name])
+            yield EarlyUse(node, Phrase("check-defined-below", name=name, line=line))
+        else:
+            yield EarlyUse(node, Phrase("check-read-before-set", name=name))
 
-    def is_early(self, name: str) -> bool:
-        return name in self.lines and name not in self.known and name not in _BUILTINS
+    def call(
+        self, function: ast.FunctionDef, again: Counter[str] | None = None
+    ) -> Iterator[EarlyUse]:
+        """Follow the first call of a function; later, at least as much is set."""
+        key = (function.name, bool(self.maybe))
+        if key not in self.followed:
+            self.followed.add(key)
+            with self.within(function, again or Counter()):
+                yield from self.block(function.body)
 
-    def message(self, node: ast.Name) -> Phrase:
-        return Phrase("check-defined-below", name=node.id, line=str(self.lines[node.id]))
+    def events(self) -> Iterator[EarlyUse]:
+        whens, self.whens = self.whens, []
+        for when in whens:
+            if ast.unparse(when.decorator_list[0]) == "robot.when_start":
+                yield from self.call(when)
+        for when in whens:
+            match when.decorator_list[0]:
+                case ast.Call(args=[ast.Lambda(body=condition)]):
+                    yield from self.uses(_certain(condition))
+        known = self.known
+        for when in whens:
+            # Each runs again and again, after any other.
+            self.known = known.union(*(self.shared_by(one) for one in whens if one is not when))
+            yield from self.call(when, Counter(_bound_in(when.body)))
+        self.known = known
+
+    def shared_by(self, function: ast.FunctionDef) -> set[str]:
+        """The shared names that a function sets, also through those that it calls."""
+        found: set[str] = set()
+        seen: set[str] = set()
+        ahead = [function]
+        while ahead:
+            one = ahead.pop()
+            found.update(_shared(one))
+            loaded = {node.id for node in ast.walk(one) if isinstance(node, ast.Name)} - seen
+            seen |= loaded
+            ahead += (self.functions[name] for name in loaded & self.functions.keys())
+        return found
+
+    @contextmanager
+    def within(self, function: ast.FunctionDef, again: Counter[str]) -> Iterator[None]:
+        """Have the local names of a function; `again` are those that earlier runs of it set."""
+        outer = self.own, self.set_here, self.in_loops
+        self.own = frozenset(_own_names(function))
+        self.set_here = {node.arg for node in ast.walk(function.args) if isinstance(node, ast.arg)}
+        self.in_loops = again - Counter(self.own)
+        yield
+        self.own, self.set_here, self.in_loops = outer
 
 
-def _definitions(body: list[ast.stmt]) -> Iterator[tuple[str, int]]:
-    """The functions, events and classes of the top level, each with its line."""
-    for node in body:
-        if isinstance(node, Function | ast.ClassDef):
-            yield node.name, node.lineno
+def _is_event(decorator: ast.expr) -> bool:
+    return ast.unparse(decorator).startswith("robot.when")
+
+
+def _certain(condition: ast.expr) -> ast.expr:
+    """The part of a condition that is evaluated whatever the others are."""
+    while True:
+        match condition:
+            case ast.BoolOp(values=[first, *_]) | ast.IfExp(test=first):
+                condition = first
+            case _:
+                return condition
+
+
+def _bound_in(body: Iterable[ast.stmt]) -> Iterator[str]:
+    for statement in body:
+        yield from _bound(statement)
 
 
 def _bound(node: ast.AST) -> Iterator[str]:
@@ -112,22 +215,35 @@ def _bound(node: ast.AST) -> Iterator[str]:
         match inner:
             case ast.Name(id=name, ctx=ast.Store()):
                 yield name
-            case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
-                yield name
-            case ast.AsyncFunctionDef(name=name):
-                yield name
+            case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
+                yield inner.name
             case ast.alias(name=name, asname=other):
                 yield (other or name).partition(".")[0]
+            case ast.ExceptHandler(name=str(name)):
+                yield name
+            case ast.MatchAs(name=str(name)) | ast.MatchStar(name=str(name)):
+                yield name
+            case ast.MatchMapping(rest=str(name)):
+                yield name
+
+
+def _names_inside(nodes: Iterable[ast.AST]) -> Iterator[str]:
+    """The names that comprehensions, classes and ``:=`` set for the rest of a statement."""
+    for node in nodes:
+        if isinstance(node, _OWN_NAMES):
+            yield from _bound(node)
+
+
+def _shared(node: ast.AST) -> Iterator[str]:
+    """The names that the functions in a statement share with the file."""
+    for inner in ast.walk(node):
+        if isinstance(inner, ast.Global):
+            yield from inner.names
 
 
 def _own_names(function: ast.FunctionDef) -> Iterator[str]:
-    """The parameters and local variables of a function."""
-    shared: set[str] = set()
-    own: set[str] = set()
-    for node in ast.walk(function):
-        match node:
-            case ast.arg(arg=name) | ast.Name(id=name, ctx=ast.Store()):
-                own.add(name)
-            case ast.Global(names=names):
-                shared.update(names)
-    yield from own - shared
+    """The parameters and local names of a function."""
+    own = {node.arg for node in ast.walk(function.args) if isinstance(node, ast.arg)}
+    own.update(*(_bound(statement) for statement in function.body))
+    own.update(name for node in ast.walk(function) for name in _names_inside([node]))
+    yield from own - set(_shared(function))

@@ -1,5 +1,6 @@
 """Find variables that are read before they are set, also in the functions that are called."""
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
@@ -39,20 +40,20 @@ class _Scope:
         known: the shared variables that may be set.
         own: the parameters and loop variables of the function.
         bound: those of them that may be set.
-        in_loop: what the loops around set.
-        maybe: what an earlier round of these loops may have set.
+        in_loop: what the loops around set, each as often as statements set it.
+        maybe: what other branches may have set in an earlier round of these loops.
     """
 
     known: set[str]
     own: frozenset[str] = frozenset()
     bound: set[str] = field(default_factory=set)
-    in_loop: frozenset[str] = frozenset()
+    in_loop: Counter[str] = field(default_factory=Counter)
     maybe: frozenset[str] = frozenset()
 
     def has(self, name: str) -> bool:
         return name in (self.bound if name in self.own else self.known) or name in self.maybe
 
-    def set(self, name: str) -> None:
+    def bind(self, name: str) -> None:
         (self.bound if name in self.own else self.known).add(name)
 
 
@@ -71,7 +72,7 @@ class _Order:
     def run(self) -> None:
         program, whens = self.findings.program, self.findings.whens
         known = set(self.findings.raw_names)
-        known |= self.sets(self.functions[name].body for name in self.called_in_raw())
+        known.update(*(self.sets(self.functions[name].body) for name in self.called_in_raw()))
         runs = [one for one in program.items if not isinstance(one, Def | When)]
         if self.findings.in_python:
             # The text runs from top to bottom; the tree has definitions first.
@@ -82,16 +83,18 @@ class _Order:
     def events(self, whens: list[When], known: set[str]) -> None:
         start = [one for one in whens if one.name == "start" and one.condition is None]
         for when in start:
-            self.event(when, known)
+            self.event(when, known, Counter())
         for when in whens:
             # The first cycle evaluates every condition before it runs an event.
             self.expressions(_certain(when.condition), _Scope(known))
-        known |= self.sets(when.body for when in whens)
+        sets = {when.name: set(self.sets(when.body)) for when in whens}
         for when in whens:
-            self.event(when, known)
+            # Each runs again and again, after any other.
+            others = (found for name, found in sets.items() if name != when.name)
+            self.event(when, known.union(*others), self.sets(when.body))
 
-    def event(self, when: When, known: set[str]) -> None:
-        self.block(when.body, _Scope(known, _counted(when.body)))
+    def event(self, when: When, known: set[str], again: Counter[str]) -> None:
+        self.block(when.body, _Scope(known, _counted(when.body), in_loop=again))
 
     def called_in_raw(self) -> set[str]:
         """The functions that parts in raw Python may call at any time."""
@@ -103,17 +106,18 @@ class _Order:
                         names |= raw_names(node.text.strip())
         return names & self.functions.keys()
 
-    def sets(self, found: Iterable[Body]) -> set[str]:
-        """The shared variables that statements set, also through the functions that they call."""
-        names: set[str] = set()
-        called: set[str] = set()
-        ahead = list(found)
+    def sets(self, body: Body) -> Counter[str]:
+        """The variables that statements set, also through the functions that they call."""
+        names = Counter(filter(None, map(set_by, statements(body))))
+        seen: set[str] = set()
+        ahead = list(self.called_in(body))
         while ahead:
-            body = ahead.pop()
-            names.update(filter(None, map(set_by, statements(body))))
-            new = set(self.called_in(body)) - called
-            called |= new
-            ahead += (self.functions[name].body for name in new)
+            name = ahead.pop()
+            inner = self.functions[name].body
+            names.update(filter(None, map(set_by, statements(inner))))
+            if name not in seen:
+                seen.add(name)
+                ahead += self.called_in(inner)
         return names
 
     def called_in(self, body: Body) -> Iterator[str]:
@@ -130,15 +134,17 @@ class _Order:
     def statement(self, item: Item, scope: _Scope) -> None:
         self.expressions(evaluated(item), scope)
         if (name := set_by(item)) is not None:
-            scope.set(name)
+            scope.bind(name)
         for body in bodies(item):
-            self.block(body, self.inner(item, scope))
+            self.block(body, self.inner(item, body, scope))
 
-    def inner(self, item: Item, scope: _Scope) -> _Scope:
-        """The scope of the bodies of a statement."""
+    def inner(self, item: Item, body: Body, scope: _Scope) -> _Scope:
+        """The scope of a body of a statement."""
         if isinstance(item, LOOPS):
-            return replace(scope, in_loop=scope.in_loop | self.sets([item.body]))
-        return replace(scope, maybe=scope.maybe | scope.in_loop) if isinstance(item, If) else scope
+            return replace(scope, in_loop=scope.in_loop + self.sets(body))
+        if isinstance(item, If) and scope.in_loop:
+            return replace(scope, maybe=scope.maybe | (scope.in_loop - self.sets(body)).keys())
+        return scope
 
     def expressions(self, found: Iterable[Expression], scope: _Scope) -> None:
         nodes = list(found)

@@ -14,6 +14,7 @@ from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext import names
 from learnblock.language.blocktext.lexer import MAX_CHARACTERS, too_long
+from learnblock.language.blocktext.order import definitions_first
 from learnblock.language.blocktext.rewording import reworded
 from learnblock.language.python import imports
 from learnblock.language.python.expression_reader import (
@@ -49,7 +50,6 @@ from learnblock.language.tree.nodes import (
     When,
     is_only_raw,
 )
-from learnblock.language.tree.order import definitions_first
 from learnblock.language.tree.traversal import statements
 
 #: The most known slips that are reported at once.

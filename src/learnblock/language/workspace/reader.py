@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from learnblock.blocks import BlockConfiguration
 from learnblock.errors import Diagnostic, ProgramError
 from learnblock.i18n import Phrase
+from learnblock.language.blocktext.order import definitions_first
 from learnblock.language.tree.layout import normalized
 from learnblock.language.tree.nodes import (
     Blank,
@@ -20,7 +21,6 @@ from learnblock.language.tree.nodes import (
     Setup,
     When,
 )
-from learnblock.language.tree.order import definitions_first
 from learnblock.language.workspace.block_reader import extra, extra_list, is_disabled, plugged
 from learnblock.language.workspace.blocks import Block, Workspace
 from learnblock.language.workspace.notes import Ends, Notes

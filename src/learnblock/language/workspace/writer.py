@@ -6,6 +6,7 @@ from itertools import groupby, pairwise
 import msgspec
 
 from learnblock.blocks import BlockConfiguration
+from learnblock.language.blocktext.order import drawn
 from learnblock.language.tree.nodes import (
     Blank,
     Body,
@@ -19,7 +20,6 @@ from learnblock.language.tree.nodes import (
     When,
     While,
 )
-from learnblock.language.tree.order import drawn
 from learnblock.language.tree.traversal import bodies, expressions, statements
 from learnblock.language.workspace.alignment import Match, aligned
 from learnblock.language.workspace.blocks import Block, Input, Variable, Workspace
