@@ -96,3 +96,10 @@ def test_without_our_package_a_python_file_finds_no_library_and_no_skills_of_a_f
     for package, expected in (("learnblock.libraries.", []), ("", ["unknown-skill"])):
         path.write_text(text.format(package, "helper") + "robot.sway()\n")
         assert codes(path) == expected
+
+
+@pytest.mark.parametrize(("name", "is_python"), [("PROG.BT", False), ("Test.Py", True)])
+def test_the_ending_of_a_file_may_be_in_capitals(name, is_python, tmp_path):
+    path = tmp_path / name
+    path.write_text("print(1)\n", encoding="utf-8")
+    assert is_python is running.read(path).is_python

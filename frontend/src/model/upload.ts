@@ -36,7 +36,8 @@ export function uploadOf(files: readonly File[]): Upload {
 }
 
 export function withEnding(files: readonly File[], endings: readonly string[]): File[] {
-  return files.filter(({ name }) => endings.some((ending) => name.endsWith(ending)));
+  // Some systems write endings in capitals.
+  return files.filter(({ name }) => endings.some((ending) => name.toLowerCase().endsWith(ending.toLowerCase())));
 }
 
 /** The name of a file without its ending. */
@@ -51,7 +52,7 @@ export function sizeProblem(files: readonly File[]): string | null {
 }
 
 function limitOf({ name }: File): number {
-  return LIMITS[name.slice(name.lastIndexOf(".") + 1)] ?? LIMIT;
+  return LIMITS[name.slice(name.lastIndexOf(".") + 1).toLowerCase()] ?? LIMIT;
 }
 
 /** The Python files that do not belong to a library. */

@@ -32,6 +32,12 @@ test("Python is a program unless it belongs to a library", () => {
   expect(kinds("a.py", "step.lb")).toEqual(["a.py", "step.lb"]);
 });
 
+test("endings may be in capitals", () => {
+  expect(kinds("PROG.BT")).toEqual(["PROG.BT"]);
+  expect(kinds("TEST.PY")).toEqual(["TEST.PY"]);
+  expect(kinds("DANCE.LBLIB")).toEqual(["libraries", "DANCE.LBLIB"]);
+});
+
 test("several programs and files of other types are not opened", () => {
   expect(kinds("a.bt", "b.py")).toEqual(["several"]);
   expect(kinds("a.png")).toEqual(["unknown"]);

@@ -155,13 +155,15 @@ def _read_all(paths: Sequence[Path]) -> Iterator[HandedIn]:
         for inner in sorted(path.iterdir()):
             if inner.is_dir():
                 yield _read_folder(inner)
-            elif inner.suffix in _ENDINGS:
+            elif inner.suffix.lower() in _ENDINGS:
                 yield _read(inner, inner.stem)
 
 
 def _read_folder(folder: Path) -> HandedIn:
     """What is in a pupil's folder: the only program in it."""
-    found = sorted(one for one in folder.rglob("*") if one.suffix in _ENDINGS and one.is_file())
+    found = sorted(
+        one for one in folder.rglob("*") if one.suffix.lower() in _ENDINGS and one.is_file()
+    )
     if len(found) == 1:
         return _read(found[0], folder.name)
     names = tuple(str(one.relative_to(folder)) for one in found[:5])
@@ -186,6 +188,6 @@ def _read(path: Path, pupil: str) -> HandedIn:
 def _text_of(path: Path) -> str:
     """The text of a program that is invalid, so that the teacher can read it; "" for a project."""
     with suppress(OSError, UnicodeDecodeError):
-        if path.suffix != ENDING:
+        if path.suffix.lower() != ENDING:
             return path.read_text("utf-8-sig")
     return ""

@@ -128,9 +128,9 @@ def _opened(folder: Path, file: Path, add: Callable[["Project"], str]) -> str:
     from learnblock.server.projects.folder import ProjectFolder  # noqa: PLC0415
 
     projects = ProjectFolder(folder)
-    if file.suffix == ".learnblock" and file.resolve().parent == folder.resolve():
+    if file.suffix.lower() == ".learnblock" and file.resolve().parent == folder.resolve():
         return projects.read(file.stem).name
-    if file.suffix in {importing.ENDING, importing.LIBRARY_ENDING}:
+    if file.suffix.lower() in {importing.ENDING.lower(), importing.LIBRARY_ENDING}:
         return add(_original(projects, file))
     return add(projects.import_file(file.name, running.read_text(file)))
 

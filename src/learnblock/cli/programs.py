@@ -215,7 +215,7 @@ def _format(file: Path, *, only_check: bool, to_stdout: bool) -> bool:
     from learnblock import language, running  # noqa: PLC0415
     from learnblock.storage.files import save  # noqa: PLC0415
 
-    if file.suffix != ".bt":
+    if file.suffix.lower() != ".bt":
         raise LearnBlockError("cli-format-only-block-text", file=str(file))
     source = running.read(file)
     text = language.format(source.tree)

@@ -52,7 +52,7 @@ def opened(path: Path) -> Iterator[ProgramFile]:
 
 def robots_in(path: Path) -> int:
     """How many robots a file is for; 1 for a program, and for a project that is invalid."""
-    if path.suffix != ENDING:
+    if path.suffix.lower() != ENDING:
         return 1
     try:
         return _project(path).count_robots()
@@ -69,7 +69,7 @@ def opened_all(path: Path) -> Iterator[tuple[ProgramFile, ...]]:
         FileError: one is invalid.
         OSError: it can't be read.
     """
-    if path.suffix != ENDING:
+    if path.suffix.lower() != ENDING:
         yield (ProgramFile(running.read(path)),)
         return
     from learnblock.server.projects import unpacking  # noqa: PLC0415 - programs need none of it

@@ -61,10 +61,11 @@ def read(path: Path) -> Source:
         OSError: it cannot be read.
     """
     name = str(path)
-    if path.suffix not in {".bt", ".py"}:
+    ending = path.suffix.lower()
+    if ending not in {".bt", ".py"}:
         problem = Diagnostic("unknown-notation", Phrase("run-unknown-file-type"))
         raise ProgramError(name, [problem])
-    return source_of(path, read_text(path), is_python=path.suffix == ".py")
+    return source_of(path, read_text(path), is_python=ending == ".py")
 
 
 def source_of(path: Path, text: str, *, is_python: bool) -> Source:

@@ -33,6 +33,8 @@ check-unknown-when-near = There is no 'when { $name }'. Did you mean '{ $near }'
 # $word: def or when
 check-defined-twice = There is another '{ $word } { $name }' on line { $line }. Rename one or combine them.
 check-function-and-variable = '{ $name }' is both a function and a variable. Rename one.
+check-follows-condition = 'when { $name }' follows its condition, so '{ $word } { $name }' lasts one round at most. Put into the condition what should start or stop it.
+check-follows-condition-python = The event '{ $name }' follows its condition, so '{ $name }.{ $word }()' lasts one round at most. Put into the condition what should start or stop it.
 check-value-of-event = '{ $name }' belongs to 'when { $event }', so nothing else can have this name. { $value ->
     [time] Choose another name, or write 'deactivate { $event }' and 'activate { $event }' to start its time again.
    *[active] Choose another name, or write 'activate { $event }' or 'deactivate { $event }' to change its state.
@@ -114,6 +116,7 @@ check-append = Only a list can be added to a list. Write 'append({ $values }, { 
 check-append-python = Only a list can be added to a list. Write '{ $values }.append({ $item })' to add one item.
 # $advice: one of the messages above
 check-never-equal = Text never equals a number. { $advice }
+check-decimals = A whole number is needed here, but Python gives this one decimals, as in 5.0. Write '//' instead of '/', or 'int(...)' around it.
 check-repeat-whole-number = 'repeat' needs a whole number, not { $number }. Write 'repeat { $less }:' or 'repeat { $more }:'.
 check-for-number = '{ $value }' is a number, not a list. Write 'for { $name } from 1 to { $value }:' to count.
 check-for-number-python = '{ $value }' is a number, not a list. Write 'for { $name } in range({ $value }):' to count.

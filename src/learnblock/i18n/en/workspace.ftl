@@ -65,6 +65,7 @@ workspace-defined-twice = { $word ->
     [def] There are two functions '{ $name }'.
    *[other] There are two events '{ $name }'.
 } Rename this one, or move its blocks to the other one and delete this one.
+workspace-follows-condition = The event '{ $name }' follows its condition, so this block lasts one round at most. Put into the condition what should start or stop it.
 workspace-value-of-event = '{ $name }' is the { $value ->
     [time] time
    *[active] state
@@ -103,6 +104,7 @@ workspace-join-text = Only text can be added to text. Put the block 'str' from '
 workspace-append = Only a list can be added to a list. To add one item, replace the whole block 'set ... to' with 'in list ... insert at last' from 'Variables'.
 # $advice: one of the messages about text for a number
 workspace-never-equal = Text never equals a number. { $advice }
+workspace-decimals = A whole number is needed here, but this one has decimals, as in 5.0. Put a 'round' block around it.
 workspace-repeat-whole-number = 'repeat' needs a whole number, not { $number }. Write { $less } or { $more }.
 workspace-for-number = This is a number, not a list. To count, use 'count with { $name } from 1 to { $value }' instead of 'for each item'.
 workspace-text-as-condition = Text is not a condition: it counts as true. Put a comparison from 'Maths' or a question for the robot here.

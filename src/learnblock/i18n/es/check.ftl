@@ -33,6 +33,8 @@ check-unknown-when-near = No hay ningún 'when { $name }'. ¿Querías decir '{ $
 # $word: def or when
 check-defined-twice = Ya hay otro '{ $word } { $name }' en la línea { $line }. Cambia el nombre de uno o únelos.
 check-function-and-variable = '{ $name }' es a la vez una función y una variable. Cambia uno de los nombres.
+check-follows-condition = 'when { $name }' sigue a su condición, así que '{ $word } { $name }' dura como mucho una vuelta. Pon en la condición lo que deba iniciarlo o pararlo.
+check-follows-condition-python = El evento '{ $name }' sigue a su condición, así que '{ $name }.{ $word }()' dura como mucho una vuelta. Pon en la condición lo que deba iniciarlo o pararlo.
 check-value-of-event = '{ $name }' es de 'when { $event }', así que nada más puede llamarse así. { $value ->
     [time] Elige otro nombre, o escribe 'deactivate { $event }' y 'activate { $event }' para que su tiempo empiece otra vez.
    *[active] Elige otro nombre, o escribe 'activate { $event }' o 'deactivate { $event }' para cambiar su estado.
@@ -114,6 +116,7 @@ check-append = A una lista solo se le puede sumar otra lista. Escribe 'append({ 
 check-append-python = A una lista solo se le puede sumar otra lista. Escribe '{ $values }.append({ $item })' para añadir un elemento.
 # $advice: one of the messages above
 check-never-equal = Un texto nunca es igual a un número. { $advice }
+check-decimals = Aquí hace falta un número entero, y Python le da decimales, como en 5.0. Escribe '//' en vez de '/', o ponlo dentro de 'int(...)'.
 check-repeat-whole-number = 'repeat' necesita un número entero, no { $number }. Escribe 'repeat { $less }:' o 'repeat { $more }:'.
 check-for-number = '{ $value }' es un número, no una lista. Escribe 'for { $name } from 1 to { $value }:' para contar.
 check-for-number-python = '{ $value }' es un número, no una lista. Escribe 'for { $name } in range({ $value }):' para contar.

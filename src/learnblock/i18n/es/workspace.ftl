@@ -65,6 +65,7 @@ workspace-defined-twice = { $word ->
     [def] Hay dos funciones '{ $name }'.
    *[other] Hay dos eventos '{ $name }'.
 } Cambia el nombre de este bloque, o pasa sus bloques al otro y borra este.
+workspace-follows-condition = El evento '{ $name }' sigue a su condición, así que este bloque dura como mucho una vuelta. Pon en la condición lo que deba iniciarlo o pararlo.
 workspace-value-of-event = '{ $name }' es el { $value ->
     [time] tiempo
    *[active] estado
@@ -103,6 +104,7 @@ workspace-join-text = A un texto solo se le puede sumar otro texto. Pon alrededo
 workspace-append = A una lista solo se le puede sumar otra lista. Para añadir un elemento, cambia todo el bloque 'establecer ... a' por 'en la lista ... insertar en último', de 'Variables'.
 # $advice: one of the messages about text for a number
 workspace-never-equal = Un texto nunca es igual a un número. { $advice }
+workspace-decimals = Aquí hace falta un número entero, y este tiene decimales, como 5.0. Ponlo dentro de un bloque 'redondear'.
 workspace-repeat-whole-number = 'repetir' necesita un número entero, no { $number }. Escribe { $less } o { $more }.
 workspace-for-number = Esto es un número, no una lista. Para contar usa 'contar con { $name } desde 1 hasta { $value }' en vez de 'para cada elemento'.
 workspace-text-as-condition = Un texto no es una condición: cuenta como verdadero. Pon aquí una comparación de 'Cálculo' o una pregunta al robot.

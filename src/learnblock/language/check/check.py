@@ -9,7 +9,7 @@ from learnblock.errors import Diagnostic
 from learnblock.i18n import Phrase
 from learnblock.language.blocktext.names import state_of
 from learnblock.language.check.call_checker import CallChecker
-from learnblock.language.check.findings import Findings, python_error
+from learnblock.language.check.findings import Findings, is_whole, python_error
 from learnblock.language.check.flow_checker import LOOPS, FlowChecker
 from learnblock.language.check.python_checker import check_python
 from learnblock.language.check.type_checker import check_types
@@ -193,14 +193,31 @@ class _Checker:
             self.block(body, depth + 1, loops, within_def=within_def)
 
     def activation(self, item: Activate | Deactivate) -> None:
-        if item.name in self.findings.whens or item.name in self.findings.raw_names:
+        if item.name in self.findings.raw_names:
+            return
+        if item.name in self.findings.whens:
+            self.activation_of_condition(item)
             return
         self.report("unknown-when", self.findings.unknown_when(item.name), item.span)
+
+    def activation_of_condition(self, item: Activate | Deactivate) -> None:
+        """Report a change of an event that its condition undoes in the next cycle.
+
+        Both together start its time again.
+        """
+        found = self.findings.everything
+        changes = [one for one in found if isinstance(one, Activate | Deactivate)]
+        alone = {type(one) for one in changes if one.name == item.name} == {type(item)}
+        if alone and self.findings.whens[item.name].condition is not None:
+            code = self.findings.worded("check-follows-condition", "check-follows-condition-python")
+            word = type(item).__name__.lower()
+            message = Phrase(code, name=item.name, word=word)
+            self.report("follows-condition", message, item.span, "warning")
 
     def whole_numbers(self, item: ForRange) -> None:
         for bound in (item.start, item.stop, item.step):
             number = bound.operand if isinstance(bound, Unary) else bound
-            if isinstance(number, Number) and not _is_whole(number.text):
+            if isinstance(number, Number) and not is_whole(number.text):
                 message = Phrase("check-whole-number", number=number.text)
                 self.report("wrong-type", message, number.span)
             elif isinstance(bound, String):
@@ -226,11 +243,3 @@ class _Checker:
                     message = Phrase(code, skill=called)
                     self.report("sensor-outside-loop", message, branch.span, "warning")
                     return
-
-
-def _is_whole(text: str) -> bool:
-    try:
-        int(text, 0)
-    except ValueError:
-        return False
-    return True

@@ -146,6 +146,15 @@ def constant(node: Expression) -> float | str | None:
     return None
 
 
+def is_whole(text: str) -> bool:
+    """Whether the spelling of a number is that of a whole one."""
+    try:
+        int(text, 0)
+    except ValueError:
+        return False
+    return True
+
+
 def python_error(text: str, mode: str) -> SyntaxError | None:
     """The syntax error in Python source; `mode` is ``exec`` for statements, else ``eval``."""
     try:

@@ -6,7 +6,7 @@ from typing import Any
 
 from learnblock.errors import Severity
 from learnblock.i18n import Phrase
-from learnblock.language.check.findings import Findings
+from learnblock.language.check.findings import Findings, is_whole
 from learnblock.language.check.list_checker import check_lists
 from learnblock.language.check.types import KNOWN, NUMBERS, TEXTS, Type, Types
 from learnblock.language.tree.builtins import FUNCTIONS
@@ -163,7 +163,7 @@ class _TypeChecker:
 
     def repeat(self, item: Repeat) -> None:
         self.number(item.count)
-        if isinstance(item.count, Number) and not _is_whole(item.count.text):
+        if isinstance(item.count, Number) and not is_whole(item.count.text):
             less = int(min(max(float(item.count.text), 1), _MOST_REPEATS))
             message = Phrase(
                 "check-repeat-whole-number",
@@ -172,11 +172,19 @@ class _TypeChecker:
                 more=str(less + 1),
             )
             self.report(message, item.count)
+        else:
+            self.decimal(item.count)
+
+    def decimal(self, node: Expression) -> None:
+        """Report a calculation whose result has decimals where a whole number is needed."""
+        if not isinstance(node, Number) and self.types.has_decimals(node):
+            self.report(Phrase("check-decimals"), node)
 
     def range(self, item: ForRange) -> None:
         for bound in (item.start, item.stop, item.step):
             if bound is not None and not isinstance(bound, String):
                 self.number(bound)
+                self.decimal(bound)
 
     def each(self, item: ForEach) -> None:
         if self.types.of(item.values) in NUMBERS:
@@ -291,6 +299,7 @@ class _TypeChecker:
             self.report(Phrase("check-no-items", value=self.spelled(node.value)), node.value)
         elif self.types.of(node.value) in TEXTS | {Type.LIST}:
             self.number(node.index)
+            self.decimal(node.index)
 
     def call(self, node: Call) -> None:
         if node.name in self.findings.functions:
@@ -302,6 +311,9 @@ class _TypeChecker:
             self.words_as_number(node.arguments[0])
         elif self.findings.is_of_language(node.name):
             self.arguments(node, _TAKES.get(node.name, ()))
+            if node.name == "random":
+                for bound in node.arguments:
+                    self.decimal(bound)
 
     def called_variable(self, node: Call, kind: Type) -> Phrase:
         value = self.spelled(node.arguments[0]) if node.arguments else "0"
@@ -422,14 +434,6 @@ def _reads_as_whole(text: str) -> bool:
     """Whether ``int`` can read a text, which allows more than the spelling of a number."""
     try:
         int(text)
-    except ValueError:
-        return False
-    return True
-
-
-def _is_whole(text: str) -> bool:
-    try:
-        int(text, 0)
     except ValueError:
         return False
     return True

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from enum import IntEnum, auto
 from types import MappingProxyType
 
-from learnblock.language.check.findings import Findings
+from learnblock.language.check.findings import Findings, is_whole
 from learnblock.language.tree.nodes import (
     Assign,
     Binary,
@@ -79,6 +79,13 @@ _RESULTS: Mapping[str, Type] = MappingProxyType(
         "elapsedTime": Type.BOOLEAN,
     }
 )
+#: The functions whose result Python never counts with.
+_WITH_DECIMALS = frozenset(
+    (
+        *("float", "sqrt", "exp", "log", "log10", "sin", "cos", "tan", "asin", "acos", "atan"),
+        *("atan2", "pi", "random_fraction"),
+    )
+)
 #: The number of passes over the assignments; types in longer chains of variables stay unknown.
 _PASSES = 8
 
@@ -96,6 +103,22 @@ class Types:
         self.variables: dict[str, Type] = {}
         if not findings.imports:
             self.work_out()
+
+    def has_decimals(self, node: Expression) -> bool:
+        """Whether a value is certainly no whole number for Python, even one such as 5.0."""
+        match node:
+            case Number(text=text):
+                return not is_whole(text)
+            case Binary(operator="/", left=left, right=right):
+                return {self.of(left), self.of(right)} <= NUMBERS
+            case Binary(operator="+" | "-" | "*" | "//" | "%", left=left, right=right):
+                is_number = {self.of(left), self.of(right)} <= NUMBERS
+                return is_number and (self.has_decimals(left) or self.has_decimals(right))
+            case Unary(operator="-" | "+", operand=operand):
+                return self.has_decimals(operand)
+            case Call(name=name):
+                return name in _WITH_DECIMALS and self.findings.is_of_language(name)
+        return False
 
     def work_out(self) -> None:
         """Derive the types of the variables from each other until nothing changes."""

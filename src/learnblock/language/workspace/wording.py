@@ -36,6 +36,11 @@ _IN_BLOCKS: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(
             ("check-value-of-event", "check-value-of-event-python"), "workspace-value-of-event"
         ),
+        **dict.fromkeys(
+            ("check-follows-condition", "check-follows-condition-python"),
+            "workspace-follows-condition",
+        ),
+        "check-decimals": "workspace-decimals",
         "check-not-imported": "workspace-not-imported",
         "check-missing-argument": "workspace-missing-argument",
         "check-too-many-arguments": "workspace-too-many-arguments",

@@ -268,6 +268,7 @@ class ProjectFolder:
             ProjectError: the file has another type, or is not a valid project.
         """
         stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
+        ending = ending.lower()
         text = text.removeprefix("\ufeff").replace("\r\n", "\n")
         name = self.free_name(stem)
         if ending in ("bt", "py"):
@@ -301,9 +302,9 @@ class ProjectFolder:
 
         stem, _, ending = filename.replace("\\", "/").rpartition("/")[2].rpartition(".")
         skills = all_configurations()
-        if f".{ending}" == importing.ENDING:
+        if f".{ending}".lower() == importing.ENDING.lower():
             made = importing.import_project(data, filename, skills, find_library)
-        elif f".{ending}" == importing.LIBRARY_ENDING:
+        elif f".{ending}".lower() == importing.LIBRARY_ENDING:
             made = importing.import_text(data, filename, skills)
         else:
             raise ProjectError(filename, [Diagnostic("unknown-file", Phrase("import-type"))])

@@ -381,3 +381,13 @@ def test_int_of_other_text_is_a_mistake(text):
 def test_a_return_leaves_an_event(event):
     text = f"when {event}:\n    if 1 > 0:\n        return\n    end\n    print(1)\nend\n"
     assert [] == check(parse(text), builtin())
+
+
+@pytest.mark.parametrize("word", ["activate", "deactivate"])
+def test_a_change_of_an_event_with_a_condition_has_no_lasting_effect(word, found):
+    text = f"when go = True:\n    print(1)\n    {word} go\nend\n"
+    assert [(3, "warning", "follows-condition")] == found(text)
+
+
+def test_an_event_with_a_condition_may_start_its_time_again(found):
+    assert [] == found("when go = True:\n    print(1)\n    deactivate go\n    activate go\nend\n")

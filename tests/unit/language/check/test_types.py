@@ -102,3 +102,25 @@ def test_the_types_of_a_long_chain_of_variables_are_uncertain():
     chain = "".join(f"x{number} = x{number + 1}\n" for number in range(50))
     found = check(parse(f'{chain}x50 = "a"\nprint(x0 - 1)\n'), {})
     assert "wrong-type" not in [one.code for one in found]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "repeat 10 / 2:\n    print(1)\nend\n",
+        "repeat 2 * (10 / 2):\n    print(1)\nend\n",
+        "repeat sqrt(9):\n    print(1)\nend\n",
+        "for i from 0 to 10 / 2:\n    print(i)\nend\n",
+        "print([1, 2][2 / 2])\n",
+        "print(random(1, 10 / 2))\n",
+    ],
+)
+def test_a_value_with_decimals_is_no_whole_number(text):
+    assert ["check-decimals"] == [one.message.code for one in check(parse(text), {})]
+
+
+@pytest.mark.parametrize(
+    "count", ["10 // 2", "int(10 / 2)", "round(10 / 2)", "len([1]) + 2", "0xE"]
+)
+def test_a_whole_number_may_be_calculated(count):
+    assert [] == check(parse(f"repeat {count}:\n    print(1)\nend\n"), {})

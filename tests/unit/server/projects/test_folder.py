@@ -545,3 +545,10 @@ def test_with_a_mistake_in_the_settings_the_project_stays(online, tmp_path, chan
 def test_with_a_mistake_in_the_settings_projects_can_still_be_created(online, tmp_path):
     (tmp_path / "home" / "settings.toml").write_text("[network]\nallowed = 3\n")
     assert online.add(Project("new", "")).name == "new"
+
+
+@pytest.mark.parametrize("name", ["PROG.BT", "TEST.PY"])
+def test_the_ending_of_an_opened_file_may_be_in_capitals(name, tmp_path):
+    project = ProjectFolder(tmp_path).import_file(name, "print(1)\n")
+    assert name.partition(".")[0] == project.name
+    assert "print(1)\n" in (project.python or project.blocktext)
